@@ -1,0 +1,73 @@
+//! What stops everything. Each message says what is wrong and what to do about it, in one line without the file's name
+//! (the caller knows it).
+
+use crate::units::Size;
+
+/// Why no page could be made.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// There are no bytes at all.
+    #[error("the file is empty; give a picture")]
+    Empty,
+    /// The bytes begin like no format that is read here.
+    #[error(
+        "this is not a picture in a format that is read here (JPEG, PNG, WebP, TIFF, BMP, GIF, PNM, SVG){}",
+        hint(.looks_like)
+    )]
+    UnknownFormat {
+        /// What the bytes look like instead, if that can be told: "text", "PDF".
+        looks_like: Option<&'static str>,
+    },
+    /// The format is known but the bytes cannot be decoded.
+    #[error(
+        "the {format} picture cannot be read: {why}; open and save it again in another program, or use another copy"
+    )]
+    Undecodable {
+        /// Name of the format, such as "JPEG".
+        format: &'static str,
+        /// What its decoder says.
+        why: String,
+    },
+    /// More pixels than the limit allows.
+    #[error("the picture has {size} pixels, which is over the limit of {limit_megapixels} megapixels; {remedy}")]
+    TooManyPixels {
+        /// What the picture's header says.
+        size: Size,
+        /// The limit in force, in millions of pixels.
+        limit_megapixels: u64,
+        /// What the user can do.
+        remedy: &'static str,
+    },
+    /// Decoding would take more memory than the limit allows.
+    #[error(
+        "decoding this {format} of {size} pixels would take about {needed_mb} MB of memory, over the limit of {limit_mb} MB; {remedy}"
+    )]
+    TooMuchMemory {
+        /// Name of the format, such as "TIFF".
+        format: &'static str,
+        /// What the picture's header says.
+        size: Size,
+        /// Megabytes that decoding would take.
+        needed_mb: u64,
+        /// The limit in force, in megabytes.
+        limit_mb: u64,
+        /// What the user can do.
+        remedy: &'static str,
+    },
+    /// Too few pixels, or a shape too narrow for anything to be felt in it.
+    #[error("the picture has {size} pixels: {why}")]
+    TooSmall {
+        /// What the picture's header says.
+        size: Size,
+        /// What would do.
+        why: String,
+    },
+    /// The profile cannot be used; every fault is listed.
+    #[error("{}", crate::profile::faults_in_one_line(.0))]
+    Profile(Vec<crate::profile::Fault>),
+}
+
+fn hint(looks_like: &Option<&'static str>) -> String {
+    looks_like.map_or_else(String::new, |what| format!("; it looks like {what}"))
+}

@@ -1,0 +1,16 @@
+#![doc = include_str!("ARCHITECTURE.md")]
+
+pub mod error;
+pub mod frame;
+pub mod note;
+pub mod output;
+pub mod page;
+pub mod pipeline;
+pub mod profile;
+pub mod raster;
+pub mod units;
+
+pub use error::Error;
+pub use note::Note;
+pub use page::Page;
+pub use pipeline::{Drawing, convert};

@@ -1,0 +1,33 @@
+//! What the maker of a page should know and the page survives.
+
+/// One remark about a page that was made all the same.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Note {
+    /// The picture ends early or is damaged; the part that could be read was used.
+    Damaged(String),
+    /// The picture's colour profile could not be used, so its numbers were taken as sRGB.
+    ColourProfileIgnored(String),
+    /// Something in the picture is left out of the page (say a text without a font, or a linked file).
+    LeftOut(String),
+    /// No contour was found that is strong and long enough.
+    NoLines,
+    /// There is nothing on the page but its frames.
+    EmptyPage,
+}
+
+impl std::fmt::Display for Note {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Damaged(what) => write!(f, "the picture is damaged, what could be read was used: {what}"),
+            Self::ColourProfileIgnored(why) => {
+                write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
+            }
+            Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
+            Self::NoLines => f.write_str(
+                "no contour is strong and long enough for a line; lower edges.high or lines.min_length to get more",
+            ),
+            Self::EmptyPage => f.write_str("the picture has neither contours nor colours: the page is empty"),
+        }
+    }
+}

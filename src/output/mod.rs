@@ -1,0 +1,2 @@
+//! Writers of a page.
+pub mod svg;

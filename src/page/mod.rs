@@ -1,0 +1,4 @@
+//! stub
+/// The finished page.
+#[derive(Debug, Clone, Default)]
+pub struct Page {}
