@@ -4,8 +4,6 @@
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Note {
-    /// The picture ends early or is damaged; the part that could be read was used.
-    Damaged(String),
     /// The picture's colour profile could not be used, so its numbers were taken as sRGB.
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
@@ -19,7 +17,6 @@ pub enum Note {
 impl std::fmt::Display for Note {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Damaged(what) => write!(f, "the picture is damaged, what could be read was used: {what}"),
             Self::ColourProfileIgnored(why) => {
                 write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
             }

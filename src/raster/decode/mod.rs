@@ -1,7 +1,27 @@
 //! Bytes of a picture file become a [`Raster`] at the working size.
 
+//!
+//! ```text
+//!  bytes -- sniff --> jpeg | png | other | drawing --> rows (colour -> light, over white) --> shrink --> orient
+//!                       `- header: Job::begin checks the limits and asks for the working size before anything is decoded
+//! ```
+
+mod colour;
+mod drawing;
+mod jpeg;
+mod orient;
+mod other;
+mod png;
+mod rows;
+mod shrink;
+mod sniff;
+
 use std::sync::Arc;
 
+use image::metadata::Orientation;
+
+use self::colour::{Kind, Meaning};
+use self::sniff::Format;
 use crate::raster::Raster;
 use crate::units::Size;
 use crate::{Error, Note};
@@ -59,6 +79,97 @@ pub struct Picture {
 /// # Errors
 /// When the bytes are no such picture, are damaged beyond use, or are over a limit.
 pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
-    let _ = (bytes, options);
-    Err(Error::Empty)
+    if bytes.is_empty() {
+        return Err(Error::Empty);
+    }
+    match sniff::format(bytes).map_err(|looks_like| Error::UnknownFormat { looks_like })? {
+        Format::Jpeg => jpeg::decode(bytes, options),
+        Format::Png => png::decode(bytes, options),
+        Format::Svg => drawing::decode(bytes, options),
+        Format::Gzip => drawing::decode_gzip(bytes, options),
+        Format::WebP => other::webp(bytes, options),
+        Format::Tiff => other::tiff(bytes, options),
+        Format::Bmp => other::bmp(bytes, options),
+        Format::Gif => other::gif(bytes, options),
+        Format::Pnm => other::pnm(bytes, options),
+    }
+}
+
+/// What to do about a picture over a limit.
+const OVER_LIMIT: &str = "make it smaller in a picture editor first, or raise the limit";
+
+/// What a decoder knows once the header is read.
+struct Job {
+    format: &'static str,
+    limits: Limits,
+    orientation: Orientation,
+    source: Source,
+    /// Upright working size; not larger than the source.
+    target: Size,
+    notes: Vec<Note>,
+}
+
+impl Job {
+    /// Checks the header's size against the limits and asks for the working size.
+    fn begin(
+        format: &'static str,
+        stored: Size,
+        orientation: Orientation,
+        options: &Options<'_>,
+    ) -> Result<Self, Error> {
+        if stored.area() == 0 {
+            return Err(undecodable(format, format!("its header says that it has {stored} pixels")));
+        }
+        let limits = options.limits;
+        if stored.area() > limits.megapixels.saturating_mul(1_000_000) {
+            let limit_megapixels = limits.megapixels;
+            return Err(Error::TooManyPixels { size: stored, limit_megapixels, remedy: OVER_LIMIT });
+        }
+        let source = Source { size: orient::turned(stored, orientation), is_drawing: false };
+        let target = (options.working_size)(source)?;
+        let target = Size::new(target.width.clamp(1, source.size.width), target.height.clamp(1, source.size.height));
+        Ok(Self { format, limits, orientation, source, target, notes: Vec::new() })
+    }
+
+    /// The working size before the turn.
+    fn stored_target(&self) -> Size {
+        orient::turned(self.target, self.orientation)
+    }
+
+    /// Stops when decoding would take more than the limit.
+    fn check_memory(&self, needed_bytes: u64) -> Result<(), Error> {
+        check_memory(self.format, self.source.size, needed_bytes, self.limits)
+    }
+
+    /// What the samples mean; a profile that cannot be used leaves a note.
+    fn meaning(&mut self, icc: Option<&[u8]>, kind: Kind) -> Meaning {
+        let meaning = icc.map_or(Ok(Meaning::Srgb), |icc| Meaning::from_profile(icc, kind));
+        meaning.unwrap_or_else(|why| {
+            self.notes.push(Note::ColourProfileIgnored(why));
+            Meaning::Srgb
+        })
+    }
+
+    /// The picture, when no rows are missing.
+    fn end(self, raster: Option<Raster>) -> Result<Picture, Error> {
+        let raster = raster.ok_or_else(|| ends_early(self.format))?;
+        Ok(Picture { raster, source: self.source, notes: self.notes })
+    }
+}
+
+fn check_memory(format: &'static str, size: Size, needed_bytes: u64, limits: Limits) -> Result<(), Error> {
+    let needed_mb = needed_bytes.div_ceil(1_000_000);
+    if needed_mb > limits.memory_mb {
+        let limit_mb = limits.memory_mb;
+        return Err(Error::TooMuchMemory { format, size, needed_mb, limit_mb, remedy: OVER_LIMIT });
+    }
+    Ok(())
+}
+
+fn undecodable(format: &'static str, why: impl Into<String>) -> Error {
+    Error::Undecodable { format, why: why.into() }
+}
+
+fn ends_early(format: &'static str) -> Error {
+    undecodable(format, "the file ends before the picture does")
 }

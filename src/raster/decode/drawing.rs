@@ -1,0 +1,248 @@
+//! SVG drawings: rendered by resvg at the working size itself, over white. Nothing outside the drawing is reached: no
+//! files, no network. Pictures inside it (data: links) are drawn, under the same limits as pictures of their own.
+
+use std::io::{Cursor, Read};
+use std::sync::{Arc, Mutex, OnceLock};
+
+use image::ImageDecoder;
+use image::metadata::Orientation;
+use resvg::tiny_skia;
+use usvg::fontdb::Database;
+use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
+
+use super::colour::{Kind, Meaning, one_line};
+use super::rows::{Depth, Layout, Rows};
+use super::{Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, undecodable};
+use crate::units::Size;
+use crate::{Error, Note};
+
+const FORMAT: &str = "SVG";
+
+/// Longest side of a drawing in CSS pixels: a kilometre of paper. Beyond it f32, in which usvg computes, is coarse.
+const LONGEST_SIDE: f32 = 4_000_000.0;
+
+/// Most remarks on one drawing; a drawing of a thousand links would hide all else.
+const MOST_NOTES: usize = 8;
+
+/// An SVG drawing compressed with gzip (SVGZ), or something else that is.
+pub(super) fn decode_gzip(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    let limit_mb = options.limits.memory_mb;
+    let limit = limit_mb.saturating_mul(1_000_000);
+    let mut text = Vec::new();
+    // One byte more than the limit, to tell an end at the limit from a cut.
+    let mut inflate = flate2::read::GzDecoder::new(bytes).take(limit.saturating_add(1));
+    inflate.read_to_end(&mut text).map_err(|fault| undecodable("SVGZ", one_line(&fault)))?;
+    if text.len() as u64 > limit {
+        return Err(undecodable("SVGZ", format!("it inflates to more than the limit of {limit_mb} MB")));
+    }
+    match super::sniff::format(&text) {
+        Ok(super::sniff::Format::Svg) => decode(&text, options),
+        _ => Err(Error::UnknownFormat { looks_like: Some("something compressed with gzip: unpack it first") }),
+    }
+}
+
+pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    let text = std::str::from_utf8(bytes).map_err(|_| undecodable(FORMAT, "it is not in UTF-8"))?;
+    let left_out = LeftOut::default();
+    let fonts = OnceLock::new();
+    let parsing = usvg::Options {
+        image_href_resolver: links(&left_out, options.limits),
+        font_resolver: font_resolver(&left_out, options.fonts, &fonts),
+        ..usvg::Options::default()
+    };
+    let tree = Tree::from_str(text, &parsing).map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
+    drop(parsing);
+    let source = Source { size: nominal_size(tree.size())?, is_drawing: true };
+    let target = (options.working_size)(source)?;
+    if target.area() == 0 {
+        return Err(undecodable(FORMAT, format!("it cannot be drawn at {target} pixels")));
+    }
+    let limits = options.limits;
+    if target.area() > limits.megapixels.saturating_mul(1_000_000) {
+        let limit_megapixels = limits.megapixels;
+        return Err(Error::TooManyPixels { size: target, limit_megapixels, remedy: OVER_LIMIT });
+    }
+    // Each group that is blended as a whole has a canvas of its own while it is drawn, and so has each one inside it.
+    let canvases = 1 + canvases(tree.root());
+    check_memory(FORMAT, target, canvases.saturating_mul(target.area().saturating_mul(4)), limits)?;
+    let raster = render(&tree, target)?;
+    Ok(Picture { raster, source, notes: left_out.notes() })
+}
+
+fn render(tree: &Tree, target: Size) -> Result<crate::raster::Raster, Error> {
+    let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
+    let mut canvas = tiny_skia::Pixmap::new(target.width, target.height).ok_or_else(room)?;
+    canvas.fill(tiny_skia::Color::WHITE);
+    let (across, down) = (target.width as f32 / tree.size().width(), target.height as f32 / tree.size().height());
+    resvg::render(tree, tiny_skia::Transform::from_scale(across, down), &mut canvas.as_mut());
+    let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
+    let mut rows = Rows::whole(layout, Meaning::Srgb, target, target, Orientation::NoTransforms);
+    for row in canvas.data().chunks_exact(layout.row_bytes(target.width)) {
+        rows.push(row);
+    }
+    rows.finish().ok_or_else(room)
+}
+
+/// The drawing's size in whole pixels. A size that is no whole number is doubled until rounding leaves its shape alone:
+/// a drawing of 1 x 1.414 would become a square otherwise.
+fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
+    // A tenth of a millimetre over the height of an A4 page is a 3000th.
+    const SHAPE: f32 = 1.0 / 3000.0;
+    let (mut width, mut height) = (size.width(), size.height());
+    if width.max(height) > LONGEST_SIDE {
+        return Err(undecodable(FORMAT, format!("its size of {width} x {height} pixels is beyond any page")));
+    }
+    let off = |length: f32| (length.round() / length - 1.0).abs();
+    // At most 2^24 times: usvg has no size that is zero, but may have one that is as good as zero.
+    for _ in 0..24 {
+        if off(width) <= SHAPE && off(height) <= SHAPE || width.max(height) > LONGEST_SIDE {
+            break;
+        }
+        (width, height) = (width * 2.0, height * 2.0);
+    }
+    let (width, height) = (width.round() as u32, height.round() as u32);
+    if width == 0 || height == 0 {
+        return Err(undecodable(
+            FORMAT,
+            format!("its size of {} x {} pixels has no area", size.width(), size.height()),
+        ));
+    }
+    Ok(Size::new(width, height))
+}
+
+/// Most canvases one inside the other below a group.
+fn canvases(group: &usvg::Group) -> u64 {
+    let below = |node: &usvg::Node| match node {
+        usvg::Node::Group(group) => {
+            // A mask or a filter works on copies.
+            let own = u64::from(group.should_isolate()) + u64::from(group.mask().is_some());
+            own + 3 * u64::from(!group.filters().is_empty()) + canvases(group)
+        }
+        usvg::Node::Image(image) => match image.kind() {
+            ImageKind::SVG(tree) => 1 + canvases(tree.root()),
+            _ => 0,
+        },
+        _ => 0,
+    };
+    group.children().iter().map(below).max().unwrap_or(0)
+}
+
+fn fault_in(fault: &usvg::Error) -> String {
+    match fault {
+        usvg::Error::ParsingFailed(fault) => {
+            let place = fault.pos();
+            let mut what = one_line(fault);
+            // The place stands at the end of most of roxmltree's messages; it is said in words instead.
+            what = what.trim_end_matches(&format!(" at {place}")).to_owned();
+            format!("line {}, column {}: {what}", place.row, place.col)
+        }
+        usvg::Error::InvalidSize => "it has no size: neither a width and height above zero nor a viewBox".into(),
+        usvg::Error::ElementsLimitReached => "it has more than a million elements or too deep a nesting".into(),
+        other => one_line(other),
+    }
+}
+
+/// What is left out of a drawing, each once. usvg asks for links and fonts from closures that have to be `Sync`.
+#[derive(Default)]
+struct LeftOut(Mutex<Vec<String>>);
+
+impl LeftOut {
+    fn add(&self, what: String) {
+        if let Ok(mut list) = self.0.lock()
+            && !list.contains(&what)
+        {
+            list.push(what);
+        }
+    }
+
+    fn notes(self) -> Vec<Note> {
+        let mut list = self.0.into_inner().unwrap_or_default();
+        let more = list.len().saturating_sub(MOST_NOTES);
+        list.truncate(MOST_NOTES);
+        if more > 0 {
+            list.push(format!("{more} more links or texts"));
+        }
+        list.into_iter().map(Note::LeftOut).collect()
+    }
+}
+
+fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
+    let inside = ImageHrefResolver::default_data_resolver();
+    ImageHrefResolver {
+        resolve_data: Box::new(move |mime, data, options| {
+            if let Some(size) = size_of_picture(&data) {
+                let memory = size.area().saturating_mul(8); // decoded, and as a canvas
+                let over_pixels = size.area() > limits.megapixels.saturating_mul(1_000_000);
+                if over_pixels || check_memory(FORMAT, size, memory, limits).is_err() {
+                    left_out.add(format!("a picture inside the drawing, of {size} pixels, which is over the limit"));
+                    return None;
+                }
+            }
+            let kind = inside(mime, data, options);
+            if kind.is_none() {
+                left_out.add(format!("a picture inside the drawing, which cannot be read ({})", short(mime)));
+            }
+            kind
+        }),
+        resolve_string: Box::new(move |href, _| {
+            left_out.add(format!("the linked picture {} (only pictures inside the drawing are used)", short(href)));
+            None
+        }),
+    }
+}
+
+/// What the header of a picture inside a drawing says; `None` for an SVG or if it cannot be told.
+fn size_of_picture(data: &[u8]) -> Option<Size> {
+    use super::sniff::{Format, format};
+    let reader = Cursor::new(data);
+    let (width, height) = match format(data).ok()? {
+        Format::Png => {
+            let mut decoder = png::Decoder::new(reader);
+            let info = decoder.read_header_info().ok()?;
+            (info.width, info.height)
+        }
+        Format::Jpeg => {
+            let mut decoder = jpeg_decoder::Decoder::new(data);
+            decoder.read_info().ok()?;
+            let info = decoder.info()?;
+            (info.width.into(), info.height.into())
+        }
+        Format::Gif => image::codecs::gif::GifDecoder::new(reader).ok()?.dimensions(),
+        Format::WebP => image::codecs::webp::WebPDecoder::new(reader).ok()?.dimensions(),
+        _ => return None,
+    };
+    Some(Size::new(width, height))
+}
+
+/// Fonts are asked for with the first text that needs one: finding those of a computer takes longer than most drawings.
+fn font_resolver<'a>(
+    left_out: &'a LeftOut,
+    fonts: &'a Fonts<'a>,
+    asked: &'a OnceLock<Arc<Database>>,
+) -> FontResolver<'a> {
+    let select = FontResolver::default_font_selector();
+    FontResolver {
+        select_font: Box::new(move |font, database| {
+            if database.is_empty() {
+                *database = asked.get_or_init(fonts).clone();
+            }
+            let found = select(font, database);
+            if found.is_none() {
+                let families = font.families().iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+                left_out.add(format!("a text, for which there is no font ({})", short(&families)));
+            }
+            found
+        }),
+        select_fallback: FontResolver::default_fallback_selector(),
+    }
+}
+
+/// The beginning of a text from a drawing, on one line.
+fn short(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let text = one_line(&text);
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text,
+    }
+}

@@ -1,0 +1,220 @@
+//! JPEG: decoded at 1, 1/2, 1/4 or 1/8 of its size straight from the transform's coefficients, the smallest that is not
+//! smaller than the working size, and averaged the rest of the way.
+
+use std::cell::Cell;
+use std::io::{ErrorKind, Read};
+
+use image::metadata::Orientation;
+use jpeg_decoder::{CodingProcess, Decoder, PixelFormat, UnsupportedFeature};
+
+use super::colour::{Kind, one_line};
+use super::rows::{Layout, Rows};
+use super::shrink::Extent;
+use super::{Job, Options, Picture, ends_early, undecodable};
+use crate::Error;
+use crate::units::Size;
+
+const FORMAT: &str = "JPEG";
+
+/// Longest side; libjpeg has the same limit, so no program writes more. jpeg-decoder counts rows of blocks in 16 bits and
+/// overflows beyond 65528.
+const LONGEST_SIDE: u32 = 65_500;
+
+pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    let head = Head::read(bytes);
+    let at_end = Cell::new(false);
+    let mut decoder = Decoder::new(Bytes { rest: bytes, fill: head.fill(), at_end: &at_end });
+    let fault = |fault| fault_in(fault, at_end.get());
+    decoder.read_info().map_err(fault)?;
+    let info = decoder.info().ok_or_else(|| ends_early(FORMAT))?;
+    let size = Size::new(info.width.into(), info.height.into());
+    let orientation = decoder.exif_data().and_then(Orientation::from_exif_chunk).unwrap_or(Orientation::NoTransforms);
+    let mut job = Job::begin(FORMAT, size, orientation, options)?;
+    if info.coding_process == CodingProcess::Lossless || info.pixel_format == PixelFormat::L16 {
+        return Err(undecodable(FORMAT, "it is of the lossless kind, which hardly any program reads"));
+    }
+    if size.width.max(size.height) > LONGEST_SIDE {
+        return Err(undecodable(FORMAT, format!("no side may be longer than {LONGEST_SIDE} pixels")));
+    }
+    let kind = match info.pixel_format {
+        PixelFormat::L8 | PixelFormat::L16 => Kind::Grey,
+        PixelFormat::RGB24 => Kind::Rgb,
+        PixelFormat::CMYK32 => Kind::Cmyk,
+    };
+    let layout = Layout::plain(kind);
+
+    let eighths = eighths(size, job.stored_target());
+    let scaled = Size::new((size.width * eighths).div_ceil(8), (size.height * eighths).div_ceil(8));
+    // The planes before and after colours are made of them; a progressive picture also has all its coefficients, of two
+    // bytes each.
+    let pixels = 2 * layout.row_bytes(scaled.width) as u64 * u64::from(scaled.height);
+    let coefficients =
+        if head.progressive { 2 * layout.row_bytes(size.width) as u64 * u64::from(size.height) } else { 0 };
+    job.check_memory(pixels + coefficients)?;
+
+    let (across, down) = asked_size(size, eighths);
+    let came = decoder.scale(across, down).map_err(fault)?;
+    if (u32::from(came.0), u32::from(came.1)) != (scaled.width, scaled.height) {
+        return Err(undecodable(FORMAT, format!("it cannot be scaled to {eighths}/8")));
+    }
+    let mut pixels = decoder.decode().map_err(fault)?;
+    let icc = decoder.icc_profile();
+    drop(decoder); // and with it the coefficients
+    if kind == Kind::Cmyk && !head.adobe {
+        // jpeg-decoder takes all inks as Adobe writes them, upside down. Files without Adobe's mark have them upright.
+        for ink in &mut pixels {
+            *ink = 255 - *ink;
+        }
+    }
+    let meaning = job.meaning(icc.as_deref(), kind);
+    let extents = (scaled.width, Extent::scaled(size.width, eighths), Extent::scaled(size.height, eighths));
+    let mut rows = Rows::new(layout, meaning, extents, job.target, job.orientation);
+    for row in pixels.chunks_exact(layout.row_bytes(scaled.width)) {
+        rows.push(row);
+    }
+    job.end(rows.finish())
+}
+
+/// The smallest scale, in eighths, at which no side is shorter than the target's.
+fn eighths(size: Size, target: Size) -> u32 {
+    // Below this jpeg-decoder's way of asking (by a side's length) cannot tell the scales apart.
+    const SHORT: u32 = 16;
+    if size.width.max(size.height) < SHORT {
+        return 8;
+    }
+    let enough = |eighths: &u32| size.width * eighths >= target.width * 8 && size.height * eighths >= target.height * 8;
+    [1, 2, 4].into_iter().find(enough).unwrap_or(8)
+}
+
+/// The size to ask of jpeg-decoder for a scale. It takes the first scale at which *either* side is long enough, so the
+/// shorter side is asked for longer than it can be.
+fn asked_size(size: Size, eighths: u32) -> (u16, u16) {
+    let side = |length: u32| (length * eighths).div_ceil(8) as u16;
+    if size.width >= size.height { (side(size.width), u16::MAX) } else { (u16::MAX, side(size.height)) }
+}
+
+/// What jpeg-decoder does not tell.
+#[derive(Default)]
+struct Head {
+    /// Whether Adobe's mark is there.
+    adobe: bool,
+    progressive: bool,
+}
+
+impl Head {
+    /// Walks the segments before the pixels.
+    fn read(bytes: &[u8]) -> Self {
+        let mut head = Self::default();
+        let mut rest = bytes.get(2..).unwrap_or_default();
+        // A segment: FF (any number of times), its kind, its length with the two bytes of the length, its data.
+        while let [0xFF, kind, after @ ..] = rest {
+            match (*kind, after) {
+                (0xFF, _) => rest = &rest[1..],
+                (0xDA | 0xD9, _) => break,
+                (0x01 | 0xD0..=0xD8, _) => rest = after,
+                (kind, [high, low, ..]) => {
+                    let length = usize::from(u16::from_be_bytes([*high, *low]));
+                    let Some(segment) = after.get(2..length) else { break };
+                    head.adobe |= kind == 0xEE && segment.starts_with(b"Adobe");
+                    head.progressive |= kind == 0xC2;
+                    rest = &after[length..];
+                }
+                _ => break,
+            }
+        }
+        head
+    }
+
+    /// What to read after the file's end. Some cameras forget the end mark, and their pictures are whole. For a picture
+    /// in one pass many one-bits and then the mark do: no code is made of ones only, so a picture that lacks more than the
+    /// mark is told by a fault. One in several passes could lose whole passes so, and gets nothing.
+    fn fill(&self) -> &'static [u8] {
+        const ONES_AND_END: [u8; 66] = {
+            let mut fill = [0; 66];
+            let mut i = 0;
+            while i < 64 {
+                fill[i] = 0xFF; // FF 00 stands for eight one-bits
+                i += 2;
+            }
+            fill[64] = 0xFF;
+            fill[65] = 0xD9;
+            fill
+        };
+        if self.progressive { &[] } else { &ONES_AND_END }
+    }
+}
+
+/// The file's bytes and then the fill; tells when the file is used up.
+struct Bytes<'a> {
+    rest: &'a [u8],
+    fill: &'static [u8],
+    at_end: &'a Cell<bool>,
+}
+
+impl Read for Bytes<'_> {
+    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        if self.rest.is_empty() && !out.is_empty() {
+            self.at_end.set(true);
+            self.rest = std::mem::take(&mut self.fill);
+        }
+        self.rest.read(out)
+    }
+
+    /// The decoder reads byte by byte, so this is on the way of every one of them.
+    #[inline]
+    fn read_exact(&mut self, mut out: &mut [u8]) -> std::io::Result<()> {
+        if let ([first, rest @ ..], [only]) = (self.rest, &mut *out) {
+            (*only, self.rest) = (*first, rest);
+            return Ok(());
+        }
+        while !out.is_empty() {
+            match self.read(out)? {
+                0 => return Err(ErrorKind::UnexpectedEof.into()),
+                count => out = &mut out[count..],
+            }
+        }
+        Ok(())
+    }
+}
+
+fn fault_in(fault: jpeg_decoder::Error, at_end: bool) -> Error {
+    use jpeg_decoder::Error as Fault;
+    let why = match fault {
+        _ if at_end => return ends_early(FORMAT),
+        Fault::Unsupported(UnsupportedFeature::SamplePrecision(bits)) => {
+            format!("it has {bits} bits for a sample; only 8 are read")
+        }
+        Fault::Unsupported(UnsupportedFeature::ArithmeticEntropyCoding) => {
+            "its arithmetic coding is not read; save it with Huffman coding, as all common programs do".into()
+        }
+        Fault::Unsupported(UnsupportedFeature::Hierarchical) => {
+            "it is of the hierarchical kind, which is not read".into()
+        }
+        Fault::Unsupported(UnsupportedFeature::DNL) => "its header does not say how high it is".into(),
+        Fault::Format(what) => one_line(&what),
+        other => one_line(&other),
+    };
+    undecodable(FORMAT, why)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_is_the_smallest_that_is_enough_on_both_sides() {
+        for (size, target, want) in [
+            ((4000, 3000), (500, 375), 1),
+            ((4000, 3000), (501, 375), 2),
+            ((4000, 3000), (500, 376), 2),
+            ((4000, 3000), (850, 638), 2),
+            ((4000, 3000), (1001, 1), 4),
+            ((4000, 3000), (2001, 1), 8),
+            ((1, 10_000), (1, 100), 8),
+            ((15, 15), (1, 1), 8),
+            ((4001, 1000), (500, 125), 1),
+        ] {
+            assert_eq!(eighths(Size::new(size.0, size.1), Size::new(target.0, target.1)), want, "{size:?} {target:?}");
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The formats whose decoders cannot shrink on the way: the whole picture is decoded, under the memory limit, and then
+//! averaged row by row.
+
+use std::error::Error as _;
+use std::io::{Cursor, ErrorKind};
+
+use image::codecs::bmp::BmpDecoder;
+use image::codecs::gif::GifDecoder;
+use image::codecs::pnm::PnmDecoder;
+use image::codecs::tiff::TiffDecoder;
+use image::codecs::webp::WebPDecoder;
+use image::metadata::Orientation;
+use image::{ColorType, ImageDecoder, ImageError};
+
+use super::colour::{Kind, one_line};
+use super::rows::{Depth, Layout, Rows};
+use super::{Job, Options, Picture, ends_early, undecodable};
+use crate::Error;
+use crate::units::Size;
+
+pub(super) fn webp(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    picture("WebP", WebPDecoder::new(Cursor::new(bytes)), options)
+}
+
+pub(super) fn tiff(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    picture("TIFF", TiffDecoder::new(Cursor::new(bytes)), options)
+}
+
+pub(super) fn bmp(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    picture("BMP", BmpDecoder::new(Cursor::new(bytes)), options)
+}
+
+pub(super) fn gif(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    picture("GIF", GifDecoder::new(Cursor::new(bytes)), options)
+}
+
+pub(super) fn pnm(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    picture("PNM", PnmDecoder::new(Cursor::new(bytes)), options)
+}
+
+fn picture<D: ImageDecoder>(
+    format: &'static str,
+    decoder: Result<D, ImageError>,
+    options: &Options<'_>,
+) -> Result<Picture, Error> {
+    let fault = |fault: ImageError| fault_in(format, fault);
+    let mut decoder = decoder.map_err(fault)?;
+    let (width, height) = decoder.dimensions();
+    let size = Size::new(width, height);
+    // A picture whose EXIF block is broken is shown as it lies.
+    let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
+    let mut job = Job::begin(format, size, orientation, options)?;
+    // The pixels, and as much again for what the decoders hold beside them (strips of a TIFF, the luma and chroma planes
+    // of a WebP, the canvas of a GIF).
+    let length = decoder.total_bytes();
+    job.check_memory(length.saturating_mul(2))?;
+    let mut limits = image::Limits::no_limits();
+    limits.max_alloc = Some(options.limits.memory_mb.saturating_mul(1_000_000));
+    decoder.set_limits(limits).map_err(fault)?;
+    let layout = layout(format, decoder.color_type())?;
+    let icc = decoder.icc_profile().unwrap_or_default();
+    let meaning = job.meaning(icc.as_deref(), layout.kind);
+    let mut whole = vec![0; usize::try_from(length).map_err(|_| undecodable(format, "it does not fit into memory"))?];
+    decoder.read_image(&mut whole).map_err(fault)?;
+    let mut rows = Rows::whole(layout, meaning, size, job.target, job.orientation);
+    for row in whole.chunks_exact(layout.row_bytes(width)) {
+        rows.push(row);
+    }
+    job.end(rows.finish())
+}
+
+fn layout(format: &'static str, colour: ColorType) -> Result<Layout, Error> {
+    let (kind, alpha, depth) = match colour {
+        ColorType::L8 => (Kind::Grey, false, Depth::Eight),
+        ColorType::La8 => (Kind::Grey, true, Depth::Eight),
+        ColorType::Rgb8 => (Kind::Rgb, false, Depth::Eight),
+        ColorType::Rgba8 => (Kind::Rgb, true, Depth::Eight),
+        ColorType::L16 => (Kind::Grey, false, Depth::SixteenNative),
+        ColorType::La16 => (Kind::Grey, true, Depth::SixteenNative),
+        ColorType::Rgb16 => (Kind::Rgb, false, Depth::SixteenNative),
+        ColorType::Rgba16 => (Kind::Rgb, true, Depth::SixteenNative),
+        _ => return Err(undecodable(format, "its samples are no whole numbers of 8 or 16 bits")),
+    };
+    Ok(Layout { kind, alpha, depth })
+}
+
+fn fault_in(format: &'static str, fault: ImageError) -> Error {
+    match &fault {
+        ImageError::IoError(io) if io.kind() == ErrorKind::UnexpectedEof => ends_early(format),
+        // The words of the decoder itself, without those that the image crate puts before them.
+        ImageError::Decoding(_) | ImageError::IoError(_) => match fault.source() {
+            Some(cause) if is_end_of_file(cause) => ends_early(format),
+            Some(cause) => undecodable(format, one_line(&cause)),
+            None => undecodable(format, one_line(&fault)),
+        },
+        ImageError::Limits(_) => undecodable(format, "it needs more memory than the limit allows"),
+        other => undecodable(format, one_line(other)),
+    }
+}
+
+fn is_end_of_file(fault: &(dyn std::error::Error + 'static)) -> bool {
+    let io = fault.downcast_ref::<std::io::Error>();
+    io.is_some_and(|io| io.kind() == ErrorKind::UnexpectedEof) || fault.source().is_some_and(is_end_of_file)
+}

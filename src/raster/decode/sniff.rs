@@ -1,0 +1,160 @@
+//! Tells a format from the first bytes; a file's name says nothing.
+
+/// The formats that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    Jpeg,
+    Png,
+    WebP,
+    Tiff,
+    Bmp,
+    Gif,
+    Pnm,
+    Svg,
+    /// Something compressed with gzip, as SVGZ drawings are.
+    Gzip,
+}
+
+/// The format, or what the bytes look like instead if that can be told.
+pub(super) fn format(bytes: &[u8]) -> Result<Format, Option<&'static str>> {
+    let starts = |magic: &[u8]| bytes.starts_with(magic);
+    let at = |offset: usize, magic: &[u8]| bytes.get(offset..).is_some_and(|rest| rest.starts_with(magic));
+    Ok(match () {
+        () if starts(b"\xFF\xD8\xFF") => Format::Jpeg,
+        () if starts(b"\x89PNG\r\n\x1A\n") => Format::Png,
+        () if starts(b"RIFF") && at(8, b"WEBP") => Format::WebP,
+        () if starts(b"II*\0") || starts(b"MM\0*") || starts(b"II+\0") || starts(b"MM\0+") => Format::Tiff,
+        () if is_bmp(bytes) => Format::Bmp,
+        () if starts(b"GIF87a") || starts(b"GIF89a") => Format::Gif,
+        () if is_pnm(bytes) => Format::Pnm,
+        () if starts(b"\x1F\x8B") => Format::Gzip,
+        () => return root_element(bytes).map_or_else(|| Err(other(bytes)), |name| svg_or_not(&name)),
+    })
+}
+
+/// "BM" is too little to tell: texts begin so as well. The size of the second header is one of a few.
+fn is_bmp(bytes: &[u8]) -> bool {
+    const HEADERS: [u8; 8] = [12, 16, 40, 52, 56, 64, 108, 124];
+    bytes.starts_with(b"BM") && matches!(bytes.get(14..18), Some([size, 0, 0, 0]) if HEADERS.contains(size))
+}
+
+fn is_pnm(bytes: &[u8]) -> bool {
+    let [b'P', kind @ b'1'..=b'7', rest @ ..] = bytes else { return false };
+    let spaced = rest.first().is_some_and(|b| b.is_ascii_whitespace() || *b == b'#');
+    let next = rest.trim_ascii_start().first();
+    spaced && next.is_some_and(|b| b.is_ascii_digit() || *b == b'#' || (*kind == b'7' && b.is_ascii_uppercase()))
+}
+
+/// The name of the first element of an XML or HTML text, without its prefix and in small letters.
+fn root_element(bytes: &[u8]) -> Option<String> {
+    // What a drawing program writes before its root element is shorter by far, comments and document type included.
+    const FAR: usize = 64 * 1024;
+    let head = bytes.get(..FAR).unwrap_or(bytes);
+    let mut rest = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii_start();
+    loop {
+        rest = rest.strip_prefix(b"<")?;
+        let closing: &[u8] = match rest {
+            [b'?', ..] => b"?>",
+            [b'!', b'-', b'-', ..] => b"-->",
+            [b'!', ..] if rest.len() > 8 && rest[1..8].eq_ignore_ascii_case(b"doctype") => {
+                if find(rest, b"[").is_some_and(|open| find(rest, b">").is_none_or(|end| open < end)) {
+                    b"]>"
+                } else if rest[8..].trim_ascii_start().get(..4).is_some_and(|n| n.eq_ignore_ascii_case(b"html")) {
+                    return Some("html".into());
+                } else {
+                    b">"
+                }
+            }
+            _ => break,
+        };
+        let end = find(rest, closing)? + closing.len();
+        rest = rest[end..].trim_ascii_start();
+    }
+    let end = rest.iter().position(|b| !(b.is_ascii_alphanumeric() || b":_-.".contains(b)))?;
+    let name = std::str::from_utf8(&rest[..end]).ok()?;
+    let name = name.rsplit(':').next().unwrap_or(name).to_ascii_lowercase();
+    name.starts_with(|c: char| c.is_ascii_alphabetic()).then_some(name)
+}
+
+fn find(text: &[u8], what: &[u8]) -> Option<usize> {
+    text.windows(what.len()).position(|window| window == what)
+}
+
+fn svg_or_not(root: &str) -> Result<Format, Option<&'static str>> {
+    match root {
+        "svg" => Ok(Format::Svg),
+        "html" | "head" | "body" => Err(Some("a web page (HTML)")),
+        _ => Err(Some("an XML file that is no SVG drawing")),
+    }
+}
+
+/// What else it may be, with the way out where there is one.
+fn other(bytes: &[u8]) -> Option<&'static str> {
+    let starts = |magic: &[u8]| bytes.starts_with(magic);
+    let brand = bytes.get(8..12).filter(|_| bytes.get(4..8) == Some(b"ftyp"));
+    Some(match brand {
+        Some(b"heic" | b"heix" | b"hevc" | b"heim" | b"heis" | b"mif1" | b"msf1") => "a HEIC photo: save it as JPEG",
+        Some(b"avif" | b"avis") => "an AVIF picture: save it as JPEG or PNG",
+        Some(b"crx ") => "a camera's raw file: save it as JPEG",
+        Some(_) => "a film",
+        None if starts(b"%PDF-") => "a PDF: save the page as a picture",
+        None if starts(b"%!PS") || starts(b"\xC5\xD0\xD3\xC6") => "PostScript: save it as SVG or PNG",
+        None if starts(b"PK\x03\x04") => "a ZIP archive or an Office document: take the picture out of it",
+        None if starts(b"\xD0\xCF\x11\xE0") => "an old Office document: take the picture out of it",
+        None if starts(b"8BPS") => "a Photoshop file: save it as PNG",
+        None if starts(b"gimp xcf") => "a GIMP file: export it as PNG",
+        None if starts(b"\0\0\0\x0CJXL ") || starts(b"\xFF\x0A") => "a JPEG XL picture: save it as JPEG or PNG",
+        None if starts(b"\0\0\0\x0CjP  ") => "a JPEG 2000 picture: save it as JPEG or PNG",
+        None if starts(b"\0\0\x01\0") => "an icon (ICO): save it as PNG",
+        None if is_text(bytes) => "text",
+        None => return None,
+    })
+}
+
+/// Text in UTF-8, or in UTF-16 with its mark, as far as the first kilobyte tells.
+fn is_text(bytes: &[u8]) -> bool {
+    let head = bytes.get(..1024).unwrap_or(bytes);
+    let sound = match std::str::from_utf8(head) {
+        Ok(_) => true,
+        Err(fault) => fault.error_len().is_none() && head.len() < bytes.len(),
+    };
+    let has_control = head.iter().any(|b| b.is_ascii_control() && !b.is_ascii_whitespace());
+    (sound && !has_control) || bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drawings_are_known_by_their_root_element() {
+        for text in [
+            "<svg/>",
+            "\u{feff}  <?xml version='1.0'?>\n<!-- <html> -->\n<svg xmlns='x'>",
+            "<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' 'http://x/svg11.dtd'><svg >",
+            "<!DOCTYPE svg [ <!ENTITY a '<b>'> ]><svg:svg width='1'>",
+        ] {
+            assert_eq!(format(text.as_bytes()), Ok(Format::Svg), "{text}");
+        }
+    }
+
+    #[test]
+    fn other_files_are_named() {
+        let german = "Grüße, ".repeat(300); // the first kilobyte ends within a letter
+        let cases: [(&[u8], Option<&str>); 10] = [
+            (b"Dear reader,\nhello", Some("text")),
+            (b"BMW and others", Some("text")),
+            (b"P4 is a name", Some("text")),
+            (german.as_bytes(), Some("text")),
+            (b"<!doctype html><html>", Some("a web page (HTML)")),
+            (b"<gpx version='1'>", Some("an XML file that is no SVG drawing")),
+            (b"%PDF-1.7", Some("a PDF: save the page as a picture")),
+            (b"\0\0\0\x18ftypheic", Some("a HEIC photo: save it as JPEG")),
+            (b"\0\0\0\x18ftypavif", Some("an AVIF picture: save it as JPEG or PNG")),
+            (b"\x00\x01\x02\x03", None),
+        ];
+        for (bytes, what) in cases {
+            assert_eq!(format(bytes).err().flatten(), what, "{}", String::from_utf8_lossy(bytes));
+        }
+    }
+}
