@@ -1,0 +1,31 @@
+//! The profiles that come with the program.
+
+/// A profile that comes with the program.
+#[derive(Debug, Clone, Copy)]
+pub struct BuiltIn {
+    /// What it is called.
+    pub name: &'static str,
+    /// Its whole file, with the reason of every number in a comment.
+    pub text: &'static str,
+}
+
+impl BuiltIn {
+    /// What it is for, in one line: the file's `description`.
+    pub fn description(&self) -> &'static str {
+        self.text.lines().find_map(|line| line.strip_prefix("description = \"")?.strip_suffix('"')).unwrap_or_default()
+    }
+}
+
+/// All of them; the first is the one to use when none is asked for.
+pub fn built_in() -> &'static [BuiltIn] {
+    &[
+        BuiltIn { name: "swell-a4", text: include_str!("../../profiles/swell-a4.toml") },
+        BuiltIn { name: "swell-a3", text: include_str!("../../profiles/swell-a3.toml") },
+        BuiltIn { name: "swell-letter", text: include_str!("../../profiles/swell-letter.toml") },
+    ]
+}
+
+/// The text of the built-in profile of this name.
+pub(super) fn text_of(name: &str) -> Option<&'static str> {
+    built_in().iter().find(|profile| profile.name == name).map(|profile| profile.text)
+}

@@ -1,0 +1,221 @@
+//! What the keys of a profile owe one another.
+
+use super::keys::KEYS;
+use super::{Fault, Profile, Value};
+
+/// A key whose value must stay below another's.
+struct Order {
+    small: &'static str,
+    relation: Relation,
+    large: &'static str,
+    /// The switches that must all be on for this to matter.
+    when: &'static [&'static str],
+    /// Why, as the end of a sentence.
+    why: &'static str,
+}
+
+#[derive(Clone, Copy)]
+enum Relation {
+    Below,
+    AtMost,
+}
+use Relation::{AtMost, Below};
+
+const ORDERS: &[Order] = &[
+    Order {
+        small: "frame.dot",
+        relation: Below,
+        large: "frame.pitch",
+        when: &["frame.on"],
+        why: "or its dots run together",
+    },
+    Order {
+        small: "frame.dot",
+        relation: AtMost,
+        large: "frame.width",
+        when: &["frame.on"],
+        why: "or no dot fits into the frame",
+    },
+    Order {
+        small: "edges.low",
+        relation: AtMost,
+        large: "edges.high",
+        when: &[],
+        why: "since a contour is followed down to low once it has reached high",
+    },
+    Order {
+        small: "edges.low",
+        relation: Below,
+        large: "lines.full_strength",
+        when: &[],
+        why: "since lines grow from the one to the other",
+    },
+    Order {
+        small: "lines.width_min",
+        relation: AtMost,
+        large: "lines.width_max",
+        when: &[],
+        why: "since a weak contour has the thinner line",
+    },
+    Order {
+        small: "textures.length",
+        relation: Below,
+        large: "textures.along",
+        when: &["figure.textures"],
+        why: "or the rhombuses of a row run together",
+    },
+    Order {
+        small: "textures.thickness",
+        relation: Below,
+        large: "textures.across",
+        when: &["figure.textures"],
+        why: "or the rows run together",
+    },
+    Order {
+        small: "textures.thickness",
+        relation: AtMost,
+        large: "textures.length",
+        when: &["figure.textures"],
+        why: "or the rhombuses lie across their row",
+    },
+    Order {
+        small: "textures.dot",
+        relation: Below,
+        large: "textures.dot_pitch",
+        when: &["figure.textures"],
+        why: "or the dots run together",
+    },
+    Order {
+        small: "textures.min_glyph",
+        relation: AtMost,
+        large: "textures.thickness",
+        when: &["figure.textures"],
+        why: "or every rhombus is left out",
+    },
+    Order {
+        small: "textures.min_glyph",
+        relation: AtMost,
+        large: "textures.dot",
+        when: &["figure.textures"],
+        why: "or every dot is left out",
+    },
+];
+
+/// The keys that decide how large a figure can be.
+const ROOM: &[&str] = &[
+    "page.width",
+    "page.height",
+    "page.margin",
+    "frame.on",
+    "frame.width",
+    "frame.gap",
+    "overview.on",
+    "overview.scale",
+    "overview.gap",
+    "figure.min_side",
+];
+
+/// The keys that decide whether anything is drawn.
+const DRAWN: &[&str] = &["figure.lines", "figure.textures", "overview.on"];
+
+impl Profile {
+    /// Every fault of the values: those out of range and those that do not go together. None in a profile fresh from
+    /// [`Profile::named`] or [`Profile::from_toml`]; to be asked again after [`Profile::set`] or after writing to the
+    /// fields. The place of a fault is where the value concerned was last given by a file or by `set`.
+    pub fn check(&self) -> Vec<Fault> {
+        let refused = KEYS.iter().filter(|key| !key.takes(key.value(self)));
+        let mut faults: Vec<_> = refused
+            .map(|key| Fault { place: self.place(&[key.path]), what: key.refuse(&key.value(self).to_string()) })
+            .collect();
+        faults.append(&mut self.rule_faults());
+        faults
+    }
+
+    /// The largest width and height in mm that a figure can have on the sheet, beside its frame and above its
+    /// overview; 0 where there is no room at all.
+    pub fn figure_room(&self) -> (f32, f32) {
+        let band = if self.frame.on { 2.0 * (self.frame.width + self.frame.gap) } else { 0.0 };
+        let width = self.page.width - 2.0 * self.page.margin - band;
+        let height = self.page.height - 2.0 * self.page.margin - band;
+        let height =
+            if self.overview.on { (height - self.overview.gap - band) / (1.0 + self.overview.scale) } else { height };
+        (width.max(0.0), height.max(0.0))
+    }
+
+    /// The faults of values that do not go together; a rule about a value that is out of range anyway is left aside.
+    pub(super) fn rule_faults(&self) -> Vec<Fault> {
+        let mut faults: Vec<_> = ORDERS.iter().filter_map(|order| self.order_fault(order)).collect();
+        if self.sound(ROOM) {
+            let (width, height) = self.figure_room();
+            let least = self.figure.min_side;
+            if width < least || height < least {
+                let what = format!(
+                    "the sheet leaves {width:.1} mm by {height:.1} mm for the figure, but figure.min_side asks for \
+                     {least} mm, enlarge page.width or page.height or lessen margin, frame, overview or their gaps"
+                );
+                faults.push(Fault { place: self.place(ROOM), what });
+            }
+        }
+        if self.sound(DRAWN) && !self.figure.lines && !self.figure.textures && !self.overview.on {
+            let what = "figure.lines, figure.textures and overview.on are all false, so nothing would be drawn, set \
+                        one of them to true";
+            faults.push(Fault { place: self.place(DRAWN), what: what.to_owned() });
+        }
+        faults
+    }
+
+    fn order_fault(&self, order: &Order) -> Option<Fault> {
+        let keys = [order.small, order.large];
+        let matters = order.when.iter().all(|&path| self.get(path) == Some(Value::Switch(true)));
+        let (Some(Value::Number(small)), Some(Value::Number(large))) = (self.get(order.small), self.get(order.large))
+        else {
+            return None;
+        };
+        let (holds, relation) = match order.relation {
+            Below => (small < large, "below"),
+            AtMost => (small <= large, "at most"),
+        };
+        if holds || !matters || !self.sound(&keys) {
+            return None;
+        }
+        let what = format!(
+            "{} is {small} but must be {relation} {}, which is {large}, {}",
+            order.small, order.large, order.why
+        );
+        Some(Fault { place: self.place(&keys), what })
+    }
+
+    /// What a key holds, by its path, such as `lines.width_max`.
+    pub fn get(&self, path: &str) -> Option<Value> {
+        KEYS.iter().find(|key| key.path == path).map(|key| key.value(self))
+    }
+
+    /// Are all these values given and in range?
+    fn sound(&self, paths: &[&str]) -> bool {
+        let mut keys = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
+        keys.all(|(key, origin)| origin.held && key.takes(key.value(self)))
+    }
+
+    /// Where the one of these keys that was given last was given.
+    fn place(&self, paths: &[&str]) -> String {
+        let origins = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
+        let last = origins.map(|(_, origin)| origin).max_by_key(|origin| origin.order);
+        last.filter(|origin| origin.order > 0).map_or_else(|| self.name.clone(), |origin| origin.place.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A misspelt path would switch its rule off without a word.
+    #[test]
+    fn rules_name_keys_that_exist() {
+        let known = |path: &&str| KEYS.iter().any(|key| key.path == *path);
+        for order in ORDERS {
+            assert!(known(&order.small) && known(&order.large), "{} {}", order.small, order.large);
+            assert!(order.when.iter().all(known), "{:?}", order.when);
+        }
+        assert!(ROOM.iter().chain(DRAWN).all(known));
+    }
+}

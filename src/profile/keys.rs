@@ -1,0 +1,213 @@
+//! The table of all keys. From it come the typed fields of [`Profile`], the list behind [`Profile::keys`], and what
+//! reading, checking and documenting a profile need, so that a key is added in one place. The values themselves are
+//! in `profiles/*.toml`, each with its reason; the ranges here only keep out what can be no page at all.
+
+use super::Origin;
+use super::key::{Key, Kind};
+
+macro_rules! field {
+    (switch) => {
+        bool
+    };
+    (number) => {
+        f32
+    };
+}
+
+macro_rules! blank {
+    (switch) => {
+        false
+    };
+    (number) => {
+        f32::NAN
+    };
+}
+
+macro_rules! kind {
+    (switch) => {
+        Kind::Switch
+    };
+    (number $low:literal $high:literal $unit:literal) => {
+        Kind::Number { low: $low, high: $high, unit: $unit }
+    };
+}
+
+macro_rules! in_words {
+    (switch) => {
+        ""
+    };
+    (number $low:literal $high:literal "") => {
+        concat!(" From ", $low, " to ", $high, ".")
+    };
+    (number $low:literal $high:literal $unit:literal) => {
+        concat!(" From ", $low, " to ", $high, " ", $unit, ".")
+    };
+}
+
+macro_rules! table {
+    ($(
+        #[doc = $section_doc:literal]
+        $section:ident: $settings:ident {
+            $( #[doc = $doc:literal] $key:ident: $kind:ident $(($low:tt to $high:tt, $unit:tt))?; )+
+        }
+    )+) => {
+        $(
+            #[doc = $section_doc]
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            pub struct $settings {
+                $(
+                    #[doc = concat!($doc, in_words!($kind $($low $high $unit)?))]
+                    pub $key: field!($kind),
+                )+
+            }
+        )+
+
+        /// Everything about a page that its maker can choose. Got from [`Profile::named`] or [`Profile::from_toml`].
+        #[derive(Debug, Clone)]
+        pub struct Profile {
+            /// What the profile is called: its built-in name, or the file's name without path and ending.
+            pub name: String,
+            /// What it is for, in one line.
+            pub description: String,
+            $(
+                #[doc = $section_doc]
+                pub $section: $settings,
+            )+
+            /// Where each key of [`KEYS`] got its value.
+            pub(super) origins: Vec<Origin>,
+        }
+
+        impl Profile {
+            /// A profile that holds nothing yet: no number is a number.
+            pub(super) fn blank(name: String) -> Self {
+                Self {
+                    name,
+                    description: String::new(),
+                    $($section: $settings { $($key: blank!($kind)),+ },)+
+                    origins: vec![Origin::default(); KEYS.len()],
+                }
+            }
+        }
+
+        /// Every section, in the order of the table.
+        pub(super) const SECTIONS: &[&str] = &[$(stringify!($section)),+];
+
+        /// Every key, in the order of the table.
+        pub(super) const KEYS: &[Key] = &[$($(Key {
+            path: concat!(stringify!($section), ".", stringify!($key)),
+            doc: $doc.trim_ascii(),
+            kind: kind!($kind $($low $high $unit)?),
+            get: |profile| profile.$section.$key.into(),
+            slot: |profile| (&mut profile.$section.$key).into(),
+        }),+),+];
+    };
+}
+
+table! {
+    /// The sheet of paper.
+    page: PageSettings {
+        /// Width of the sheet.
+        width: number(60.0 to 1200.0, "mm");
+        /// Height of the sheet.
+        height: number(60.0 to 1200.0, "mm");
+        /// Blank margin on all four sides.
+        margin: number(0.0 to 100.0, "mm");
+    }
+    /// The band of fine dots round the figure, and round the overview.
+    frame: FrameSettings {
+        /// Whether figure and overview have a frame.
+        on: switch;
+        /// Width of the band.
+        width: number(0.5 to 20.0, "mm");
+        /// Diameter of its dots.
+        dot: number(0.3 to 3.0, "mm");
+        /// Distance from the centre of a dot to the centre of the next.
+        pitch: number(0.6 to 10.0, "mm");
+        /// Blank between the frame and the picture.
+        gap: number(0.0 to 50.0, "mm");
+    }
+    /// The large picture, with lines and textures.
+    figure: FigureSettings {
+        /// Whether contours are drawn.
+        lines: switch;
+        /// Whether colours are drawn.
+        textures: switch;
+        /// Working resolution, at most the picture's own.
+        resolution: number(1.0 to 12.0, "px per mm");
+        /// A picture whose shorter side would be smaller than this on the sheet is refused.
+        min_side: number(3.0 to 100.0, "mm");
+    }
+    /// The smaller picture below the figure, lines only, for a quick first impression.
+    overview: OverviewSettings {
+        /// Whether there is one.
+        on: switch;
+        /// Its width and height as a share of the figure's.
+        scale: number(0.1 to 1.0, "");
+        /// Blank between the figure's frame and its own.
+        gap: number(0.0 to 100.0, "mm");
+    }
+    /// Finding contours in the picture.
+    edges: EdgesSettings {
+        /// Sigma of the Gaussian derivative: details smaller than this are blurred away.
+        scale: number(0.1 to 5.0, "mm");
+        /// Height of a colour step down to which a contour is followed, chroma counted twice.
+        low: number(0.5 to 300.0, "CIELAB units");
+        /// Height of a colour step that a contour must reach somewhere, chroma counted twice.
+        high: number(0.5 to 300.0, "CIELAB units");
+        /// How strongly grass, gravel and other texture is kept from becoming contours; 0 is off.
+        texture_suppression: number(0.0 to 1.0, "");
+    }
+    /// Drawing contours as lines.
+    lines: LinesSettings {
+        /// Width of the line of the weakest contour.
+        width_min: number(0.3 to 10.0, "mm");
+        /// Width of the line of a strong contour.
+        width_max: number(0.3 to 10.0, "mm");
+        /// Height of a colour step from which a line has its greatest width, chroma counted twice.
+        full_strength: number(1.0 to 600.0, "CIELAB units");
+        /// Lines shorter than this are left out.
+        min_length: number(0.0 to 200.0, "mm");
+        /// Least blank between the edges of two lines.
+        min_gap: number(0.5 to 30.0, "mm");
+        /// Longest gap that is bridged between two ends that continue one another.
+        join_gap: number(0.0 to 30.0, "mm");
+        /// Sigma of the smoothing along a line.
+        smoothing: number(0.0 to 5.0, "mm");
+        /// How far a simplified line may lie from the traced one.
+        tolerance: number(0.005 to 1.0, "mm");
+    }
+    /// Sorting colours into blue, green, yellow, red and grey.
+    colours: ColoursSettings {
+        /// Sigma of the blur before colours are sorted.
+        blur: number(0.0 to 20.0, "mm");
+        /// HSV saturation below which a colour counts as grey.
+        min_saturation: number(0.0 to 1.0, "");
+        /// HSV value below which a colour counts as black, which is drawn as grey.
+        min_value: number(0.0 to 1.0, "");
+        /// Areas of one colour that are smaller than this go to a neighbour.
+        min_area: number(0.0 to 5000.0, "square mm");
+    }
+    /// Drawing colours as textures of rhombuses, and grey as dots.
+    textures: TexturesSettings {
+        /// White between a line's edge and the nearest glyph.
+        line_gap: number(0.0 to 30.0, "mm");
+        /// Distance from a rhombus to the next in its row.
+        along: number(1.0 to 20.0, "mm");
+        /// Distance from a row of rhombuses to the next where the texture is dense.
+        across: number(1.0 to 20.0, "mm");
+        /// Length of the boldest rhombus, along its row.
+        length: number(0.5 to 15.0, "mm");
+        /// Thickness of the boldest rhombus.
+        thickness: number(0.3 to 10.0, "mm");
+        /// Diameter of the boldest dot.
+        dot: number(0.3 to 10.0, "mm");
+        /// Distance from a dot to the next where the texture is dense.
+        dot_pitch: number(1.0 to 20.0, "mm");
+        /// A glyph thinner than this is left out.
+        min_glyph: number(0.1 to 5.0, "mm");
+        /// Sigma of the blur that turns lines into a density map.
+        density_blur: number(0.5 to 50.0, "mm");
+        /// Density of lines from which the texture is dense; 1 is a lone straight line on itself.
+        dense_from: number(0.0 to 1.0, "");
+    }
+}

@@ -1,0 +1,5 @@
+//! stub
+
+/// A checked profile.
+#[derive(Debug, Clone, Default)]
+pub struct Plan {}

@@ -1,0 +1,196 @@
+//! Profiles as their writers see them: what the built-in ones hold, and what is said of one with mistakes.
+
+mod any;
+mod faults;
+
+use tactograph::profile::{Fault, Kind, Profile, Value, built_in};
+
+fn in_lines(faults: &[Fault]) -> String {
+    faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("\n")
+}
+
+fn named(name: &str) -> Profile {
+    Profile::named(name).unwrap_or_else(|faults| panic!("{}", in_lines(&faults)))
+}
+
+#[test]
+fn built_in_profiles_are_sound_and_described() {
+    assert_eq!(built_in()[0].name, "swell-a4");
+    for file in built_in() {
+        let profile = named(file.name);
+        assert_eq!(profile.check(), []);
+        assert_eq!(profile.name, file.name);
+        assert!(!profile.description.is_empty(), "{} has no description", file.name);
+        assert_eq!(profile.description, file.description());
+    }
+}
+
+#[test]
+fn every_key_is_documented_and_in_range() {
+    for file in built_in() {
+        let profile = named(file.name);
+        for key in Profile::keys() {
+            assert!(key.doc.ends_with('.') && !key.doc.contains('\n') && key.doc.len() > 15, "{}", key.path);
+            assert!(key.takes(key.value(&profile)), "{} {} is not {}", file.name, key.path, key.range());
+            if let Kind::Number { low, high, .. } = key.kind {
+                assert!(low < high, "{}", key.path);
+                assert!(!key.takes(Value::Number(high * 1.001)) && !key.takes(Value::Number(f32::NAN)), "{}", key.path);
+            }
+        }
+    }
+}
+
+#[test]
+fn keys_have_paths_of_their_own_and_reach_their_fields() {
+    let profile = named("swell-a4");
+    let mut paths: Vec<_> = Profile::keys().iter().map(|key| key.path).collect();
+    assert_eq!(profile.get("lines.width_max"), Some(Value::Number(profile.lines.width_max)));
+    assert_eq!(profile.get("frame.on"), Some(Value::Switch(profile.frame.on)));
+    assert_eq!(profile.get("lines.none"), None);
+    paths.sort_unstable();
+    paths.dedup();
+    assert_eq!(paths.len(), Profile::keys().len());
+}
+
+/// Every `key = value` of the built-in files has a comment beside it or directly above, with the unit and the reason.
+#[test]
+fn every_number_says_why() {
+    for file in built_in() {
+        let (mut section, mut above) = (String::new(), String::new());
+        for line in file.text.lines() {
+            if line.starts_with('#') {
+                above.push_str(line);
+                continue;
+            }
+            if let Some(name) = line.strip_prefix('[') {
+                section = name.trim_end_matches(']').to_owned();
+            } else if let Some((name, rest)) = line.split_once('=').filter(|_| !section.is_empty()) {
+                let path = format!("{section}.{}", name.trim());
+                let key = Profile::keys().iter().find(|key| key.path == path).expect("a known key");
+                let why = rest.split_once('#').map_or(above.as_str(), |(_, beside)| beside).trim_matches(['#', ' ']);
+                assert!(why.len() > 12, "{} {path}: {why:?}", file.name);
+                if let Kind::Number { unit, .. } = key.kind {
+                    assert!(why.starts_with(unit), "{} {path}: {why:?} does not begin with its unit {unit}", file.name);
+                }
+            }
+            above.clear();
+        }
+    }
+}
+
+#[test]
+fn inherits_key_by_key() {
+    let (a4, a3, letter) = (named("swell-a4"), named("swell-a3"), named("swell-letter"));
+    let differing = |other: &Profile| {
+        let pairs = a4.parameters().into_iter().zip(other.parameters());
+        pairs.filter(|(a, b)| a != b).map(|(_, (path, value))| format!("{path}={value}")).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(differing(&a3), "page.width=297 page.height=420");
+    assert_eq!(differing(&letter), "page.width=215.9 page.height=279.4");
+
+    let mine = "inherits = \"swell-letter\"\ndescription = \"Mine\"\noverview = false\nlines.width_max = 2\n[page]\nmargin = 1e1";
+    let mine = Profile::from_toml(mine, "some/where/my.toml").expect("sound");
+    assert_eq!(differing(&mine), "page.width=215.9 page.height=279.4 overview.on=false lines.width_max=2");
+    assert_eq!((mine.name.as_str(), mine.description.as_str()), ("my", "Mine"));
+}
+
+/// A file may be called like the profile that it inherits: that is no circle.
+#[test]
+fn own_file_may_have_a_built_in_name() {
+    let profile = Profile::from_toml("inherits = \"swell-a4\"", "swell-a4.toml").expect("sound");
+    assert_eq!(profile.parameters(), named("swell-a4").parameters());
+}
+
+/// What a profile says of itself is a profile again, to the last bit.
+#[test]
+fn parameters_read_back_the_same() {
+    let mut profile = named("swell-a4");
+    profile.set("lines.width_max", "1.2345678").expect("in range");
+    profile.set("colours.blur", "-0").expect("in range");
+    let text: Vec<_> = profile.parameters().iter().map(|(path, value)| format!("{path} = {value}")).collect();
+    assert!(text.contains(&"lines.width_max = 1.2345678".to_owned()) && text.contains(&"colours.blur = 0".to_owned()));
+    let again = Profile::from_toml(&text.join("\n"), "again.toml").expect("sound");
+    assert_eq!(again.parameters(), profile.parameters());
+    assert_eq!(again.lines, profile.lines);
+}
+
+#[test]
+fn unknown_profile_is_told_with_the_known_ones() {
+    let told = |name| in_lines(&Profile::named(name).expect_err("unknown"));
+    let known = "(the built-in profiles are swell-a4, swell-a3 and swell-letter)";
+    assert_eq!(
+        told("swell_letter"),
+        format!("profile swell_letter: there is no built-in profile swell_letter {known}, did you mean swell-letter?")
+    );
+    assert_eq!(
+        told("braille\n"),
+        format!("profile \"braille\\n\": there is no built-in profile \"braille\\n\" {known}")
+    );
+}
+
+#[test]
+fn set_changes_one_value() {
+    let mut profile = named("swell-a4");
+    for (key, value) in
+        [("lines.width_max", "1.2"), (" page.width ", " 3e2 "), ("overview", "false"), ("frame.on", "false")]
+    {
+        profile.set(key, value).expect("a good value");
+    }
+    assert_eq!(profile.get("lines.width_max"), Some(Value::Number(1.2)));
+    assert_eq!(profile.get("page.width"), Some(Value::Number(300.0)));
+    assert!(!profile.overview.on && !profile.frame.on);
+    assert_eq!(profile.check(), []);
+}
+
+#[test]
+fn set_refuses_what_it_cannot_take() {
+    let mut profile = named("swell-a4");
+    let before = profile.parameters();
+    for (key, value, expected) in [
+        (
+            "lines.width_max",
+            "1,2",
+            "--set lines.width_max=\"1,2\": lines.width_max must be a number from 0.3 to 10 mm, not \"1,2\"",
+        ),
+        (
+            "lines.width_max",
+            "inf",
+            "--set lines.width_max=inf: lines.width_max must be a number from 0.3 to 10 mm, not inf",
+        ),
+        (
+            "lines.width_max",
+            "",
+            "--set lines.width_max=\"\": lines.width_max must be a number from 0.3 to 10 mm, not \"\"",
+        ),
+        ("overview", "no", "--set overview=no: overview.on must be true or false, not no"),
+        ("line.width_max", "1", "--set line.width_max=1: there is no section line, did you mean lines?"),
+        (
+            "lines.widthmax",
+            "1",
+            "--set lines.widthmax=1: there is no key lines.widthmax, did you mean lines.width_max?",
+        ),
+        ("gap", "1", "--set gap=1: there is no section gap, did you mean frame.gap or overview.gap?"),
+        ("page", "1", "--set page=1: page is a section, name one of its keys: page.width, page.height or page.margin"),
+        ("page.", "1", "--set page.=1: there is no key page.\"\", the keys of page are width, height and margin"),
+    ] {
+        assert_eq!(profile.set(key, value).expect_err(key).to_string(), expected);
+    }
+    assert_eq!(profile.parameters(), before);
+}
+
+/// A value given last is the one to blame, and one written past the door is caught.
+#[test]
+fn check_after_set_names_the_option() {
+    let mut profile = named("swell-a4");
+    profile.set("lines.width_max", "0.5").expect("in range");
+    assert_eq!(
+        in_lines(&profile.check()),
+        "--set lines.width_max=0.5: lines.width_min is 0.75 but must be at most lines.width_max, which is 0.5, since a weak \
+         contour has the thinner line"
+    );
+    profile.lines.width_max = f32::NAN;
+    assert_eq!(
+        in_lines(&profile.check()),
+        "--set lines.width_max=0.5: lines.width_max must be a number from 0.3 to 10 mm, not NaN"
+    );
+}
