@@ -185,11 +185,6 @@ impl Profile {
         Some(Fault { place: self.place(&keys), what })
     }
 
-    /// What a key holds, by its path, such as `lines.width_max`.
-    pub fn get(&self, path: &str) -> Option<Value> {
-        KEYS.iter().find(|key| key.path == path).map(|key| key.value(self))
-    }
-
     /// Are all these values given and in range?
     fn sound(&self, paths: &[&str]) -> bool {
         let mut keys = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));

@@ -88,8 +88,8 @@ fn chain(
     chain
 }
 
-/// Writes all values, those of the file itself last. A refused value leaves its key not held, so that no rule is applied
-/// to the inherited one in its place.
+/// Writes all values, those of the file itself last. A refused value leaves its key not held, so that no rule is
+/// applied to the inherited one in its place.
 fn lay_over(profile: &mut Profile, files: &[(String, Written)]) {
     let mut order = 0;
     for (place, written) in files.iter().rev() {

@@ -93,6 +93,11 @@ impl Profile {
         inherit::load(text, place, None, &built_in::text_of)
     }
 
+    /// What a key holds, by its path, such as `lines.width_max`.
+    pub fn get(&self, path: &str) -> Option<Value> {
+        keys::KEYS.iter().find(|key| key.path == path).map(|key| key.value(self))
+    }
+
     /// Gives one key another value, as `--set key=value` does. A section with a key `on` may stand for that key.
     /// Whether the values still go together is for [`Profile::check`] to say, after the last `set`.
     ///

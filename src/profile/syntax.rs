@@ -27,18 +27,21 @@ pub(super) fn read(text: &str, lines: &Lines, see: &mut dyn FnMut(Table<'_>)) ->
             see(Table::Sound(table));
             break;
         }
+        let places: Vec<_> = errors.iter().map(|error| error.span().map_or(0, |span| span.start)).collect();
+        // A value that does not end swallows what follows: from its start on, only the value itself is to blame.
         let long = long_values(table, lines);
-        for error in &errors {
-            let at = error.span().map_or(0, |span| span.start);
-            let swallowed = long.iter().find(|value| value.contains(&at));
-            let line = lines.line(swallowed.map_or(at, |value| value.start));
-            if !told.insert(line) {
+        let swallower = long.iter().filter(|value| places.iter().any(|at| value.contains(at))).map(|v| v.start).min();
+        for (error, at) in errors.iter().zip(places) {
+            let swallowed = swallower.filter(|&start| start <= at);
+            let line = lines.line(swallowed.unwrap_or(at));
+            let content = text.get(lines.bytes(line, text.len())).unwrap_or_default().trim();
+            // A mistake that shows only at the end of the text has another one before it.
+            if (content.is_empty() && !told.is_empty()) || !told.insert(line) {
                 continue;
             }
-            let content = text.get(lines.bytes(line, text.len())).unwrap_or_default();
             let what = match swallowed {
                 Some(_) => "the value does not end on its line, close the quotes or brackets".to_owned(),
-                None => explain(error.message(), content.trim()),
+                None => explain(error.message(), content),
             };
             faults.push(Found::new(line, what));
         }
@@ -86,8 +89,10 @@ fn long_values(table: &DeTable<'_>, lines: &Lines) -> Vec<std::ops::Range<usize>
 /// Blanks a line so that all others keep their number; of a heading, all that stands below it, since it is not known to
 /// which section that belongs.
 fn leave_out(text: &mut String, line: usize, lines: &Lines) {
-    let is_heading =
-        |text: &str, line| text.get(lines.bytes(line, text.len())).is_some_and(|l| l.trim_start().starts_with('['));
+    let is_heading = |text: &str, line| {
+        let content = text.get(lines.bytes(line, text.len())).unwrap_or_default();
+        content.split(['=', '#']).next().is_some_and(|start| start.contains('['))
+    };
     let mut last = line;
     if is_heading(text, line) {
         while last < lines.count() && !is_heading(text, last + 1) {

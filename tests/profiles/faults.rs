@@ -114,6 +114,22 @@ fn mistakes_in_the_toml_are_told_and_the_rest_is_read() {
             "my.toml, line 2: the value does not end on its line, close the quotes or \
           brackets\nmy.toml, line 4: page.margin must be a number from 0 to 100 mm, not 200",
         ),
+        (
+            "][page]\nmargin = 200\n[lines]\nmin_gap = 0",
+            "my.toml, line 2: \"][page]\" cannot be read as TOML: missing table open, expected \"[\"\n\
+             my.toml, line 5: lines.min_gap must be a number from 0.5 to 30 mm, not 0",
+        ),
+        (
+            "description = {\"x\"\n[page]\nmargin = 200\nwidth = 10",
+            "my.toml, line 2: the value does not end on its line, close the quotes or brackets\n\
+             my.toml, line 4: page.margin must be a number from 0 to 100 mm, not 200\n\
+             my.toml, line 5: page.width must be a number from 60 to 1200 mm, not 10",
+        ),
+        (
+            "\"\"\"[page]\nmargin = 200\n",
+            "my.toml, line 2: \"\\\"\\\"\\\"[page]\" cannot be read as TOML: keys cannot be multi-line basic strings, \
+             expected basic string, literal string",
+        ),
     ] {
         check(&format!("{HEIR}{text}"), expected);
     }
@@ -206,7 +222,8 @@ fn rules_rest_where_a_switch_is_off() {
 #[test]
 fn all_faults_come_at_once() {
     check(
-        "inherits = \"swel-a4\"\n[lines]\nwidth_max = 0.1\nwidth_min = 2\nsmoothing 1\ngap = 3\n\n[edges]\nlow = 20\nhigh = 10\n[pages]\n",
+        "inherits = \"swel-a4\"\n[lines]\nwidth_max = 0.1\nwidth_min = 2\nsmoothing 1\ngap = 3\n\n\
+         [edges]\nlow = 20\nhigh = 10\n[pages]\n",
         "my.toml, line 1: inherits cannot be followed, there is no built-in profile swel-a4 (the built-in profiles are \
          swell-a4, swell-a3 and swell-letter), did you mean swell-a4?\n\
          my.toml, line 3: lines.width_max must be a number from 0.3 to 10 mm, not 0.1\n\
@@ -220,13 +237,14 @@ fn all_faults_come_at_once() {
 
 #[test]
 fn without_inherits_every_key_must_be_given() {
-    let most = "my.toml: without inherits every key must be given, page.width, page.height, page.margin, frame.on, frame.width, \
-                frame.dot and 35 more are missing, write inherits = \"swell-a4\" at the top to take what is missing from there";
+    let most = "my.toml: without inherits every key must be given, page.width, page.height, page.margin, frame.on, \
+                frame.width, frame.dot and 35 more are missing, write inherits = \"swell-a4\" at the top to take what is \
+                missing from there";
     check("", most);
     check(
         &built_in()[0].text.replace("tolerance = 0.05", ""),
-        "my.toml: without inherits every key must be given, lines.tolerance is missing, write inherits = \"swell-a4\" at \
-         the top to take what is missing from there",
+        "my.toml: without inherits every key must be given, lines.tolerance is missing, write inherits = \"swell-a4\" \
+         at the top to take what is missing from there",
     );
 }
 

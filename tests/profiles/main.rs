@@ -88,7 +88,8 @@ fn inherits_key_by_key() {
     assert_eq!(differing(&a3), "page.width=297 page.height=420");
     assert_eq!(differing(&letter), "page.width=215.9 page.height=279.4");
 
-    let mine = "inherits = \"swell-letter\"\ndescription = \"Mine\"\noverview = false\nlines.width_max = 2\n[page]\nmargin = 1e1";
+    let mine = "inherits = \"swell-letter\"\ndescription = \"Mine\"\noverview = false\n\
+                lines.width_max = 2\n[page]\nmargin = 1e1";
     let mine = Profile::from_toml(mine, "some/where/my.toml").expect("sound");
     assert_eq!(differing(&mine), "page.width=215.9 page.height=279.4 overview.on=false lines.width_max=2");
     assert_eq!((mine.name.as_str(), mine.description.as_str()), ("my", "Mine"));
@@ -185,8 +186,8 @@ fn check_after_set_names_the_option() {
     profile.set("lines.width_max", "0.5").expect("in range");
     assert_eq!(
         in_lines(&profile.check()),
-        "--set lines.width_max=0.5: lines.width_min is 0.75 but must be at most lines.width_max, which is 0.5, since a weak \
-         contour has the thinner line"
+        "--set lines.width_max=0.5: lines.width_min is 0.75 but must be at most lines.width_max, which is 0.5, since a \
+         weak contour has the thinner line"
     );
     profile.lines.width_max = f32::NAN;
     assert_eq!(
