@@ -27,11 +27,14 @@ pub(super) fn read(text: &str, lines: &Lines, see: &mut dyn FnMut(Table<'_>)) ->
             see(Table::Sound(table));
             break;
         }
-        let places: Vec<_> = errors.iter().map(|error| error.span().map_or(0, |span| span.start)).collect();
+        let mut errors: Vec<_> =
+            errors.iter().map(|error| (error.span().map_or(0, |span| span.start), error.message())).collect();
+        errors.sort_by_key(|&(at, _)| at);
         // A value that does not end swallows what follows: from its start on, only the value itself is to blame.
         let long = long_values(table, lines);
-        let swallower = long.iter().filter(|value| places.iter().any(|at| value.contains(at))).map(|v| v.start).min();
-        for (error, at) in errors.iter().zip(places) {
+        let swallower =
+            long.iter().filter(|value| errors.iter().any(|(at, _)| value.contains(at))).map(|v| v.start).min();
+        for (at, message) in errors {
             let swallowed = swallower.filter(|&start| start <= at);
             let line = lines.line(swallowed.unwrap_or(at));
             let content = text.get(lines.bytes(line, text.len())).unwrap_or_default().trim();
@@ -41,7 +44,7 @@ pub(super) fn read(text: &str, lines: &Lines, see: &mut dyn FnMut(Table<'_>)) ->
             }
             let what = match swallowed {
                 Some(_) => "the value does not end on its line, close the quotes or brackets".to_owned(),
-                None => explain(error.message(), content),
+                None => explain(message, content),
             };
             faults.push(Found::new(line, what));
         }
