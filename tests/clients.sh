@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# Proves with other people's programs that the pages are what they claim to be: well-formed (xmllint), real layers of the
+# true size in millimetres (Inkscape, rsvg-convert), and the same picture whoever renders them (rsvg-convert, resvg).
+#
+#     tests/clients.sh            builds the program (debug) and checks the page of every picture in samples/
+#     KEEP=folder tests/clients.sh    also keeps pages and renderings there, to be looked at
+#
+# Needs inkscape, rsvg-convert and xmllint; as root on Debian it installs what is missing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+# 5 pixels per millimetre: a whole number, so that programs have little to round.
+DPI=127
+# Renderers smooth edges differently and agree on everything else. In percent of black: the mean difference, and the share
+# of pixels that are off by more than a quarter. Measured on the samples: at most 0.30 and 0.02 (see CHANGES below).
+MOST_MEAN=0.50
+MOST_FAR=0.05
+
+passed=0
+failed=0
+check() { # check WHAT COMMAND...: runs the command and counts; its output is shown when it fails
+  local what=$1 said
+  shift
+  if said=$("$@" 2>&1); then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED %s: %s\n' "$page" "$what"
+    [ -z "$said" ] || printf '%s\n' "$said" | head -n 20 | sed 's/^/    /'
+  fi
+}
+
+get_tools() {
+  local tool
+  for tool in inkscape rsvg-convert xmllint; do
+    command -v "$tool" >/dev/null && continue
+    if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+      apt-get update -qq
+      DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends inkscape librsvg2-bin libxml2-utils
+      return
+    fi
+    echo "$tool is missing; install inkscape, librsvg2-bin and libxml2-utils" >&2
+    exit 2
+  done
+}
+
+xpath() { xmllint --xpath "$1" "$page"; }
+png_size() { # width and height from the header, two big-endian numbers
+  od -An -v -tu1 -j16 -N8 "$1" | awk '{ print $1 * 2^24 + $2 * 2^16 + $3 * 2^8 + $4, $5 * 2^24 + $6 * 2^16 + $7 * 2^8 + $8 }'
+}
+
+# The SVG says its size in millimetres, its units are millimetres, and the size is that of the profile's sheet.
+says_size() { # says_size WIDTH HEIGHT
+  local said
+  said=$(xpath 'concat(/*/@width, " ", /*/@height, " ", /*/@viewBox)')
+  [ "$said" = "$1mm $2mm 0 0 $1 $2" ] || { echo "it says $said, wanted $1 x $2 mm"; return 1; }
+}
+
+# A rendering has as many pixels as the sheet has at a resolution; one more or less is rounding.
+has_pixels() { # has_pixels PNG WIDTH_MM HEIGHT_MM DPI
+  png_size "$1" | awk -v w="$2" -v h="$3" -v dpi="$4" '
+    { dx = $1 - w / 25.4 * dpi; dy = $2 - h / 25.4 * dpi }
+    dx > -1 && dx < 1 && dy > -1 && dy < 1 { fine = 1 }
+    END { if (!fine) { print "it has " $1 " x " $2 " pixels, wanted " w / 25.4 * dpi " x " h / 25.4 * dpi; exit 1 } }'
+}
+
+# Each of these groups that is in the file, and at least those that every page has, is an Inkscape layer with a name.
+are_layers() {
+  local id inside fault=0
+  for id in frame figure textures lines texture-blue texture-green texture-yellow texture-red texture-grey \
+    overview-frame overview; do
+    inside=$(xpath "count(//*[@id='$id'])")
+    case $inside:$id in
+      0:frame | 0:figure | 0:overview-frame) echo "there is no #$id"; fault=1 ;;
+      0:*) ;;
+      *) [ "$(xpath "count(//*[local-name()='g'][@id='$id'][@*[name()='inkscape:groupmode']='layer'][@*[name()='inkscape:label']!=''])")" = 1 ] ||
+        { echo "#$id is no layer with a label, or there are several"; fault=1; } ;;
+    esac
+  done
+  return $fault
+}
+
+# Inkscape's own list of objects has every group that has something in it, and its selection of layers the outer ones.
+inkscape_sees() {
+  local id fault=0
+  for id in $(xpath "//*[local-name()='g'][@id][.//*[local-name()='path' or local-name()='circle']]/@id" | grep -o '"[^"]*"' | tr -d '"'); do
+    grep -q "^$id,-\?[0-9]" "$seen" || { echo "Inkscape does not list #$id"; fault=1; }
+  done
+  for id in frame figure overview-frame; do
+    grep -q "^$id cloned:" "$seen" || { echo "Inkscape does not take #$id for a layer"; fault=1; }
+  done
+  return $fault
+}
+
+# What Inkscape measures (CSS pixels, 96 to the inch) fits the millimetres that the page states: the figure lies in its
+# data-box, give or take half a line, and the frame on the sheet around it.
+inkscape_measures() { # inkscape_measures WIDTH HEIGHT
+  awk -F, -v box="$(xpath 'string(//*[@id="figure"]/@data-box)')" -v width="$1" -v height="$2" '
+    function mm(px) { return px * 25.4 / 96 }
+    function lies_in(x, y, w, h, X, Y, W, H, slack) {
+      return x >= X - slack && y >= Y - slack && x + w <= X + W + slack && y + h <= Y + H + slack
+    }
+    BEGIN { if (split(box, b, " ") != 4) { print "data-box is " box; exit bad = 1 } }
+    $1 == "figure" { if (!lies_in(mm($2), mm($3), mm($4), mm($5), b[1], b[2], b[3], b[4], 1)) bad = 1 }
+    $1 == "frame" {
+      frames++
+      if (!lies_in(b[1], b[2], b[3], b[4], mm($2), mm($3), mm($4), mm($5), 0.01)) bad = 1
+      if (!lies_in(mm($2), mm($3), mm($4), mm($5), 0, 0, width, height, 0)) bad = 1
+    }
+    bad && !told++ { print "#" $1 " measures x " mm($2) " y " mm($3) " w " mm($4) " h " mm($5) " mm, data-box is " box }
+    END { if (!frames) print "no frame"; exit bad || !frames }' "$seen"
+}
+
+renders_alike() {
+  local numbers
+  numbers=$("$render" "$page" "$out/$name.resvg.png" --dpi $DPI --against "$out/$name.rsvg.png") || return 1
+  echo "$name $numbers" >>"$out/differences"
+  echo "$numbers" | awk -v mean=$MOST_MEAN -v far=$MOST_FAR '
+    NF != 2 || $1 > mean || $2 > far { print "mean " $1 " %, over a quarter " $2 " %; at most " mean " and " far; exit 1 }'
+}
+
+check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
+  name=$(basename "$1").$2
+  page=$out/$name.svg
+  seen=$out/$name.seen
+  check "the program makes it" "$program" convert "$1" -o "$page" --profile "$2"
+  [ -s "$page" ] || return 0
+  check "well-formed" xmllint --noout "$page"
+  check "says its size in millimetres" says_size "$3" "$4"
+  check "its groups are layers" are_layers
+  check "Inkscape opens it" bash -c 'inkscape --actions="$1" "$2" >"$3"' - \
+    "select-all:layers;select-list;query-all;export-area-page;export-dpi:96;export-filename:$out/$name.inkscape.png;export-do" \
+    "$page" "$seen"
+  check "Inkscape sees the objects and layers" inkscape_sees
+  check "Inkscape measures true millimetres" inkscape_measures "$3" "$4"
+  check "Inkscape's sheet has its true size" has_pixels "$out/$name.inkscape.png" "$3" "$4" 96
+  check "rsvg-convert renders it" rsvg-convert --dpi-x $DPI --dpi-y $DPI -b white "$page" -o "$out/$name.rsvg.png"
+  check "rsvg-convert's sheet has its true size" has_pixels "$out/$name.rsvg.png" "$3" "$4" $DPI
+  check "resvg and rsvg-convert render it alike" renders_alike
+}
+
+get_tools
+cargo build --quiet --bin tactograph --example render
+program=target/debug/tactograph
+render=target/debug/examples/render
+out=${KEEP:-$(mktemp -d)}
+mkdir -p "$out"
+: >"$out/differences"
+[ -n "${KEEP:-}" ] || trap 'rm -rf "$out"' EXIT
+
+for picture in samples/*.{png,jpg,svg}; do
+  check_page "$picture" swell-a4 210 297
+done
+check_page samples/coffee.png swell-a3 297 420
+check_page samples/coffee.png swell-letter 215.9 279.4
+
+sort -k2,2nr "$out/differences" | awk '
+  NR == 1 { mean = $2 " % (" $1 ")" } $3 >= far { far = $3; at = $1 }
+  END { if (NR) print "largest differences of the renderings: mean " mean ", over a quarter " far " % (" at ")" }'
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
