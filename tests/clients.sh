@@ -25,7 +25,7 @@ check() { # check WHAT COMMAND...: runs the command and counts; its output is sh
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
-    printf 'FAILED %s: %s\n' "$page" "$what"
+    printf 'FAILED %s: %s\n' "$name" "$what"
     [ -z "$said" ] || printf '%s\n' "$said" | head -n 20 | sed 's/^/    /'
   fi
 }
