@@ -63,6 +63,9 @@ pub enum Error {
         /// What would do.
         why: String,
     },
+    /// A mark would lie off the sheet.
+    #[error("the page does not fit its sheet: {0}; give more margin or thinner lines")]
+    OffSheet(String),
     /// The profile cannot be used; every fault is listed.
     #[error("{}", crate::profile::faults_in_one_line(.0))]
     Profile(Vec<crate::profile::Fault>),

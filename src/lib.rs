@@ -1,13 +1,18 @@
 #![doc = include_str!("ARCHITECTURE.md")]
 
+pub mod classes;
+pub mod edges;
 pub mod error;
 pub mod frame;
+pub mod geom;
+pub mod lines;
 pub mod note;
 pub mod output;
 pub mod page;
 pub mod pipeline;
 pub mod profile;
 pub mod raster;
+pub mod textures;
 pub mod units;
 
 pub use error::Error;

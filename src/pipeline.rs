@@ -1,8 +1,18 @@
 //! The way from bytes to a page: the only file that names every stage.
+//!
+//! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+use crate::classes::{self, Classes};
+use crate::edges::{self, Edges};
+use crate::frame::Frame;
+use crate::lines::{self, Line};
+use crate::page::layout::{self, Layout};
+use crate::page::{self, Dots, Figure, Overview, Page, Parts, Texture, frame_dots};
 use crate::profile::Plan;
-use crate::raster::decode::{self, Fonts, Limits};
-use crate::{Error, Note, Page};
+use crate::raster::Raster;
+use crate::raster::decode::{self, Fonts, Limits, Options, Source};
+use crate::units::{MmRect, Size};
+use crate::{Error, Note, textures};
 
 /// A page and what its maker should know.
 #[derive(Debug, Clone)]
@@ -54,7 +64,7 @@ pub enum Event {
     Begin(Stage),
     /// The stage that began last is done.
     End(Stage),
-    /// A stage is not needed for this page, and why.
+    /// A stage, or a part of it, is not needed for this page, and why.
     Skip(Stage, &'static str),
 }
 
@@ -70,12 +80,188 @@ pub struct Request<'a> {
     pub title: &'a str,
 }
 
+/// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
+const MIN_PIXELS: u32 = 8;
+
 /// Makes the page of a picture. `watch` is told of every stage; it is where a program keeps its clock or its progress bar.
 ///
 /// # Errors
 /// When no page can be made at all; see [`Error`].
 pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Drawing, Error> {
-    watch(Event::Begin(Stage::Decode));
-    let _ = (picture, request, decode::decode);
-    Ok(Drawing { page: Page::default(), notes: Vec::new() })
+    let plan = request.plan;
+    let working_size = |source: Source| working_size(source, plan);
+    let options = Options { limits: request.limits, fonts: request.fonts, working_size: &working_size };
+    let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
+    let layout = layout(picture.source.size, plan);
+    let mut notes = picture.notes;
+
+    let edges = find_edges(&picture.raster, &layout, plan, watch);
+    let lines = draw_lines(edges.as_ref(), &layout, plan, watch);
+    let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
+    drop(edges);
+    let classes = sort_colours(&picture.raster, &layout, plan, watch);
+    drop(picture.raster);
+    let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
+
+    let page = run(watch, Stage::Page, || {
+        let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
+        assemble(figure, overview, classes.as_ref(), request)
+    })?;
+    if page.is_empty() {
+        notes.push(Note::EmptyPage);
+    } else if plan.profile().figure.lines && page.figure.lines.is_empty() {
+        notes.push(Note::NoLines);
+    }
+    Ok(Drawing { page, notes })
+}
+
+fn run<T>(watch: &mut dyn FnMut(Event), stage: Stage, work: impl FnOnce() -> T) -> T {
+    watch(Event::Begin(stage));
+    let result = work();
+    watch(Event::End(stage));
+    result
+}
+
+/// Where the picture lies on the sheet.
+fn layout(source: Size, plan: &Plan) -> Layout {
+    layout::fit(source.width as f32 / source.height as f32, &plan.layout())
+}
+
+/// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never more
+/// than there are.
+fn working_size(source: Source, plan: &Plan) -> Result<Size, Error> {
+    let Source { size, is_drawing } = source;
+    if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
+        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
+        return Err(Error::TooSmall { size, why });
+    }
+    let place = layout(size, plan).figure;
+    let figure = &plan.profile().figure;
+    let side = place.width().min(place.height());
+    if side < figure.min_side {
+        let why = format!(
+            "so long and narrow a picture would be only {side:.1} mm wide on the sheet, and {} mm is the least; crop it",
+            figure.min_side
+        );
+        return Err(Error::TooSmall { size, why });
+    }
+    let pixels = |mm: f32, own: u32| {
+        let wanted = ((mm * figure.resolution).round() as u32).max(1);
+        if is_drawing { wanted } else { wanted.min(own) }
+    };
+    Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
+}
+
+fn find_edges(raster: &Raster, layout: &Layout, plan: &Plan, watch: &mut dyn FnMut(Event)) -> Option<Edges> {
+    let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
+        "neither the figure nor an overview has lines"
+    } else if raster.is_flat() {
+        "the picture is of one colour"
+    } else {
+        let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+        return Some(run(watch, Stage::Edges, || edges::find(raster, &plan.edges(px_per_mm))));
+    };
+    watch(Event::Skip(Stage::Edges, reason));
+    None
+}
+
+fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut dyn FnMut(Event)) -> Vec<Line> {
+    let reason = match edges {
+        _ if !plan.profile().figure.lines => "figure.lines is off",
+        Some(edges) if !edges.is_empty() => {
+            let frame = Frame::new(edges.size, layout.figure);
+            return run(watch, Stage::Lines, || lines::draw(edges, &frame, layout.figure, &plan.lines()));
+        }
+        _ => "there are no contours",
+    };
+    watch(Event::Skip(Stage::Lines, reason));
+    Vec::new()
+}
+
+/// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave fewer.
+fn draw_overview(
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut dyn FnMut(Event),
+) -> Option<(MmRect, Vec<Line>)> {
+    let reason = match (layout.overview, edges) {
+        (None, _) => "overview.on is off",
+        (Some(place), Some(edges)) if !edges.is_empty() => {
+            let frame = Frame::new(edges.size, place);
+            let lines = run(watch, Stage::Overview, || lines::draw(edges, &frame, place, &plan.lines()));
+            return (!lines.is_empty()).then_some((place, lines));
+        }
+        _ => "there are no contours",
+    };
+    watch(Event::Skip(Stage::Overview, reason));
+    None
+}
+
+fn sort_colours(raster: &Raster, layout: &Layout, plan: &Plan, watch: &mut dyn FnMut(Event)) -> Option<Classes> {
+    if !plan.profile().figure.textures {
+        watch(Event::Skip(Stage::Classes, "figure.textures is off"));
+        return None;
+    }
+    if raster.is_grey() {
+        watch(Event::Skip(Stage::Classes, "hues only: the picture is grey"));
+    }
+    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+    Some(run(watch, Stage::Classes, || classes::sort(raster, &plan.classes(px_per_mm))))
+}
+
+fn draw_textures(
+    classes: Option<&Classes>,
+    layout: &Layout,
+    lines: &[Line],
+    plan: &Plan,
+    watch: &mut dyn FnMut(Event),
+) -> Vec<Texture> {
+    let reason = match classes {
+        None => "figure.textures is off",
+        Some(classes) if classes.regions.is_empty() => "the picture is white",
+        Some(classes) => {
+            let frame = Frame::new(classes.size, layout.figure);
+            let params = plan.textures();
+            return run(watch, Stage::Textures, || textures::fill(classes, &frame, layout.figure, lines, &params));
+        }
+    };
+    watch(Event::Skip(Stage::Textures, reason));
+    Vec::new()
+}
+
+/// Puts all marks on the sheet.
+fn assemble(
+    figure: Figure,
+    overview: Option<(MmRect, Vec<Line>)>,
+    classes: Option<&Classes>,
+    request: &Request<'_>,
+) -> Result<Page, Error> {
+    let layout = request.plan.layout();
+    let frame = |place| layout.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
+    let overview = overview.map(|(place, lines)| Overview { place, frame: frame(place), lines });
+    let parts = Parts {
+        sheet: layout.sheet,
+        title: request.title.to_owned(),
+        description: page::describe(&figure, overview.as_ref(), classes.map(Classes::shares)),
+        origin: origin(request, figure.source),
+        frame: frame(figure.place),
+        figure,
+        overview,
+    };
+    Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))
+}
+
+/// How the page was made, so that it can be made again.
+fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String)> {
+    let profile = request.plan.profile();
+    let own = |name: &str, value: String| (name.to_owned(), value);
+    let mut origin = vec![
+        own("program", concat!("tactograph ", env!("CARGO_PKG_VERSION")).to_owned()),
+        own("picture", request.title.to_owned()),
+        own("source size in pixels", source.to_string()),
+        own("profile", profile.name.clone()),
+    ];
+    origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
+    origin
 }

@@ -1,7 +1,220 @@
-//! A page as SVG.
-use crate::Page;
-/// The page as an SVG document.
+//! A page as an SVG document in true millimetres, pure black on white, with the ids and layers that other programs rely on.
+//!
+//! ```text
+//! svg > title, desc, metadata (tactograph:parameter name value)
+//!   g#frame
+//!   g#figure  data-box="x y w h" (mm)  data-source="w h" (px)
+//!     g#textures > g#texture-blue ... (one path a connected region)
+//!     g#lines > g (one a contour; data-strength) > path (stroke-width in mm)
+//!   g#overview-frame
+//!   g#overview  data-box > g > path
+//! ```
+//!
+//! Every group with an id is an Inkscape layer; other editors show groups. A layer that would be empty is left out.
+
+use std::fmt::Write;
+
+use svg::node::element::{Description, Element, Group, Path, Title};
+use svg::{Document, Node};
+
+use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Shape};
+use crate::units::{MmPoint, MmRect};
+
+/// Namespace of the page's own metadata.
+const NAMESPACE: &str = "urn:tactograph:page";
+
+/// The page as an SVG document. The same page gives the same bytes.
 pub fn write(page: &Page) -> String {
-    let _ = page;
-    String::from("<svg xmlns='http://www.w3.org/2000/svg'/>\n")
+    let [width, height] = page.sheet.map(number);
+    let mut document = Document::new()
+        .set("width", format!("{width}mm"))
+        .set("height", format!("{height}mm"))
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
+        .set("xmlns:tactograph", NAMESPACE)
+        .set("role", "img")
+        .add(Title::new(plain(&page.title)))
+        .add(Description::new().set("xml:lang", "en").add(svg::node::Text::new(plain(&page.description))))
+        .add(metadata(&page.origin));
+    if !page.frame.at.is_empty() {
+        document = document.add(layer("frame", "Frame").add(dots(&page.frame)));
+    }
+    document = document.add(figure(&page.figure));
+    if let Some(overview) = &page.overview {
+        if !overview.frame.at.is_empty() {
+            document = document.add(layer("overview-frame", "Overview frame").add(dots(&overview.frame)));
+        }
+        document = document.add(overview_layer(overview));
+    }
+    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "{document}");
+    text
+}
+
+fn metadata(origin: &[(String, String)]) -> Element {
+    let mut metadata = Element::new("metadata");
+    for (name, value) in origin {
+        let mut parameter = Element::new("tactograph:parameter");
+        parameter.assign("name", plain(name));
+        parameter.assign("value", plain(value));
+        metadata.append(parameter);
+    }
+    metadata
+}
+
+fn layer(id: &str, label: &str) -> Group {
+    Group::new().set("id", id).set("inkscape:groupmode", "layer").set("inkscape:label", label)
+}
+
+fn data_box(place: MmRect) -> String {
+    [place.min.x, place.min.y, place.width(), place.height()].map(number).join(" ")
+}
+
+fn figure(figure: &Figure) -> Group {
+    let mut group = layer("figure", "Figure")
+        .set("data-box", data_box(figure.place))
+        .set("data-source", format!("{} {}", figure.source.width, figure.source.height));
+    if !figure.textures.is_empty() {
+        let mut textures = layer("textures", "Textures");
+        for class in Class::ALL {
+            let mut paths = figure.textures.iter().filter(|texture| texture.class == class).peekable();
+            if paths.peek().is_some() {
+                let name = class.name();
+                let of_class = layer(&format!("texture-{name}"), &format!("Texture {name}"));
+                textures = textures.add(paths.fold(of_class, |group, texture| {
+                    group.add(Path::new().set("d", glyph_path(&texture.glyphs)))
+                }));
+            }
+        }
+        group = group.add(textures);
+    }
+    if figure.lines.is_empty() { group } else { group.add(lines(layer("lines", "Lines"), &figure.lines)) }
+}
+
+fn overview_layer(overview: &Overview) -> Group {
+    lines(layer("overview", "Overview").set("data-box", data_box(overview.place)), &overview.lines)
+}
+
+/// Lines as strokes: an editor can change their width and bend them.
+fn lines(layer: Group, lines: &[Line]) -> Group {
+    let layer = layer
+        .set("fill", "none")
+        .set("stroke", "#000000")
+        .set("stroke-linecap", "round")
+        .set("stroke-linejoin", "round");
+    lines.iter().fold(layer, |layer, line| {
+        let contour = Group::new().set("data-strength", format!("{:.1}", line.strength));
+        layer.add(line.runs.iter().fold(contour, |contour, run| {
+            contour.add(Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed())))
+        }))
+    })
+}
+
+/// `d` of a polyline, in whole steps of 0.01 mm. Written by hand: these strings are most of the document.
+fn line_path(points: &[MmPoint], closed: bool) -> String {
+    let mut d = String::with_capacity(12 * points.len());
+    let shown = if closed { &points[..points.len() - 1] } else { points };
+    for (i, at) in shown.iter().enumerate() {
+        d.push(match i {
+            0 => 'M',
+            1 => 'L',
+            _ => ' ',
+        });
+        push_point(&mut d, *at);
+    }
+    if closed {
+        d.push('Z');
+    }
+    d
+}
+
+fn dots(dots: &Dots) -> Path {
+    let mut d = String::with_capacity(48 * dots.at.len());
+    for &at in &dots.at {
+        push_disc(&mut d, at, dots.diameter);
+    }
+    Path::new().set("d", d)
+}
+
+fn glyph_path(glyphs: &[Glyph]) -> String {
+    let mut d = String::with_capacity(48 * glyphs.len());
+    for glyph in glyphs {
+        match glyph.shape {
+            Shape::Rhombus { .. } => d.push_str(&line_path(&glyph.corners(), false)),
+            Shape::Dot { diameter } => push_disc(&mut d, glyph.at, diameter),
+        }
+        if matches!(glyph.shape, Shape::Rhombus { .. }) {
+            d.push('Z');
+        }
+    }
+    d
+}
+
+/// A disc as two half circles.
+fn push_disc(d: &mut String, at: MmPoint, diameter: f32) {
+    let radius = number(0.5 * diameter);
+    d.push('M');
+    push_point(d, MmPoint::new(at.x - 0.5 * diameter, at.y));
+    let across = number(diameter);
+    let _ = write!(d, "a{radius} {radius} 0 1 0 {across} 0a{radius} {radius} 0 1 0-{across} 0z");
+}
+
+fn push_point(d: &mut String, at: MmPoint) {
+    push_number(d, at.x);
+    d.push(',');
+    push_number(d, at.y);
+}
+
+fn number(value: f32) -> String {
+    let mut text = String::new();
+    push_number(&mut text, value);
+    text
+}
+
+/// A length in mm with at most two decimals (0.01 mm: a printer's dot is 0.02 to 0.08), always the same for the same value.
+fn push_number(text: &mut String, value: f32) {
+    let hundredths = (f64::from(value) * 100.0).round() as i64;
+    if hundredths < 0 {
+        text.push('-');
+    }
+    let (whole, rest) = (hundredths.abs() / 100, hundredths.abs() % 100);
+    let _ = match (rest, rest % 10) {
+        (0, _) => write!(text, "{whole}"),
+        (_, 0) => write!(text, "{whole}.{}", rest / 10),
+        _ => write!(text, "{whole}.{rest:02}"),
+    };
+}
+
+/// Text that an XML document may hold: control characters are replaced. Markup is escaped by the `svg` crate.
+fn plain(text: &str) -> String {
+    let allowed = |c: char| match c {
+        '\t' | '\n' | '\r' => ' ',
+        c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => '\u{fffd}',
+        c => c,
+    };
+    text.chars().map(allowed).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_at_most_two_decimals_and_no_idle_zeros() {
+        for (value, want) in
+            [(0.0, "0"), (-0.001, "0"), (1.5, "1.5"), (10.05, "10.05"), (-3.25, "-3.25"), (210.0, "210"), (0.999, "1")]
+        {
+            assert_eq!(number(value), want);
+        }
+    }
+
+    #[test]
+    fn paths_are_written_in_millimetres() {
+        let at = |x, y| MmPoint::new(x, y);
+        assert_eq!(line_path(&[at(0.0, 0.0), at(1.25, -2.0), at(3.0, 4.0)], false), "M0,0L1.25,-2 3,4");
+        let mut d = String::new();
+        push_disc(&mut d, at(5.0, 5.0), 1.0);
+        assert_eq!(d, "M4.5,5a0.5 0.5 0 1 0 1 0a0.5 0.5 0 1 0-1 0z");
+    }
 }

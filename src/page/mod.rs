@@ -1,4 +1,124 @@
-//! stub
-/// The finished page.
-#[derive(Debug, Clone, Default)]
-pub struct Page {}
+//! The page: finished marks in millimetres. Everything before makes it, everything after reads it.
+//!
+//! A page has no options, no references and no pixels. Its constructor checks it once; writers need not check again.
+
+mod describe;
+mod dump;
+pub mod frame_dots;
+pub mod layout;
+
+pub use crate::classes::Class;
+pub use crate::lines::{Line, Run};
+pub use crate::textures::{Glyph, Shape, Texture};
+pub use describe::describe;
+
+use crate::units::{MmPoint, MmRect, Size};
+
+/// A finished page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Page {
+    parts: Parts,
+}
+
+/// What a page is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parts {
+    /// Width and height of the sheet, mm.
+    pub sheet: [f32; 2],
+    /// What the page is called.
+    pub title: String,
+    /// What is on it, in plain words.
+    pub description: String,
+    /// How it was made: program, profile and every parameter, as name and value.
+    pub origin: Vec<(String, String)>,
+    /// The band of fine dots around the figure; empty if there is none.
+    pub frame: Dots,
+    /// The textured figure.
+    pub figure: Figure,
+    /// The smaller picture of lines only, if there is one.
+    pub overview: Option<Overview>,
+}
+
+/// Discs of one size.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Dots {
+    /// Diameter of each, mm.
+    pub diameter: f32,
+    /// Centres.
+    pub at: Vec<MmPoint>,
+}
+
+/// The main picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Where the picture lies on the sheet.
+    pub place: MmRect,
+    /// Size of the upright source picture, px.
+    pub source: Size,
+    /// One texture a region.
+    pub textures: Vec<Texture>,
+    /// One line a contour, weightiest first.
+    pub lines: Vec<Line>,
+}
+
+/// The small picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overview {
+    /// Where it lies on the sheet.
+    pub place: MmRect,
+    /// Its band of fine dots; empty if there is none.
+    pub frame: Dots,
+    /// Its lines.
+    pub lines: Vec<Line>,
+}
+
+/// A mark that cannot be on a page.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{what} lies at {at}, off the sheet of {sheet}")]
+pub struct OffSheet {
+    what: &'static str,
+    at: String,
+    sheet: String,
+}
+
+impl Page {
+    /// Makes a page of its parts.
+    ///
+    /// # Errors
+    /// If a mark is not finite or reaches beyond the sheet.
+    pub fn new(parts: Parts) -> Result<Self, OffSheet> {
+        let [width, height] = parts.sheet;
+        let on_sheet = |what, at: MmPoint, radius: f32| {
+            // NaN fails every comparison, so it is caught here as well
+            let inside = at.x - radius >= 0.0 && at.y - radius >= 0.0 && at.x + radius <= width && at.y + radius <= height;
+            let sheet = || format!("{width} x {height} mm");
+            if inside { Ok(()) } else { Err(OffSheet { what, at: format!("{} mm, {} mm", at.x, at.y), sheet: sheet() }) }
+        };
+        let overview = parts.overview.iter();
+        for dots in [&parts.frame].into_iter().chain(overview.clone().map(|o| &o.frame)) {
+            dots.at.iter().try_for_each(|&at| on_sheet("a dot of a frame", at, 0.5 * dots.diameter))?;
+        }
+        for line in parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines)) {
+            for run in &line.runs {
+                run.points.iter().try_for_each(|&at| on_sheet("a line", at, 0.5 * run.width))?;
+            }
+        }
+        for texture in &parts.figure.textures {
+            texture.glyphs.iter().try_for_each(|glyph| on_sheet("a glyph", glyph.at, glyph.radius()))?;
+        }
+        Ok(Self { parts })
+    }
+
+    /// Whether there is neither a line nor a glyph on it.
+    pub fn is_empty(&self) -> bool {
+        self.figure.lines.is_empty() && self.figure.textures.is_empty()
+    }
+}
+
+impl std::ops::Deref for Page {
+    type Target = Parts;
+
+    fn deref(&self) -> &Parts {
+        &self.parts
+    }
+}

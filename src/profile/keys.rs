@@ -184,6 +184,8 @@ table! {
         min_saturation: number(0.0 to 1.0, "");
         /// HSV value below which a colour counts as black, which is drawn as grey.
         min_value: number(0.0 to 1.0, "");
+        /// HSL lightness above which a colour counts as white, which has no texture.
+        white_from: number(0.3 to 1.0, "");
         /// Areas of one colour that are smaller than this go to a neighbour.
         min_area: number(0.0 to 5000.0, "square mm");
     }

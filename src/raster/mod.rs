@@ -1,6 +1,7 @@
 //! The picture as numbers: linear light, working resolution, upright.
 
 pub mod decode;
+pub mod plane;
 
 use crate::units::Size;
 
@@ -44,5 +45,10 @@ impl Raster {
     /// Whether there is but one plane.
     pub fn is_grey(&self) -> bool {
         self.planes.len() == 1
+    }
+
+    /// Whether all pixels are of one colour.
+    pub fn is_flat(&self) -> bool {
+        self.planes.iter().all(|plane| plane.iter().all(|value| value.to_bits() == plane[0].to_bits()))
     }
 }

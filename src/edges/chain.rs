@@ -1,0 +1,118 @@
+//! Ridge points that follow one another become chains.
+//!
+//! Every pair of near points that lie along each other's edge is a possible link; the shortest and straightest are taken
+//! first, and a point has one link on either side. So each point ends with two neighbours at most, closed contours close
+//! by themselves, and the result does not hang on where the search began.
+
+use super::thin::Ridge;
+use crate::units::Size;
+
+/// A chain as numbers of ridge points; closed iff the last is the first again.
+pub(super) type Chain = Vec<u32>;
+
+/// Linked points are at most this far apart, px: thinned contours touch at sqrt(2), and skip a pixel where the axis of
+/// comparison changes.
+const REACH: i64 = 2;
+/// Least cosine between a link and the edge at both its points, and between the edge's directions there (60 degrees).
+const STRAIGHT: f32 = 0.5;
+const NONE: u32 = u32::MAX;
+
+/// Links points (in reading order) to chains, those with free ends first, then the closed ones.
+pub(super) fn link(points: &[Ridge], size: Size) -> Vec<Chain> {
+    let mut links = candidates(points, size);
+    links.sort_unstable_by_key(|link| (link.cost, link.ends[0], link.ends[1]));
+    // neighbour[p][s]: the point linked to p on side s of its tangent
+    let mut neighbour = vec![[NONE; 2]; points.len()];
+    for link in links {
+        let [p, q] = link.ends.map(|end| end as usize);
+        let [sp, sq] = link.sides.map(usize::from);
+        if neighbour[p][sp] == NONE && neighbour[q][sq] == NONE {
+            neighbour[p][sp] = q as u32;
+            neighbour[q][sq] = p as u32;
+        }
+    }
+    walk(&neighbour)
+}
+
+struct Link {
+    cost: u32,
+    ends: [u32; 2],
+    sides: [u8; 2],
+}
+
+fn candidates(points: &[Ridge], size: Size) -> Vec<Link> {
+    let mut starts = vec![0_usize; size.height as usize + 1];
+    for point in points {
+        starts[point.row as usize + 1] += 1;
+    }
+    for row in 0..size.height as usize {
+        starts[row + 1] += starts[row];
+    }
+    let mut links = Vec::with_capacity(2 * points.len());
+    for (i, p) in points.iter().enumerate() {
+        for row in i64::from(p.row)..=(i64::from(p.row) + REACH).min(i64::from(size.height) - 1) {
+            let (from, to) = (starts[row as usize], starts[row as usize + 1]);
+            let first = from + points[from..to].partition_point(|q| i64::from(q.column) < i64::from(p.column) - REACH);
+            for (j, q) in points[first..to].iter().enumerate().map(|(k, q)| (first + k, q)) {
+                if i64::from(q.column) > i64::from(p.column) + REACH {
+                    break;
+                }
+                if j > i
+                    && let Some(link) = candidate((i, p), (j, q))
+                {
+                    links.push(link);
+                }
+            }
+        }
+    }
+    links
+}
+
+fn candidate((i, p): (usize, &Ridge), (j, q): (usize, &Ridge)) -> Option<Link> {
+    let (dx, dy) = (q.at.x - p.at.x, q.at.y - p.at.y);
+    let distance = (dx * dx + dy * dy).sqrt();
+    if !(0.05..=REACH as f32 + 0.5).contains(&distance) {
+        return None; // farther, or two readings of one place
+    }
+    // along each point's tangent, which is its normal turned by a quarter
+    let along = |r: &Ridge| (-r.normal[1] * dx + r.normal[0] * dy) / distance;
+    let (ap, aq) = (along(p), along(q));
+    let parallel = (p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1]).abs();
+    if ap.abs() < STRAIGHT || aq.abs() < STRAIGHT || parallel < STRAIGHT {
+        return None;
+    }
+    let cost = distance + (2.0 - ap.abs() - aq.abs()) + (1.0 - parallel);
+    Some(Link {
+        cost: (cost * 1024.0) as u32,
+        ends: [i as u32, j as u32],
+        sides: [u8::from(ap > 0.0), u8::from(aq < 0.0)],
+    })
+}
+
+/// Follows the links: first from free ends, then round the rings.
+fn walk(neighbour: &[[u32; 2]]) -> Vec<Chain> {
+    let mut seen = vec![false; neighbour.len()];
+    let mut chains = Vec::new();
+    for rings in [false, true] {
+        for start in 0..neighbour.len() {
+            let [a, b] = neighbour[start];
+            if seen[start] || (a == NONE && b == NONE) || (!rings && a != NONE && b != NONE) {
+                continue;
+            }
+            let mut chain = vec![start as u32];
+            seen[start] = true;
+            let (mut before, mut here) = (start as u32, if a == NONE { b } else { a });
+            while here != NONE && !seen[here as usize] {
+                seen[here as usize] = true;
+                chain.push(here);
+                let [a, b] = neighbour[here as usize];
+                (before, here) = (here, if a == before { b } else { a });
+            }
+            if rings {
+                chain.push(start as u32);
+            }
+            chains.push(chain);
+        }
+    }
+    chains
+}

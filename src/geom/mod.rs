@@ -1,0 +1,34 @@
+//! Plane geometry that several stages share. Lengths are in the unit of the points given (millimetres after the frame).
+
+pub mod nearby;
+pub mod polyline;
+pub mod simplify;
+
+use lyon::geom::euclid::Point2D;
+
+/// Distance from `p` to the segment `a`-`b`, and the nearest point on it.
+pub fn nearest_on_segment<U>(p: Point2D<f32, U>, a: Point2D<f32, U>, b: Point2D<f32, U>) -> (f32, Point2D<f32, U>) {
+    let ab = b - a;
+    let square = ab.square_length();
+    let t = if square > 0.0 { ((p - a).dot(ab) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let nearest = a + ab * t;
+    ((p - nearest).length(), nearest)
+}
+
+/// Least distance between the segments `a`-`b` and `c`-`d`; 0 where they cross.
+pub fn segment_distance<U>(
+    (a, b): (Point2D<f32, U>, Point2D<f32, U>),
+    (c, d): (Point2D<f32, U>, Point2D<f32, U>),
+) -> f32 {
+    if crosses((a, b), (c, d)) {
+        return 0.0;
+    }
+    let distance = |p, s, e| nearest_on_segment(p, s, e).0;
+    distance(a, c, d).min(distance(b, c, d)).min(distance(c, a, b)).min(distance(d, a, b))
+}
+
+/// Whether two segments cross in a point inside both.
+fn crosses<U>((a, b): (Point2D<f32, U>, Point2D<f32, U>), (c, d): (Point2D<f32, U>, Point2D<f32, U>)) -> bool {
+    let side = |p: Point2D<f32, U>, q: Point2D<f32, U>, r: Point2D<f32, U>| (q - p).cross(r - p);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}

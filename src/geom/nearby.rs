@@ -1,0 +1,94 @@
+//! What lies near a place: segments in a grid of square cells.
+
+use super::nearest_on_segment;
+use crate::units::{MmPoint, MmRect};
+
+/// A segment with the half of its width and whose it is.
+#[derive(Debug, Clone, Copy)]
+pub struct Segment {
+    /// One end.
+    pub a: MmPoint,
+    /// The other end.
+    pub b: MmPoint,
+    /// Half its width, mm.
+    pub half_width: f32,
+    /// Number of the line it belongs to.
+    pub line: u32,
+    /// Number of the vertex `a` in its line.
+    pub index: u32,
+    /// Way along its line to `a`, mm.
+    pub arc: f32,
+}
+
+/// Segments, found again by place. A query looks at the cells within `reach` of it, no further.
+#[derive(Debug, Clone)]
+pub struct Nearby {
+    origin: MmPoint,
+    cell: f32,
+    columns: usize,
+    rows: usize,
+    cells: Vec<Vec<u32>>,
+    segments: Vec<Segment>,
+}
+
+impl Nearby {
+    /// An empty grid over `area` for queries that reach `cell` millimetres at most on average; longer ones work too.
+    pub fn new(area: MmRect, cell: f32) -> Self {
+        let cell = cell.max(0.5); // finer cells cost memory and win nothing at the millimetre scale
+        let columns = (area.width() / cell).ceil().max(1.0) as usize;
+        let rows = (area.height() / cell).ceil().max(1.0) as usize;
+        Self { origin: area.min, cell, columns, rows, cells: vec![Vec::new(); columns * rows], segments: Vec::new() }
+    }
+
+    /// Adds a segment.
+    pub fn insert(&mut self, segment: Segment) {
+        let number = self.segments.len() as u32;
+        let (columns, rows) = self.covered(segment.a.min(segment.b), segment.a.max(segment.b));
+        for row in rows {
+            for column in columns.clone() {
+                self.cells[row * self.columns + column].push(number);
+            }
+        }
+        self.segments.push(segment);
+    }
+
+    /// Calls `visit` with the segments that may lie within `reach` of the box `low`-`high`; one segment can come several
+    /// times, and some farther ones come too.
+    pub fn around(&self, low: MmPoint, high: MmPoint, reach: f32, mut visit: impl FnMut(&Segment)) {
+        let (columns, rows) =
+            self.covered(MmPoint::new(low.x - reach, low.y - reach), MmPoint::new(high.x + reach, high.y + reach));
+        for row in rows {
+            for column in columns.clone() {
+                for &number in &self.cells[row * self.columns + column] {
+                    visit(&self.segments[number as usize]);
+                }
+            }
+        }
+    }
+
+    /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point, segment.
+    pub fn nearest(
+        &self,
+        at: MmPoint,
+        reach: f32,
+        wanted: impl Fn(&Segment) -> bool,
+    ) -> Option<(f32, MmPoint, Segment)> {
+        let mut best: Option<(f32, MmPoint, Segment)> = None;
+        self.around(at, at, reach, |segment| {
+            if wanted(segment) {
+                let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
+                if distance <= reach && best.is_none_or(|(least, ..)| distance < least) {
+                    best = Some((distance, point, *segment));
+                }
+            }
+        });
+        best
+    }
+
+    fn covered(&self, low: MmPoint, high: MmPoint) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+        let index = |value: f32, count: usize| (value / self.cell).floor().clamp(0.0, (count - 1) as f32) as usize;
+        let columns = index(low.x - self.origin.x, self.columns)..index(high.x - self.origin.x, self.columns) + 1;
+        let rows = index(low.y - self.origin.y, self.rows)..index(high.y - self.origin.y, self.rows) + 1;
+        (columns, rows)
+    }
+}

@@ -1,0 +1,197 @@
+//! The two sides of a thin bar become one line along its middle: a pole, a wire, a pen stroke, the rim of a cup.
+//!
+//! ```text
+//!   colour A | colour B | colour A          A | A
+//!            |          |           ->        |        (nearer than a finger can part)
+//!          step       -step                 middle
+//! ```
+//!
+//! Sides belong together when they run parallel, nearer than two lines may, and the colour steps back across the second
+//! what it stepped across the first.
+
+use super::{Params, Trail, Vertex, dot};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::{arc_lengths, smooth};
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// Least cosine between the directions of two sides (about 37 degrees).
+const PARALLEL: f32 = 0.8;
+/// The colour must step back by at least this share of what it stepped up.
+const STEP_BACK: f32 = 0.3;
+/// The shortest stretch of two sides that counts as a bar, in widths of the bar; shorter ones are the ends of other shapes.
+const MIN_STRETCH: f32 = 1.5;
+/// A line moves over to the middle of a bar within about this length, mm.
+const TRANSITION: f32 = 1.0;
+
+/// Where a vertex has its opposite.
+#[derive(Clone, Copy)]
+struct Opposite {
+    trail: u32,
+    index: u32,
+    at: MmPoint,
+}
+
+/// A stretch of one trail along which it has opposites.
+struct Stretch {
+    trail: usize,
+    from: usize,
+    to: usize,
+    length: f32,
+}
+
+pub(super) fn merge(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Trail> {
+    let reach = params.min_gap + params.width_max;
+    let opposites = opposites(&trails, area, reach);
+    let mut stretches = stretches(&trails, &opposites);
+    stretches.sort_by(|a, b| b.length.total_cmp(&a.length).then((a.trail, a.from).cmp(&(b.trail, b.from))));
+
+    let mut moved: Vec<Vec<Option<MmVector>>> = trails.iter().map(|t| vec![None; t.vertices.len()]).collect();
+    let mut gone: Vec<Vec<bool>> = trails.iter().map(|t| vec![false; t.vertices.len()]).collect();
+    for stretch in &stretches {
+        let mut last: Option<(usize, usize)> = None;
+        for i in stretch.from..=stretch.to {
+            let Some(opposite) = opposites[stretch.trail][i] else { continue };
+            let (other, j) = (opposite.trail as usize, opposite.index as usize);
+            if gone[stretch.trail][i] || moved[stretch.trail][i].is_some() || moved[other][j].is_some() {
+                last = None;
+                continue;
+            }
+            moved[stretch.trail][i] = Some((opposite.at - trails[stretch.trail].vertices[i].at) * 0.5);
+            // All that the other side has between the last opposite and this one goes.
+            let from = match last {
+                Some((trail, k)) if trail == other && k.abs_diff(j) <= 8 => k,
+                _ => j,
+            };
+            for k in from.min(j)..=from.max(j) {
+                if moved[other][k].is_none() {
+                    gone[other][k] = true;
+                }
+            }
+            last = Some((other, j));
+        }
+    }
+    let mut merged = Vec::with_capacity(trails.len());
+    for ((trail, moved), gone) in trails.into_iter().zip(&moved).zip(&gone) {
+        split(shifted(trail, moved), gone, &mut merged);
+    }
+    merged
+}
+
+/// Finds for every vertex the nearest place on the opposite side of a bar, if it lies on one.
+fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Opposite>>> {
+    let mut nearby = Nearby::new(area, reach);
+    let mut totals = Vec::with_capacity(trails.len());
+    for (number, trail) in trails.iter().enumerate() {
+        let arcs = arc_lengths(&trail.points());
+        for (i, pair) in trail.vertices.windows(2).enumerate() {
+            nearby.insert(Segment {
+                a: pair[0].at,
+                b: pair[1].at,
+                half_width: 0.0,
+                line: number as u32,
+                index: i as u32,
+                arc: arcs[i],
+            });
+        }
+        totals.push(arcs.last().copied().unwrap_or(0.0));
+    }
+    let opposite = |number: usize, i: usize, arc: f32| -> Option<Opposite> {
+        let trail = &trails[number];
+        let here: &Vertex = &trail.vertices[i];
+        let tangent = trail.tangent(i);
+        let found = nearby.nearest(here.at, reach, |segment| {
+            if segment.line as usize == number {
+                // Along the same line: only what lies well beyond a bend.
+                let apart = (segment.arc - arc).abs();
+                let apart = if trail.closed { apart.min(totals[number] - apart) } else { apart };
+                if apart < 1.5 * reach {
+                    return false;
+                }
+            }
+            let Some(direction) = (segment.b - segment.a).try_normalize() else { return false };
+            let along = direction.dot(tangent);
+            if along.abs() < PARALLEL {
+                return false;
+            }
+            let step = trails[segment.line as usize].vertices[segment.index as usize].step;
+            let (up, back) = (dot(here.step, here.step), dot(here.step, step) * along.signum());
+            // across, not beside: the way over stands upright on both lines
+            let way = segment.a.lerp(segment.b, 0.5) - here.at;
+            back < -STEP_BACK * up && way.dot(tangent).abs() < 0.6 * way.length().max(0.3)
+        })?;
+        Some(Opposite { trail: found.2.line, index: found.2.index, at: found.1 })
+    };
+    trails
+        .iter()
+        .enumerate()
+        .map(|(number, trail)| {
+            let arcs = arc_lengths(&trail.points());
+            // A small ring (an eye, a button) is felt as a dot and stays whole.
+            if trail.closed && totals[number] < std::f32::consts::PI * reach {
+                return vec![None; trail.vertices.len()];
+            }
+            (0..trail.vertices.len()).map(|i| opposite(number, i, arcs[i])).collect()
+        })
+        .collect()
+}
+
+/// Stretches of vertices with opposites on the same trail that are long enough for a bar.
+fn stretches(trails: &[Trail], opposites: &[Vec<Option<Opposite>>]) -> Vec<Stretch> {
+    let mut found = Vec::new();
+    for (number, (trail, opposites)) in trails.iter().zip(opposites).enumerate() {
+        let mut i = 0;
+        while i < opposites.len() {
+            let Some(first) = opposites[i] else {
+                i += 1;
+                continue;
+            };
+            let from = i;
+            let (mut length, mut across) = (0.0, 0.0);
+            while let Some(opposite) = opposites.get(i).copied().flatten().filter(|o| o.trail == first.trail) {
+                if i > from {
+                    length += (trail.vertices[i].at - trail.vertices[i - 1].at).length();
+                }
+                across += (opposite.at - trail.vertices[i].at).length();
+                i += 1;
+            }
+            if length >= MIN_STRETCH * across / (i - from) as f32 {
+                found.push(Stretch { trail: number, from, to: i - 1, length });
+            }
+        }
+    }
+    found
+}
+
+/// Moves a trail over to the middle where it is the side of a bar, smoothly.
+fn shifted(mut trail: Trail, moved: &[Option<MmVector>]) -> Trail {
+    if moved.iter().all(Option::is_none) {
+        return trail;
+    }
+    let arcs = arc_lengths(&trail.points());
+    // At an open end that is itself part of a bar the shift must not fade.
+    let shift = |i: usize| moved[i].map_or([0.0, 0.0], |v| [v.x, v.y]);
+    let smoothed = smooth(&arcs, trail.closed, TRANSITION, shift);
+    for (vertex, [x, y]) in trail.vertices.iter_mut().zip(smoothed) {
+        vertex.at += MmVector::new(x, y);
+    }
+    trail
+}
+
+/// Cuts out what is gone.
+fn split(trail: Trail, gone: &[bool], out: &mut Vec<Trail>) {
+    if !gone.contains(&true) {
+        out.push(trail);
+        return;
+    }
+    let ring = if trail.closed { trail.vertices.len() - 1 } else { trail.vertices.len() };
+    let start = if trail.closed { (0..ring).find(|&i| gone[i]).unwrap_or(0) } else { 0 };
+    let mut piece = Vec::new();
+    for k in 0..=ring {
+        let i = (start + k) % ring;
+        if k < ring && !gone[i] {
+            piece.push(trail.vertices[i]);
+        } else if !piece.is_empty() {
+            out.push(Trail { vertices: std::mem::take(&mut piece), closed: false });
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! No two lines nearer than fingers can part them: of two rivals the more salient stays, the other is trimmed where it
+//! comes too near. Lines that truly join may meet.
+
+use super::{Params, Trail, Vertex, weight};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::arc_lengths;
+use crate::units::MmRect;
+
+/// Own parts of a line closer than this along it (in clearances) are a bend, not a rival.
+const BEND: f32 = 4.0;
+/// A line joins another if it comes this near, in join gaps.
+const MEETS: f32 = 0.5;
+/// ... and comes nearer by at least this share of its way (30 degrees), mm per mm; flatter is a rival, not a junction.
+const STEEP: f32 = 0.5;
+/// ... within this way, in clearances.
+const APPROACH: f32 = 2.5;
+
+/// Clears lines, weightiest first; the result is in that order.
+pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Trail> {
+    trails.retain(|trail| trail.vertices.len() > 1);
+    let mut order: Vec<(f32, usize)> = trails.iter().map(Trail::saliency).zip(0..).collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let reach = params.min_gap + params.width_max;
+    let mut accepted = Nearby::new(area, reach);
+    let mut cleared: Vec<Trail> = Vec::new();
+    for (_, number) in order {
+        for piece in free_pieces(&trails[number], &accepted, area, params) {
+            if piece.length() >= params.min_length {
+                insert(&mut accepted, &piece, cleared.len() as u32, params);
+                cleared.push(piece);
+            }
+        }
+    }
+    cleared
+}
+
+fn insert(nearby: &mut Nearby, trail: &Trail, line: u32, params: &Params) {
+    let arcs = arc_lengths(&trail.points());
+    for (i, pair) in trail.vertices.windows(2).enumerate() {
+        nearby.insert(segment(pair, i, line, arcs[i], params));
+    }
+}
+
+fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32, params: &Params) -> Segment {
+    let width = weight::width(pair[0].strength.max(pair[1].strength), params);
+    Segment { a: pair[0].at, b: pair[1].at, half_width: 0.5 * width, line, index: i as u32, arc }
+}
+
+/// The parts of a trail that keep their distance from what is accepted and from the trail's own earlier parts.
+fn free_pieces(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) -> Vec<Trail> {
+    let reach = params.min_gap + params.width_max;
+    let arcs = arc_lengths(&trail.points());
+    let total = arcs.last().copied().unwrap_or(0.0);
+    let mut own = Nearby::new(area, reach);
+    let mut taken: Vec<bool> = Vec::with_capacity(arcs.len());
+    for (i, vertex) in trail.vertices.iter().enumerate() {
+        let half = 0.5 * weight::width(vertex.strength, params);
+        let near = |found: Option<(f32, _, Segment)>| {
+            found.is_some_and(|(distance, _, rival)| distance < params.min_gap + half + rival.half_width)
+        };
+        let rival = near(accepted.nearest(vertex.at, reach, |_| true))
+            || near(own.nearest(vertex.at, reach, |segment| {
+                let apart = (arcs[i] - segment.arc).abs();
+                (if trail.closed { apart.min(total - apart) } else { apart }) > BEND * reach
+            }));
+        if i > 0 && !rival && !taken[i - 1] {
+            own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1], params));
+        }
+        taken.push(rival);
+    }
+    if !taken.contains(&true) {
+        return vec![trail.clone()];
+    }
+    let (vertices, taken) = opened(trail, taken);
+    let mut pieces = Vec::new();
+    let mut i = 0;
+    while i < vertices.len() {
+        if taken[i] {
+            i += 1;
+            continue;
+        }
+        let from = i;
+        while i < vertices.len() && !taken[i] {
+            i += 1;
+        }
+        let mut piece: Vec<Vertex> = vertices[from..i].to_vec();
+        if let Some(junction) = junction(vertices[..=from].iter().rev(), accepted, params) {
+            piece.splice(0..0, junction.into_iter().rev());
+        }
+        if let Some(junction) = junction(vertices[i - 1..].iter(), accepted, params) {
+            piece.extend(junction);
+        }
+        if piece.len() > 1 {
+            pieces.push(Trail { vertices: piece, closed: false });
+        }
+    }
+    pieces
+}
+
+/// A ring with taken parts, cut open inside one of them.
+fn opened(trail: &Trail, taken: Vec<bool>) -> (Vec<Vertex>, Vec<bool>) {
+    if !trail.closed {
+        return (trail.vertices.clone(), taken);
+    }
+    let ring = trail.vertices.len() - 1;
+    let start = taken.iter().position(|&t| t).unwrap_or(0) % ring;
+    (0..=ring).map(|k| (trail.vertices[(start + k) % ring], taken[(start + k) % ring])).unzip()
+}
+
+/// If a line, going on from its last free vertex (the first of `on`), soon meets an accepted line at a steep angle: the
+/// vertices up to the meeting, which is the last.
+fn junction<'a>(mut on: impl Iterator<Item = &'a Vertex>, accepted: &Nearby, params: &Params) -> Option<Vec<Vertex>> {
+    let reach = params.min_gap + params.width_max;
+    let first = on.next()?;
+    let (start, ..) = accepted.nearest(first.at, 2.0 * reach, |_| true)?;
+    let mut way = 0.0;
+    let mut last = first;
+    let mut path = Vec::new();
+    // the nearest approach so far: distance, where on the other line, how many vertices of the path, way
+    let mut best = (start, None, 0, 0.0);
+    for vertex in on {
+        way += (vertex.at - last.at).length();
+        if way > APPROACH * reach {
+            break;
+        }
+        path.push(*vertex);
+        last = vertex;
+        if let Some((distance, at, _)) = accepted.nearest(vertex.at, reach, |_| true)
+            && distance < best.0
+        {
+            best = (distance, Some(at), path.len(), way);
+        }
+    }
+    let (distance, at, count, way) = best;
+    let at = at?;
+    if distance > MEETS * params.join_gap || start - distance < STEEP * way {
+        return None;
+    }
+    path.truncate(count);
+    let tip = *path.last()?;
+    path.push(Vertex { at, ..tip });
+    Some(path)
+}

@@ -1,0 +1,124 @@
+//! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
+
+use super::{Trail, dot};
+use crate::units::{MmPoint, MmVector};
+
+/// The direction of an end is taken over this much of its line, mm.
+const HEADING: f32 = 1.5;
+/// Least cosine between an end's heading and the way to the other end (45 degrees).
+const AHEAD: f32 = 0.7;
+/// Ends nearer than this need not point at one another, mm: their headings alone decide.
+const TOUCHING: f32 = 0.5;
+
+struct End {
+    trail: usize,
+    at_start: bool,
+    at: MmPoint,
+    heading: MmVector,
+    /// Colour step as seen when leaving the line through this end.
+    step: [f32; 3],
+}
+
+/// Joins open trails over gaps of at most `gap` millimetres and closes those whose own ends meet.
+pub(super) fn join(trails: Vec<Trail>, gap: f32) -> Vec<Trail> {
+    let ends = ends(&trails);
+    let mut joints = Vec::new();
+    let mut by_x: Vec<usize> = (0..ends.len()).collect();
+    by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x));
+    for (k, &i) in by_x.iter().enumerate() {
+        for &j in by_x[k + 1..].iter().take_while(|&&j| ends[j].at.x - ends[i].at.x <= gap) {
+            let (i, j) = (i.min(j), i.max(j));
+            if let Some(cost) = cost(&ends[i], &ends[j], &trails, gap) {
+                joints.push((cost, i, j));
+            }
+        }
+    }
+    joints.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let mut partner = vec![None; ends.len()];
+    for (_, i, j) in joints {
+        if partner[i].is_none() && partner[j].is_none() {
+            partner[i] = Some(j);
+            partner[j] = Some(i);
+        }
+    }
+    thread(trails, &ends, &partner)
+}
+
+fn ends(trails: &[Trail]) -> Vec<End> {
+    let mut ends = Vec::new();
+    for (number, trail) in trails.iter().enumerate().filter(|(_, trail)| !trail.closed && trail.vertices.len() > 1) {
+        for at_start in [true, false] {
+            let from_end = |i: usize| &trail.vertices[if at_start { i } else { trail.vertices.len() - 1 - i }];
+            let tip = from_end(0);
+            let inner = (1..trail.vertices.len())
+                .map(from_end)
+                .find(|v| (v.at - tip.at).length() >= HEADING)
+                .unwrap_or_else(|| from_end(trail.vertices.len() - 1));
+            let heading = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
+            let step = if at_start { tip.step.map(|v| -v) } else { tip.step };
+            ends.push(End { trail: number, at_start, at: tip.at, heading, step });
+        }
+    }
+    ends
+}
+
+/// How far two ends are from being one line, if they can be joined at all.
+fn cost(a: &End, b: &End, trails: &[Trail], gap: f32) -> Option<f32> {
+    let way = b.at - a.at;
+    let distance = way.length();
+    if distance > gap || (a.trail == b.trail && trails[a.trail].length() < 4.0 * distance) {
+        return None;
+    }
+    // Leaving through a one enters through b, where right and left change places.
+    if dot(a.step, b.step) >= 0.0 || a.heading.dot(b.heading) > -0.5 {
+        return None;
+    }
+    if distance <= TOUCHING {
+        return Some(distance);
+    }
+    let way = way / distance;
+    let (ahead_a, ahead_b) = (a.heading.dot(way), -b.heading.dot(way));
+    (ahead_a >= AHEAD && ahead_b >= AHEAD).then_some(distance * (3.0 - ahead_a - ahead_b))
+}
+
+/// Strings trails together end by end.
+fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Trail> {
+    // end_of[t] = the numbers of the start and the end of trail t
+    let mut end_of = vec![[usize::MAX; 2]; trails.len()];
+    for (number, end) in ends.iter().enumerate() {
+        end_of[end.trail][usize::from(!end.at_start)] = number;
+    }
+    let mut left: Vec<Option<Trail>> = trails.into_iter().map(Some).collect();
+    let mut joined = Vec::with_capacity(left.len());
+    for rings in [false, true] {
+        for first in 0..left.len() {
+            let Some(trail) = &left[first] else { continue };
+            if trail.closed || end_of[first][0] == usize::MAX {
+                joined.extend(left[first].take());
+                continue;
+            }
+            let free = |side: usize| partner[end_of[first][side]].is_none();
+            let entry = match (free(0), free(1)) {
+                (true, _) => 0,
+                (false, true) => 1,
+                (false, false) if rings => 0,
+                (false, false) => continue,
+            };
+            let mut vertices = Vec::new();
+            let mut next = Some(end_of[first][entry]);
+            while let Some(end) = next.map(|number| &ends[number])
+                && let Some(trail) = left[end.trail].take()
+            {
+                let trail = if end.at_start { trail } else { trail.reversed() };
+                vertices.extend(trail.vertices);
+                next = partner[end_of[end.trail][usize::from(end.at_start)]];
+            }
+            let closed = next.is_some() && vertices.len() > 3;
+            if closed {
+                vertices.push(vertices[0]);
+            }
+            joined.push(Trail { vertices, closed });
+        }
+    }
+    joined
+}

@@ -1,0 +1,59 @@
+//! A page as plain text, for tests and for people: what two pages differ in can be seen in a diff.
+
+use std::fmt::{Display, Formatter, Result};
+
+use super::{Dots, Line, Page, Shape};
+
+impl Display for Page {
+    /// Writes all marks, one a row, in millimetres with two decimals.
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        writeln!(f, "sheet {} x {}", self.sheet[0], self.sheet[1])?;
+        writeln!(f, "title {}", self.title)?;
+        writeln!(f, "description {}", self.description)?;
+        dots(f, "frame", &self.frame)?;
+        let place = self.figure.place;
+        writeln!(f, "figure {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
+        for texture in &self.figure.textures {
+            writeln!(f, "texture {}: {} glyphs", texture.class.name(), texture.glyphs.len())?;
+            for glyph in &texture.glyphs {
+                match glyph.shape {
+                    Shape::Rhombus { length, thickness, .. } => {
+                        writeln!(f, "  {:.2} {:.2} rhombus {length:.2} x {thickness:.2}", glyph.at.x, glyph.at.y)?;
+                    }
+                    Shape::Dot { diameter } => writeln!(f, "  {:.2} {:.2} dot {diameter:.2}", glyph.at.x, glyph.at.y)?,
+                }
+            }
+        }
+        self.figure.lines.iter().try_for_each(|line| write_line(f, line))?;
+        if let Some(overview) = &self.overview {
+            let place = overview.place;
+            dots(f, "overview frame", &overview.frame)?;
+            writeln!(f, "overview {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
+            overview.lines.iter().try_for_each(|line| write_line(f, line))?;
+        }
+        Ok(())
+    }
+}
+
+fn dots(f: &mut Formatter<'_>, name: &str, dots: &Dots) -> Result {
+    if dots.at.is_empty() {
+        return Ok(());
+    }
+    let range = |values: Vec<f32>| values.into_iter().fold((f32::MAX, f32::MIN), |(a, b), v| (a.min(v), b.max(v)));
+    let (left, right) = range(dots.at.iter().map(|at| at.x).collect());
+    let (top, bottom) = range(dots.at.iter().map(|at| at.y).collect());
+    let (count, diameter) = (dots.at.len(), dots.diameter);
+    writeln!(f, "{name} of {count} dots {diameter:.2}: {left:.2} {top:.2} to {right:.2} {bottom:.2}")
+}
+
+fn write_line(f: &mut Formatter<'_>, line: &Line) -> Result {
+    writeln!(f, "line of strength {:.1}, length {:.1}", line.strength, line.length())?;
+    for run in &line.runs {
+        write!(f, "  {:.2} wide:", run.width)?;
+        for at in &run.points {
+            write!(f, " {:.2},{:.2}", at.x, at.y)?;
+        }
+        writeln!(f)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,140 @@
+//! One rhombus or dot, as bold as its place is dark.
+
+use super::Params;
+use crate::classes::Class;
+use crate::geom::{nearest_on_segment, segment_distance};
+use crate::units::{MmPoint, MmVector};
+
+/// A mark of a texture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glyph {
+    /// Its centre on the sheet.
+    pub at: MmPoint,
+    /// What it is.
+    pub shape: Shape,
+}
+
+/// The shape of a glyph.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// A diamond.
+    Rhombus {
+        /// Long diagonal, mm.
+        length: f32,
+        /// Short diagonal, mm.
+        thickness: f32,
+        /// Direction of the long diagonal: degrees counter-clockwise from the x axis as a reader sees the page.
+        degrees: f32,
+    },
+    /// A disc.
+    Dot {
+        /// Its diameter, mm.
+        diameter: f32,
+    },
+}
+
+/// HSL lightness from which down a glyph is as bold as it gets. Chosen by us: dark shades (a third of pure colours' 0.5
+/// down) are few in pictures, and more ink only fills the gaps between glyphs.
+const BOLDEST_AT: f32 = 0.25;
+/// Length of the lightest rhombus as a share of the boldest one's: it stays long enough to point somewhere.
+const LIGHTEST_LENGTH: f32 = 0.75;
+/// Diameter of the lightest dot as a share of the boldest one's.
+const LIGHTEST_DOT: f32 = 0.6;
+
+/// Direction of a class's rows, degrees counter-clockwise as a reader sees the page; grey has none. The paper's reasons:
+/// water lies flat; `/` is the sweep of the right hand, calm as green; then on round the colour wheel.
+pub(super) fn degrees(class: Class) -> Option<f32> {
+    match class {
+        Class::Blue => Some(0.0),
+        Class::Green => Some(45.0),
+        Class::Yellow => Some(90.0),
+        Class::Red => Some(135.0),
+        Class::Grey => None,
+    }
+}
+
+/// The unit vector on the sheet (y down) that points along `degrees` as a reader sees it (y up).
+pub(super) fn unit(degrees: f32) -> MmVector {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    MmVector::new(cos, -sin)
+}
+
+/// The glyph of a class at a place of the given lightness; none where it is too light for one.
+pub(super) fn bold(class: Class, at: MmPoint, lightness: f32, params: &Params) -> Option<Glyph> {
+    if lightness > params.white_from {
+        return None;
+    }
+    let range = (params.white_from - BOLDEST_AT).max(f32::EPSILON);
+    let boldness = ((params.white_from - lightness) / range).clamp(0.0, 1.0);
+    let between = |least: f32, most: f32| least + (most - least) * boldness;
+    let shape = match degrees(class) {
+        Some(degrees) => Shape::Rhombus {
+            length: params.length * between(LIGHTEST_LENGTH, 1.0),
+            thickness: between(params.min_glyph, params.thickness),
+            degrees,
+        },
+        None => Shape::Dot { diameter: (params.dot * between(LIGHTEST_DOT, 1.0)).max(params.min_glyph) },
+    };
+    Some(Glyph { at, shape })
+}
+
+impl Glyph {
+    /// Farthest extent from the centre, mm.
+    pub fn radius(&self) -> f32 {
+        match self.shape {
+            Shape::Rhombus { length, thickness, .. } => 0.5 * length.max(thickness),
+            Shape::Dot { diameter } => 0.5 * diameter,
+        }
+    }
+
+    /// The corners of a rhombus in order; for a dot the ends of its four main radii.
+    pub fn corners(&self) -> [MmPoint; 4] {
+        let (along, length, thickness) = match self.shape {
+            Shape::Rhombus { length, thickness, degrees } => (unit(degrees), length, thickness),
+            Shape::Dot { diameter } => (MmVector::new(1.0, 0.0), diameter, diameter),
+        };
+        let across = MmVector::new(-along.y, along.x);
+        let (along, across) = (along * (0.5 * length), across * (0.5 * thickness));
+        [self.at + along, self.at + across, self.at - along, self.at - across]
+    }
+
+    /// Ink, mm^2.
+    pub fn area(&self) -> f32 {
+        match self.shape {
+            Shape::Rhombus { length, thickness, .. } => 0.5 * length * thickness,
+            Shape::Dot { diameter } => std::f32::consts::PI * 0.25 * diameter * diameter,
+        }
+    }
+
+    /// Distance of the glyph's outline to a segment, mm; its own corners are given so that they are computed once.
+    pub(super) fn distance_to(&self, segment: (MmPoint, MmPoint), corners: &[MmPoint]) -> f32 {
+        match self.shape {
+            Shape::Dot { diameter } => nearest_on_segment(self.at, segment.0, segment.1).0 - 0.5 * diameter,
+            Shape::Rhombus { .. } => (0..corners.len())
+                .map(|i| segment_distance((corners[i], corners[(i + 1) % corners.len()]), segment))
+                .fold(f32::MAX, f32::min),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rhombus_lies_in_the_direction_that_a_reader_sees() {
+        let green = Shape::Rhombus { length: 2.0, thickness: 1.0, degrees: 45.0 };
+        let [tip, ..] = Glyph { at: MmPoint::new(10.0, 10.0), shape: green }.corners();
+        assert!(tip.x > 10.5 && tip.y < 9.5, "the tip of a green rhombus points up and right, not to {tip:?}");
+    }
+
+    #[test]
+    fn the_distance_is_from_the_outline() {
+        let shape = Shape::Rhombus { length: 2.0, thickness: 1.0, degrees: 0.0 };
+        let glyph = Glyph { at: MmPoint::new(0.0, 0.0), shape };
+        let wall = (MmPoint::new(4.0, -5.0), MmPoint::new(4.0, 5.0));
+        assert!((glyph.distance_to(wall, &glyph.corners()) - 3.0).abs() < 1e-5);
+        let through = (MmPoint::new(-5.0, 0.1), MmPoint::new(5.0, 0.1));
+        assert!(glyph.distance_to(through, &glyph.corners()) < 1e-6);
+    }
+}
