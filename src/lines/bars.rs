@@ -20,8 +20,8 @@ const PARALLEL: f32 = 0.8;
 const STEP_BACK: f32 = 0.3;
 /// The shortest stretch of two sides that counts as a bar, in widths of the bar; shorter ones are the ends of other shapes.
 const MIN_STRETCH: f32 = 1.5;
-/// A line moves over to the middle of a bar within about this length, mm.
-const TRANSITION: f32 = 1.0;
+/// A line moves over to the middle of a bar within about this length (sigma), mm: a finger glides over it.
+const TRANSITION: f32 = 2.0;
 
 /// Where a vertex has its opposite.
 #[derive(Clone, Copy)]
@@ -168,7 +168,6 @@ fn shifted(mut trail: Trail, moved: &[Option<MmVector>]) -> Trail {
         return trail;
     }
     let arcs = arc_lengths(&trail.points());
-    // At an open end that is itself part of a bar the shift must not fade.
     let shift = |i: usize| moved[i].map_or([0.0, 0.0], |v| [v.x, v.y]);
     let smoothed = smooth(&arcs, trail.closed, TRANSITION, shift);
     for (vertex, [x, y]) in trail.vertices.iter_mut().zip(smoothed) {

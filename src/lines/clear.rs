@@ -25,13 +25,20 @@ pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Ve
     let mut cleared: Vec<Trail> = Vec::new();
     for (_, number) in order {
         for piece in free_pieces(&trails[number], &accepted, area, params) {
-            if piece.length() >= params.min_length {
+            if is_worth_it(&piece, params) {
                 insert(&mut accepted, &piece, cleared.len() as u32, params);
                 cleared.push(piece);
             }
         }
     }
     cleared
+}
+
+/// A line must be the longer the weaker it is: a faint short line costs a finger more than it tells. At full strength it is
+/// `min_length`, at half of it twice as much.
+fn is_worth_it(piece: &Trail, params: &Params) -> bool {
+    let weight = (piece.mean_strength() / params.full_strength).min(1.0);
+    piece.length() * weight >= params.min_length
 }
 
 fn insert(nearby: &mut Nearby, trail: &Trail, line: u32, params: &Params) {

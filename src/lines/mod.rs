@@ -26,7 +26,7 @@ pub struct Params {
     pub least_strength: f32,
     /// Strength from which a line has `width_max`; low, so that most lines share one width.
     pub full_strength: f32,
-    /// A line shorter than this is left out.
+    /// A line of full strength shorter than this is left out; a weaker one must be longer in proportion.
     pub min_length: f32,
     /// Least blank between the edges of two lines.
     pub min_gap: f32,
@@ -72,13 +72,15 @@ impl Line {
 
 /// Draws the contours in `area`, the part of the sheet where `frame` puts the picture. The weightiest line comes first.
 pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Vec<Line> {
-    let trails =
-        edges.chains().map(|chain| Trail::from_chain(chain, frame)).map(|trail| trail.smoothed(params.smoothing));
+    let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).thinned());
     let trails = join::join(trails.collect(), params.join_gap);
     let trails = bars::merge(trails, area, params);
     let trails = clear::clear(trails, area, params);
     trails.iter().filter_map(|trail| weight::finish(trail, params)).collect()
 }
+
+/// Vertices of a line in the making are at least this far apart, mm: a few to the width of the thinnest line.
+const SPACING: f32 = 0.25;
 
 /// A line in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,6 +143,26 @@ impl Trail {
             (i.saturating_sub(1), (i + 1).min(n - 1))
         };
         (self.vertices[after].at - self.vertices[before].at).try_normalize().unwrap_or(MmVector::zero())
+    }
+
+    /// Leaves out vertices nearer to the one before than [`SPACING`]; what follows costs time by vertices.
+    fn thinned(mut self) -> Self {
+        let Some(&last) = self.vertices.last() else { return self };
+        let mut kept: Vec<Vertex> = Vec::with_capacity(self.vertices.len());
+        for vertex in self.vertices {
+            if kept.last().is_none_or(|before| (vertex.at - before.at).length() >= SPACING) {
+                kept.push(vertex);
+            }
+        }
+        match kept.last_mut() {
+            // the end stays where it is: a last vertex too near to it gives way
+            Some(end) if end.at != last.at && (end.at - last.at).length() < SPACING => *end = last,
+            Some(end) if end.at == last.at => {}
+            _ => kept.push(last),
+        }
+        self.closed &= kept.len() > 3;
+        self.vertices = kept;
+        self
     }
 
     fn smoothed(mut self, sigma: f32) -> Self {

@@ -82,9 +82,9 @@ fn figure(figure: &Figure) -> Group {
             if paths.peek().is_some() {
                 let name = class.name();
                 let of_class = layer(&format!("texture-{name}"), &format!("Texture {name}"));
-                textures = textures.add(paths.fold(of_class, |group, texture| {
-                    group.add(Path::new().set("d", glyph_path(&texture.glyphs)))
-                }));
+                textures = textures.add(
+                    paths.fold(of_class, |group, texture| group.add(Path::new().set("d", glyph_path(&texture.glyphs)))),
+                );
             }
         }
         group = group.add(textures);
@@ -106,7 +106,9 @@ fn lines(layer: Group, lines: &[Line]) -> Group {
     lines.iter().fold(layer, |layer, line| {
         let contour = Group::new().set("data-strength", format!("{:.1}", line.strength));
         layer.add(line.runs.iter().fold(contour, |contour, run| {
-            contour.add(Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed())))
+            contour.add(
+                Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed())),
+            )
         }))
     })
 }

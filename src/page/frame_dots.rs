@@ -40,9 +40,10 @@ mod tests {
         let dots = around(picture, &params);
         assert!(dots.at.len() > 400);
         for (i, p) in dots.at.iter().enumerate() {
-            let outside = (picture.min.x - p.x).max(p.x - picture.max.x).max(picture.min.y - p.y).max(p.y - picture.max.y);
+            let outside =
+                (picture.min.x - p.x).max(p.x - picture.max.x).max(picture.min.y - p.y).max(p.y - picture.max.y);
             assert!(outside >= params.gap + 0.39 && outside <= params.gap + params.width - 0.39, "{p:?}");
-            assert!(dots.at[..i].iter().all(|q| (*q - *p).length() > 1.2), "a dot touches {p:?}");
+            assert!(dots.at[..i].iter().all(|q| (*q - *p).length() > params.dot + 0.3), "a dot touches {p:?}");
         }
     }
 }

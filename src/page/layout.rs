@@ -79,7 +79,8 @@ pub fn fit(aspect: f32, params: &Params) -> Layout {
         MmRect::new(corner, corner + size)
     };
     let figure = place(params.margin + border, size);
-    let overview = params.overview.map(|overview| place(figure.max.y + overview.gap + 2.0 * border, size * overview.scale));
+    let overview =
+        params.overview.map(|overview| place(figure.max.y + overview.gap + 2.0 * border, size * overview.scale));
     Layout { figure, overview }
 }
 

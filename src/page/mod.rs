@@ -90,9 +90,14 @@ impl Page {
         let [width, height] = parts.sheet;
         let on_sheet = |what, at: MmPoint, radius: f32| {
             // NaN fails every comparison, so it is caught here as well
-            let inside = at.x - radius >= 0.0 && at.y - radius >= 0.0 && at.x + radius <= width && at.y + radius <= height;
+            let inside =
+                at.x - radius >= 0.0 && at.y - radius >= 0.0 && at.x + radius <= width && at.y + radius <= height;
             let sheet = || format!("{width} x {height} mm");
-            if inside { Ok(()) } else { Err(OffSheet { what, at: format!("{} mm, {} mm", at.x, at.y), sheet: sheet() }) }
+            if inside {
+                Ok(())
+            } else {
+                Err(OffSheet { what, at: format!("{} mm, {} mm", at.x, at.y), sheet: sheet() })
+            }
         };
         let overview = parts.overview.iter();
         for dots in [&parts.frame].into_iter().chain(overview.clone().map(|o| &o.frame)) {

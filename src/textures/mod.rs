@@ -52,6 +52,9 @@ pub struct Texture {
     pub glyphs: Vec<Glyph>,
 }
 
+/// A region with room for fewer glyphs than this stays empty: a stray mark has no direction, it is only felt as dirt.
+const MIN_GLYPHS: usize = 4;
+
 /// Fills the regions of `classes`, which lie on the sheet as `frame` says (its pixels are the cells), within `area` and
 /// clear of `lines`. Regions without room for a glyph give no texture.
 pub fn fill(classes: &Classes, frame: &Frame, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
@@ -86,7 +89,7 @@ pub fn fill(classes: &Classes, frame: &Frame, area: MmRect, lines: &[Line], para
             }
         });
     }
-    textures.retain(|texture| !texture.glyphs.is_empty());
+    textures.retain(|texture| texture.glyphs.len() >= MIN_GLYPHS);
     textures.sort_by_key(|texture| texture.class);
     textures
 }
