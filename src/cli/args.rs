@@ -1,0 +1,237 @@
+//! What may be said on the command line, and the help that teaches it.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::error::ErrorKind;
+use clap::{Args, Parser, Subcommand};
+use tactograph::profile::built_in;
+use tactograph::raster::decode::Limits;
+
+use super::Exit;
+use super::report::Report;
+
+/// Largest value for a limit: a million megapixels or megabytes is beyond any machine, and far from overflow in bytes.
+const MOST: u64 = 1_000_000;
+
+const ABOUT: &str = "Turns colour pictures into tactile graphics: pages that blind people read with their fingers";
+
+const LONG_ABOUT: &str = "\
+Turns colour pictures into tactile graphics: pages that blind people read with their fingers.
+
+The contours of the picture become raised lines; the stronger a contour, the broader its line. The colours become \
+textures: rhombuses in rows that run across for blue, up to the right for green, up and down for yellow, down to the \
+right for red; dots for greys; nothing for white. Darker colours have larger glyphs. A small overview with lines only \
+lies below the figure.
+
+The page is an SVG drawing in true millimetres. Print it at 100 % on swell paper and heat it, or open it in a drawing \
+program such as Inkscape and change it first.";
+
+const AFTER_HELP: &str = "\
+Examples:
+  tactograph convert coffee.png             makes coffee.svg beside the picture
+  tactograph convert coffee.png -o page.svg
+  tactograph profiles                       which papers there are
+
+Exit codes: 0 done, 1 a picture could not be converted, 2 wrong usage.
+More about converting: tactograph convert --help";
+
+const CONVERT_LONG_ABOUT: &str = "\
+Makes a page of each picture.
+
+Formats read: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM and SVG. The format is told from the contents, not \
+from the name. Written is SVG.
+
+The page of photo.png is photo.svg beside it, unless -o or --out-dir say otherwise. Where that is the picture itself, \
+because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is an SVG drawing \
+that tactograph did not write, unless -o names it.
+
+Several pictures are worked on side by side. One that cannot be converted does not stop the others. Results are told \
+in the order of the pictures.";
+
+const CONVERT_AFTER_LONG_HELP: &str = "\
+Examples:
+  tactograph convert coffee.png
+        makes coffee.svg beside the picture, for A4 swell paper
+  tactograph convert coffee.png -o page.svg --profile swell-a3
+        names the page and takes larger paper
+  tactograph convert photos/*.jpg --out-dir pages
+        makes pages/NAME.svg of every photo
+  tactograph convert coffee.png --set lines.width_max=1.2 --set overview=false
+        changes two values of the profile
+  curl https://example.org/cat.jpg | tactograph convert - > cat.svg
+        reads from standard input and writes to standard output
+
+Messages go to standard error, so that standard output carries nothing but a page. Colours in this help can be \
+switched off with the environment variable NO_COLOR.
+
+Exit codes:
+  0  every page is written
+  1  a picture could not be converted, or its page not written; the other pages are written
+  2  wrong usage: an option, a profile or a value is wrong; nothing is written";
+
+#[derive(Debug, Parser)]
+#[command(name = "tactograph", version, about = ABOUT, long_about = LONG_ABOUT, after_help = AFTER_HELP)]
+#[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = true)]
+#[command(max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Makes pages of pictures
+    #[command(long_about = CONVERT_LONG_ABOUT, after_long_help = CONVERT_AFTER_LONG_HELP)]
+    #[command(after_help = "Examples, formats, ranges and exit codes: tactograph convert --help")]
+    Convert(Convert),
+    /// Lists the profiles (papers and their settings) that come with the program, or shows one
+    #[command(long_about = "Lists the profiles that come with the program, one a line: name and description.\n\n\
+        A profile is a paper with all settings that a page for it needs: sizes, line widths, textures. The first in \
+        the list is used unless --profile names another.")]
+    #[command(after_help = "Examples:\n  tactograph profiles\n  tactograph profiles show swell-a4\n  \
+        tactograph profiles show swell-a4 > my.toml    a start for your own")]
+    Profiles(Profiles),
+}
+
+/// `tactograph convert`.
+#[derive(Debug, Args)]
+pub(super) struct Convert {
+    /// Pictures to convert; - for standard input
+    ///
+    /// A picture from standard input goes to standard output unless -o names a file.
+    #[arg(value_name = "PICTURE", required = true)]
+    pub(super) pictures: Vec<PathBuf>,
+
+    /// Where the page goes, for one picture; - for standard output
+    ///
+    /// The name ends in .svg (or has no ending). An existing file is replaced in one step, when the new page is
+    /// complete; until then, and if anything fails, it stays as it is.
+    ///
+    /// [default: the picture's name with .svg, beside the picture]
+    #[arg(short, long, value_name = "PAGE.svg", conflicts_with = "out_dir")]
+    pub(super) output: Option<PathBuf>,
+
+    /// Directory for the pages, made if missing
+    ///
+    /// Each page has its picture's name with .svg. Two pictures whose pages would have the same name are refused.
+    ///
+    /// [default: each page lies beside its picture]
+    #[arg(long, value_name = "DIR")]
+    pub(super) out_dir: Option<PathBuf>,
+
+    /// Paper and settings: a name from "tactograph profiles" or a .toml file of your own
+    ///
+    /// A value that ends in .toml or has a directory in it is a file. Begin your own with a line such as
+    /// inherits = "swell-a4" and write down only what differs; "tactograph profiles show swell-a4" prints every key
+    /// with its unit, range and reason.
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = built_in()[0].name)]
+    pub(super) profile: String,
+
+    /// Changes one value of the profile; can be given several times
+    ///
+    /// Such as --set lines.width_max=1.2. Units, ranges and defaults of all keys: "tactograph profiles show NAME".
+    /// If a key is set twice, the last one counts.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Tells how long each stage took, in milliseconds
+    ///
+    /// Written to standard error for each picture, also under --quiet. Stages that the page does not need are listed
+    /// as "skipped" with the reason.
+    #[arg(long)]
+    pub(super) timings: bool,
+
+    /// Says nothing but errors
+    #[arg(short, long)]
+    pub(super) quiet: bool,
+
+    /// Refuses pictures with more pixels than this, in millions of pixels
+    ///
+    /// Checked before decoding. A guard against files that claim to be huge. Range: 1 to 1000000.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().megapixels, value_parser = limit)]
+    pub(super) max_megapixels: u64,
+
+    /// Refuses pictures that take more memory than this, in megabytes
+    ///
+    /// Counts what one picture needs for its file and, apart from that, for decoding it; pictures that are worked on
+    /// side by side each have this much. Range: 1 to 1000000.
+    #[arg(long, value_name = "MB", default_value_t = Limits::default().memory_mb, value_parser = limit)]
+    pub(super) max_memory: u64,
+}
+
+/// `tactograph profiles`.
+#[derive(Debug, Args)]
+pub(super) struct Profiles {
+    #[command(subcommand)]
+    pub(super) command: Option<ProfilesCommand>,
+}
+
+/// What `tactograph profiles` can do beside listing.
+#[derive(Debug, Subcommand)]
+pub(super) enum ProfilesCommand {
+    /// Prints a profile as TOML, with the unit, range and reason of every value as comments
+    Show {
+        /// Name of the profile, as "tactograph profiles" lists it
+        name: String,
+    },
+}
+
+fn limit(text: &str) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|number| (1..=MOST).contains(number));
+    number.ok_or_else(|| format!("give a whole number from 1 to {MOST}"))
+}
+
+/// What became of the command line.
+#[derive(Debug)]
+pub(super) enum Parsed {
+    /// It is right: this is to be done.
+    Command(Command),
+    /// It was answered already, with help, the version or an error.
+    Shown(Exit),
+}
+
+/// Reads the command line. Help and version go to standard output; what is wrong goes to standard error in one line.
+pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
+    let args = args.into_iter().collect::<Vec<_>>();
+    let error = match Cli::try_parse_from(&args) {
+        Ok(cli) => return Parsed::Command(cli.command),
+        Err(error) => error,
+    };
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            let _ = error.print(); // nobody listens: a closed pipe
+            Parsed::Shown(Exit::Done)
+        }
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let _ = error.print();
+            Parsed::Shown(Exit::Usage)
+        }
+        _ => {
+            let command = ["convert", "profiles"].iter().find(|name| args.get(1).is_some_and(|arg| arg == *name));
+            let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
+            Report::plain().usage(&format!("{}; see tactograph {help}", in_one_line(&error.to_string())));
+            Parsed::Shown(Exit::Usage)
+        }
+    }
+}
+
+/// clap writes paragraphs: the error, tips, the usage, where to find help. Here the first two, as one line.
+fn in_one_line(error: &str) -> String {
+    let paragraphs = error.split("\n\n").map(|part| part.split_whitespace().collect::<Vec<_>>().join(" "));
+    let told = paragraphs.take_while(|part| !part.starts_with("Usage:") && !part.starts_with("For more"));
+    let told = told.collect::<Vec<_>>().join("; ");
+    told.strip_prefix("error: ").unwrap_or(&told).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_definitions_agree_with_each_other() {
+        use clap::CommandFactory;
+        Cli::command().debug_assert();
+    }
+}

@@ -1,0 +1,46 @@
+//! Files and standard input into memory, with a limit.
+
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+use anyhow::{anyhow, bail};
+
+/// The file at `path`, or standard input for `-`.
+///
+/// # Errors
+/// In plain words without the file's name: it is not there, is a directory, may not be read, or is longer than
+/// `most_bytes`, for which `too_long` is said.
+pub(super) fn read(path: &Path, most_bytes: u64, too_long: &str) -> anyhow::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    if super::places::is_std(path) {
+        limited(&mut io::stdin().lock(), &mut bytes, most_bytes)
+    } else {
+        let file = File::open(path).map_err(|error| explain(&error))?;
+        // Room for the whole file at once saves copying; the length is only a hint (pipes have none).
+        let length = file.metadata().map_or(0, |data| data.len()).min(most_bytes);
+        bytes.reserve_exact(usize::try_from(length).unwrap_or(0).saturating_add(1));
+        limited(&mut { file }, &mut bytes, most_bytes)
+    }
+    .map_err(|error| explain(&error))?;
+    if bytes.len() as u64 > most_bytes {
+        bail!("{too_long}");
+    }
+    Ok(bytes)
+}
+
+/// Reads one byte more than allowed, to tell "just fits" from "too long".
+fn limited(from: &mut dyn Read, bytes: &mut Vec<u8>, most_bytes: u64) -> io::Result<usize> {
+    from.take(most_bytes.saturating_add(1)).read_to_end(bytes)
+}
+
+fn explain(error: &io::Error) -> anyhow::Error {
+    match error.kind() {
+        ErrorKind::NotFound => anyhow!("there is no such file; check the name"),
+        ErrorKind::NotADirectory => anyhow!("a part of this path is a file, not a directory; check the name"),
+        ErrorKind::IsADirectory => anyhow!("this is a directory; name the files in it"),
+        ErrorKind::PermissionDenied => anyhow!("you have no permission to read it; change that or use a copy"),
+        ErrorKind::OutOfMemory => anyhow!("it is too large for this machine's memory; use a smaller file"),
+        _ => anyhow!("it cannot be read ({error}); try again or use a copy"),
+    }
+}

@@ -1,0 +1,163 @@
+//! Pages out: complete or not at all.
+
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{anyhow, bail};
+
+/// Most symbolic links followed from a name to its file, as many as Linux allows.
+const MOST_LINKS: usize = 40;
+
+/// How much of an existing SVG file is searched for the name of this program, which stands in the metadata at its top.
+const HEAD_BYTES: u64 = 64 << 10;
+
+/// Writes to standard output. A reader that has gone away (`| head`) is no error.
+///
+/// # Errors
+/// In plain words, such as when the disk behind it is full.
+pub(super) fn to_stdout(bytes: &[u8]) -> anyhow::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        done => done.map_err(|error| explain(&error)),
+    }
+}
+
+/// Looks for what would keep a page from being written to `path`, so that it is told before the work and not after.
+///
+/// With `keep_others`, a file that is there already must be a page of this program (or empty): a name that the user
+/// did not give must not cost them a drawing.
+///
+/// # Errors
+/// In plain words, without the path.
+pub(super) fn check(path: &Path, keep_others: bool) -> anyhow::Result<()> {
+    let path = follow(path)?;
+    match fs::metadata(&path) {
+        Ok(found) => {
+            refuse(&found)?;
+            if keep_others && found.is_file() && found.len() > 0 && !is_page(&path)? {
+                bail!(
+                    "this file exists and was not written by tactograph; name the page with -o, or move that file away"
+                );
+            }
+        }
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            fs::metadata(directory(&path)).map_err(|error| explain(&error))?;
+        }
+        Err(error) => return Err(explain(&error)),
+    }
+    Ok(())
+}
+
+/// Writes a page to a temporary file beside `path` and renames it, so that at every moment `path` is the old page or
+/// the new one, and stays the old one if anything fails. Symbolic links stay links: the file they lead to is
+/// replaced. A file that is there keeps its permissions; a new one gets the usual ones. What is no file (`/dev/null`, a pipe) is
+/// simply written to.
+///
+/// # Errors
+/// In plain words, without the path.
+pub(super) fn to_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    let path = follow(path)?;
+    let found = fs::metadata(&path).ok();
+    if let Some(found) = &found {
+        refuse(found)?;
+        if !found.is_file() {
+            let mut special = OpenOptions::new().write(true).open(&path).map_err(|error| explain(&error))?;
+            return special.write_all(bytes).map_err(|error| explain(&error));
+        }
+    }
+    replace(&path, bytes, found.as_ref()).map_err(|error| explain(&error))
+}
+
+fn replace(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<()> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".tactograph-").suffix(".tmp");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less what the user's umask takes
+    let mut file = builder.tempfile_in(directory(path))?;
+    file.write_all(bytes)?;
+    if let Some(found) = found {
+        file.as_file().set_permissions(found.permissions())?;
+        // Without this, a power cut just after the rename could leave neither the old page nor the new one.
+        file.as_file().sync_all()?;
+    }
+    file.persist(path)?;
+    Ok(())
+}
+
+fn refuse(found: &Metadata) -> anyhow::Result<()> {
+    if found.is_dir() {
+        bail!("the page cannot be written here, as this is a directory; name a file, or use --out-dir");
+    }
+    if found.permissions().readonly() {
+        bail!("the page cannot be written here, as this file is write-protected; lift that or choose another name");
+    }
+    Ok(())
+}
+
+fn is_page(path: &Path) -> anyhow::Result<bool> {
+    let mut head = Vec::new();
+    let file = File::open(path).map_err(|error| explain(&error))?;
+    file.take(HEAD_BYTES).read_to_end(&mut head).map_err(|error| explain(&error))?;
+    let name = env!("CARGO_PKG_NAME").as_bytes();
+    Ok(head.windows(name.len()).any(|part| part == name))
+}
+
+/// The file that `path` leads to over symbolic links, whether it exists or not.
+fn follow(path: &Path) -> anyhow::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        if !fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink()) {
+            return Ok(path);
+        }
+        // What is not a file on disk can have a link that names no path ("pipe:[123]" behind /dev/fd/63): open it as it is.
+        if fs::metadata(&path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+            return Ok(path);
+        }
+        let target = fs::read_link(&path).map_err(|error| explain(&error))?;
+        path = directory(&path).join(target);
+    }
+    bail!("the page cannot be written here, as this link leads round in a circle; choose another name")
+}
+
+/// The directory that a file lies in.
+pub(super) fn directory(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Makes the directory for `--out-dir`.
+///
+/// # Errors
+/// In plain words, without the path.
+pub(super) fn make_directory(path: &Path) -> anyhow::Result<()> {
+    fs::create_dir_all(path).map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
+            anyhow!("this directory cannot be made, as a file has its name; choose another name")
+        }
+        ErrorKind::PermissionDenied => {
+            anyhow!("this directory cannot be made, as you have no permission there; choose another place")
+        }
+        _ => anyhow!("this directory cannot be made ({error}); choose another place"),
+    })
+}
+
+fn explain(error: &io::Error) -> anyhow::Error {
+    match error.kind() {
+        ErrorKind::NotFound => {
+            anyhow!("the page cannot be written here, as the directory is missing; make it, or use --out-dir")
+        }
+        ErrorKind::NotADirectory => {
+            anyhow!(
+                "the page cannot be written here, as a part of this path is a file, not a directory; check the name"
+            )
+        }
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            anyhow!("the page cannot be written here, as you have no permission; choose another place with -o")
+        }
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            anyhow!("the page cannot be written, as the disk is full; make room and try again")
+        }
+        _ => anyhow!("the page cannot be written here ({error}); choose another place with -o"),
+    }
+}

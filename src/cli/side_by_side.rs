@@ -1,0 +1,115 @@
+//! Several jobs at once, their results in the order of the jobs.
+
+use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// What the main thread has on most systems (Rust gives others 2 MB), so that a picture that can be converted alone can
+/// also be converted beside others.
+const STACK_BYTES: usize = 8 << 20;
+
+/// The job stopped through an error in the program itself; Rust has told the details on standard error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Panicked;
+
+/// How many jobs to run at once: as many as the machine does side by side, but not more than there are jobs.
+pub(super) fn workers(jobs: usize) -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get).min(jobs)
+}
+
+/// Runs `job(0)` to `job(count - 1)` on up to `workers` threads, which take the jobs in order from a shared counter.
+///
+/// On the calling thread, `finished` is called for each job as it ends, in any order, and `result` with each job's
+/// result as soon as all before it are in: 0, 1, 2 and so on. A job that panics becomes [`Panicked`]; the others are not touched.
+pub(super) fn run<T: Send>(
+    count: usize,
+    workers: usize,
+    job: impl Fn(usize) -> T + Sync,
+    mut finished: impl FnMut(),
+    mut result: impl FnMut(usize, Result<T, Panicked>),
+) {
+    // A job shares with others only what it cannot leave half-changed (settings, a font list made once), so going on
+    // after a panic is safe.
+    let guarded = |index: usize| catch_unwind(AssertUnwindSafe(|| job(index))).map_err(|_| Panicked);
+    let next = AtomicUsize::new(0);
+    let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < count);
+    thread::scope(|scope| {
+        let (send, receive) = mpsc::channel();
+        let mut waiting = BTreeMap::new();
+        let mut told = 0;
+        let mut collect = |(index, outcome): (usize, _)| {
+            finished();
+            waiting.insert(index, outcome);
+            while let Some(outcome) = waiting.remove(&told) {
+                result(told, outcome);
+                told += 1;
+            }
+        };
+        let mut started = 0;
+        if workers > 1 {
+            for _ in 0..workers {
+                let (send, take, guarded) = (send.clone(), &take, &guarded);
+                let work = move || {
+                    while let Some(index) = take() {
+                        if send.send((index, guarded(index))).is_err() {
+                            return; // nobody is left to hear it
+                        }
+                    }
+                };
+                let builder = thread::Builder::new().name("picture".into()).stack_size(STACK_BYTES);
+                started += usize::from(builder.spawn_scoped(scope, work).is_ok());
+            }
+        }
+        drop(send);
+        if started == 0 {
+            // One worker, or a system that gives no thread: do it here.
+            while let Some(index) = take() {
+                collect((index, guarded(index)));
+            }
+        }
+        receive.into_iter().for_each(collect);
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    fn squares(count: usize, workers: usize) -> Vec<(usize, Result<usize, Panicked>)> {
+        let mut results = Vec::new();
+        let mut ended = 0;
+        let job = |index: usize| {
+            // Late ones first, so that the order has to be restored.
+            thread::sleep(Duration::from_millis(if index.is_multiple_of(3) { 5 } else { 0 }));
+            assert!(index != 4, "job 4 fails on purpose");
+            index * index
+        };
+        run(count, workers, job, || ended += 1, |index, result| results.push((index, result)));
+        assert_eq!(ended, count);
+        results
+    }
+
+    #[test]
+    fn results_come_in_order_and_a_panic_stops_only_its_own_job() {
+        for workers in [1, 2, 5] {
+            let expected = (0..9).map(|i| (i, if i == 4 { Err(Panicked) } else { Ok(i * i) })).collect::<Vec<_>>();
+            assert_eq!(squares(9, workers), expected, "{workers} workers");
+        }
+    }
+
+    #[test]
+    fn no_jobs_and_one_job() {
+        assert_eq!(squares(0, 4), []);
+        assert_eq!(squares(1, 4), [(0, Ok(0))]);
+    }
+
+    #[test]
+    fn never_more_workers_than_jobs() {
+        assert_eq!(workers(1), 1);
+        assert!(workers(1000) >= 1);
+    }
+}

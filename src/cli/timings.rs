@@ -1,0 +1,97 @@
+//! How long each stage took, for `--timings`.
+
+use std::time::{Duration, Instant};
+
+use tactograph::pipeline::{Event, Stage};
+
+/// A row of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Row {
+    Took(Duration),
+    Skipped(&'static str),
+}
+
+/// A stopwatch for one picture.
+#[derive(Debug)]
+pub(super) struct Timings {
+    start: Instant,
+    begun: Vec<(Stage, Instant)>,
+    rows: Vec<(&'static str, Row)>,
+}
+
+impl Timings {
+    /// Starts the clock.
+    pub(super) fn start() -> Self {
+        Self { start: Instant::now(), begun: Vec::new(), rows: Vec::new() }
+    }
+
+    /// Takes the time of a step outside the pipeline.
+    pub(super) fn step<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let done = work();
+        self.add(name, start.elapsed());
+        done
+    }
+
+    /// Hears the pipeline.
+    pub(super) fn watch(&mut self, event: Event) {
+        match event {
+            Event::Begin(stage) => self.begun.push((stage, Instant::now())),
+            Event::End(stage) => {
+                if let Some(index) = self.begun.iter().rposition(|(begun, _)| *begun == stage) {
+                    let (_, start) = self.begun.remove(index);
+                    self.add(stage.name(), start.elapsed());
+                }
+            }
+            Event::Skip(stage, why) => self.rows.push((stage.name(), Row::Skipped(why))),
+        }
+    }
+
+    /// A stage that runs in several parts is one row.
+    fn add(&mut self, name: &'static str, took: Duration) {
+        for (row_name, row) in &mut self.rows {
+            if let (true, Row::Took(sum)) = (*row_name == name, row) {
+                *sum += took;
+                return;
+            }
+        }
+        self.rows.push((name, Row::Took(took)));
+    }
+
+    /// Stops the clock and lays the table out: a heading, one line a stage in the order they ran, the total.
+    pub(super) fn table(mut self, file: &str) -> Vec<String> {
+        self.rows.push(("total", Row::Took(self.start.elapsed())));
+        let mut lines = vec![format!("timings of {file}:")];
+        lines.extend(self.rows.iter().map(|(name, row)| match row {
+            Row::Took(time) => format!("  {name:<9} {:>9.1} ms", time.as_secs_f64() * 1000.0),
+            Row::Skipped(why) => format!("  {name:<9} skipped: {why}"),
+        }));
+        lines
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_lists_stages_in_order_with_skips_and_a_total() {
+        let mut timings = Timings::start();
+        timings.step("read", || ());
+        timings.watch(Event::Begin(Stage::Lines));
+        timings.watch(Event::Begin(Stage::Edges)); // inside another
+        timings.watch(Event::End(Stage::Edges));
+        timings.watch(Event::End(Stage::Lines));
+        timings.watch(Event::Skip(Stage::Textures, "figure.textures = false"));
+        timings.watch(Event::Begin(Stage::Edges)); // a second part: the same row
+        timings.watch(Event::End(Stage::Edges));
+        timings.step("write", || ());
+        let table = timings.table("a.png");
+        let names = table.iter().map(|line| line.split_whitespace().next().unwrap_or("")).collect::<Vec<_>>();
+        assert_eq!(names, ["timings", "read", "edges", "lines", "textures", "write", "total"]);
+        assert_eq!(table[4], "  textures  skipped: figure.textures = false");
+        for line in [&table[1], &table[2], &table[3], &table[5], &table[6]] {
+            assert!(line.ends_with(" ms") && line.len() == table[1].len(), "not aligned: {line}");
+        }
+    }
+}
