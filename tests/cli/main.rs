@@ -1,0 +1,9 @@
+//! The program as its user meets it: what it is given, what it says, what it leaves behind and how it ends.
+
+mod common;
+mod pictures;
+mod places;
+mod profiles;
+mod several;
+mod words;
+mod writing;

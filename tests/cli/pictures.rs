@@ -1,0 +1,77 @@
+//! Pictures that cannot be converted, and limits.
+
+use std::io::{Read, Write};
+use std::process::Stdio;
+
+use crate::common::*;
+
+#[test]
+fn each_bad_picture_has_its_own_line() {
+    let place = Place::new();
+    let unknown = "this is not a picture in a format that is read here (JPEG, PNG, WebP, TIFF, BMP, GIF, PNM, SVG)";
+    let cases: [(&str, &[u8], String); 4] = [
+        ("empty.png", b"", "the file is empty; give a picture".into()),
+        ("text.png", b"Dear reader,\nthis is a letter.\n", format!("{unknown}; it looks like text")),
+        ("dot.png", &png(1, 1, &[0; 3]), "the picture has 1 x 1 pixels".into()),
+        ("hair.png", &png(1, 10_000, &[0; 30_000]), "the picture has 1 x 10000 pixels".into()),
+    ];
+    for (name, bytes, begins) in cases {
+        place.put(name, bytes);
+        place.put("p.svg", b"old");
+        let run = place.run(&["convert", name, "-o", "p.svg"]);
+        assert_eq!((run.code, run.out.as_str()), (1, ""), "{name}: {}", run.err);
+        assert!(run.err.starts_with(&format!("tactograph: {name}: {begins}")), "{name}: {}", run.err);
+        assert_eq!(run.err.lines().count(), 1, "{name}: {}", run.err);
+        assert_eq!(place.text("p.svg"), "old", "{name}");
+    }
+    place.refuses(&["convert", "."], 1, &[".: this is a directory; name the files in it"]);
+    let line = "empty.png/x.png: a part of this path is a file, not a directory; check the name";
+    place.refuses(&["convert", "empty.png/x.png", "-o", "-"], 1, &[line]);
+}
+
+#[test]
+fn a_huge_picture_is_refused_by_its_header() {
+    let place = Place::new();
+    place.put("huge.png", &png_header(30_000, 30_000));
+    let run = place.run(&["convert", "huge.png"]);
+    let begins =
+        "tactograph: huge.png: the picture has 30000 x 30000 pixels, which is over the limit of 300 megapixels; ";
+    assert!(run.err.starts_with(begins), "{}", run.err);
+    assert_eq!((run.code, run.err.lines().count()), (1, 1), "{}", run.err);
+    assert_eq!(place.names(), ["huge.png"]);
+}
+
+#[test]
+fn limits_can_be_set() {
+    let place = Place::new();
+    place.put("a.png", &png_header(1500, 1000));
+    let run = place.run(&["convert", "a.png", "--max-megapixels", "1"]);
+    assert!(run.err.contains("1500 x 1000 pixels, which is over the limit of 1 megapixels"), "{}", run.err);
+    assert_eq!((run.code, run.err.lines().count()), (1, 1));
+    place.put("b.png", &vec![b'x'; 1_000_001]);
+    let line = "b.png: the file is longer than the memory limit of 1 MB; raise it with --max-memory";
+    place.refuses(&["convert", "b.png", "--max-memory", "1"], 1, &[line]);
+    for option in ["--max-megapixels", "--max-memory"] {
+        for value in ["0", "1000001", "many", "1.5"] {
+            let run = place.run(&["convert", "a.png", option, value]);
+            let ends = "give a whole number from 1 to 1000000; see tactograph convert --help\n";
+            assert!(run.code == 2 && run.err.ends_with(ends), "{option} {value}: {}", run.err);
+            assert!(run.err.contains(option) && run.err.lines().count() == 1, "{option} {value}: {}", run.err);
+        }
+    }
+}
+
+#[test]
+fn an_endless_input_stops_at_the_limit() {
+    let place = Place::new();
+    let mut command = place.command(&["convert", "-", "--max-memory", "1"]);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the program starts");
+    let mut input = child.stdin.take().expect("its input");
+    while input.write_all(&[b'x'; 4096]).is_ok() {} // until the program has had enough
+    let mut err = String::new();
+    child.stderr.take().expect("its messages").read_to_string(&mut err).expect("text");
+    let line = "standard input: the file is longer than the memory limit of 1 MB; raise it with --max-memory";
+    assert_eq!(err, format!("tactograph: {line}\n"));
+    assert_eq!(child.wait().expect("it ends").code(), Some(1));
+}

@@ -1,0 +1,86 @@
+//! Profiles and their values.
+
+use crate::common::*;
+
+#[test]
+fn profiles_are_listed_and_shown() {
+    let place = Place::new();
+    let run = place.run(&["profiles"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let names = run.out.lines().map(|line| line.split_whitespace().next().unwrap_or(""));
+    assert_eq!(names.collect::<Vec<_>>(), ["swell-a4", "swell-a3", "swell-letter"]);
+    let descriptions = run.out.lines().map(|line| line[12..].trim_start().len());
+    assert!(descriptions.min() > Some(10), "a profile without description:\n{}", run.out);
+    assert_eq!(run.out.matches("(default)").count(), 1);
+    for profile in tactograph::profile::built_in() {
+        let run = place.run(&["profiles", "show", profile.name]);
+        assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, profile.text, ""));
+    }
+}
+
+#[test]
+fn an_unknown_profile_is_wrong_usage() {
+    let place = Place::with_picture("a.png");
+    let expected = tactograph::profile::Profile::named("swel-a4").expect_err("no such profile");
+    let expected = format!("{}: {}", expected[0].place, expected[0].what);
+    assert!(expected.contains("swell-a4"), "no suggestion: {expected}");
+    place.refuses(&["profiles", "show", "swel-a4"], 2, &[&expected]);
+    let with_hint = format!("{expected}; for a file of your own give a name that ends in .toml");
+    place.refuses(&["convert", "a.png", "--profile", "swel-a4"], 2, &[&with_hint]);
+    assert_eq!(place.names(), ["a.png"]);
+}
+
+#[test]
+fn a_profile_can_be_named_or_a_file() {
+    let place = Place::with_picture("a.png");
+    place.put("my.toml", b"inherits = \"swell-a4\"\n[lines]\nwidth_max = 1.3\n");
+    place.put("d/mine", b"inherits = \"swell-a4\"\n");
+    for profile in ["my.toml", "./my.toml", "d/mine", "swell-a3", "swell-letter"] {
+        let run = place.run(&["convert", "a.png", "-o", "p.svg", "--profile", profile]);
+        assert_eq!((run.code, run.err.as_str()), (0, "wrote p.svg\n"), "{profile}");
+        place.has_page("p.svg");
+    }
+    let none = "none.toml: there is no such file; check the name";
+    place.refuses(&["convert", "a.png", "--profile", "none.toml"], 2, &[none]);
+    place.put("picture.toml", &vec![0; (1 << 20) + 1]);
+    let large = "picture.toml: this is too large for a profile; give a TOML file";
+    place.refuses(&["convert", "a.png", "--profile", "picture.toml"], 2, &[large]);
+    place.put("latin.toml", b"# caf\xe9\n");
+    let latin = "latin.toml: this is not text in UTF-8; give a profile, which is a TOML file";
+    place.refuses(&["convert", "a.png", "--profile", "latin.toml"], 2, &[latin]);
+}
+
+#[test]
+fn all_faults_are_told_at_once_with_their_places() {
+    let place = Place::with_picture("a.png");
+    place.put("bad.toml", b"inherits = \"swell-a4\"\n\n[lines]\nwidth_maxx = 1.0\nwidth_min = \"thin\"\n");
+    let sets = ["--set", "nonsense", "--set", "=1", "--set", "lines.width_max=wide", "--set", "frame.colour=red"];
+    let run = place.run(&[&["convert", "a.png", "-o", "a.pdf", "--profile", "bad.toml"], &sets[..]].concat());
+    let places = run.err.lines().map(|line| line.splitn(3, ": ").nth(1).unwrap_or("")).collect::<Vec<_>>();
+    let expected = ["a.pdf", "bad.toml:4", "bad.toml:5", "--set nonsense", "--set =1"];
+    assert_eq!(places[..5], expected, "{}", run.err);
+    assert_eq!(places.len(), 7, "{}", run.err);
+    assert!(
+        places[5].starts_with("--set lines.width_max") && places[6].starts_with("--set frame.colour"),
+        "{}",
+        run.err
+    );
+    assert!(run.err.contains("did you mean lines.width_max?"), "no suggestion: {}", run.err);
+    assert!(run.err.contains("--set nonsense: write it as key=value, such as lines.width_max=1.2\n"), "{}", run.err);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert_eq!(place.names(), ["a.png", "bad.toml"]);
+}
+
+#[test]
+fn set_changes_the_page_and_the_last_one_counts() {
+    let place = Place::with_picture("a.png");
+    let page = |sets: &[&str]| {
+        let run = place.run(&[&["convert", "a.png", "-q", "-o", "-"], sets].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{sets:?}");
+        run.out
+    };
+    let (plain, wide) = (page(&[]), page(&["--set", "lines.width_max=1.7"]));
+    assert_ne!(plain, wide);
+    assert_eq!(page(&["--set", "lines.width_max=1.2", "--set", "lines.width_max=1.7"]), wide);
+    assert!(plain.contains("id=\"overview\"") && !page(&["--set", "overview=false"]).contains("id=\"overview\""));
+}
