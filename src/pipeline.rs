@@ -221,9 +221,8 @@ fn draw_textures(
         None => "figure.textures is off",
         Some(classes) if classes.regions.is_empty() => "the picture is white",
         Some(classes) => {
-            let frame = Frame::new(classes.size, layout.figure);
             let params = plan.textures();
-            return run(watch, Stage::Textures, || textures::fill(classes, &frame, layout.figure, lines, &params));
+            return run(watch, Stage::Textures, || textures::fill(classes, layout.figure, lines, &params));
         }
     };
     watch(Event::Skip(Stage::Textures, reason));

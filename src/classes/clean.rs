@@ -28,27 +28,31 @@ pub(super) fn vote(labels: Vec<Label>, size: Size, sigma: f32) -> Vec<Label> {
 }
 
 /// Gives connected areas (white ones too) of fewer than `min_cells` cells to the neighbour with the longest common border,
-/// the smallest first, until none is left or all is one.
+/// until none is left or all is one.
+///
+/// All areas of a round decide at once, and each only for a neighbour that is larger (or, at equal size, comes later in
+/// the order of classes): so two never swap, the least of all always finds one, and no direction of the picture is special.
 pub(super) fn clean(mut labels: Vec<Label>, size: Size, min_cells: f32) -> Vec<Label> {
-    // Each round removes at least one area; many rounds only come about by rings inside rings.
-    for _ in 0..64 {
+    loop {
         let areas = areas(&labels, size);
-        let mut small: Vec<&Vec<usize>> = areas.iter().filter(|area| (area.len() as f32) < min_cells).collect();
-        if small.is_empty() || areas.len() == 1 {
-            break;
+        let mut area_of = vec![0; labels.len()];
+        for (number, area) in areas.iter().enumerate() {
+            area.iter().for_each(|&cell| area_of[cell] = number);
         }
-        small.sort_by_key(|area| (area.len(), area[0]));
-        // Only the smallest of each round are sure to have neighbours that stay; half of them bound the rounds.
-        let take = small.len().div_ceil(2);
-        for area in &small[..take] {
-            if let Some(label) = strongest_neighbour(area, &labels, size) {
-                for &cell in *area {
-                    labels[cell] = label;
-                }
-            }
+        let weight = |area: usize| (areas[area].len(), labels[areas[area][0]]);
+        let joins = |number: usize| {
+            let stronger = |area: usize| weight(area) > weight(number);
+            longest_border(&areas[number], &area_of, size, stronger).map(|winner| (number, labels[areas[winner][0]]))
+        };
+        let small = (0..areas.len()).filter(|&number| (areas[number].len() as f32) < min_cells);
+        let joined: Vec<(usize, Label)> = small.filter_map(joins).collect();
+        if joined.is_empty() {
+            return labels;
+        }
+        for (number, label) in joined {
+            areas[number].iter().for_each(|&cell| labels[cell] = label);
         }
     }
-    labels
 }
 
 /// Numbers the areas that have a texture.
@@ -101,19 +105,17 @@ fn neighbours(cell: usize, size: Size) -> impl Iterator<Item = usize> {
     [left, right, above, below].into_iter().flatten()
 }
 
-/// The label with the longest border around an area.
-fn strongest_neighbour(area: &[usize], labels: &[Label], size: Size) -> Option<Label> {
-    let own = labels[area[0]];
-    let mut borders: Vec<(Label, usize)> = Vec::new();
-    for &cell in area {
-        for label in neighbours(cell, size).map(|neighbour| labels[neighbour]).filter(|label| *label != own) {
-            match borders.iter_mut().find(|(known, _)| *known == label) {
-                Some((_, length)) => *length += 1,
-                None => borders.push((label, 1)),
-            }
-        }
-    }
-    borders.into_iter().max_by_key(|(label, length)| (*length, std::cmp::Reverse(*label))).map(|(label, _)| label)
+/// Of the areas around `area` that `wanted` lets pass, the one with the longest border to it.
+fn longest_border(area: &[usize], area_of: &[usize], size: Size, wanted: impl Fn(usize) -> bool) -> Option<usize> {
+    let own = area_of[area[0]];
+    let mut borders: Vec<usize> = area
+        .iter()
+        .flat_map(|&cell| neighbours(cell, size))
+        .map(|neighbour| area_of[neighbour])
+        .filter(|&other| other != own && wanted(other))
+        .collect();
+    borders.sort_unstable();
+    borders.chunk_by(|a, b| a == b).max_by_key(|run| run.len()).map(|run| run[0])
 }
 
 #[cfg(test)]

@@ -99,7 +99,7 @@ pub fn sort(raster: &Raster, params: &Params) -> Classes {
     let cells = |pixels: u32| ((pixels as f32 / params.cell.max(1.0)).round() as u32).clamp(1, pixels);
     let from = raster.size();
     let size = Size::new(cells(from.width), cells(from.height));
-    let cells_per_px = size.width as f32 / from.width as f32;
+    let cells_per_px = (size.area() as f32 / from.area() as f32).sqrt();
     let sigma = params.blur * cells_per_px;
     let planes: Vec<Plane> = raster.planes().iter().map(|plane| shrink(plane, from, size).blurred(sigma)).collect();
     let (labels, lightness) = hue::classify(&planes, params);

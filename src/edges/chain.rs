@@ -83,7 +83,7 @@ fn candidate((i, p): (usize, &Ridge), (j, q): (usize, &Ridge)) -> Option<Link> {
     }
     let cost = distance + (2.0 - ap.abs() - aq.abs()) + (1.0 - parallel);
     Some(Link {
-        cost: (cost * 1024.0) as u32,
+        cost: (cost * 1_048_576.0) as u32,
         ends: [i as u32, j as u32],
         sides: [u8::from(ap > 0.0), u8::from(aq < 0.0)],
     })

@@ -60,7 +60,7 @@ impl Builder {
     pub(super) fn finish(self, lab: &[Vec<f32>]) -> Sides {
         let (scale_x, scale_y) =
             (self.to.width as f32 / self.from.width as f32, self.to.height as f32 / self.from.height as f32);
-        let sigma = self.sigma * scale_x;
+        let sigma = self.sigma * (scale_x * scale_y).sqrt();
         let width = self.from.width as usize;
         let mut square = Shrinker::new(self.from, self.to);
         let mut sums = vec![0.0; width];

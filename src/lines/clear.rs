@@ -24,7 +24,8 @@ pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Ve
     let mut accepted = Nearby::new(area, reach);
     let mut cleared: Vec<Trail> = Vec::new();
     for (_, number) in order {
-        for piece in free_pieces(&trails[number], &accepted, area, params) {
+        let trail = stronger_half_first(trails[number].clone());
+        for piece in free_pieces(&trail, &accepted, area, params) {
             if is_worth_it(&piece, params) {
                 insert(&mut accepted, &piece, cleared.len() as u32, params);
                 cleared.push(piece);
@@ -39,6 +40,14 @@ pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Ve
 fn is_worth_it(piece: &Trail, params: &Params) -> bool {
     let weight = (piece.mean_strength() / params.full_strength).min(1.0);
     piece.length() * weight >= params.min_length
+}
+
+/// Where a line comes near itself its earlier part stays; which that is must not hang on the direction it was found in.
+fn stronger_half_first(trail: Trail) -> Trail {
+    let half = trail.vertices.len() / 2;
+    let sum = |vertices: &[Vertex]| vertices.iter().map(|v| v.strength).sum::<f32>();
+    let (first, second) = (sum(&trail.vertices[..half]), sum(&trail.vertices[trail.vertices.len() - half..]));
+    if second > first { trail.reversed() } else { trail }
 }
 
 fn insert(nearby: &mut Nearby, trail: &Trail, line: u32, params: &Params) {

@@ -72,14 +72,14 @@ impl Line {
 
 /// Draws the contours in `area`, the part of the sheet where `frame` puts the picture. The weightiest line comes first.
 pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Vec<Line> {
-    let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).thinned());
+    let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).evened());
     let trails = join::join(trails.collect(), params.join_gap);
     let trails = bars::merge(trails, area, params);
     let trails = clear::clear(trails, area, params);
     trails.iter().filter_map(|trail| weight::finish(trail, params)).collect()
 }
 
-/// Vertices of a line in the making are at least this far apart, mm: a few to the width of the thinnest line.
+/// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
 const SPACING: f32 = 0.25;
 
 /// A line in the making.
@@ -96,6 +96,18 @@ struct Vertex {
     strength: f32,
     /// Colour on the right less colour on the left.
     step: [f32; 3],
+}
+
+impl Vertex {
+    /// The vertex a share of the way from this one to `other`.
+    fn between(&self, other: &Self, share: f32) -> Self {
+        let mix = |a: f32, b: f32| a + (b - a) * share;
+        Self {
+            at: self.at.lerp(other.at, share),
+            strength: mix(self.strength, other.strength),
+            step: std::array::from_fn(|i| mix(self.step[i], other.step[i])),
+        }
+    }
 }
 
 impl Trail {
@@ -145,23 +157,35 @@ impl Trail {
         (self.vertices[after].at - self.vertices[before].at).try_normalize().unwrap_or(MmVector::zero())
     }
 
-    /// Leaves out vertices nearer to the one before than [`SPACING`]; what follows costs time by vertices.
-    fn thinned(mut self) -> Self {
-        let Some(&last) = self.vertices.last() else { return self };
-        let mut kept: Vec<Vertex> = Vec::with_capacity(self.vertices.len());
-        for vertex in self.vertices {
-            if kept.last().is_none_or(|before| (vertex.at - before.at).length() >= SPACING) {
-                kept.push(vertex);
+    /// Puts vertices at even distances of about [`SPACING`], the ends where they are. A ring begins at its strongest place,
+    /// so that the result does not hang on where the search for it began.
+    fn evened(mut self) -> Self {
+        if self.closed {
+            self.vertices.pop();
+            let strength = |i: &usize| self.vertices[*i].strength;
+            let strongest = (0..self.vertices.len()).max_by(|a, b| strength(a).total_cmp(&strength(b)));
+            self.vertices.rotate_left(strongest.unwrap_or(0));
+            self.vertices.extend(self.vertices.first().copied());
+        }
+        let arcs = arc_lengths(&self.points());
+        let total = arcs.last().copied().unwrap_or(0.0);
+        let steps = (total / SPACING).round().max(1.0) as usize;
+        let mut even = Vec::with_capacity(steps + 1);
+        let mut k = 0;
+        for step in 0..=steps {
+            let arc = total * step as f32 / steps as f32;
+            while k + 2 < arcs.len() && arcs[k + 1] < arc {
+                k += 1;
             }
+            let (a, b) = (&self.vertices[k], &self.vertices[(k + 1).min(self.vertices.len() - 1)]);
+            let length = arcs.get(k + 1).map_or(0.0, |next| next - arcs[k]);
+            even.push(a.between(b, if length > 0.0 { (arc - arcs[k]) / length } else { 0.0 }));
         }
-        match kept.last_mut() {
-            // the end stays where it is: a last vertex too near to it gives way
-            Some(end) if end.at != last.at && (end.at - last.at).length() < SPACING => *end = last,
-            Some(end) if end.at == last.at => {}
-            _ => kept.push(last),
+        if self.closed {
+            even[steps] = even[0];
         }
-        self.closed &= kept.len() > 3;
-        self.vertices = kept;
+        self.closed &= steps >= 3;
+        self.vertices = even;
         self
     }
 

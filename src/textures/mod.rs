@@ -11,7 +11,6 @@ mod lattice;
 pub use glyph::{Glyph, Shape};
 
 use crate::classes::{Class, Classes};
-use crate::frame::Frame;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::Line;
 use crate::units::{MmPoint, MmRect};
@@ -55,16 +54,19 @@ pub struct Texture {
 /// A region with room for fewer glyphs than this stays empty: a stray mark has no direction, it is only felt as dirt.
 const MIN_GLYPHS: usize = 4;
 
-/// Fills the regions of `classes`, which lie on the sheet as `frame` says (its pixels are the cells), within `area` and
-/// clear of `lines`. Regions without room for a glyph give no texture.
-pub fn fill(classes: &Classes, frame: &Frame, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
+/// Fills the regions of `classes`, whose cells cover `area` of the sheet, clear of `lines`. Regions without room for a few
+/// glyphs give no texture.
+pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
     let lines_near = index(lines, area, params);
     let density = density::map(lines, area, params.density_blur);
     let mut textures: Vec<Texture> =
         classes.regions.iter().map(|region| Texture { class: region.class, glyphs: Vec::new() }).collect();
+    let (columns, rows) = (classes.size.width as f32, classes.size.height as f32);
+    let cell_of =
+        |at: MmPoint| ((at.x - area.min.x) / area.width() * columns, (at.y - area.min.y) / area.height() * rows);
     let region_at = |at: MmPoint| -> Option<u32> {
-        let cell = frame.to_px(at);
-        let (x, y) = (cell.x.floor() as i64, cell.y.floor() as i64);
+        let (x, y) = cell_of(at);
+        let (x, y) = (x.floor() as i64, y.floor() as i64);
         let inside = x >= 0 && y >= 0 && x < i64::from(classes.size.width) && y < i64::from(classes.size.height);
         if inside { classes.region[y as usize * classes.size.width as usize + x as usize] } else { None }
     };
@@ -77,8 +79,8 @@ pub fn fill(classes: &Classes, frame: &Frame, area: MmRect, lines: &[Line], para
             if place.dense_only && density.at(place.at.x - area.min.x, place.at.y - area.min.y) < params.dense_from {
                 return;
             }
-            let cell = frame.to_px(place.at);
-            let Some(glyph) = glyph::bold(class, place.at, classes.lightness.at(cell.x, cell.y), params) else {
+            let (x, y) = cell_of(place.at);
+            let Some(glyph) = glyph::bold(class, place.at, classes.lightness.at(x, y), params) else {
                 return;
             };
             let corners = glyph.corners();
