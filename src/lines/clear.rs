@@ -145,6 +145,9 @@ fn junction<'a>(mut on: impl Iterator<Item = &'a Vertex>, accepted: &Nearby, par
             && distance < best.0
         {
             best = (distance, Some(at), path.len(), way);
+            if distance <= 0.5 * params.width_max {
+                break; // they touch; going on would run beside or across the other line
+            }
         }
     }
     let (distance, at, count, way) = best;

@@ -1,6 +1,6 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
-use super::{Trail, dot};
+use super::{Trail, Vertex, dot};
 use crate::units::{MmPoint, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
@@ -9,6 +9,9 @@ const HEADING: f32 = 1.5;
 const AHEAD: f32 = 0.7;
 /// Ends nearer than this need not point at one another, mm: their headings alone decide.
 const TOUCHING: f32 = 0.5;
+
+/// Ends that do not meet exactly bend towards one another over this length, mm.
+const BEND: f32 = 4.0;
 
 struct End {
     trail: usize,
@@ -81,6 +84,32 @@ fn cost(a: &End, b: &End, trails: &[Trail], gap: f32) -> Option<f32> {
     (ahead_a >= AHEAD && ahead_b >= AHEAD).then_some(distance * (3.0 - ahead_a - ahead_b))
 }
 
+/// Two joined ends that lie beside one another (one came from the middle of a bar, the other from its side) bend towards
+/// one another over [`BEND`] millimetres, so that the line has no step there. `seam` is the first vertex of the second.
+fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
+    let (first, second) = vertices.split_at_mut(seam);
+    let inner = |side: &[Vertex], at: usize| side[at].at;
+    let ahead = inner(second, second.len().min(4) - 1) - inner(first, first.len().saturating_sub(4));
+    let Some(ahead) = ahead.try_normalize() else { return };
+    let gap = second[0].at - first[first.len() - 1].at;
+    let aside = (gap - ahead * gap.dot(ahead)) * 0.5;
+    let tips = (first[first.len() - 1].at, second[0].at);
+    for vertex in first.iter_mut().rev() {
+        let share = 1.0 - (vertex.at - tips.0).length() / BEND;
+        if share <= 0.0 {
+            break;
+        }
+        vertex.at += aside * share;
+    }
+    for vertex in second {
+        let share = 1.0 - (vertex.at - tips.1).length() / BEND;
+        if share <= 0.0 {
+            break;
+        }
+        vertex.at -= aside * share;
+    }
+}
+
 /// Strings trails together end by end.
 fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Trail> {
     // end_of[t] = the numbers of the start and the end of trail t
@@ -110,7 +139,11 @@ fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Tr
                 && let Some(trail) = left[end.trail].take()
             {
                 let trail = if end.at_start { trail } else { trail.reversed() };
+                let seam = vertices.len();
                 vertices.extend(trail.vertices);
+                if seam > 0 {
+                    meet_halfway(&mut vertices, seam);
+                }
                 next = partner[end_of[end.trail][usize::from(end.at_start)]];
             }
             let closed = next.is_some() && vertices.len() > 3;

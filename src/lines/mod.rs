@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Edges -> smooth -> join (ends that continue one another) -> bars (two near sides become one middle line)
-//!       -> clear (no two lines too near) -> weight (width by strength) -> simplify -> Lines
+//!       -> join -> clear (no two lines too near) -> weight (width by strength) -> simplify -> Lines
 //! ```
 
 mod bars;
@@ -75,12 +75,14 @@ pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Vec<
     let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).evened());
     let trails = join::join(trails.collect(), params.join_gap);
     let trails = bars::merge(trails, area, params);
+    // Where one side of a bar ends and the other goes on, the middle line goes on with it.
+    let trails = join::join(trails, params.join_gap);
     let trails = clear::clear(trails, area, params);
     trails.iter().filter_map(|trail| weight::finish(trail, params)).collect()
 }
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
-const SPACING: f32 = 0.25;
+const SPACING: f32 = 0.4;
 
 /// A line in the making.
 #[derive(Debug, Clone, PartialEq)]
