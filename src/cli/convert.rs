@@ -1,22 +1,22 @@
 //! `tactograph convert`: pictures in, pages out.
 
-use tactograph::Note;
 use tactograph::pipeline::{self, Request};
 use tactograph::profile::Plan;
 use tactograph::raster::decode::Limits;
+use tactograph::{Error, Note};
 
 use super::args::Convert;
 use super::fonts::SystemFonts;
 use super::places::{self, Job, Target};
 use super::report::Report;
 use super::side_by_side::{self, Panicked};
-use super::timings::Timings;
+use super::timings::{Stopped, Timings};
 use super::{Exit, input, output, settings};
 
 /// A page was written.
 struct Done {
     notes: Vec<Note>,
-    timings: Timings,
+    timings: Stopped,
 }
 
 /// No page was written: the file that stands in the way, and why.
@@ -86,7 +86,7 @@ fn convert(job: &Job, common: &Common) -> Result<Done, Failure> {
     let title = title(job);
     let request = Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title: &title };
     let drawing = pipeline::convert(&bytes, &request, &mut |event| timings.watch(event))
-        .map_err(|error| about_picture(error.to_string()))?;
+        .map_err(|error| about_picture(explain(&error)))?;
 
     timings
         .step("write", || {
@@ -97,7 +97,16 @@ fn convert(job: &Job, common: &Common) -> Result<Done, Failure> {
             }
         })
         .map_err(about_page)?;
-    Ok(Done { notes: drawing.notes, timings })
+    Ok(Done { notes: drawing.notes, timings: timings.stop() })
+}
+
+/// The library does not know the options of this program: where it says that a limit can be raised, say with which.
+fn explain(error: &Error) -> String {
+    match error {
+        Error::TooManyPixels { .. } => format!("{error} with --max-megapixels"),
+        Error::TooMuchMemory { .. } => format!("{error} with --max-memory"),
+        _ => error.to_string(),
+    }
 }
 
 /// The page is called as the picture's file is.

@@ -19,6 +19,10 @@ pub(super) struct Timings {
     rows: Vec<(&'static str, Row)>,
 }
 
+/// What the stopwatch says when the picture is done, which is before its turn to be told of may come.
+#[derive(Debug)]
+pub(super) struct Stopped(Vec<(&'static str, Row)>);
+
 impl Timings {
     /// Starts the clock.
     pub(super) fn start() -> Self {
@@ -58,11 +62,18 @@ impl Timings {
         self.rows.push((name, Row::Took(took)));
     }
 
-    /// Stops the clock and lays the table out: a heading, one line a stage in the order they ran, the total.
-    pub(super) fn table(mut self, file: &str) -> Vec<String> {
+    /// Stops the clock.
+    pub(super) fn stop(mut self) -> Stopped {
         self.rows.push(("total", Row::Took(self.start.elapsed())));
+        Stopped(self.rows)
+    }
+}
+
+impl Stopped {
+    /// A heading, one line a stage in the order they ran, the total.
+    pub(super) fn table(&self, file: &str) -> Vec<String> {
         let mut lines = vec![format!("timings of {file}:")];
-        lines.extend(self.rows.iter().map(|(name, row)| match row {
+        lines.extend(self.0.iter().map(|(name, row)| match row {
             Row::Took(time) => format!("  {name:<9} {:>9.1} ms", time.as_secs_f64() * 1000.0),
             Row::Skipped(why) => format!("  {name:<9} skipped: {why}"),
         }));
@@ -86,12 +97,15 @@ mod tests {
         timings.watch(Event::Begin(Stage::Edges)); // a second part: the same row
         timings.watch(Event::End(Stage::Edges));
         timings.step("write", || ());
-        let table = timings.table("a.png");
+        let stopped = timings.stop();
+        let table = stopped.table("a.png");
         let names = table.iter().map(|line| line.split_whitespace().next().unwrap_or("")).collect::<Vec<_>>();
         assert_eq!(names, ["timings", "read", "edges", "lines", "textures", "write", "total"]);
         assert_eq!(table[4], "  textures  skipped: figure.textures = false");
         for line in [&table[1], &table[2], &table[3], &table[5], &table[6]] {
             assert!(line.ends_with(" ms") && line.len() == table[1].len(), "not aligned: {line}");
         }
+        std::thread::sleep(Duration::from_millis(2)); // waiting for its turn is not work on the picture
+        assert_eq!(stopped.table("a.png"), table);
     }
 }

@@ -134,6 +134,22 @@ pub(crate) const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" wid
 <rect width="120" height="90" fill="#fff"/><rect x="30" y="20" width="50" height="50" fill="#c22"/></svg>
 "##;
 
+/// A JPEG of 64 x 64 pixels, white above a diagonal and black below it.
+pub(crate) fn jpeg() -> Vec<u8> {
+    let digits = JPEG.split_whitespace().collect::<String>();
+    let bytes = (0..digits.len()).step_by(2).map(|at| u8::from_str_radix(&digits[at..at + 2], 16).expect("hex digits"));
+    bytes.collect()
+}
+
+const JPEG: &str = "
+    ffd8ffe000104a46494600010100000100010000ffdb00831000500037003c0046003c00320050004600410046005a00550050005f0078
+    00c800820078006e006e007800f500af00b9009100c8012200ff0131012c011d00ff011801130140016801cc01860140015401b3015901
+    13011801900221019501b301db01ea020302080203013601810235025d023001f4025801cc01f9020301efffc1000b0800400040010111
+    00ffc40017000101010100000000000000000000000000040502ffc4001c10010002010500000000000000000000000001030411122241
+    51ffda0008010100003f00e7132b6e95d93c7a9f178003155e2656dd2bb278f53e2f0018a2bc4cadba5764f1ea7c5e00c50578995b74ae
+    c9e3d4f8bc06280af132b6e95d93c7a9f178314015e2656dd2bb278f53e2f18a002bc4cadba5764f1ea7c5ec5000578995b74aec9e3d4f
+    8fffd9";
+
 // So that a wrong helper is not taken for a wrong program.
 #[test]
 fn the_test_pictures_are_what_they_claim() {
