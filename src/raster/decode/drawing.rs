@@ -50,7 +50,8 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         font_resolver: font_resolver(&left_out, options.fonts, &fonts),
         ..usvg::Options::default()
     };
-    let tree = Tree::from_str(text, &parsing).map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
+    let parsed = guarded(|| Tree::from_str(text, &parsing))?;
+    let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
     drop(parsing);
     let source = Source { size: nominal_size(tree.size())?, is_drawing: true };
     let target = (options.working_size)(source)?;
@@ -65,8 +66,16 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     // Each group that is blended as a whole has a canvas of its own while it is drawn, and so has each one inside it.
     let canvases = 1 + canvases(tree.root());
     check_memory(FORMAT, target, canvases.saturating_mul(target.area().saturating_mul(4)), limits)?;
-    let raster = render(&tree, target)?;
+    let raster = guarded(|| render(&tree, target))??;
     Ok(Picture { raster, source, notes: left_out.notes() })
+}
+
+/// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it has
+/// no height where it is put (found by the test of damaged pictures, and a test of its own now): that is the drawing's
+/// fault and must not stop the program.
+fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
+    let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work));
+    caught.map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
 }
 
 fn render(tree: &Tree, target: Size) -> Result<crate::raster::Raster, Error> {
@@ -92,10 +101,12 @@ fn nominal_size(size: usvg::Size) -> Result<Size, Error> {
     if width.max(height) > LONGEST_SIDE {
         return Err(undecodable(FORMAT, format!("its size of {width} x {height} pixels is beyond any page")));
     }
-    let off = |length: f32| (length.round() / length - 1.0).abs();
+    let keeps_shape = |width: f32, height: f32| {
+        ((width.round() / width) / (height.round() / height) - 1.0).abs() <= SHAPE && width.min(height) >= 0.5
+    };
     // At most 2^24 times: usvg has no size that is zero, but may have one that is as good as zero.
     for _ in 0..24 {
-        if off(width) <= SHAPE && off(height) <= SHAPE || width.max(height) > LONGEST_SIDE {
+        if keeps_shape(width, height) || width.max(height) > LONGEST_SIDE {
             break;
         }
         (width, height) = (width * 2.0, height * 2.0);
@@ -170,19 +181,18 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
     let inside = ImageHrefResolver::default_data_resolver();
     ImageHrefResolver {
         resolve_data: Box::new(move |mime, data, options| {
-            if let Some(size) = size_of_picture(&data) {
-                let memory = size.area().saturating_mul(8); // decoded, and as a canvas
-                let over_pixels = size.area() > limits.megapixels.saturating_mul(1_000_000);
-                if over_pixels || check_memory(FORMAT, size, memory, limits).is_err() {
+            let found = match size_of_picture(&data) {
+                Ok(Some(size)) if is_over(size, limits) => {
                     left_out.add(format!("a picture inside the drawing, of {size} pixels, which is over the limit"));
                     return None;
                 }
-            }
-            let kind = inside(mime, data, options);
-            if kind.is_none() {
+                Ok(_) => inside(mime, data, options),
+                Err(Unreadable) => None,
+            };
+            if found.is_none() {
                 left_out.add(format!("a picture inside the drawing, which cannot be read ({})", short(mime)));
             }
-            kind
+            found
         }),
         resolve_string: Box::new(move |href, _| {
             left_out.add(format!("the linked picture {} (only pictures inside the drawing are used)", short(href)));
@@ -191,27 +201,34 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
     }
 }
 
-/// What the header of a picture inside a drawing says; `None` for an SVG or if it cannot be told.
-fn size_of_picture(data: &[u8]) -> Option<Size> {
+/// Whether a picture inside a drawing costs too much: it is decoded whole, and drawn from a canvas of its own.
+fn is_over(size: Size, limits: Limits) -> bool {
+    let memory = size.area().saturating_mul(8);
+    size.area() > limits.megapixels.saturating_mul(1_000_000) || check_memory(FORMAT, size, memory, limits).is_err()
+}
+
+/// A picture whose header cannot be read.
+struct Unreadable;
+
+/// What the header of a picture inside a drawing says; `None` for a drawing or what is not known here.
+fn size_of_picture(data: &[u8]) -> Result<Option<Size>, Unreadable> {
     use super::sniff::{Format, format};
     let reader = Cursor::new(data);
-    let (width, height) = match format(data).ok()? {
-        Format::Png => {
+    let size = match format(data) {
+        Ok(Format::Png) => {
             let mut decoder = png::Decoder::new(reader);
-            let info = decoder.read_header_info().ok()?;
-            (info.width, info.height)
+            decoder.read_header_info().ok().map(|info| (info.width, info.height))
         }
-        Format::Jpeg => {
+        Ok(Format::Jpeg) => {
             let mut decoder = jpeg_decoder::Decoder::new(data);
-            decoder.read_info().ok()?;
-            let info = decoder.info()?;
-            (info.width.into(), info.height.into())
+            let info = decoder.read_info().ok().and_then(|()| decoder.info());
+            info.map(|info| (info.width.into(), info.height.into()))
         }
-        Format::Gif => image::codecs::gif::GifDecoder::new(reader).ok()?.dimensions(),
-        Format::WebP => image::codecs::webp::WebPDecoder::new(reader).ok()?.dimensions(),
-        _ => return None,
+        Ok(Format::Gif) => image::codecs::gif::GifDecoder::new(reader).ok().map(|decoder| decoder.dimensions()),
+        Ok(Format::WebP) => image::codecs::webp::WebPDecoder::new(reader).ok().map(|decoder| decoder.dimensions()),
+        _ => return Ok(None),
     };
-    Some(Size::new(width, height))
+    size.map(|(width, height)| Some(Size::new(width, height))).ok_or(Unreadable)
 }
 
 /// Fonts are asked for with the first text that needs one: finding those of a computer takes longer than most drawings.

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use std::io::{ErrorKind, Read};
 
 use image::metadata::Orientation;
-use jpeg_decoder::{CodingProcess, Decoder, PixelFormat, UnsupportedFeature};
+use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, PixelFormat, UnsupportedFeature};
 
 use super::colour::{Kind, one_line};
 use super::rows::{Layout, Rows};
@@ -42,6 +42,9 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         PixelFormat::CMYK32 => Kind::Cmyk,
     };
     let layout = Layout::plain(kind);
+    if kind == Kind::Rgb && head.is_adobe_rgb() {
+        decoder.set_color_transform(ColorTransform::RGB);
+    }
 
     let eighths = eighths(size, job.stored_target());
     let scaled = Size::new((size.width * eighths).div_ceil(8), (size.height * eighths).div_ceil(8));
@@ -60,7 +63,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let mut pixels = decoder.decode().map_err(fault)?;
     let icc = decoder.icc_profile();
     drop(decoder); // and with it the coefficients
-    if kind == Kind::Cmyk && !head.adobe {
+    if kind == Kind::Cmyk && head.adobe.is_none() {
         // jpeg-decoder takes all inks as Adobe writes them, upside down. Files without Adobe's mark have them upright.
         for ink in &mut pixels {
             *ink = 255 - *ink;
@@ -96,8 +99,10 @@ fn asked_size(size: Size, eighths: u32) -> (u16, u16) {
 /// What jpeg-decoder does not tell.
 #[derive(Default)]
 struct Head {
-    /// Whether Adobe's mark is there.
-    adobe: bool,
+    /// The transform in Adobe's mark, if that is there: 0 for none, 1 for YCbCr, 2 for YCCK.
+    adobe: Option<u8>,
+    /// Whether the mark of JFIF is there, which allows YCbCr and grey only.
+    jfif: bool,
     progressive: bool,
 }
 
@@ -115,7 +120,14 @@ impl Head {
                 (kind, [high, low, ..]) => {
                     let length = usize::from(u16::from_be_bytes([*high, *low]));
                     let Some(segment) = after.get(2..length) else { break };
-                    head.adobe |= kind == 0xEE && segment.starts_with(b"Adobe");
+                    match (kind, segment) {
+                        // Version and two flags of two bytes each lie between.
+                        (0xEE, [b'A', b'd', b'o', b'b', b'e', _, _, _, _, _, _, transform, ..]) => {
+                            head.adobe = Some(*transform);
+                        }
+                        (0xE0, [b'J', b'F', b'I', b'F', 0, ..]) => head.jfif = true,
+                        _ => {}
+                    }
                     head.progressive |= kind == 0xC2;
                     rest = &after[length..];
                 }
@@ -123,6 +135,12 @@ impl Head {
             }
         }
         head
+    }
+
+    /// Whether three channels are red, green and blue. By libjpeg's rule (which all browsers follow) Adobe's mark goes
+    /// before the names of the channels; jpeg-decoder has it the other way round.
+    fn is_adobe_rgb(&self) -> bool {
+        self.adobe == Some(0) && !self.jfif
     }
 
     /// What to read after the file's end. Some cameras forget the end mark, and their pictures are whole. For a picture

@@ -50,6 +50,8 @@ fn picture<D: ImageDecoder>(
     // A picture whose EXIF block is broken is shown as it lies.
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
     let mut job = Job::begin(format, size, orientation, options)?;
+    // Before the limits: those that image 0.25.10 sets for a TIFF drop a profile that is large beside a small picture.
+    let icc = decoder.icc_profile().unwrap_or_default();
     // The pixels, and as much again for what the decoders hold beside them (strips of a TIFF, the luma and chroma planes
     // of a WebP, the canvas of a GIF).
     let length = decoder.total_bytes();
@@ -58,7 +60,6 @@ fn picture<D: ImageDecoder>(
     limits.max_alloc = Some(options.limits.memory_mb.saturating_mul(1_000_000));
     decoder.set_limits(limits).map_err(fault)?;
     let layout = layout(format, decoder.color_type())?;
-    let icc = decoder.icc_profile().unwrap_or_default();
     let meaning = job.meaning(icc.as_deref(), layout.kind);
     let mut whole = vec![0; usize::try_from(length).map_err(|_| undecodable(format, "it does not fit into memory"))?];
     decoder.read_image(&mut whole).map_err(fault)?;
