@@ -173,9 +173,9 @@ fn lines_follow_every_flip_and_turn() {
                 .collect();
             let found = draw(&change.raster(&raster));
             let (lost, new) = (unmatched(&expected, &found, 0.4), unmatched(&found, &expected, 0.4));
-            // Drawings follow exactly. In a busy photograph two rivals can be so alike that rounding decides which one
-            // stays; one line of eighty is about 0.02.
-            let most = if name.ends_with(".svg") { 0.001 } else { 0.08 };
+            // Where two rivals are alike to the last digit, rounding decides which of them stays: in the busiest sample
+            // that is 0.007 of the length, elsewhere nothing.
+            let most = if name.ends_with(".svg") { 0.001 } else { 0.01 };
             assert!(lost <= most && new <= most, "{name} {}: {lost} of the lines are lost, {new} new", change.name);
         }
     }

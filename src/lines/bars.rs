@@ -20,6 +20,10 @@ const PARALLEL: f32 = 0.8;
 const STEP_BACK: f32 = 0.3;
 /// The shortest stretch of two sides that counts as a bar, in widths of the bar; shorter ones are the ends of other shapes.
 const MIN_STRETCH: f32 = 1.5;
+/// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a half
+/// circle's is 1.57), and by this length, mm.
+const BEND: f32 = 1.4;
+const BEND_LEAST: f32 = 0.8;
 /// A line moves over to the middle of a bar within about this length (sigma), mm: a finger glides over it.
 const TRANSITION: f32 = 2.0;
 
@@ -72,7 +76,7 @@ pub(super) fn merge(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Tr
     }
     let mut merged = Vec::with_capacity(trails.len());
     for ((trail, moved), gone) in trails.into_iter().zip(&moved).zip(&gone) {
-        split(shifted(trail, moved), gone, &mut merged);
+        split(shifted(trail, moved), moved, gone, reach, &mut merged);
     }
     merged
 }
@@ -100,11 +104,12 @@ fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Oppos
         let here: &Vertex = &trail.vertices[i];
         let tangent = trail.tangent(i);
         let found = nearby.nearest(here.at, reach, |segment| {
+            let way = segment.a.lerp(segment.b, 0.5) - here.at;
             if segment.line as usize == number {
-                // Along the same line: only what lies well beyond a bend.
+                // Along the same line: not this place itself, only what lies beyond a bend.
                 let apart = (segment.arc - arc).abs();
                 let apart = if trail.closed { apart.min(totals[number] - apart) } else { apart };
-                if apart < 1.5 * reach {
+                if apart < BEND * way.length() + BEND_LEAST {
                     return false;
                 }
             }
@@ -113,13 +118,15 @@ fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Oppos
             if along.abs() < PARALLEL {
                 return false;
             }
-            let step = trails[segment.line as usize].vertices[segment.index as usize].step;
-            let (up, back) = (dot(here.step, here.step), dot(here.step, step) * along.signum());
+            let steps = [0, 1].map(|end| trails[segment.line as usize].vertices[segment.index as usize + end].step);
+            let up = dot(here.step, here.step);
+            let back = 0.5 * (dot(here.step, steps[0]) + dot(here.step, steps[1])) * along.signum();
             // across, not beside: the way over stands upright on both lines
-            let way = segment.a.lerp(segment.b, 0.5) - here.at;
             back < -STEP_BACK * up && way.dot(tangent).abs() < 0.6 * way.length().max(0.3)
         })?;
-        Some(Opposite { trail: found.2.line, index: found.2.index, at: found.1 })
+        let (at, segment) = (found.1, found.2);
+        let nearer_end = u32::from((segment.b - at).square_length() < (segment.a - at).square_length());
+        Some(Opposite { trail: segment.line, index: segment.index + nearer_end, at })
     };
     trails
         .iter()
@@ -176,21 +183,48 @@ fn shifted(mut trail: Trail, moved: &[Option<MmVector>]) -> Trail {
     trail
 }
 
-/// Cuts out what is gone.
-fn split(trail: Trail, gone: &[bool], out: &mut Vec<Trail>) {
+/// Cuts out what is gone. Where a cut follows closely on the end of a bar, what lies between is the bar's blunt end: the
+/// middle line stops before it instead of hooking round it.
+fn split(trail: Trail, moved: &[Option<MmVector>], gone: &[bool], reach: f32, out: &mut Vec<Trail>) {
     if !gone.contains(&true) {
         out.push(trail);
         return;
     }
     let ring = if trail.closed { trail.vertices.len() - 1 } else { trail.vertices.len() };
     let start = if trail.closed { (0..ring).find(|&i| gone[i]).unwrap_or(0) } else { 0 };
-    let mut piece = Vec::new();
+    let mut piece: Vec<usize> = Vec::new();
     for k in 0..=ring {
         let i = (start + k) % ring;
         if k < ring && !gone[i] {
-            piece.push(trail.vertices[i]);
+            piece.push(i);
         } else if !piece.is_empty() {
-            out.push(Trail { vertices: std::mem::take(&mut piece), closed: false });
+            let blunt = |piece: &mut dyn Iterator<Item = &usize>| blunt_end(&trail, moved, reach, piece);
+            let (cut_before, cut_after) = (trail.closed || piece[0] > 0, k < ring);
+            let from = if cut_before { blunt(&mut piece.iter()) } else { 0 };
+            let until = piece.len() - if cut_after { blunt(&mut piece.iter().rev()) } else { 0 };
+            if from < until {
+                let vertices = piece[from..until].iter().map(|&i| trail.vertices[i]).collect();
+                out.push(Trail { vertices, closed: false });
+            }
+            piece.clear();
         }
     }
+}
+
+/// How many vertices, from a cut on, belong to the blunt end of the bar that follows; 0 if none follows within `reach`.
+fn blunt_end(trail: &Trail, moved: &[Option<MmVector>], reach: f32, piece: &mut dyn Iterator<Item = &usize>) -> usize {
+    let mut way = 0.0;
+    let mut last: Option<MmPoint> = None;
+    for (count, &i) in piece.enumerate() {
+        let at = trail.vertices[i].at;
+        way += last.map_or(0.0, |last| (at - last).length());
+        if moved[i].is_some() {
+            return count;
+        }
+        if way > reach {
+            break;
+        }
+        last = Some(at);
+    }
+    0
 }

@@ -8,7 +8,7 @@ use tactograph::profile::{Plan, Profile};
 use tactograph::raster::decode::Limits;
 
 /// The sample pictures, sorted by name.
-pub fn samples() -> Vec<PathBuf> {
+pub(crate) fn samples() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
     let mut pictures: Vec<PathBuf> = std::fs::read_dir(folder)
         .expect("there is a folder of samples")
@@ -21,7 +21,7 @@ pub fn samples() -> Vec<PathBuf> {
 
 /// Makes the page of a picture with the default profile and `settings` on top; the stages that ran or were skipped go to
 /// `watch`. No fonts, so that the page does not hang on the machine's.
-pub fn page_of(bytes: &[u8], title: &str, settings: &[(&str, &str)], watch: &mut dyn FnMut(Event)) -> Drawing {
+pub(crate) fn page_of(bytes: &[u8], title: &str, settings: &[(&str, &str)], watch: &mut dyn FnMut(Event)) -> Drawing {
     let mut profile = Profile::named("swell-a4").expect("the default profile is there");
     for (key, value) in settings {
         profile.set(key, value).expect("the test sets what there is");
