@@ -541,14 +541,14 @@ fn rare_kinds_of_jpeg_are_refused_by_name() {
     assert!(fault(&read("rgb-arithmetic.jpg")).contains("arithmetic"));
     let with_frame = |kind: u8, bits: u8| {
         let mut bytes = read("rgb.jpg");
-        let at = bytes.windows(2).position(|pair| pair == [0xFF, 0xC0]).unwrap();
+        let at = bytes.windows(2).position(|pair| pair == [0xFF, 0xC0]).expect("a frame header");
         (bytes[at + 1], bytes[at + 4]) = (kind, bits);
         fault(&bytes)
     };
     assert!(with_frame(0xC1, 12).contains("12 bits"), "{}", with_frame(0xC1, 12));
     assert!(with_frame(0xC5, 8).contains("hierarchical"), "{}", with_frame(0xC5, 8));
     let mut lossless = read("grey.jpg");
-    let at = lossless.windows(2).position(|pair| pair == [0xFF, 0xC0]).unwrap();
+    let at = lossless.windows(2).position(|pair| pair == [0xFF, 0xC0]).expect("a frame header");
     lossless[at + 1] = 0xC3;
     assert!(fault(&lossless).contains("lossless"), "{}", fault(&lossless));
 }
@@ -561,14 +561,14 @@ fn huge() -> Vec<(&'static str, Vec<u8>)> {
     bmp[18..22].copy_from_slice(&30000u32.to_le_bytes());
     bmp[22..26].copy_from_slice(&30000u32.to_le_bytes());
     let mut tiff = read("rgb.tif");
-    let directory = u32::from_le_bytes(tiff[4..8].try_into().unwrap()) as usize;
+    let directory = u32::from_le_bytes(tiff[4..8].try_into().expect("four bytes")) as usize;
     for entry in [0, 1, 7] {
         // width, height, rows in a strip
         let value = directory + 2 + 12 * entry + 8;
         tiff[value..value + 4].copy_from_slice(&30000u32.to_le_bytes());
     }
     let mut jpeg = read("rgb.jpg");
-    let at = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).unwrap();
+    let at = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).expect("a frame header");
     jpeg[at + 5..at + 9].copy_from_slice(&[0x75, 0x30, 0x75, 0x30]);
     let mut gif = read("rgb.gif");
     gif[6..10].copy_from_slice(&[0x30, 0x75, 0x30, 0x75]);
@@ -615,7 +615,7 @@ fn memory_over_the_limit_is_refused_before_decoding() {
 #[test]
 fn a_header_of_no_pixels_is_refused() {
     let mut jpeg = read("rgb.jpg");
-    let at = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).unwrap();
+    let at = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).expect("a frame header");
     jpeg[at + 7..at + 9].fill(0);
     let mut bmp = read("rgb.bmp");
     bmp[18..22].fill(0);

@@ -1,6 +1,7 @@
 //! A picture turned, flipped or shifted must give the page turned, flipped or shifted: no direction is special.
 
-mod common;
+#[path = "common/samples.rs"]
+mod samples;
 
 use std::sync::Arc;
 
@@ -41,12 +42,15 @@ const LINES: lines::Params = lines::Params {
 const CLASSES: classes::Params =
     classes::Params { cell: 3.0, blur: 4.5, min_saturation: 0.18, min_value: 0.15, white_from: 0.92, min_area: 600.0 };
 
+/// x and y, or width and height.
+type Place = (f32, f32);
+
 /// A change of the picture that the page must follow.
 struct Change {
     name: &'static str,
     turned: bool,
     /// Where a place in the old picture of this size (width, height) is in the new one.
-    to: fn((f32, f32), (f32, f32)) -> (f32, f32),
+    to: fn(Place, Place) -> Place,
 }
 
 const CHANGES: [Change; 4] = [
@@ -88,7 +92,7 @@ impl Change {
 }
 
 fn pictures() -> Vec<(String, Raster)> {
-    common::samples()
+    samples::samples()
         .iter()
         .map(|path| {
             let fonts = || Arc::new(usvg::fontdb::Database::new());

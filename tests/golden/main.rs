@@ -5,8 +5,10 @@
 //! golden` writes what the program makes now, and fails, so that nobody forgets to look at the difference and at the
 //! renderings before committing them; under CI it is refused.
 
-#[path = "../common/mod.rs"]
-mod common;
+#[path = "../common/page.rs"]
+mod page;
+#[path = "../common/samples.rs"]
+mod samples;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -27,10 +29,10 @@ fn pages_are_as_somebody_last_saw_them() {
     assert!(!(update && std::env::var_os("CI").is_some()), "golden pages are not updated under CI");
     let mut faults = Vec::new();
     let mut expected = BTreeSet::new();
-    for sample in common::samples() {
+    for sample in samples::samples() {
         let name = sample.file_name().expect("a sample has a name").to_string_lossy().into_owned();
         let bytes = std::fs::read(&sample).expect("a sample can be read");
-        let page = common::page_of(&bytes, &name, &[], &mut |_| ()).page;
+        let page = page::page_of(&bytes, &name, &[], &mut |_| ()).page;
         let svg = tactograph::output::svg::write(&page);
         let rendering = render(&svg);
         let file = |ending: &str| folder.join(format!("{name}.{ending}"));

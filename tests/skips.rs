@@ -1,0 +1,85 @@
+//! What a page does not need is not done: the stages tell what ran and what was skipped.
+
+#[path = "common/page.rs"]
+mod page;
+
+use std::io::Cursor;
+
+use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, RgbImage};
+use tactograph::note::Note;
+use tactograph::pipeline::{Drawing, Event, Stage};
+
+/// Makes the page of a picture; gives it with the stages that ran and those that were skipped wholly or in part.
+fn run(picture: &DynamicImage, settings: &[(&str, &str)]) -> (Drawing, Vec<Stage>, Vec<(Stage, &'static str)>) {
+    let mut bytes = Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, ImageFormat::Bmp).expect("a picture can be written");
+    let (mut ran, mut skipped) = (Vec::new(), Vec::new());
+    let drawing = page::page_of(&bytes.into_inner(), "test", settings, &mut |event| match event {
+        Event::Begin(_) => (),
+        Event::End(stage) => ran.push(stage),
+        Event::Skip(stage, why) => skipped.push((stage, why)),
+    });
+    (drawing, ran, skipped)
+}
+
+/// A red disc on blue.
+fn disc() -> DynamicImage {
+    RgbImage::from_fn(300, 200, |x, y| {
+        let inside = (f64::from(x) - 150.0).hypot(f64::from(y) - 100.0) < 60.0;
+        Rgb(if inside { [220, 30, 30] } else { [60, 90, 230] })
+    })
+    .into()
+}
+
+#[test]
+fn a_whole_page_skips_nothing() {
+    let (drawing, ran, skipped) = run(&disc(), &[]);
+    use Stage::{Classes, Decode, Edges, Lines, Overview, Page, Textures};
+    assert_eq!(ran, [Decode, Edges, Lines, Overview, Classes, Textures, Page]);
+    assert_eq!(skipped, []);
+    assert_eq!(drawing.notes, []);
+    assert_eq!(drawing.page.figure.lines.len(), 1, "a disc has one contour");
+    assert!(drawing.page.figure.lines[0].runs[0].is_closed());
+}
+
+#[test]
+fn without_textures_colours_are_not_looked_at() {
+    let (drawing, ran, skipped) = run(&disc(), &[("figure.textures", "false")]);
+    assert!(!ran.contains(&Stage::Classes) && !ran.contains(&Stage::Textures));
+    assert_eq!(skipped, [(Stage::Classes, "figure.textures is off"), (Stage::Textures, "figure.textures is off")]);
+    assert!(drawing.page.figure.textures.is_empty());
+}
+
+#[test]
+fn without_overview_its_lines_are_not_drawn() {
+    let (drawing, ran, skipped) = run(&disc(), &[("overview", "false")]);
+    assert!(!ran.contains(&Stage::Overview));
+    assert_eq!(skipped, [(Stage::Overview, "overview.on is off")]);
+    assert!(drawing.page.overview.is_none());
+}
+
+#[test]
+fn with_textures_only_edges_are_not_looked_for() {
+    let (drawing, ran, skipped) = run(&disc(), &[("figure.lines", "false"), ("overview", "false")]);
+    assert_eq!(ran, [Stage::Decode, Stage::Classes, Stage::Textures, Stage::Page]);
+    assert_eq!(skipped[0], (Stage::Edges, "neither the figure nor an overview has lines"));
+    assert!(drawing.page.figure.lines.is_empty() && drawing.page.figure.textures.len() == 2);
+}
+
+#[test]
+fn a_grey_picture_has_no_hues_to_sort() {
+    let grey = GrayImage::from_fn(300, 200, |x, _| Luma([if x < 150 { 60 } else { 200 }]));
+    let (_, ran, skipped) = run(&grey.into(), &[]);
+    assert!(ran.contains(&Stage::Classes));
+    assert_eq!(skipped, [(Stage::Classes, "hues only: the picture is grey")]);
+}
+
+#[test]
+fn a_white_page_is_left_alone() {
+    let (drawing, ran, skipped) = run(&GrayImage::from_pixel(300, 200, Luma([255])).into(), &[]);
+    assert_eq!(ran, [Stage::Decode, Stage::Classes, Stage::Page]);
+    assert!(skipped.contains(&(Stage::Edges, "the picture is of one colour")));
+    assert!(skipped.contains(&(Stage::Textures, "the picture is white")));
+    assert_eq!(drawing.notes, [Note::EmptyPage]);
+    assert!(drawing.page.is_empty());
+}
