@@ -75,11 +75,10 @@ impl Nearby {
     ) -> Option<(f32, MmPoint, Segment)> {
         let mut best: Option<(f32, MmPoint, Segment)> = None;
         self.around(at, at, reach, |segment| {
-            if wanted(segment) {
-                let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
-                if distance <= reach && best.is_none_or(|(least, ..)| distance < least) {
-                    best = Some((distance, point, *segment));
-                }
+            // the distance first: it is cheaper than most questions of `wanted`
+            let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
+            if distance <= reach && best.is_none_or(|(least, ..)| distance < least) && wanted(segment) {
+                best = Some((distance, point, *segment));
             }
         });
         best

@@ -16,8 +16,11 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least cosine between the directions of two sides (about 37 degrees).
 const PARALLEL: f32 = 0.8;
-/// The colour must step back by at least this share of what it stepped up.
+/// Least cosine between the step back and the step up, as directions in colour space: a black axis below a yellow bar steps
+/// from white to black and from black to yellow, which have 0.45 in common.
 const STEP_BACK: f32 = 0.3;
+/// The smaller of the two steps is at least this share of the larger.
+const ALIKE: f32 = 0.3;
 /// The shortest stretch of two sides that counts as a bar, in widths of the bar; shorter ones are the ends of other shapes.
 const MIN_STRETCH: f32 = 1.5;
 /// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a half
@@ -40,14 +43,15 @@ struct Stretch {
     trail: usize,
     from: usize,
     to: usize,
-    length: f32,
+    /// Length times strength.
+    saliency: f32,
 }
 
 pub(super) fn merge(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Trail> {
     let reach = params.min_gap + params.width_max;
     let opposites = opposites(&trails, area, reach);
     let mut stretches = stretches(&trails, &opposites);
-    stretches.sort_by(|a, b| b.length.total_cmp(&a.length).then((a.trail, a.from).cmp(&(b.trail, b.from))));
+    stretches.sort_by(|a, b| b.saliency.total_cmp(&a.saliency).then((a.trail, a.from).cmp(&(b.trail, b.from))));
 
     let mut moved: Vec<Vec<Option<MmVector>>> = trails.iter().map(|t| vec![None; t.vertices.len()]).collect();
     let mut gone: Vec<Vec<bool>> = trails.iter().map(|t| vec![false; t.vertices.len()]).collect();
@@ -118,11 +122,15 @@ fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Oppos
             if along.abs() < PARALLEL {
                 return false;
             }
-            let steps = [0, 1].map(|end| trails[segment.line as usize].vertices[segment.index as usize + end].step);
-            let up = dot(here.step, here.step);
-            let back = 0.5 * (dot(here.step, steps[0]) + dot(here.step, steps[1])) * along.signum();
+            let sides = [0, 1].map(|end| trails[segment.line as usize].vertices[segment.index as usize + end].step);
+            let there = std::array::from_fn(|i| 0.5 * (sides[0][i] + sides[1][i]) * along.signum());
+            let (up, down) = (dot(here.step, here.step).sqrt(), dot(there, there).sqrt());
+            // a faint ghost beside a strong contour is no bar
+            let alike = up.min(down) >= ALIKE * up.max(down);
             // across, not beside: the way over stands upright on both lines
-            back < -STEP_BACK * up && way.dot(tangent).abs() < 0.6 * way.length().max(0.3)
+            alike
+                && dot(here.step, there) < -STEP_BACK * up * down
+                && way.dot(tangent).abs() < 0.6 * way.length().max(0.3)
         })?;
         let (at, segment) = (found.1, found.2);
         let nearer_end = u32::from((segment.b - at).square_length() < (segment.a - at).square_length());
@@ -153,16 +161,18 @@ fn stretches(trails: &[Trail], opposites: &[Vec<Option<Opposite>>]) -> Vec<Stret
                 continue;
             };
             let from = i;
-            let (mut length, mut across) = (0.0, 0.0);
+            let (mut length, mut across, mut saliency) = (0.0, 0.0, 0.0);
             while let Some(opposite) = opposites.get(i).copied().flatten().filter(|o| o.trail == first.trail) {
                 if i > from {
-                    length += (trail.vertices[i].at - trail.vertices[i - 1].at).length();
+                    let step = (trail.vertices[i].at - trail.vertices[i - 1].at).length();
+                    length += step;
+                    saliency += step * trail.vertices[i].strength.min(trail.vertices[i - 1].strength);
                 }
                 across += (opposite.at - trail.vertices[i].at).length();
                 i += 1;
             }
             if length >= MIN_STRETCH * across / (i - from) as f32 {
-                found.push(Stretch { trail: number, from, to: i - 1, length });
+                found.push(Stretch { trail: number, from, to: i - 1, saliency });
             }
         }
     }
@@ -179,6 +189,12 @@ fn shifted(mut trail: Trail, moved: &[Option<MmVector>]) -> Trail {
     let smoothed = smooth(&arcs, trail.closed, TRANSITION, shift);
     for (vertex, [x, y]) in trail.vertices.iter_mut().zip(smoothed) {
         vertex.at += MmVector::new(x, y);
+    }
+    // The middle has the same colour on both sides, so it goes on from either side of the bar.
+    for (vertex, moved) in trail.vertices.iter_mut().zip(moved) {
+        if moved.is_some() {
+            vertex.step = [0.0; 3];
+        }
     }
     trail
 }

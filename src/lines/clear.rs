@@ -1,6 +1,8 @@
 //! No two lines nearer than fingers can part them: of two rivals the more salient stays, the other is trimmed where it
 //! comes too near. Lines that truly join may meet.
 
+use std::ops::Range;
+
 use super::{Params, Trail, Vertex, weight};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::arc_lengths;
@@ -24,12 +26,25 @@ pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Ve
     let mut accepted = Nearby::new(area, reach);
     let mut cleared: Vec<Trail> = Vec::new();
     for (_, number) in order {
+        if !is_worth_it(&trails[number], params) {
+            continue; // its parts are not either
+        }
         let trail = stronger_half_first(trails[number].clone());
-        for piece in free_pieces(&trail, &accepted, area, params) {
+        let taken = taken(&trail, &accepted, area, params);
+        let mut add = |piece: Trail, accepted: &mut Nearby| {
             if is_worth_it(&piece, params) {
-                insert(&mut accepted, &piece, cleared.len() as u32, params);
+                insert(accepted, &piece, cleared.len() as u32, params);
                 cleared.push(piece);
             }
+        };
+        if !taken.contains(&true) {
+            add(trail, &mut accepted);
+            continue;
+        }
+        // One after the other, so that a later piece can join an earlier one of its own line.
+        let (vertices, taken) = opened(&trail, taken);
+        for range in free_ranges(&taken) {
+            add(with_junctions(&vertices, range, &accepted, params), &mut accepted);
         }
     }
     cleared
@@ -38,8 +53,7 @@ pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Ve
 /// A line must be the longer the weaker it is: a faint short line costs a finger more than it tells. At full strength it is
 /// `min_length`, at half of it twice as much.
 fn is_worth_it(piece: &Trail, params: &Params) -> bool {
-    let weight = (piece.mean_strength() / params.full_strength).min(1.0);
-    piece.length() * weight >= params.min_length
+    piece.weighted_length(params) >= params.min_length
 }
 
 /// Where a line comes near itself its earlier part stays; which that is must not hang on the direction it was found in.
@@ -62,12 +76,13 @@ fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32, params: &Params) -> S
     Segment { a: pair[0].at, b: pair[1].at, half_width: 0.5 * width, line, index: i as u32, arc }
 }
 
-/// The parts of a trail that keep their distance from what is accepted and from the trail's own earlier parts.
-fn free_pieces(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) -> Vec<Trail> {
+/// For every vertex whether it comes too near to what is accepted or to an earlier part of its own trail.
+fn taken(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) -> Vec<bool> {
     let reach = params.min_gap + params.width_max;
     let arcs = arc_lengths(&trail.points());
     let total = arcs.last().copied().unwrap_or(0.0);
-    let mut own = Nearby::new(area, reach);
+    // Only a long line can come back to itself.
+    let mut own = (total > BEND * reach).then(|| Nearby::new(area, reach));
     let mut taken: Vec<bool> = Vec::with_capacity(arcs.len());
     for (i, vertex) in trail.vertices.iter().enumerate() {
         let half = 0.5 * weight::width(vertex.strength, params);
@@ -75,42 +90,42 @@ fn free_pieces(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) 
             found.is_some_and(|(distance, _, rival)| distance < params.min_gap + half + rival.half_width)
         };
         let rival = near(accepted.nearest(vertex.at, reach, |_| true))
-            || near(own.nearest(vertex.at, reach, |segment| {
-                let apart = (arcs[i] - segment.arc).abs();
-                (if trail.closed { apart.min(total - apart) } else { apart }) > BEND * reach
+            || near(own.as_ref().and_then(|own| {
+                own.nearest(vertex.at, reach, |segment| {
+                    let apart = (arcs[i] - segment.arc).abs();
+                    (if trail.closed { apart.min(total - apart) } else { apart }) > BEND * reach
+                })
             }));
-        if i > 0 && !rival && !taken[i - 1] {
+        if i > 0
+            && !rival
+            && !taken[i - 1]
+            && let Some(own) = &mut own
+        {
             own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1], params));
         }
         taken.push(rival);
     }
-    if !taken.contains(&true) {
-        return vec![trail.clone()];
-    }
-    let (vertices, taken) = opened(trail, taken);
-    let mut pieces = Vec::new();
-    let mut i = 0;
-    while i < vertices.len() {
-        if taken[i] {
-            i += 1;
-            continue;
-        }
-        let from = i;
-        while i < vertices.len() && !taken[i] {
-            i += 1;
-        }
-        let mut piece: Vec<Vertex> = vertices[from..i].to_vec();
-        if let Some(junction) = junction(vertices[..=from].iter().rev(), accepted, params) {
-            piece.splice(0..0, junction.into_iter().rev());
-        }
-        if let Some(junction) = junction(vertices[i - 1..].iter(), accepted, params) {
-            piece.extend(junction);
-        }
-        if piece.len() > 1 {
-            pieces.push(Trail { vertices: piece, closed: false });
+    taken
+}
+
+/// Ranges of vertices that are not taken.
+fn free_ranges(taken: &[bool]) -> Vec<Range<usize>> {
+    let mut ranges: Vec<Range<usize>> = Vec::new();
+    for i in (0..taken.len()).filter(|&i| !taken[i]) {
+        match ranges.last_mut() {
+            Some(range) if range.end == i => range.end = i + 1,
+            _ => ranges.push(i..i + 1),
         }
     }
-    pieces
+    ranges
+}
+
+/// A free part of a line, led on at both ends to the lines that it meets.
+fn with_junctions(vertices: &[Vertex], free: Range<usize>, accepted: &Nearby, params: &Params) -> Trail {
+    let before = junction(vertices[..=free.start].iter().rev(), accepted, params).unwrap_or_default();
+    let after = junction(vertices[free.end - 1..].iter(), accepted, params).unwrap_or_default();
+    let vertices = before.into_iter().rev().chain(vertices[free].iter().copied()).chain(after).collect();
+    Trail { vertices, closed: false }
 }
 
 /// A ring with taken parts, cut open inside one of them.
@@ -141,13 +156,14 @@ fn junction<'a>(mut on: impl Iterator<Item = &'a Vertex>, accepted: &Nearby, par
         }
         path.push(*vertex);
         last = vertex;
-        if let Some((distance, at, _)) = accepted.nearest(vertex.at, reach, |_| true)
-            && distance < best.0
-        {
+        let Some((distance, at, _)) = accepted.nearest(vertex.at, reach, |_| true) else { continue };
+        if distance < best.0 {
             best = (distance, Some(at), path.len(), way);
             if distance <= 0.5 * params.width_max {
                 break; // they touch; going on would run beside or across the other line
             }
+        } else if best.0 <= MEETS * params.join_gap {
+            break; // it was near enough, and leads away again
         }
     }
     let (distance, at, count, way) = best;

@@ -72,8 +72,8 @@ fn cost(a: &End, b: &End, trails: &[Trail], gap: f32) -> Option<f32> {
     if distance > gap || (a.trail == b.trail && trails[a.trail].length() < 4.0 * distance) {
         return None;
     }
-    // Leaving through a one enters through b, where right and left change places.
-    if dot(a.step, b.step) >= 0.0 || a.heading.dot(b.heading) > -0.5 {
+    // Leaving through a one enters through b, where right and left change places. The middle of a bar has no step.
+    if dot(a.step, b.step) > 0.0 || a.heading.dot(b.heading) > -0.5 {
         return None;
     }
     if distance <= TOUCHING {

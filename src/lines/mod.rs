@@ -73,13 +73,17 @@ impl Line {
 /// Draws the contours in `area`, the part of the sheet where `frame` puts the picture. The weightiest line comes first.
 pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Vec<Line> {
     let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).evened());
-    let trails = join::join(trails.collect(), params.join_gap);
+    let mut trails = join::join(trails.collect(), params.join_gap);
+    trails.retain(|trail| trail.weighted_length(params) >= CRUMB * params.min_length);
     let trails = bars::merge(trails, area, params);
     // Where one side of a bar ends and the other goes on, the middle line goes on with it.
     let trails = join::join(trails, params.join_gap);
     let trails = clear::clear(trails, area, params);
     trails.iter().filter_map(|trail| weight::finish(trail, params)).collect()
 }
+
+/// A line shorter than this share of the least length has joined nothing and will not: it is not looked at further.
+const CRUMB: f32 = 0.5;
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
 const SPACING: f32 = 0.4;
@@ -134,6 +138,11 @@ impl Trail {
             .windows(2)
             .map(|pair| (pair[1].at - pair[0].at).length() * pair[0].strength.min(pair[1].strength))
             .sum()
+    }
+
+    /// Length, mm, of a line of full strength that is worth as much: a weak line counts in proportion.
+    fn weighted_length(&self, params: &Params) -> f32 {
+        self.length() * (self.mean_strength() / params.full_strength).min(1.0)
     }
 
     fn mean_strength(&self) -> f32 {
