@@ -2,14 +2,17 @@
 //! files, no network. Pictures inside it (data: links) are drawn, under the same limits as pictures of their own.
 
 use std::io::{Cursor, Read};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
 
 use image::ImageDecoder;
 use image::metadata::Orientation;
 use resvg::tiny_skia;
 use usvg::fontdb::Database;
+use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
+use super::burden;
 use super::colour::{Kind, Meaning, one_line};
 use super::rows::{Depth, Layout, Rows};
 use super::{Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, undecodable};
@@ -50,9 +53,10 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         font_resolver: font_resolver(&left_out, options.fonts, &fonts),
         ..usvg::Options::default()
     };
-    let parsed = guarded(|| Tree::from_str(text, &parsing))?;
+    let document = document(text, burden::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
+    let parsed = guarded(|| Tree::from_xmltree(&document, &parsing))?;
     let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
-    drop(parsing);
+    drop((parsing, document));
     let source = Source { size: nominal_size(tree.size())?, is_drawing: true };
     let target = (options.working_size)(source)?;
     if target.area() == 0 {
@@ -138,15 +142,22 @@ fn canvases(group: &usvg::Group) -> u64 {
     group.children().iter().map(below).max().unwrap_or(0)
 }
 
+/// The elements of a drawing, when usvg can take them.
+fn document(text: &str, most_levels: u32) -> Result<Document<'_>, String> {
+    let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(text, parsing).map_err(|fault| {
+        let place = fault.pos();
+        let what = one_line(&fault);
+        // The place stands at the end of most of roxmltree's messages; it is said in words instead.
+        let what = what.trim_end_matches(&format!(" at {place}"));
+        format!("line {}, column {}: {what}", place.row, place.col)
+    })?;
+    burden::check(&document, most_levels)?;
+    Ok(document)
+}
+
 fn fault_in(fault: &usvg::Error) -> String {
     match fault {
-        usvg::Error::ParsingFailed(fault) => {
-            let place = fault.pos();
-            let mut what = one_line(fault);
-            // The place stands at the end of most of roxmltree's messages; it is said in words instead.
-            what = what.trim_end_matches(&format!(" at {place}")).to_owned();
-            format!("line {}, column {}: {what}", place.row, place.col)
-        }
         usvg::Error::InvalidSize => "it has no size: neither a width and height above zero nor a viewBox".into(),
         usvg::Error::ElementsLimitReached => "it has more than a million elements or too deep a nesting".into(),
         other => one_line(other),
@@ -179,6 +190,7 @@ impl LeftOut {
 
 fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
     let inside = ImageHrefResolver::default_data_resolver();
+    let level = AtomicUsize::new(0);
     ImageHrefResolver {
         resolve_data: Box::new(move |mime, data, options| {
             let found = match size_of_picture(&data) {
@@ -186,7 +198,8 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
                     left_out.add(format!("a picture inside the drawing, of {size} pixels, which is over the limit"));
                     return None;
                 }
-                Ok(_) => inside(mime, data, options),
+                Ok(Some(_)) => inside(mime, data, options),
+                Ok(None) => drawing_inside(&data, options, &level),
                 Err(Unreadable) => None,
             };
             if found.is_none() {
@@ -199,6 +212,16 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
             None
         }),
     }
+}
+
+/// A drawing inside a drawing, but none inside that; `level` counts how deep it goes.
+fn drawing_inside(data: &[u8], options: &usvg::Options<'_>, level: &AtomicUsize) -> Option<ImageKind> {
+    // All of them share the stack.
+    const MOST_LEVELS: usize = 1;
+    document(std::str::from_utf8(data).ok()?, burden::MOST_LEVELS_INSIDE).ok()?;
+    let tree = (level.fetch_add(1, Ordering::Relaxed) < MOST_LEVELS).then(|| Tree::from_data_nested(data, options));
+    level.fetch_sub(1, Ordering::Relaxed);
+    Some(ImageKind::SVG(tree?.ok()?))
 }
 
 /// Whether a picture inside a drawing costs too much: it is decoded whole, and drawn from a canvas of its own.

@@ -6,6 +6,7 @@
 //!                       `- header: Job::begin checks the limits and asks for the working size before anything is decoded
 //! ```
 
+mod burden;
 mod colour;
 mod drawing;
 mod jpeg;

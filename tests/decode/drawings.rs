@@ -1,0 +1,266 @@
+//! SVG drawings: sizes, fonts, what they may reach and what they may cost.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use tactograph::raster::decode::{Limits, Options, Source, decode};
+use tactograph::units::Size;
+use tactograph::{Error, Note};
+
+use crate::{check, decode_to, fault, folder, open, read, whole};
+
+#[test]
+fn nothing_outside_a_drawing_is_reached() {
+    // The linked picture lies beside the drawing, and in the folder tests run in; it must not show.
+    let picture = open("linked.svg");
+    assert_eq!(picture.raster.planes(), [vec![1.0; 64 * 32]]);
+    let [Note::LeftOut(file), Note::LeftOut(net)] = &picture.notes[..] else { panic!("{:?}", picture.notes) };
+    assert!(file.contains("rgb.png") && net.contains("http://localhost/rgb.png"), "{file} {net}");
+    let path = folder().join("rgb.png");
+    for what in [
+        format!("<image width='9' height='9' href='{}'/>", path.display()),
+        format!("<image width='9' height='9' href='file://{}'/>", path.display()),
+        format!("<style>@import url('{0}'); rect {{ fill: url('{0}') }}</style>", path.display()),
+        format!("<filter id='f'><feImage href='{}'/></filter><g filter='url(#f)'><rect/></g>", path.display()),
+        format!("<use href='{}#a'/>", folder().join("rgb.svg").display()),
+    ] {
+        let text = format!("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>{what}</svg>");
+        let picture = whole(text.as_bytes()).unwrap();
+        assert!(picture.raster.planes()[0].iter().all(|&v| v.total_cmp(&1.0).is_eq()), "{what}");
+    }
+}
+
+#[test]
+fn no_file_comes_in_as_an_entity() {
+    let text = format!(
+        "<!DOCTYPE svg [<!ENTITY file SYSTEM '{}'>]><svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>&file;</svg>",
+        folder().join("rgb.svg").display()
+    );
+    assert!(fault(text.as_bytes()).contains("line 1"), "{}", fault(text.as_bytes()));
+}
+
+#[test]
+fn fonts_are_asked_for_once_and_only_by_texts() {
+    let asked = AtomicUsize::new(0);
+    let fonts = || {
+        asked.fetch_add(1, Ordering::Relaxed);
+        let mut fonts = usvg::fontdb::Database::new();
+        fonts.load_font_data(read("block.ttf"));
+        Arc::new(fonts)
+    };
+    let working_size = |source: Source| Ok(source.size);
+    let options = Options { limits: Limits::default(), fonts: &fonts, working_size: &working_size };
+    for name in ["rgb.svg", "picture-inside.svg", "linked.svg", "rgb.png"] {
+        decode(&read(name), &options).unwrap();
+    }
+    assert_eq!(asked.load(Ordering::Relaxed), 0);
+    // The letter is a black square of the em, in the left half.
+    let picture = decode(&read("text.svg"), &options).unwrap();
+    check("text.svg", &picture.raster, [0.0, 1.0, 0.0, 1.0].map(|v| vec![v]), 1e-6);
+    assert_eq!(picture.notes, []);
+    let two = String::from_utf8(read("text.svg")).unwrap().replace("</text>", "</text><text>A</text>");
+    decode(two.as_bytes(), &options).unwrap();
+    assert_eq!(asked.load(Ordering::Relaxed), 2);
+}
+
+#[test]
+fn a_text_without_a_font_is_a_remark() {
+    let picture = open("text.svg");
+    assert!(matches!(&picture.notes[..], [Note::LeftOut(what)] if what.contains("Block")), "{:?}", picture.notes);
+}
+
+fn svg(attributes: &str) -> Vec<u8> {
+    format!("<svg xmlns='http://www.w3.org/2000/svg' {attributes}><rect width='1' height='1'/></svg>").into_bytes()
+}
+
+#[test]
+fn the_size_of_a_drawing_is_in_css_pixels_or_keeps_its_shape() {
+    for (attributes, size) in [
+        ("width='640' height='480'", Size::new(640, 480)),
+        ("viewBox='0 0 640 480'", Size::new(640, 480)),
+        ("width='210mm' height='297mm'", Size::new(794, 1123)),
+        ("width='100%' height='100%' viewBox='5 5 20 10'", Size::new(20, 10)),
+        ("width='1' height='1.4142'", Size::new(512, 724)),
+        ("width='0.001' height='0.002'", Size::new(1, 2)),
+    ] {
+        let got = decode_to(&svg(attributes), &|_| Ok(Size::new(8, 8))).unwrap().source;
+        let ratio = |size: Size| f64::from(size.width) / f64::from(size.height);
+        if attributes.contains("0.001") || attributes.contains("1.4142") {
+            assert!((ratio(got.size) / ratio(size) - 1.0).abs() < 0.001, "{attributes}: {}", got.size);
+        } else {
+            assert_eq!(got, Source { size, is_drawing: true }, "{attributes}");
+        }
+    }
+}
+
+#[test]
+fn sizes_that_are_none_are_refused() {
+    for attributes in [
+        "width='0' height='10'",
+        "width='-5' height='10'",
+        "width='1e30' height='1e30'",
+        "width='1e38' height='1'",
+        "width='1e-30' height='1'",
+        "width='NaN' height='1' viewBox='0 0 0 0'",
+        "width='10000000' height='10000000'",
+    ] {
+        let bytes = svg(attributes);
+        let got = decode_to(&bytes, &|_| Ok(Size::new(8, 8)));
+        match got {
+            Err(Error::Undecodable { format: "SVG", why }) => assert!(why.contains("size"), "{attributes}: {why}"),
+            // usvg takes a size it cannot read as if it were not there.
+            Ok(picture) => assert!(attributes.contains("NaN") && picture.source.size.area() > 0, "{attributes}"),
+            Err(other) => panic!("{attributes}: {other}"),
+        }
+    }
+}
+
+#[test]
+fn a_malformed_drawing_is_refused_with_its_line() {
+    let text = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>\n<g>\n</svg>";
+    let fault = fault(text.as_bytes());
+    assert!(fault.contains("SVG") && fault.contains("line 3"), "{fault}");
+    assert_eq!(fault.lines().count(), 1);
+}
+
+/// A drawing of elements that each refer to the next one, `count` of them.
+fn chain(count: usize, each: impl Fn(usize) -> String, last: &str) -> String {
+    let body: String = (0..count).map(each).collect();
+    format!("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>{body}{last}</svg>")
+}
+
+#[test]
+fn drawings_too_deep_for_the_stack_are_refused() {
+    let rect = "<rect width='9' height='9'";
+    let nested = |tag: &str| {
+        chain(0, |_| String::new(), &format!("{}{}", format!("<{tag}>").repeat(500), format!("</{tag}>").repeat(500)))
+    };
+    for text in [
+        nested("g"),
+        nested("svg"),
+        nested("switch"),
+        chain(
+            5000,
+            |i| format!("<clipPath id='c{i}' clip-path='url(#c{})'>{rect}/></clipPath>", i + 1),
+            &format!("{rect} clip-path='url(#c0)'/>"),
+        ),
+        chain(
+            5000,
+            |i| format!("<mask id='c{i}'>{rect} style='mask: url(\"#c{}\")'/></mask>", i + 1),
+            &format!("{rect} mask='url(#c0)'/>"),
+        ),
+        chain(
+            5000,
+            |i| format!("<pattern id='c{i}' width='2' height='2'>{rect} fill='url(#c{})'/></pattern>", i + 1),
+            &format!("{rect} fill='url(#c0)'/>"),
+        ),
+        // The same by what goes down from a group, and by a style sheet.
+        chain(
+            5000,
+            |i| format!("<g fill='url(#c{})'><pattern id='c{i}' width='2' height='2'>{rect}/></pattern></g>", i + 1),
+            &format!("{rect} fill='url(#c0)'/>"),
+        ),
+        chain(
+            5000,
+            |i| {
+                format!("<style>.c{i} {{ mask: url(#c{}) }}</style><mask id='c{i}'>{rect} class='c{i}'/></mask>", i + 1)
+            },
+            &format!("{rect} mask='url(#c0)'/>"),
+        ),
+        chain(
+            5000,
+            |i| format!("<marker id='c{i}'><path d='M0 0L1 1L2 0' marker-mid='url(#c{})'/></marker>", i + 1),
+            "<path d='M0 0L5 5L9 0' marker-mid='url(#c0)'/>",
+        ),
+    ] {
+        let fault = fault(text.as_bytes());
+        assert!(fault.contains("deep") || fault.contains("too long"), "{fault}: {}", &text[..200]);
+    }
+}
+
+#[test]
+fn drawings_that_grow_without_end_are_refused() {
+    let start = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>";
+    let entities: String =
+        (1..12).map(|i| format!("<!ENTITY e{i} '{}'>", format!("&e{};", i - 1).repeat(10))).collect();
+    let uses: String =
+        (1..12).map(|i| format!("<g id='u{i}'>{}</g>", format!("<use href='#u{}'/>", i - 1).repeat(10))).collect();
+    let masks: String = (1..12)
+        .map(|i| format!("<mask id='u{i}'>{}</mask>", format!("<rect mask='url(#u{})'/>", i - 1).repeat(10)))
+        .collect();
+    let canvases = format!("{}<rect width='9' height='9'/>{}", "<g opacity='.9'>".repeat(190), "</g>".repeat(190));
+    for (text, why) in [
+        (format!("<!DOCTYPE svg [<!ENTITY e0 'e'>{entities}]>{start}&e11;</svg>"), "entity"),
+        (format!("{start}<defs><rect id='u0' width='1' height='1'/>{uses}</defs><use href='#u11'/></svg>"), "elements"),
+        (format!("{start}<mask id='u0'/>{masks}<rect mask='url(#u11)'/></svg>"), "elements"),
+        (
+            format!("{start}<filter id='f'><feTurbulence numOctaves='99999'/></filter><rect filter='url(#f)'/></svg>"),
+            "octaves",
+        ),
+        (format!("{start}{canvases}</svg>"), "MB of memory"),
+    ] {
+        let got =
+            decode_to(text.as_bytes(), &|_| Ok(Size::new(2000, 2000))).map(|_| ()).map_err(|fault| fault.to_string());
+        assert!(matches!(&got, Err(fault) if fault.contains(why)), "{why}: {got:?}");
+    }
+}
+
+#[test]
+fn drawings_of_many_plain_parts_are_drawn() {
+    // Thousands of shapes that share gradients, a marker, a clip path and a pattern, in style sheets and out of them.
+    let parts: String = (0..3000)
+        .map(|i| {
+            format!(
+                "<g class='cls-{}' clip-path='url(#c)'><path fill='url(#l)' marker-end='url(#m)' d='M{i} 0V9H0z'/></g>",
+                i % 50
+            )
+        })
+        .collect();
+    let rules: String = (0..50).map(|i| format!(".cls-{i}{{clip-path:url(#c);stroke:url(#p)}}")).collect();
+    let text = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><style>{rules}</style>\
+         <linearGradient id='l'>{}</linearGradient><marker id='m'><path d='M0 0h1v1'/></marker>\
+         <clipPath id='c'><rect width='9' height='9'/></clipPath><pattern id='p' width='1' height='1'><rect/></pattern>{parts}</svg>",
+        "<stop offset='0'/>".repeat(20)
+    );
+    assert!(whole(text.as_bytes()).is_ok(), "{}", fault(text.as_bytes()));
+}
+
+#[test]
+fn a_drawing_inside_a_drawing_is_drawn_but_no_deeper() {
+    let inside = |text: &str| {
+        let text =
+            text.replace('%', "%25").replace('#', "%23").replace('<', "%3C").replace('>', "%3E").replace('"', "%22");
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\">\
+             <image width=\"9\" height=\"9\" href=\"data:image/svg+xml,{text}\"/></svg>"
+        )
+    };
+    let black = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"><path d=\"M0 0h9v9H0z\"/></svg>";
+    let one = whole(inside(black).as_bytes()).unwrap();
+    assert_eq!(one.raster.planes(), [vec![0.0; 81]]);
+    assert_eq!(one.notes, []);
+    let two = whole(inside(&inside(black)).as_bytes()).unwrap();
+    assert_eq!(two.raster.planes(), [vec![1.0; 81]]);
+    assert!(matches!(&two.notes[..], [Note::LeftOut(_)]), "{:?}", two.notes);
+}
+
+#[test]
+fn a_huge_picture_inside_a_drawing_is_left_out() {
+    // 30000 x 30000 by its header.
+    let text = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><image width='9' height='9' \
+                href='data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAdTAAAHUwCAIAAADpRW/t'/></svg>";
+    let picture = whole(text.as_bytes()).unwrap();
+    assert!(
+        matches!(&picture.notes[..], [Note::LeftOut(what)] if what.contains("30000 x 30000")),
+        "{:?}",
+        picture.notes
+    );
+}
+
+#[test]
+fn a_picture_without_height_in_a_drawing_is_no_panic() {
+    let text = "<svg xmlns='http://www.w3.org/2000/svg' width='64' height='32'><image width='64' height='32' \
+                href='data:image/svg+xml,%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 width=%221e9%22 height=%221%22/%3E'/></svg>";
+    assert!(fault(text.as_bytes()).contains("too small"), "{}", fault(text.as_bytes()));
+}
