@@ -77,7 +77,7 @@ impl Meaning {
             (Kind::Rgb, DataColorSpace::Rgb) => transform(&profile, Layout::Rgb),
             // moxcms takes four inks in the layout of four channels.
             (Kind::Cmyk, DataColorSpace::Cmyk) => transform(&profile, Layout::Rgba),
-            (kind, space) => Err(format!("it is for {space:?} pictures and this one is {kind:?}")),
+            (_, space) => Err(format!("it is for another kind of picture ({space:?})")),
         }
     }
 

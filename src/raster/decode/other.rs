@@ -87,13 +87,21 @@ fn layout(format: &'static str, colour: ColorType) -> Result<Layout, Error> {
 
 fn fault_in(format: &'static str, fault: ImageError) -> Error {
     match &fault {
-        ImageError::IoError(io) if io.kind() == ErrorKind::UnexpectedEof => ends_early(format),
+        ImageError::IoError(io) if is_end_of_file(io) => ends_early(format),
         // The words of the decoder itself, without those that the image crate puts before them.
-        ImageError::Decoding(_) | ImageError::IoError(_) => match fault.source() {
-            Some(cause) if is_end_of_file(cause) => ends_early(format),
-            Some(cause) => undecodable(format, one_line(&cause)),
-            None => undecodable(format, one_line(&fault)),
-        },
+        ImageError::Decoding(_) => {
+            let cause = fault.source().unwrap_or(&fault);
+            if is_end_of_file(cause) { ends_early(format) } else { undecodable(format, one_line(&cause)) }
+        }
+        ImageError::Unsupported(what) => {
+            let what = one_line(&what);
+            // "The decoder for Tiff does not support the format features ..."
+            let what = what.split_once(" format features ").map_or(what.as_str(), |(_, features)| features);
+            undecodable(
+                format,
+                format!("this kind of {format} is not read ({})", what.trim_end_matches(" is unsupported")),
+            )
+        }
         ImageError::Limits(_) => undecodable(format, "it needs more memory than the limit allows"),
         other => undecodable(format, one_line(other)),
     }
@@ -101,5 +109,8 @@ fn fault_in(format: &'static str, fault: ImageError) -> Error {
 
 fn is_end_of_file(fault: &(dyn std::error::Error + 'static)) -> bool {
     let io = fault.downcast_ref::<std::io::Error>();
-    io.is_some_and(|io| io.kind() == ErrorKind::UnexpectedEof) || fault.source().is_some_and(is_end_of_file)
+    io.is_some_and(|io| io.kind() == ErrorKind::UnexpectedEof)
+        // The gif crate has it in words only.
+        || fault.to_string().to_ascii_lowercase().contains("unexpected end of file")
+        || fault.source().is_some_and(is_end_of_file)
 }
