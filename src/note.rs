@@ -10,7 +10,7 @@ pub enum Note {
     LeftOut(String),
     /// No contour was found that is strong and long enough.
     NoLines,
-    /// There is nothing on the page but its frames.
+    /// There is nothing on the page but its frame.
     EmptyPage,
 }
 
@@ -22,9 +22,11 @@ impl std::fmt::Display for Note {
             }
             Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
             Self::NoLines => f.write_str(
-                "no contour is strong and long enough for a line; lower edges.high or lines.min_length to get more",
+                "no contour is strong and long enough for a line; lower edges.high or lines.min_length to get more, or give a larger picture of it",
             ),
-            Self::EmptyPage => f.write_str("the picture has neither contours nor colours: the page is empty"),
+            Self::EmptyPage => f.write_str(
+                "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high to get more",
+            ),
         }
     }
 }

@@ -32,6 +32,8 @@ pub enum Stage {
     Edges,
     /// Contours to lines in millimetres.
     Lines,
+    /// Telling hues apart, the larger part of [`Stage::Classes`]; only ever told of when it is skipped.
+    Hues,
     /// Pixels to colour classes and their regions.
     Classes,
     /// Regions to glyphs.
@@ -49,6 +51,7 @@ impl Stage {
             Self::Decode => "decode",
             Self::Edges => "edges",
             Self::Lines => "lines",
+            Self::Hues => "hues",
             Self::Classes => "classes",
             Self::Textures => "textures",
             Self::Overview => "overview",
@@ -95,7 +98,8 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
     let layout = layout(picture.source.size, plan);
     let mut notes = picture.notes;
 
-    let edges = find_edges(&picture.raster, &layout, plan, watch);
+    let is_flat = picture.raster.is_flat();
+    let edges = find_edges(&picture.raster, is_flat, &layout, plan, watch);
     let lines = draw_lines(edges.as_ref(), &layout, plan, watch);
     let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
     drop(edges);
@@ -109,7 +113,7 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
     })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
-    } else if plan.profile().figure.lines && page.figure.lines.is_empty() {
+    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
     Ok(Drawing { page, notes })
@@ -152,10 +156,16 @@ fn working_size(source: Source, plan: &Plan) -> Result<Size, Error> {
     Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
 }
 
-fn find_edges(raster: &Raster, layout: &Layout, plan: &Plan, watch: &mut dyn FnMut(Event)) -> Option<Edges> {
+fn find_edges(
+    raster: &Raster,
+    is_flat: bool,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut dyn FnMut(Event),
+) -> Option<Edges> {
     let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
         "neither the figure nor an overview has lines"
-    } else if raster.is_flat() {
+    } else if is_flat {
         "the picture is of one colour"
     } else {
         let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
@@ -204,7 +214,7 @@ fn sort_colours(raster: &Raster, layout: &Layout, plan: &Plan, watch: &mut dyn F
         return None;
     }
     if raster.is_grey() {
-        watch(Event::Skip(Stage::Classes, "hues only: the picture is grey"));
+        watch(Event::Skip(Stage::Hues, "the picture is grey"));
     }
     let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
     Some(run(watch, Stage::Classes, || classes::sort(raster, &plan.classes(px_per_mm))))

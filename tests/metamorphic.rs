@@ -22,6 +22,7 @@ const EDGES: edges::Params = edges::Params {
     low: 7.0,
     high: 16.0,
     min_length: 6.0,
+    strength_window: 3.0,
     suppression: 1.0,
     side_sigma: 3.0,
     side_offset: 6.6,

@@ -71,7 +71,7 @@ fn a_grey_picture_has_no_hues_to_sort() {
     let grey = GrayImage::from_fn(300, 200, |x, _| Luma([if x < 150 { 60 } else { 200 }]));
     let (_, ran, skipped) = run(&grey.into(), &[]);
     assert!(ran.contains(&Stage::Classes));
-    assert_eq!(skipped, [(Stage::Classes, "hues only: the picture is grey")]);
+    assert_eq!(skipped, [(Stage::Hues, "the picture is grey")]);
 }
 
 #[test]

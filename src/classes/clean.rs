@@ -42,7 +42,8 @@ pub(super) fn clean(mut labels: Vec<Label>, size: Size, min_cells: f32) -> Vec<L
         let weight = |area: usize| (areas[area].len(), labels[areas[area][0]]);
         let joins = |number: usize| {
             let stronger = |area: usize| weight(area) > weight(number);
-            longest_border(&areas[number], &area_of, size, stronger).map(|winner| (number, labels[areas[winner][0]]))
+            longest_border(&areas[number], &area_of, size, stronger, weight)
+                .map(|winner| (number, labels[areas[winner][0]]))
         };
         let small = (0..areas.len()).filter(|&number| (areas[number].len() as f32) < min_cells);
         let joined: Vec<(usize, Label)> = small.filter_map(joins).collect();
@@ -105,8 +106,14 @@ fn neighbours(cell: usize, size: Size) -> impl Iterator<Item = usize> {
     [left, right, above, below].into_iter().flatten()
 }
 
-/// Of the areas around `area` that `wanted` lets pass, the one with the longest border to it.
-fn longest_border(area: &[usize], area_of: &[usize], size: Size, wanted: impl Fn(usize) -> bool) -> Option<usize> {
+/// Of the areas around `area` that `wanted` lets pass, the one with the longest border to it; of equals the weightiest.
+fn longest_border<W: Ord>(
+    area: &[usize],
+    area_of: &[usize],
+    size: Size,
+    wanted: impl Fn(usize) -> bool,
+    weight: impl Fn(usize) -> W,
+) -> Option<usize> {
     let own = area_of[area[0]];
     let mut borders: Vec<usize> = area
         .iter()
@@ -115,7 +122,7 @@ fn longest_border(area: &[usize], area_of: &[usize], size: Size, wanted: impl Fn
         .filter(|&other| other != own && wanted(other))
         .collect();
     borders.sort_unstable();
-    borders.chunk_by(|a, b| a == b).max_by_key(|run| run.len()).map(|run| run[0])
+    borders.chunk_by(|a, b| a == b).max_by_key(|run| (run.len(), weight(run[0]))).map(|run| run[0])
 }
 
 #[cfg(test)]

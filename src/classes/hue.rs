@@ -1,13 +1,16 @@
-//! The class of one colour: hue corrected by value and saturation, then cut into sectors.
+//! The class of one colour: hue corrected by value, then cut into sectors.
+//!
+//! The paper corrects the hue by saturation as well, without saying how; here saturation decides between colour and grey,
+//! more strictly for dark colours.
 
 use super::{Class, Params};
 use crate::raster::plane::Plane;
 
 /// Hues at which one class ends and the next begins, degrees (red 0, yellow 60, green 120, blue 240), and the class from
-/// there on. Chosen by us: orange (39) is yellowish, pink and magenta are reddish, cyan and violet are bluish to most
+/// there on. Chosen by us: orange (39) is yellowish, pink and magenta are reddish, cyan and indigo are bluish to most
 /// people; the paper names only the four centres.
-const SECTORS: [(f32, Class); 5] =
-    [(32.0, Class::Yellow), (75.0, Class::Green), (168.0, Class::Blue), (285.0, Class::Red), (360.0, Class::Red)];
+const SECTORS: [(f32, Class); 4] =
+    [(32.0, Class::Yellow), (75.0, Class::Green), (168.0, Class::Blue), (285.0, Class::Red)];
 
 /// How far a dark yellow is turned towards green, degrees per unit of lost value. The paper gives the direction (a dark
 /// yellow is olive, a dark orange is yellowish); 40 takes olive (value 0.5) from 60 to 80.
@@ -82,7 +85,8 @@ fn hue_of([r, g, b]: [f32; 3], least: f32, most: f32) -> f32 {
     (60.0 * sixth).rem_euclid(360.0)
 }
 
-/// Turns dark oranges towards yellow and dark yellows towards green; most at yellow, not at all from red and from green on.
+/// Turns dark oranges towards yellow and dark yellows towards green: fully from 45 to 75 degrees (amber to lime), fading out
+/// to none at 15 (red must stay red) and 120 (green is green already).
 fn corrected(hue: f32, value: f32) -> f32 {
     let weight = ((hue - 15.0) / 30.0).min((120.0 - hue) / 45.0).clamp(0.0, 1.0);
     hue + DARK_TURN * (1.0 - value) * weight

@@ -16,13 +16,13 @@ use crate::units::Size;
 /// A colour that has a texture. White has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Blue, cyan and violet.
+    /// Blue, cyan and indigo.
     Blue,
     /// Green and olive.
     Green,
     /// Yellow and light orange.
     Yellow,
-    /// Red, pink and brownish red.
+    /// Red, pink, magenta and brownish red.
     Red,
     /// Black, greys and weakly saturated colours.
     Grey,

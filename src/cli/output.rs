@@ -96,12 +96,15 @@ fn refuse(found: &Metadata) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// Whether a file is a page as this program wrote it, with no work of a person in it.
 fn is_page(path: &Path) -> anyhow::Result<bool> {
     let mut head = Vec::new();
     let file = File::open(path).map_err(|error| explain(&error))?;
     file.take(HEAD_BYTES).read_to_end(&mut head).map_err(|error| explain(&error))?;
-    let name = env!("CARGO_PKG_NAME").as_bytes();
-    Ok(head.windows(name.len()).any(|part| part == name))
+    let has = |mark: &str| head.windows(mark.len()).any(|part| part == mark.as_bytes());
+    // Editors leave their own marks in what they save: Inkscape its version and its window, Illustrator a comment.
+    let edited = has("sodipodi:") || has("inkscape:version") || has("Illustrator");
+    Ok(has("xmlns:tactograph=") && !edited)
 }
 
 /// The file that `path` leads to over symbolic links, whether it exists or not.

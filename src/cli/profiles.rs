@@ -21,15 +21,33 @@ fn listing(profiles: &[BuiltIn]) -> String {
     text
 }
 
-/// Prints a built-in profile on standard output as it was written, comments and all.
+/// Prints a built-in profile on standard output as it was written, comments and all, with the range of every key.
 pub(super) fn show(name: &str, report: &Report) -> Exit {
     match (built_in().iter().find(|profile| profile.name == name), Profile::named(name)) {
-        (Some(profile), _) => print(profile.text, report),
+        (Some(profile), _) => print(&with_ranges(profile.text), report),
         (None, named) => {
             named.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
             Exit::Usage
         }
     }
+}
+
+/// Adds to each line `key = value` a comment with what the key takes.
+fn with_ranges(text: &str) -> String {
+    let (mut section, mut out) = ("", String::new());
+    for line in text.lines() {
+        out += line;
+        if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            section = name;
+        } else if let Some((name, _)) = line.split_once(" = ") {
+            let path = format!("{section}.{name}");
+            if let Some(key) = Profile::keys().iter().find(|key| key.path == path) {
+                out += &format!(" # {}", key.range());
+            }
+        }
+        out.push('\n');
+    }
+    out
 }
 
 fn print(text: &str, report: &Report) -> Exit {
@@ -39,5 +57,22 @@ fn print(text: &str, report: &Report) -> Exit {
             report.error("standard output", &format!("{error:#}"));
             Exit::Failed
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shown_profile_tells_every_range_and_is_a_profile_still() {
+        let shown = with_ranges(built_in()[0].text);
+        for key in Profile::keys() {
+            let line = format!("{} = ", key.name());
+            let told = |text: &str| text.starts_with(&line) && text.ends_with(&format!(" # {}", key.range()));
+            assert!(shown.lines().any(told), "no range for {}", key.path);
+        }
+        let read = Profile::from_toml(&shown, "shown.toml").expect("it can be read again");
+        assert_eq!(read.parameters(), Profile::named("swell-a4").expect("it is built in").parameters());
     }
 }

@@ -110,6 +110,6 @@ mod tests {
     #[test]
     fn never_more_workers_than_jobs() {
         assert_eq!(workers(1), 1);
-        assert!(workers(1000) >= 1);
+        assert!((1..=2).contains(&workers(2)) && (1..=1000).contains(&workers(1000)));
     }
 }

@@ -7,10 +7,6 @@ use super::{EdgePoint, Edges, Params};
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
-/// Strength is averaged over this many points to both sides along the chain (about +-1 mm at the default resolution), so
-/// that one weak point does not cut a contour in two.
-const STRENGTH_WINDOW: usize = 4;
-
 pub(super) fn keep(
     points: &[Ridge],
     chains: &[Chain],
@@ -20,12 +16,12 @@ pub(super) fn keep(
     params: &Params,
 ) -> Edges {
     let mut edges = Edges { size, points: Vec::new(), chains: Vec::new() };
-    let colours = Colours { planes: lab, size, reach: 1.5 * params.sigma + 0.5 };
+    let colours = Colours { planes: lab, size, reach: params.sigma.max(1.0) };
     for chain in chains {
         if length(points, chain) < params.min_length {
             continue;
         }
-        let strengths = strengths(points, chain, sides, params.suppression);
+        let strengths = strengths(points, chain, sides, params);
         for piece in pieces(chain, &strengths, params) {
             let numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
             if length(points, &numbers) < params.min_length {
@@ -53,7 +49,10 @@ fn length(points: &[Ridge], chain: &[u32]) -> f32 {
 }
 
 /// Step heights with texture suppressed, averaged along the chain.
-fn strengths(points: &[Ridge], chain: &Chain, sides: &Sides, suppression: f32) -> Vec<f32> {
+fn strengths(points: &[Ridge], chain: &Chain, sides: &Sides, params: &Params) -> Vec<f32> {
+    let suppression = params.suppression;
+    // points of a chain are a pixel apart, give or take the slant
+    let window = params.strength_window.round() as usize;
     let raw: Vec<f32> = chain
         .iter()
         .map(|&number| {
@@ -69,7 +68,7 @@ fn strengths(points: &[Ridge], chain: &Chain, sides: &Sides, suppression: f32) -
     let closed = chain.first() == chain.last();
     let n = if closed { raw.len() - 1 } else { raw.len() };
     let mean = |i: usize| {
-        let reach = if closed { STRENGTH_WINDOW.min((n - 1) / 2) } else { STRENGTH_WINDOW.min(i).min(n - 1 - i) };
+        let reach = if closed { window.min((n - 1) / 2) } else { window.min(i).min(n - 1 - i) };
         let sum: f32 = raw[i] + (1..=reach).map(|k| raw[(i + k) % n] + raw[(i + n - k) % n]).sum::<f32>();
         sum / (2 * reach + 1) as f32
     };
@@ -111,7 +110,8 @@ fn pieces(chain: &Chain, strengths: &[f32], params: &Params) -> Vec<Vec<usize>> 
 struct Colours<'a> {
     planes: &'a [Vec<f32>],
     size: Size,
-    /// How far from the edge, px: just outside its blur.
+    /// How far from the edge, px. The two ridges of a line thinner than the scale stand one sigma beside its middle: farther
+    /// on would be the paper on its other side.
     reach: f32,
 }
 

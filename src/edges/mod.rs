@@ -32,6 +32,8 @@ pub struct Params {
     pub high: f32,
     /// A contour shorter than this is dropped, px.
     pub min_length: f32,
+    /// Strength is averaged along a contour over this far to both sides, px, so that one weak point does not cut it.
+    pub strength_window: f32,
     /// How far texture lowers the strength of the edges inside it: 0 not at all, 1 fully.
     pub suppression: f32,
     /// Sigma of the windows on both sides of an edge whose colours are compared, px.

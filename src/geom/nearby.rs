@@ -32,7 +32,8 @@ pub struct Nearby {
 }
 
 impl Nearby {
-    /// An empty grid over `area` for queries that reach `cell` millimetres at most on average; longer ones work too.
+    /// An empty grid of `cell` millimetres over `area`. Queries of any reach are answered; those of about a cell look at the
+    /// fewest segments.
     pub fn new(area: MmRect, cell: f32) -> Self {
         let cell = cell.max(0.5); // finer cells cost memory and win nothing at the millimetre scale
         let columns = (area.width() / cell).ceil().max(1.0) as usize;

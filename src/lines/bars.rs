@@ -23,10 +23,18 @@ const STEP_BACK: f32 = 0.3;
 const ALIKE: f32 = 0.3;
 /// The shortest stretch of two sides that counts as a bar, in widths of the bar; shorter ones are the ends of other shapes.
 const MIN_STRETCH: f32 = 1.5;
+/// Greatest cosine between the way over and the line: it stands upright, give or take 37 degrees ...
+const ACROSS: f32 = 0.6;
+/// ... and a way shorter than this, mm, has no direction worth asking for.
+const NO_WAY: f32 = 0.3;
+/// Vertices of the other side between two opposites that follow one another belong to the bar up to this many (3 mm).
+const SKIP: usize = 8;
 /// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a half
 /// circle's is 1.57), and by this length, mm.
 const BEND: f32 = 1.4;
 const BEND_LEAST: f32 = 0.8;
+/// The longest blunt end, in clearances: the bar's width and the two corners, whose vertices have no opposites.
+const BLUNT: f32 = 2.0;
 /// A line moves over to the middle of a bar within about this length (sigma), mm: a finger glides over it.
 const TRANSITION: f32 = 2.0;
 
@@ -67,7 +75,7 @@ pub(super) fn merge(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Tr
             moved[stretch.trail][i] = Some((opposite.at - trails[stretch.trail].vertices[i].at) * 0.5);
             // All that the other side has between the last opposite and this one goes.
             let from = match last {
-                Some((trail, k)) if trail == other && k.abs_diff(j) <= 8 => k,
+                Some((trail, k)) if trail == other && k.abs_diff(j) <= SKIP => k,
                 _ => j,
             };
             for k in from.min(j)..=from.max(j) {
@@ -130,7 +138,7 @@ fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Oppos
             // across, not beside: the way over stands upright on both lines
             alike
                 && dot(here.step, there) < -STEP_BACK * up * down
-                && way.dot(tangent).abs() < 0.6 * way.length().max(0.3)
+                && way.dot(tangent).abs() < ACROSS * way.length().max(NO_WAY)
         })?;
         let (at, segment) = (found.1, found.2);
         let nearer_end = u32::from((segment.b - at).square_length() < (segment.a - at).square_length());
@@ -215,7 +223,7 @@ fn split(trail: Trail, moved: &[Option<MmVector>], gone: &[bool], reach: f32, ou
             piece.push(i);
         } else if !piece.is_empty() {
             let blunt = |piece: &mut dyn Iterator<Item = &usize>| blunt_end(&trail, moved, reach, piece);
-            let (cut_before, cut_after) = (trail.closed || piece[0] > 0, k < ring);
+            let (cut_before, cut_after) = (trail.closed || piece[0] > 0, trail.closed || k < ring);
             let from = if cut_before { blunt(&mut piece.iter()) } else { 0 };
             let until = piece.len() - if cut_after { blunt(&mut piece.iter().rev()) } else { 0 };
             if from < until {
@@ -237,7 +245,7 @@ fn blunt_end(trail: &Trail, moved: &[Option<MmVector>], reach: f32, piece: &mut 
         if moved[i].is_some() {
             return count;
         }
-        if way > reach {
+        if way > BLUNT * reach {
             break;
         }
         last = Some(at);

@@ -5,11 +5,14 @@ use std::ops::Range;
 
 use super::{Params, Trail, Vertex, weight};
 use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
 use crate::geom::polyline::arc_lengths;
 use crate::units::MmRect;
 
-/// Own parts of a line closer than this along it (in clearances) are a bend, not a rival.
+/// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
+/// and by this length, mm. A corner of 30 degrees or more is none (its factor is 1 / sin 15 = 3.9).
 const BEND: f32 = 4.0;
+const BEND_LEAST: f32 = 2.0;
 /// A line joins another if it comes this near, in join gaps.
 const MEETS: f32 = 0.5;
 /// ... and comes nearer by at least this share of its way (30 degrees), mm per mm; flatter is a rival, not a junction.
@@ -81,8 +84,7 @@ fn taken(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) -> Vec
     let reach = params.min_gap + params.width_max;
     let arcs = arc_lengths(&trail.points());
     let total = arcs.last().copied().unwrap_or(0.0);
-    // Only a long line can come back to itself.
-    let mut own = (total > BEND * reach).then(|| Nearby::new(area, reach));
+    let mut own = (total > BEND_LEAST).then(|| Nearby::new(area, reach));
     let mut taken: Vec<bool> = Vec::with_capacity(arcs.len());
     for (i, vertex) in trail.vertices.iter().enumerate() {
         let half = 0.5 * weight::width(vertex.strength, params);
@@ -93,7 +95,9 @@ fn taken(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) -> Vec
             || near(own.as_ref().and_then(|own| {
                 own.nearest(vertex.at, reach, |segment| {
                     let apart = (arcs[i] - segment.arc).abs();
-                    (if trail.closed { apart.min(total - apart) } else { apart }) > BEND * reach
+                    let apart = if trail.closed { apart.min(total - apart) } else { apart };
+                    let across = nearest_on_segment(vertex.at, segment.a, segment.b).0;
+                    apart > BEND * across + BEND_LEAST
                 })
             }));
         if i > 0

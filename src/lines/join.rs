@@ -7,6 +7,10 @@ use crate::units::{MmPoint, MmVector};
 const HEADING: f32 = 1.5;
 /// Least cosine between an end's heading and the way to the other end (45 degrees).
 const AHEAD: f32 = 0.7;
+/// Least cosine between the headings of two ends, one of them turned round (60 degrees).
+const FACING: f32 = 0.5;
+/// A line whose own ends are joined is at least this many times as long as the gap between them.
+const RING: f32 = 4.0;
 /// Ends nearer than this need not point at one another, mm: their headings alone decide.
 const TOUCHING: f32 = 0.5;
 
@@ -25,13 +29,14 @@ struct End {
 /// Joins open trails over gaps of at most `gap` millimetres and closes those whose own ends meet.
 pub(super) fn join(trails: Vec<Trail>, gap: f32) -> Vec<Trail> {
     let ends = ends(&trails);
+    let lengths: Vec<f32> = trails.iter().map(Trail::length).collect();
     let mut joints = Vec::new();
     let mut by_x: Vec<usize> = (0..ends.len()).collect();
     by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x));
     for (k, &i) in by_x.iter().enumerate() {
         for &j in by_x[k + 1..].iter().take_while(|&&j| ends[j].at.x - ends[i].at.x <= gap) {
             let (i, j) = (i.min(j), i.max(j));
-            if let Some(cost) = cost(&ends[i], &ends[j], &trails, gap) {
+            if let Some(cost) = cost(&ends[i], &ends[j], &lengths, gap) {
                 joints.push((cost, i, j));
             }
         }
@@ -66,14 +71,14 @@ fn ends(trails: &[Trail]) -> Vec<End> {
 }
 
 /// How far two ends are from being one line, if they can be joined at all.
-fn cost(a: &End, b: &End, trails: &[Trail], gap: f32) -> Option<f32> {
+fn cost(a: &End, b: &End, lengths: &[f32], gap: f32) -> Option<f32> {
     let way = b.at - a.at;
     let distance = way.length();
-    if distance > gap || (a.trail == b.trail && trails[a.trail].length() < 4.0 * distance) {
+    if distance > gap || (a.trail == b.trail && lengths[a.trail] < RING * distance) {
         return None;
     }
     // Leaving through a one enters through b, where right and left change places. The middle of a bar has no step.
-    if dot(a.step, b.step) > 0.0 || a.heading.dot(b.heading) > -0.5 {
+    if dot(a.step, b.step) > 0.0 || a.heading.dot(b.heading) > -FACING {
         return None;
     }
     if distance <= TOUCHING {

@@ -9,7 +9,8 @@ use crate::units::MmPoint;
 const STEP: f32 = 0.1;
 /// Widths are smoothed along the line with this sigma, mm, so that a line swells and fades instead of twitching.
 const SMOOTHING: f32 = 2.0;
-/// A run shorter than this is drawn with its neighbour's width, mm.
+/// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first run of a line may be
+/// shorter.
 const MIN_RUN: f32 = 2.0;
 
 /// Width of a line at a place of the given strength, mm: it grows with the strength and soon reaches its greatest value
@@ -49,7 +50,7 @@ fn runs(steps: &[i32], arcs: &[f32]) -> Vec<(usize, usize, i32)> {
     let mut runs: Vec<(usize, usize, i32)> = Vec::new();
     for (i, &width) in steps[..steps.len() - 1].iter().enumerate() {
         match runs.last_mut() {
-            // a short run goes on with the next one's width, unless it was the first: then the next takes its own
+            // a run goes on until it is long enough; the first may be short, as the line's end may fade
             Some((_, to, step)) if *step == width => *to = i + 1,
             Some((from, to, _)) if arcs[*to] - arcs[*from] < MIN_RUN && *from > 0 => *to = i + 1,
             _ => runs.push((i, i + 1, width)),

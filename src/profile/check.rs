@@ -90,14 +90,14 @@ const ORDERS: &[Order] = &[
         relation: AtMost,
         large: "textures.thickness",
         when: &["figure.textures"],
-        why: "or every rhombus is left out",
+        why: "since it is the thickness of the lightest glyph",
     },
     Order {
         small: "textures.min_glyph",
         relation: AtMost,
         large: "textures.dot",
         when: &["figure.textures"],
-        why: "or every dot is left out",
+        why: "since it is the thickness of the lightest glyph",
     },
 ];
 

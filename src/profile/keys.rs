@@ -205,7 +205,7 @@ table! {
         dot: number(0.3 to 10.0, "mm");
         /// Distance from a dot to the next where the texture is dense.
         dot_pitch: number(1.0 to 20.0, "mm");
-        /// A glyph thinner than this is left out.
+        /// Thickness of the lightest glyph; from there on glyphs grow with the darkness of the colour.
         min_glyph: number(0.1 to 5.0, "mm");
         /// Sigma of the blur that turns lines into a density map.
         density_blur: number(0.5 to 50.0, "mm");

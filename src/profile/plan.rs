@@ -11,6 +11,9 @@ use crate::{classes, edges, lines, textures};
 const SIDE_SIGMA: f32 = 1.0;
 const SIDE_OFFSET: f32 = 2.2;
 
+/// Strength is averaged along a contour over this far to both sides, mm: below what a fingertip parts.
+const STRENGTH_WINDOW: f32 = 1.0;
+
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;
 
@@ -59,6 +62,7 @@ impl Plan {
             high: edges.high,
             // Shorter pieces may still be joined; only what could never become a line goes here.
             min_length: 0.25 * lines.min_length * px_per_mm,
+            strength_window: STRENGTH_WINDOW * px_per_mm,
             suppression: edges.texture_suppression,
             side_sigma: SIDE_SIGMA * px_per_mm,
             side_offset: SIDE_OFFSET * px_per_mm,

@@ -1,8 +1,8 @@
 //! Regions become textures: small rhombuses whose direction names the colour, dots for grey.
 //!
 //! Three things vary and nothing else: the *direction* of the lattice by class, the *boldness* of the glyph by lightness,
-//! the *density* of the lattice by how many lines are near. Around every line, at the borders between classes and at the
-//! edge of the picture the page stays white.
+//! the *density* of the lattice by how many lines are near. Around every line the page stays white, and no
+//! glyph crosses a border between classes or the edge of the picture.
 
 mod density;
 mod glyph;
@@ -32,7 +32,7 @@ pub struct Params {
     pub dot: f32,
     /// Distance of dots.
     pub dot_pitch: f32,
-    /// Thinnest glyph that is printed.
+    /// Thickness of the lightest glyph, the thinnest that is printed.
     pub min_glyph: f32,
     /// Sigma of the blur that makes the map of line density.
     pub density_blur: f32,
@@ -57,7 +57,10 @@ const MIN_GLYPHS: usize = 4;
 /// Fills the regions of `classes`, whose cells cover `area` of the sheet, clear of `lines`. Regions without room for a few
 /// glyphs give no texture.
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
+    let runs = lines.iter().flat_map(|line| &line.runs);
+    let widest = runs.map(|run| run.width).fold(0.0, f32::max);
     let lines_near = index(lines, area, params);
+    let reach = params.line_gap + 0.5 * widest;
     let density = density::map(lines, area, params.density_blur);
     let mut textures: Vec<Texture> =
         classes.regions.iter().map(|region| Texture { class: region.class, glyphs: Vec::new() }).collect();
@@ -85,7 +88,7 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) ->
             };
             let corners = glyph.corners();
             if corners.iter().all(|&corner| region_at(corner) == Some(region) && area.contains_inclusive(corner))
-                && is_clear(&glyph, &corners, &lines_near, params.line_gap)
+                && is_clear(&glyph, &corners, &lines_near, params.line_gap, reach)
             {
                 textures[region as usize].glyphs.push(glyph);
             }
@@ -114,12 +117,11 @@ fn index(lines: &[Line], area: MmRect, params: &Params) -> Nearby {
     nearby
 }
 
-/// Whether a glyph keeps its distance from every line.
-fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32) -> bool {
+/// Whether a glyph keeps its distance `gap` from every line; `reach` is that of the widest line, to its middle.
+fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach: f32) -> bool {
     let radius = glyph.radius();
     let mut clear = true;
-    // Half the widest line is far below 2 mm; the grid gives what lies within this reach of the glyph's centre.
-    lines.around(glyph.at, glyph.at, gap + radius + 2.0, |segment| {
+    lines.around(glyph.at, glyph.at, reach + radius, |segment| {
         if clear {
             let from_centre = crate::geom::nearest_on_segment(glyph.at, segment.a, segment.b).0;
             let need = gap + segment.half_width;

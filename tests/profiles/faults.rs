@@ -178,12 +178,13 @@ fn values_that_do_not_go_together_are_told_where_they_were_given() {
         ),
         (
             "textures.dot = 0.5",
-            "textures.min_glyph is 0.6 but must be at most textures.dot, which is 0.5, or every dot is left out",
+            "textures.min_glyph is 0.6 but must be at most textures.dot, which is 0.5, since it is the thickness of the \
+             lightest glyph",
         ),
         (
             "textures.min_glyph = 1.3",
-            "textures.min_glyph is 1.3 but must be at most textures.thickness, which is 1.2, or every \
-          rhombus is left out",
+            "textures.min_glyph is 1.3 but must be at most textures.thickness, which is 1.2, since it is the \
+             thickness of the lightest glyph",
         ),
         (
             "page.margin = 100",

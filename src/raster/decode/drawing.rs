@@ -15,7 +15,7 @@ use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 use super::burden;
 use super::colour::{Kind, Meaning, one_line};
 use super::rows::{Depth, Layout, Rows};
-use super::{Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, undecodable};
+use super::{Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, undecodable, working_bytes};
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -69,7 +69,8 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     }
     // Each group that is blended as a whole has a canvas of its own while it is drawn, and so has each one inside it.
     let canvases = 1 + canvases(tree.root());
-    check_memory(FORMAT, target, canvases.saturating_mul(target.area().saturating_mul(4)), limits)?;
+    let bytes = canvases.saturating_mul(target.area().saturating_mul(4)).saturating_add(working_bytes(target));
+    check_memory(FORMAT, target, bytes, limits)?;
     let raster = guarded(|| render(&tree, target))??;
     Ok(Picture { raster, source, notes: left_out.notes() })
 }

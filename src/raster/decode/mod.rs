@@ -129,6 +129,7 @@ impl Job {
         let source = Source { size: orient::turned(stored, orientation), is_drawing: false };
         let target = (options.working_size)(source)?;
         let target = Size::new(target.width.clamp(1, source.size.width), target.height.clamp(1, source.size.height));
+        check_memory(format, stored, working_bytes(target), limits)?;
         Ok(Self { format, limits, orientation, source, target, notes: Vec::new() })
     }
 
@@ -156,6 +157,12 @@ impl Job {
         let raster = raster.ok_or_else(|| ends_early(self.format))?;
         Ok(Picture { raster, source: self.source, notes: self.notes })
     }
+}
+
+/// Memory that a page takes for a working picture of this size: three planes in linear light and three in the space where
+/// edges are found, 4 bytes a value.
+fn working_bytes(target: Size) -> u64 {
+    target.area().saturating_mul(2 * 3 * 4)
 }
 
 fn check_memory(format: &'static str, size: Size, needed_bytes: u64, limits: Limits) -> Result<(), Error> {
