@@ -44,7 +44,7 @@ from the name. Written is SVG.
 
 The page of photo.png is photo.svg beside it, unless -o or --out-dir say otherwise. Where that is the picture itself, \
 because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is an SVG drawing \
-that tactograph did not write, unless -o names it.
+that tactograph did not write, or a page that was changed in an editor, unless -o names it.
 
 Several pictures are worked on side by side. One that cannot be converted does not stop the others. Results are told \
 in the order of the pictures.";

@@ -26,8 +26,8 @@ pub(super) fn to_stdout(bytes: &[u8]) -> anyhow::Result<()> {
 
 /// Looks for what would keep a page from being written to `path`, so that it is told before the work and not after.
 ///
-/// With `keep_others`, a file that is there already must be a page of this program (or empty): a name that the user
-/// did not give must not cost them a drawing.
+/// With `keep_others`, a file that is there already must be a page as this program wrote it (or empty): a name that the
+/// user did not give must not cost them a drawing, nor the work they put into a page.
 ///
 /// # Errors
 /// In plain words, without the path.
@@ -38,7 +38,7 @@ pub(super) fn check(path: &Path, keep_others: bool) -> anyhow::Result<()> {
             refuse(&found)?;
             if keep_others && found.is_file() && found.len() > 0 && !is_page(&path)? {
                 bail!(
-                    "this file exists and was not written by tactograph; name the page with -o, or move that file away"
+                    "this file exists and was not written by tactograph, or changed since; name the page with -o, or move that file away"
                 );
             }
         }

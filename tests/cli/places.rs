@@ -75,12 +75,18 @@ fn a_page_never_overwrites_a_picture() {
 fn a_derived_name_does_not_cost_the_user_a_drawing() {
     let place = Place::with_picture("a.png");
     place.put("a.svg", DRAWING.as_bytes());
-    let kept = "this file exists and was not written by tactograph; name the page with -o, or move that file away";
+    let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, or move that file away";
     place.refuses(&["convert", "a.png"], 1, &[&format!("a.svg: {kept}")]);
     assert_eq!(place.text("a.svg"), DRAWING);
     // Whoever names it means it.
     assert_eq!(place.run(&["convert", "a.png", "-o", "a.svg"]).code, 0);
     place.has_page("a.svg");
+    // A page that somebody touched up in Inkscape is theirs now.
+    let edited = place.text("a.svg").replacen("<svg ", "<svg inkscape:version=\"1.2\" ", 1);
+    place.put("a.svg", edited.as_bytes());
+    place.refuses(&["convert", "a.png"], 1, &[&format!("a.svg: {kept}")]);
+    assert_eq!(place.text("a.svg"), edited);
+    place.put("a.svg", b"");
     // A page of ours is replaced, and so is an empty file.
     assert_eq!(place.run(&["convert", "a.png"]).code, 0);
     place.put("a.svg", b"");
