@@ -10,6 +10,8 @@ pub enum Note {
     LeftOut(String),
     /// No contour was found that is strong and long enough.
     NoLines,
+    /// Much of what was found lies too close together for fingers; percent of its length.
+    Crowded(u32),
     /// There is nothing on the page but its frame.
     EmptyPage,
 }
@@ -22,10 +24,16 @@ impl std::fmt::Display for Note {
             }
             Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
             Self::NoLines => f.write_str(
-                "no contour is strong and long enough for a line; lower edges.high or lines.min_length to get more, or give a larger picture of it",
+                "no contour is strong and long enough for a line, so there is no overview either; lower edges.high and edges.low, \
+                 or give a brighter picture or one with less around it",
+            ),
+            Self::Crowded(percent) => write!(
+                f,
+                "{percent} percent of the contours lie too close to others for fingers and were left out; larger paper \
+                 (such as the profile swell-a3) or a part of the picture keeps more of them"
             ),
             Self::EmptyPage => f.write_str(
-                "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high to get more",
+                "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high and edges.low to get more",
             ),
         }
     }

@@ -161,7 +161,7 @@ fn lines_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let draw = |raster: &Raster| {
             let (frame, area) = sheet(raster.size());
-            line_points(&lines::draw(&edges::find(raster, &EDGES), &frame, area, &LINES))
+            line_points(&lines::draw(&edges::find(raster, &EDGES), &frame, area, &LINES).lines)
         };
         let lines = draw(&raster);
         for change in &CHANGES {

@@ -45,7 +45,7 @@ const LINES: lines::Params = lines::Params {
 
 fn draw(raster: &Raster) -> Vec<Line> {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(SIDE as f32 * SCALE, SIDE as f32 * SCALE));
-    lines::draw(&edges::find(raster, &edge_params(1.5)), &Frame::new(raster.size(), area), area, &LINES)
+    lines::draw(&edges::find(raster, &edge_params(1.5)), &Frame::new(raster.size(), area), area, &LINES).lines
 }
 
 /// A step blurred by `blur`, as share 0..=1 of the way from one side to the other: logistic, near a Gaussian's integral.
@@ -167,7 +167,7 @@ fn grass_is_quiet_and_the_path_through_it_stays() {
     let (quiet, with_path) = (total(&draw(&meadow)), total(&draw(&path)));
     let loud = edges::find(&meadow, &edges::Params { suppression: 0.0, ..edge_params(1.5) });
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-    let without = total(&lines::draw(&loud, &Frame::new(meadow.size(), area), area, &LINES));
+    let without = total(&lines::draw(&loud, &Frame::new(meadow.size(), area), area, &LINES).lines);
     assert!(quiet < 0.7 * without, "{quiet} mm of lines in the grass, {without} mm without suppression");
     assert!(with_path > quiet + 50.0, "{with_path} mm with the path, {quiet} mm without");
 }

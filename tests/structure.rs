@@ -63,10 +63,9 @@ fn pages_have_the_structure_that_others_rely_on() {
             }
         }
         let parameter = |key: &str| {
-            document
-                .descendants()
-                .find(|node| node.attribute("name") == Some(key))
-                .and_then(|node| node.attribute("value"))
+            let metadata = document.descendants().find(|node| node.has_tag_name("metadata"));
+            let lines = metadata.and_then(|node| node.text()).unwrap_or_default().lines();
+            lines.filter_map(|line| line.split_once(" = ")).find(|(name, _)| *name == key).map(|(_, value)| value)
         };
         for key in Profile::keys() {
             assert!(parameter(key.path).is_some(), "{name}: the metadata lack {}", key.path);

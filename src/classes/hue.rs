@@ -21,6 +21,11 @@ const DIM: f32 = 0.35;
 /// ... by this much per unit of value.
 const DIM_RISE: f32 = 1.0;
 
+/// Light tints (a pale sky, pink) are seen as colours at a lower saturation: above this value (HSV) the bound falls ...
+const PALE_FROM: f32 = 0.7;
+/// ... by this share at the lightest. Pale pink, blue and green of drawings have a saturation of 0.1 to 0.18.
+const PALE_FALL: f32 = 0.5;
+
 /// The class of every cell (`None` is white) and its lightness, from blurred planes in linear light.
 pub(super) fn classify(planes: &[Plane], params: &Params) -> (Vec<Option<Class>>, Plane) {
     let size = planes[0].size;
@@ -60,7 +65,8 @@ fn class_of(rgb: [f32; 3], params: &Params) -> Option<Class> {
         return None;
     }
     let saturation = if value > 0.0 { (value - least) / value } else { 0.0 };
-    let bound = params.min_saturation + DIM_RISE * (DIM - value).max(0.0);
+    let pale = ((value - PALE_FROM) / (1.0 - PALE_FROM)).max(0.0);
+    let bound = params.min_saturation * (1.0 - PALE_FALL * pale) + DIM_RISE * (DIM - value).max(0.0);
     if value < params.min_value || saturation < bound {
         return Some(Class::Grey);
     }
@@ -125,6 +131,10 @@ mod tests {
             ("grey", 0x808080, Some(Grey)),
             ("a warm grey", 0x8a8078, Some(Grey)),
             ("nearly black, with a hue", 0x140a0a, Some(Grey)),
+            ("pale sky", 0xd2e6fa, Some(Blue)),
+            ("pale pink", 0xffd6dc, Some(Red)),
+            ("pale green", 0xd4f2d4, Some(Green)),
+            ("a white wall", 0xe8e4dc, Some(Grey)),
             ("white", 0xffffff, None),
             ("ivory", 0xfffff8, None),
         ] {

@@ -104,7 +104,7 @@ fn is_page(path: &Path) -> anyhow::Result<bool> {
     let has = |mark: &str| head.windows(mark.len()).any(|part| part == mark.as_bytes());
     // Editors leave their own marks in what they save: Inkscape its version and its window, Illustrator a comment.
     let edited = has("sodipodi:") || has("inkscape:version") || has("Illustrator");
-    Ok(has("xmlns:tactograph=") && !edited)
+    Ok(has("<metadata>program = tactograph ") && !edited)
 }
 
 /// The file that `path` leads to over symbolic links, whether it exists or not.

@@ -29,9 +29,6 @@ pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Ve
     let mut accepted = Nearby::new(area, reach);
     let mut cleared: Vec<Trail> = Vec::new();
     for (_, number) in order {
-        if !is_worth_it(&trails[number], params) {
-            continue; // its parts are not either
-        }
         let trail = stronger_half_first(trails[number].clone());
         let taken = taken(&trail, &accepted, area, params);
         let mut add = |piece: Trail, accepted: &mut Nearby| {

@@ -70,16 +70,29 @@ impl Line {
     }
 }
 
-/// Draws the contours in `area`, the part of the sheet where `frame` puts the picture. The weightiest line comes first.
-pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Vec<Line> {
+/// The lines of a picture.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Drawn {
+    /// The weightiest line comes first.
+    pub lines: Vec<Line>,
+    /// Share of the contours' length, 0..=1, that was worth a line but lies too close to others.
+    pub crowded_out: f32,
+}
+
+/// Draws the contours in `area`, the part of the sheet where `frame` puts the picture.
+pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Drawn {
     let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).evened());
     let mut trails = join::join(trails.collect(), params.join_gap);
     trails.retain(|trail| trail.weighted_length(params) >= CRUMB * params.min_length);
     let trails = bars::merge(trails, area, params);
     // Where one side of a bar ends and the other goes on, the middle line goes on with it.
-    let trails = join::join(trails, params.join_gap);
+    let mut trails = join::join(trails, params.join_gap);
+    let length = |trails: &[Trail]| trails.iter().map(Trail::length).sum::<f32>();
+    trails.retain(|trail| trail.weighted_length(params) >= params.min_length);
+    let found = length(&trails);
     let trails = clear::clear(trails, area, params);
-    trails.iter().filter_map(|trail| weight::finish(trail, params)).collect()
+    let crowded_out = if found > 0.0 { (1.0 - length(&trails) / found).max(0.0) } else { 0.0 };
+    Drawn { lines: trails.iter().filter_map(|trail| weight::finish(trail, params)).collect(), crowded_out }
 }
 
 /// A line shorter than this share of the least length has joined nothing and will not: it is not looked at further.

@@ -1,7 +1,7 @@
 //! A page as an SVG document in true millimetres, pure black on white, with the ids and layers that other programs rely on.
 //!
 //! ```text
-//! svg > title, desc, metadata (tactograph:parameter name value)
+//! svg > title, desc, metadata (lines "name = value")
 //!   g#frame
 //!   g#figure  data-box="x y w h" (mm)  data-source="w h" (px)
 //!     g#textures > g#texture-blue ... (one path a connected region)
@@ -20,9 +20,6 @@ use svg::{Document, Node};
 use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Shape};
 use crate::units::{MmPoint, MmRect};
 
-/// Namespace of the page's own metadata.
-const NAMESPACE: &str = "urn:tactograph:page";
-
 /// The page as an SVG document. The same page gives the same bytes.
 pub fn write(page: &Page) -> String {
     let [width, height] = page.sheet.map(number);
@@ -31,7 +28,6 @@ pub fn write(page: &Page) -> String {
         .set("height", format!("{height}mm"))
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
-        .set("xmlns:tactograph", NAMESPACE)
         .set("role", "img")
         .add(Title::new(plain(&page.title)))
         .add(Description::new().set("xml:lang", "en").add(svg::node::Text::new(plain(&page.description))))
@@ -52,14 +48,11 @@ pub fn write(page: &Page) -> String {
     text
 }
 
+/// How the page was made, as lines `name = value`. Text, because Inkscape warns of every element that it does not know.
 fn metadata(origin: &[(String, String)]) -> Element {
+    let lines: Vec<String> = origin.iter().map(|(name, value)| plain(&format!("{name} = {value}"))).collect();
     let mut metadata = Element::new("metadata");
-    for (name, value) in origin {
-        let mut parameter = Element::new("tactograph:parameter");
-        parameter.assign("name", plain(name));
-        parameter.assign("value", plain(value));
-        metadata.append(parameter);
-    }
+    metadata.append(svg::node::Text::new(lines.join("\n")));
     metadata
 }
 
