@@ -18,7 +18,9 @@ pub(super) fn keep(
     let mut edges = Edges { size, points: Vec::new(), chains: Vec::new() };
     let colours = Colours { planes: lab, size, reach: params.sigma.max(1.0) };
     for chain in chains {
-        if length(points, chain) < params.min_length {
+        // Texture only takes strength away, so a chain without one step of this height never reaches it.
+        let reaches = chain.iter().any(|&number| points[number as usize].step >= params.high);
+        if !reaches || length(points, chain) < params.min_length {
             continue;
         }
         let strengths = strengths(points, chain, sides, params);

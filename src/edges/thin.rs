@@ -23,6 +23,7 @@ pub(super) struct Thinner {
     size: Size,
     sigma: f32,
     least_gradient: f32,
+    least_step: f32,
     rows: [Option<Row>; 3],
     next: u32,
     points: Vec<Ridge>,
@@ -42,8 +43,18 @@ const WIDEST: f32 = 2.5;
 
 impl Thinner {
     pub(super) fn new(size: Size, params: &Params) -> Self {
-        let least_gradient = BELOW_LOW * params.low / (std::f32::consts::TAU.sqrt() * params.sigma * WIDEST);
-        Self { size, sigma: params.sigma, least_gradient, rows: [const { None }; 3], next: 0, points: Vec::new() }
+        let least_step = BELOW_LOW * params.low;
+        // the gradient of that step when it is blurred as far as is measured
+        let least_gradient = least_step / (std::f32::consts::TAU.sqrt() * params.sigma * WIDEST);
+        Self {
+            size,
+            sigma: params.sigma,
+            least_gradient,
+            least_step,
+            rows: [const { None }; 3],
+            next: 0,
+            points: Vec::new(),
+        }
     }
 
     pub(super) fn push(&mut self, tensor: &TensorRow) {
@@ -92,6 +103,9 @@ impl Thinner {
             let normal = direction(xx, xy, yy);
             let along_axis = if upright { normal[0].abs() } else { normal[1].abs() };
             let Some((offset, step)) = peak(before, here, after, along_axis, self.sigma) else { continue };
+            if step < self.least_step {
+                continue;
+            }
             let (x, y) = (column as f32 + 0.5, row as f32 + 0.5);
             let at = if upright { PxPoint::new(x + offset, y) } else { PxPoint::new(x, y + offset) };
             self.points.push(Ridge { at, normal, step, column: column as u32, row });
