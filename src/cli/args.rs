@@ -211,9 +211,29 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
         _ => {
             let command = ["convert", "profiles"].iter().find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
-            Report::plain().usage(&format!("{}; see tactograph {help}", in_one_line(&error.to_string())));
+            let what = natural_mistake(&args, error.kind()).unwrap_or_else(|| in_one_line(&error.to_string()));
+            Report::plain().usage(&format!("{what}; see tactograph {help}"));
             Parsed::Shown(Exit::Usage)
         }
+    }
+}
+
+/// Plain words for what people do most often: a picture without a command, a command without a picture, a profile's name
+/// without `show`.
+fn natural_mistake(args: &[OsString], kind: ErrorKind) -> Option<String> {
+    let first = args.get(1)?.to_string_lossy();
+    let second = args.get(2).map(|arg| arg.to_string_lossy());
+    match (kind, &*first, second) {
+        (ErrorKind::MissingRequiredArgument, "convert", _) => Some("name a picture to convert".into()),
+        (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
+            if !name.starts_with('-') =>
+        {
+            Some(format!("there is no command profiles {name}, did you mean: tactograph profiles show {name}"))
+        }
+        (ErrorKind::InvalidSubcommand, picture, _) if picture.contains('.') || picture == "-" => {
+            Some(format!("there is no command {picture}, did you mean: tactograph convert {picture}"))
+        }
+        _ => None,
     }
 }
 

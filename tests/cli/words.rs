@@ -112,10 +112,13 @@ fn the_version_is_told() {
 #[test]
 fn wrong_usage_is_one_line_and_nothing_is_done() {
     let place = Place::with_picture("a.png");
-    let cases: [(&[&str], &str); 7] = [
+    let cases: [(&[&str], &str); 9] = [
+        (&["convert"], "name a picture to convert; see tactograph convert --help"),
+        (&["a.png"], "there is no command a.png, did you mean: tactograph convert a.png; see tactograph --help"),
         (
-            &["convert"],
-            "the following required arguments were not provided: <PICTURE>...; see tactograph convert --help",
+            &["profiles", "swell-a4"],
+            "there is no command profiles swell-a4, did you mean: tactograph profiles show swell-a4; see tactograph \
+             profiles --help",
         ),
         (
             &["convert", "a.png", "--qiet"],
