@@ -60,3 +60,21 @@ fn two_pictures_for_one_page_are_refused() {
     place.refuses(&["convert", "a.png", "a.png"], 2, &["a.png: this picture is given more than once; give it once"]);
     assert_eq!(place.names(), ["a.jpg", "a.png", "d"], "something was written");
 }
+
+#[test]
+fn pictures_side_by_side_give_the_pages_that_each_gives_alone() {
+    let place = Place::new();
+    let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+    let names = ["coffee.png", "rocket.jpg", "landscape.svg", "bars.svg"];
+    for name in names {
+        place.put(name, &std::fs::read(samples.join(name)).expect("a sample"));
+    }
+    let together = place.run(&[&["convert", "--quiet", "--out-dir", "together"], &names[..]].concat());
+    assert_eq!((together.code, together.err.as_str()), (0, ""));
+    for name in names {
+        assert_eq!(place.run(&["convert", "--quiet", "--out-dir", "alone", name]).code, 0);
+        let page = std::path::Path::new(name).with_extension("svg");
+        let text = |folder: &str| place.text(&format!("{folder}/{}", page.display()));
+        assert!(text("together") == text("alone"), "{name}: side by side the page is another one");
+    }
+}
