@@ -34,19 +34,22 @@ pub(crate) fn render(scene: &Scene, psf: f64) -> Clean {
     let channels = if scene.colour { 3 } else { 1 };
     let mut planes = vec![vec![0.0f32; fine[0] * fine[1]]; channels];
 
-    let mut paint = |at: usize, fill: &Fill, share: f32| {
-        let colour = match fill {
-            Fill::Flat(colour) => *colour,
-            Fill::Varying(colour) => colour([from_fine(at % fine[0]), from_fine(at / fine[0])]),
-        };
-        for (plane, value) in planes.iter_mut().zip(colour) {
-            plane[at] += share * (value as f32 - plane[at]);
-        }
+    let colour_at = |fill: &Fill, at: usize| match fill {
+        Fill::Flat(colour) => *colour,
+        Fill::Varying(colour) => colour([from_fine(at % fine[0]), from_fine(at / fine[0])]),
     };
-    (0..fine[0] * fine[1]).for_each(|at| paint(at, &scene.paper, 1.0));
+    for at in 0..fine[0] * fine[1] {
+        planes.iter_mut().zip(colour_at(&scene.paper, at)).for_each(|(plane, value)| plane[at] = value as f32);
+    }
     for layer in &scene.layers {
         let outline: Vec<P> = layer.outline.iter().map(|&p| to_fine(p)).collect();
-        each_covered_cell(&outline, fine, |at, share| paint(at, &layer.fill, share));
+        each_covered_cell(&outline, fine, |at, share| {
+            let paper = colour_at(&scene.paper, at);
+            for ((plane, value), paper) in planes.iter_mut().zip(colour_at(&layer.fill, at)).zip(paper) {
+                let below = if scene.side_by_side { paper as f32 } else { plane[at] };
+                plane[at] += share * (value as f32 - below);
+            }
+        });
     }
     Clean { size: scene.size, planes: planes.iter().map(|plane| lens.apply(plane, fine, scene.size)).collect() }
 }
@@ -185,4 +188,81 @@ pub(crate) fn erf(x: f64) -> f64 {
     let fit = FIT.iter().rev().fold(0.0, |sum, c| sum * t + c);
     let tail = t * (fit - x * x).exp();
     if x >= 0.0 { 1.0 - tail } else { tail - 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Family;
+    use crate::shapes;
+
+    fn sheet(size: [usize; 2]) -> Scene {
+        Scene::new(String::new(), Family::Flat, size, Fill::grey(50.0))
+    }
+
+    #[test]
+    fn a_covered_area_is_exact() {
+        let (outline, _) = shapes::ellipse([20.3, 19.1], 11.0, 7.0, shapes::direction(33.0));
+        let mut area = 0.0;
+        each_covered_cell(&outline, [40, 40], |_, share| area += f64::from(share));
+        let want = std::f64::consts::PI * 11.0 * 7.0;
+        assert!((area - want).abs() < 1e-3 * want, "{area} is not {want}");
+        // a disc's light survives the lens
+        let scene = sheet([60, 60]).paint(shapes::ellipse([29.6, 30.2], 12.5, 12.5, [1.0, 0.0]).0, Fill::grey(150.0));
+        let light: f64 = render(&scene, 1.0).planes[0].iter().map(|&v| f64::from(v) - 50.0).sum();
+        let want = 100.0 * std::f64::consts::PI * 12.5 * 12.5;
+        assert!((light - want).abs() < 1e-4 * want, "{light} is not {want}");
+    }
+
+    #[test]
+    fn outlines_that_leave_the_sheet_are_cut_off_at_its_border() {
+        let mut area = 0.0;
+        each_covered_cell(&[[-5.0, -3.0], [4.0, -3.0], [4.0, 2.5], [-5.0, 2.5]], [10, 10], |_, s| area += s);
+        assert!((area - 10.0).abs() < 1e-5);
+        area = 0.0;
+        each_covered_cell(&[[7.0, -9.0], [70.0, -9.0], [70.0, 90.0], [7.0, 90.0]], [10, 10], |_, s| area += s);
+        assert!((area - 30.0).abs() < 1e-5);
+        each_covered_cell(&[[1.0, 12.0], [5.0, 12.0], [5.0, 19.0]], [10, 10], |_, _| panic!("below the sheet"));
+    }
+
+    #[test]
+    fn a_straight_step_has_the_values_of_the_exact_integral() {
+        for (degrees, at) in [(0.0, [20.0, 20.13]), (90.0, [19.77, 20.0]), (27.0, [20.4, 19.9]), (135.0, [20.1, 20.2])]
+        {
+            for psf in [0.7, 1.0, 2.0] {
+                let along = shapes::direction(degrees);
+                let scene = sheet([40, 40]).paint(shapes::half_plane(at, along), Fill::grey(150.0));
+                let clean = render(&scene, psf);
+                for (i, &value) in clean.planes[0].iter().enumerate() {
+                    let want = 50.0 + 100.0 * share(i, at, along, psf);
+                    let off = (f64::from(value) - want).abs();
+                    assert!(off < 0.5, "{degrees} degrees, psf {psf}, pixel {i}: {value} is not {want}");
+                }
+            }
+        }
+    }
+
+    /// The share of a pixel beyond a line, by adding up points of a pixel under the Gaussian's integral.
+    fn share(pixel: usize, at: P, along: P, psf: f64) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..256 {
+            let x = (pixel % 40) as f64 + (f64::from(i % 16) + 0.5) / 16.0;
+            let y = (pixel / 40) as f64 + (f64::from(i / 16) + 0.5) / 16.0;
+            let across = -(x - at[0]) * along[1] + (y - at[1]) * along[0];
+            sum += 0.5 + 0.5 * erf(across / psf / 2f64.sqrt());
+        }
+        sum / 256.0
+    }
+
+    #[test]
+    fn noise_has_the_deviation_it_is_asked_for() {
+        let clean = Clean { size: [200, 200], planes: vec![vec![128.0; 40_000]] };
+        for (per_channel, seed) in [(false, 1), (true, 2)] {
+            let shot = clean.shot(10.0, per_channel, seed);
+            let spread = shot.rgb.iter().map(|&v| (f64::from(v) - 128.0).powi(2)).sum::<f64>() / 120_000.0;
+            assert!((spread.sqrt() - 10.0).abs() < 0.15, "{}", spread.sqrt());
+            let alike = shot.rgb.chunks_exact(3).filter(|rgb| rgb[0] == rgb[1]).count();
+            assert_eq!(alike == 40_000, !per_channel);
+        }
+    }
 }

@@ -4,8 +4,9 @@
 //! nearer than [`BORDER`] to the picture's border is not judged, traced or true.
 
 use crate::near::Near;
-use crate::scene::{P, Scene};
-use crate::shapes::SPACING;
+use crate::scene::{Curve, Family, P, Scene};
+use crate::shapes::{SPACING, moved};
+use crate::sums::{STEP_CLASS, Sums, rank_correlation};
 
 /// Width of the strip along the picture's border that is not judged, px.
 const BORDER: f64 = 10.0;
@@ -16,6 +17,8 @@ const GATE: f64 = 2.0;
 const RIGHT: f64 = 1.0;
 /// A chain is a piece of a contour if this much of it lies on the contour, px.
 const PIECE: f64 = 3.0;
+/// How far around a junction its branches are looked at, px.
+const BRANCH: f64 = 8.0;
 /// A ring is closed if one closed chain covers this share of it.
 const COVERED: f64 = 0.9;
 
@@ -25,71 +28,6 @@ pub(crate) struct Traced {
     pub(crate) closed: bool,
     pub(crate) points: Vec<P>,
     pub(crate) strength: Vec<f64>,
-}
-
-/// Sums over scenes; the quotients are made at the end.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Sums {
-    /// Distances of traced places to the truth, those within [`GATE`].
-    pub(crate) errors: Vec<f32>,
-    pub(crate) true_length: f64,
-    pub(crate) found_length: f64,
-    pub(crate) traced_length: f64,
-    pub(crate) right_length: f64,
-    /// Contours that were found at all, and chains on them.
-    pub(crate) contours: f64,
-    pub(crate) pieces: f64,
-    pub(crate) rings: f64,
-    pub(crate) closed_rings: f64,
-    /// Distances from true corners and junctions to the nearest traced line.
-    pub(crate) corners: Vec<f64>,
-    pub(crate) junctions: Vec<f64>,
-    /// All traced length and the area, px; of use where nothing is true.
-    pub(crate) all_length: f64,
-    pub(crate) area: f64,
-}
-
-impl Sums {
-    pub(crate) fn add(&mut self, other: &Self) {
-        self.errors.extend(&other.errors);
-        self.corners.extend(&other.corners);
-        self.junctions.extend(&other.junctions);
-        for (to, from) in [
-            (&mut self.true_length, other.true_length),
-            (&mut self.found_length, other.found_length),
-            (&mut self.traced_length, other.traced_length),
-            (&mut self.right_length, other.right_length),
-            (&mut self.contours, other.contours),
-            (&mut self.pieces, other.pieces),
-            (&mut self.rings, other.rings),
-            (&mut self.closed_rings, other.closed_rings),
-            (&mut self.all_length, other.all_length),
-            (&mut self.area, other.area),
-        ] {
-            *to += from;
-        }
-    }
-
-    /// Root of the mean square distance of traced places to the truth.
-    pub(crate) fn rms(&self) -> f64 {
-        let squares: f64 = self.errors.iter().map(|&e| f64::from(e).powi(2)).sum();
-        (squares / self.errors.len() as f64).sqrt()
-    }
-
-    /// The distance that 95 of 100 traced places do not exceed.
-    pub(crate) fn p95(&self) -> f64 {
-        let mut errors = self.errors.clone();
-        let place = (0.95 * errors.len() as f64) as usize;
-        if errors.is_empty() {
-            return f64::NAN;
-        }
-        f64::from(*errors.select_nth_unstable_by(place, f32::total_cmp).1)
-    }
-
-    /// Mean of a list; not a number if it is empty.
-    pub(crate) fn mean(list: &[f64]) -> f64 {
-        list.iter().sum::<f64>() / list.len() as f64
-    }
 }
 
 /// A place on a traced line, standing for `length` of it.
@@ -133,20 +71,23 @@ pub(crate) fn measure(scene: &Scene, lines: &[Traced]) -> Sums {
     }
 
     let near_traced = Near::new(traced.iter().map(|place| place.at).collect(), scene.size, GATE);
+    let found = |p: P, tolerance: f64| near_traced.nearest(p).filter(|(_, distance)| *distance <= tolerance);
+    let mut steps = Vec::new(); // true step and strength
     for (c, curve) in scene.curves.iter().enumerate() {
-        let (mut length, mut found) = (0.0, 0.0);
-        for (i, &p) in curve.points.iter().enumerate() {
-            if !judged(p) {
-                continue;
-            }
-            let step = spacing(curve, i);
-            length += step;
-            if near_traced.nearest(p).is_some_and(|(_, distance)| distance <= scene.tolerance) {
-                found += step;
+        let mut length = 0.0;
+        for (i, &p) in curve.points.iter().enumerate().filter(|(_, p)| judged(**p)) {
+            let spacing = spacing(curve, i);
+            length += spacing;
+            let class = (curve.contrast[i] / STEP_CLASS).round() as usize;
+            let class = &mut sums.by_step[class.min(23)];
+            class[0] += spacing;
+            if let Some((place, _)) = found(p, scene.tolerance) {
+                sums.found_length += spacing;
+                class[1] += spacing;
+                steps.push((curve.contrast[i], traced[place].strength));
             }
         }
         sums.true_length += length;
-        sums.found_length += found;
         let pieces = on.iter().filter(|on| on[c] >= PIECE).count();
         if pieces > 0 {
             sums.contours += 1.0;
@@ -158,13 +99,23 @@ pub(crate) fn measure(scene: &Scene, lines: &[Traced]) -> Sums {
             sums.closed_rings += f64::from(u8::from(closed));
         }
     }
+    if scene.family == Family::Ramp {
+        sums.ranks.push(if steps.len() > 100 { rank_correlation(&steps) } else { 0.0 });
+    }
     sums.corners = scene.corners.iter().map(|&corner| distance_to_lines(&all, corner)).collect();
-    sums.junctions = scene.junctions.iter().map(|&at| distance_to_lines(&all, at)).collect();
+    sums.junctions = scene.junctions.iter().map(|junction| distance_to_lines(&all, junction.at)).collect();
+    for junction in &scene.junctions {
+        for along in &junction.branches {
+            let places = (0..(BRANCH / SPACING) as usize).map(|i| (i as f64 + 0.5) * SPACING);
+            let missing = places.filter(|&t| found(moved(junction.at, *along, t, 0.0), RIGHT).is_none()).count();
+            sums.branches.push(missing as f64 * SPACING);
+        }
+    }
     sums
 }
 
 /// The length that point `i` of a true curve stands for.
-fn spacing(curve: &crate::scene::Curve, i: usize) -> f64 {
+fn spacing(curve: &Curve, i: usize) -> f64 {
     let n = curve.points.len();
     let next = if i + 1 < n {
         i + 1
@@ -235,4 +186,70 @@ fn distance_to_piece(p: P, a: P, b: P) -> f64 {
     let square = along[0] * along[0] + along[1] * along[1];
     let t = if square > 0.0 { ((to[0] * along[0] + to[1] * along[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
     (to[0] - t * along[0]).hypot(to[1] - t * along[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Fill;
+    use crate::shapes::{ellipse, whole_line};
+
+    fn close(got: f64, want: f64, within: f64) {
+        assert!((got - want).abs() <= within, "{got} is not {want}");
+    }
+
+    /// A straight edge at y = 50 in a sheet of 100 x 100, of which x and y from 10 to 90 are judged.
+    fn straight() -> Scene {
+        let truth = whole_line([50.0, 50.0], [1.0, 0.0], [100, 100]);
+        Scene::new(String::new(), Family::Straight, [100, 100], Fill::grey(0.0)).contour(truth, false, 40.0)
+    }
+
+    fn line(points: &[P]) -> Traced {
+        Traced { closed: false, points: points.to_vec(), strength: vec![1.0; points.len()] }
+    }
+
+    #[test]
+    fn a_line_beside_the_truth_is_off_by_its_distance() {
+        let sums = measure(&straight(), &[line(&[[0.0, 50.3], [100.0, 50.3]])]);
+        close(sums.rms(), 0.3, 1e-6);
+        close(sums.p95(), 0.3, 1e-6);
+        close(sums.found_length / sums.true_length, 1.0, 1e-9);
+        close(sums.right_length / sums.traced_length, 1.0, 1e-9);
+        close(sums.true_length, 80.0, 0.3);
+        close(sums.traced_length, 80.0, 0.3);
+        close(sums.pieces / sums.contours, 1.0, 0.0);
+    }
+
+    #[test]
+    fn gaps_cost_recall_and_false_lines_precision() {
+        let lines = [
+            line(&[[0.0, 50.0], [40.0, 50.0]]),
+            line(&[[60.0, 50.0], [90.0, 50.0]]),
+            line(&[[20.0, 20.0], [40.0, 20.0]]),
+        ];
+        let sums = measure(&straight(), &lines);
+        close(sums.found_length / sums.true_length, 62.0 / 80.0, 0.01); // a pixel beyond each end counts as found
+        close(sums.right_length / sums.traced_length, 60.0 / 80.0, 0.01);
+        close(sums.pieces / sums.contours, 2.0, 0.0);
+    }
+
+    #[test]
+    fn a_ring_is_closed_only_if_one_closed_chain_covers_it() {
+        let (_, truth) = ellipse([50.0, 50.0], 30.0, 30.0, [1.0, 0.0]);
+        let scene = Scene::new(String::new(), Family::LargeDisc, [100, 100], Fill::grey(0.0)).contour(
+            truth.clone(),
+            true,
+            40.0,
+        );
+        let mut ring = line(&truth);
+        ring.points.push(truth[0]);
+        ring.strength.push(1.0);
+        for closed in [false, true] {
+            let sums = measure(&scene, &[Traced { closed, ..ring.clone() }]);
+            close(sums.closed_rings / sums.rings, f64::from(u8::from(closed)), 0.0);
+            close(sums.true_length, std::f64::consts::TAU * 30.0, 0.01);
+        }
+        let half = Traced { closed: true, points: ring.points[..200].to_vec(), strength: vec![1.0; 200] };
+        close(measure(&scene, &[half]).closed_rings, 0.0, 0.0);
+    }
 }

@@ -97,6 +97,12 @@ pub(crate) struct Curve {
     pub(crate) contrast: Vec<f64>,
 }
 
+/// A place where contours meet, and the unit vectors along which they leave it.
+pub(crate) struct Junction {
+    pub(crate) at: P,
+    pub(crate) branches: Vec<P>,
+}
+
 /// A picture's recipe and what a perfect detector would find in it.
 pub(crate) struct Scene {
     pub(crate) name: String,
@@ -106,9 +112,12 @@ pub(crate) struct Scene {
     pub(crate) colour: bool,
     pub(crate) paper: Fill,
     pub(crate) layers: Vec<Layer>,
+    /// Whether the layers lie beside one another on the paper, none over another. Then two that share a cell fill it
+    /// without the paper between them.
+    pub(crate) side_by_side: bool,
     pub(crate) curves: Vec<Curve>,
     pub(crate) corners: Vec<P>,
-    pub(crate) junctions: Vec<P>,
+    pub(crate) junctions: Vec<Junction>,
     /// How near a traced line must be for a true point to count as found, px: 1, less where true contours are closer.
     pub(crate) tolerance: f64,
 }
@@ -123,6 +132,7 @@ impl Scene {
             colour: false,
             paper,
             layers: Vec::new(),
+            side_by_side: false,
             curves: Vec::new(),
             corners: Vec::new(),
             junctions: Vec::new(),

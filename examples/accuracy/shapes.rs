@@ -13,7 +13,7 @@ pub(crate) fn direction(degrees: f64) -> P {
     [cos, sin]
 }
 
-/// `from` moved by `by` along `along` and by `across` to its left (y down: to the right as seen).
+/// `from` moved by `by` along `along` and by `across` to its right as seen (y runs down).
 pub(crate) fn moved(from: P, along: P, by: f64, across: f64) -> P {
     [from[0] + by * along[0] - across * along[1], from[1] + by * along[1] + across * along[0]]
 }

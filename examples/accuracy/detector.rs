@@ -1,0 +1,70 @@
+//! The detector under test: from a camera's bytes to traced lines, and its time.
+
+use std::time::Instant;
+
+use tactograph::edges::{self, Edges, Params};
+use tactograph::raster::Raster;
+use tactograph::units::Size;
+
+use crate::draw::Picture;
+use crate::measure::Traced;
+
+/// Runs over the mosaic; the table shows the middle one and the fastest.
+const RUNS: usize = 7;
+
+/// Milliseconds for a megapixel, on one thread.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Time {
+    pub(crate) median: f64,
+    pub(crate) best: f64,
+}
+
+/// The lines that the edges of this project are.
+pub(crate) fn trace(picture: &Picture, params: &Params) -> Vec<Traced> {
+    traced(&edges::find(&raster(picture), params))
+}
+
+/// Edges as traced lines.
+pub(crate) fn traced(edges: &Edges) -> Vec<Traced> {
+    edges
+        .chains()
+        .map(|chain| Traced {
+            closed: chain.len() > 2 && chain.first().map(|p| p.at) == chain.last().map(|p| p.at),
+            points: chain.iter().map(|p| [f64::from(p.at.x), f64::from(p.at.y)]).collect(),
+            strength: chain.iter().map(|p| f64::from(p.strength)).collect(),
+        })
+        .collect()
+}
+
+/// Time of the edges alone: from linear light, as the decoder hands it over, to linked lines.
+pub(crate) fn time(picture: &Picture, params: &Params) -> Time {
+    let raster = raster(picture);
+    timed(picture, || drop(std::hint::black_box(edges::find(&raster, params))))
+}
+
+/// Time of a job on this picture.
+pub(crate) fn timed(picture: &Picture, mut job: impl FnMut()) -> Time {
+    job(); // pages and caches are warm after this
+    let mut times: Vec<f64> = (0..RUNS)
+        .map(|_| {
+            let start = Instant::now();
+            job();
+            1e9 * start.elapsed().as_secs_f64() / (picture.size[0] * picture.size[1]) as f64
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    Time { median: times[RUNS / 2], best: times[0] }
+}
+
+/// Linear light from sRGB bytes, as the decoder makes it (the curve of IEC 61966-2-1).
+pub(crate) fn raster(picture: &Picture) -> Raster {
+    let linear: Vec<f32> = (0..=255)
+        .map(|code| {
+            let encoded = f64::from(code) / 255.0;
+            if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+        })
+        .map(|light| light as f32)
+        .collect();
+    let plane = |channel: usize| picture.rgb.iter().skip(channel).step_by(3).map(|&v| linear[v as usize]).collect();
+    Raster::colour(Size::new(picture.size[0] as u32, picture.size[1] as u32), [plane(0), plane(1), plane(2)])
+}
