@@ -12,6 +12,9 @@ pub(crate) struct Args {
     pub(crate) families: bool,
     pub(crate) colour_noise: bool,
     pub(crate) csv: Option<PathBuf>,
+    pub(crate) export: Option<PathBuf>,
+    pub(crate) peers: Option<PathBuf>,
+    pub(crate) sweep: Option<PathBuf>,
 }
 
 impl Args {
@@ -27,6 +30,9 @@ impl Args {
             families: false,
             colour_noise: false,
             csv: None,
+            export: None,
+            peers: None,
+            sweep: None,
         };
         while let Some(word) = words.next() {
             let mut value = || words.next().ok_or(format!("{word} needs a value"));
@@ -40,6 +46,9 @@ impl Args {
                 "--all" => args.all = true,
                 "--family" => args.families = true,
                 "--colour-noise" => args.colour_noise = true,
+                "--export" => args.export = Some(value()?.into()),
+                "--peers" => args.peers = Some(value()?.into()),
+                "--sweep" => args.sweep = Some("docs/accuracy".into()),
                 "--csv" => args.csv = Some(value()?.into()),
                 _ => return Err(format!("{word} is not known; see the head of examples/accuracy/main.rs")),
             }

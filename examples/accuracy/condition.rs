@@ -17,6 +17,9 @@ pub(crate) struct Condition {
 /// Point spreads of `--all`, px; the first is that of the targets.
 pub(crate) const PSFS: [f64; 3] = [0.7, 1.0, 2.0];
 
+/// Where the time is measured.
+pub(crate) const TIMED: Condition = Condition::new(0.7, 5.0, false);
+
 impl Condition {
     const fn new(psf: f64, noise: f64, per_channel: bool) -> Self {
         Self { psf, noise, per_channel }

@@ -122,8 +122,8 @@ impl Figure {
 }
 
 /// A table of the families by themselves, for one detector.
-pub(crate) fn families(condition: Condition, by_family: &BTreeMap<Family, Sums>) -> String {
-    let mut text = format!("\nPoint spread {} px, noise {}.\n\n", condition.psf, condition.label());
+pub(crate) fn families(name: &str, condition: Condition, by_family: &BTreeMap<Family, Sums>) -> String {
+    let mut text = format!("\n{name}, point spread {} px, noise {}.\n\n", condition.psf, condition.label());
     text += "| family | RMS | p95 | recall | precision | pieces | closed | length | px/MP |\n";
     text += "|---|---|---|---|---|---|---|---|---|\n";
     for (family, s) in by_family {
