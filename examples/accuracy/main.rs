@@ -8,12 +8,14 @@ mod draw;
 mod measure;
 mod near;
 mod peers;
+mod plot;
 mod report;
 mod rng;
 mod scene;
 mod scenes;
 mod shapes;
 mod sums;
+mod sweep;
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -64,6 +66,10 @@ fn main() -> Result<(), Box<dyn Error>> {
                     column.results.push((condition, score(traced.into_iter())));
                 }
             }
+        }
+        if let Some(folder) = &args.sweep {
+            sweep::sweep(folder, &scenes, &clean, &args.params, &columns[1..])?;
+            return Ok(());
         }
         if args.export.is_none() {
             print!("{}", report::table(psf, &columns));

@@ -19,6 +19,9 @@ const RIGHT: f64 = 1.0;
 const PIECE: f64 = 3.0;
 /// How far around a junction its branches are looked at, px.
 const BRANCH: f64 = 8.0;
+/// Strength is compared with the true step by the means over stretches of a contour of about this length, px: a line's
+/// width, which is made of it, is smoothed along the line as well.
+const STRETCH: f64 = 10.0;
 /// A ring is closed if one closed chain covers this share of it.
 const COVERED: f64 = 0.9;
 
@@ -35,6 +38,15 @@ struct Place {
     at: P,
     length: f64,
     chain: usize,
+    strength: f64,
+}
+
+/// Sums over the found places of a stretch of a true contour.
+struct Stretch {
+    /// Which contour, and which of its stretches.
+    number: (usize, usize),
+    places: f64,
+    step: f64,
     strength: f64,
 }
 
@@ -72,7 +84,7 @@ pub(crate) fn measure(scene: &Scene, lines: &[Traced]) -> Sums {
 
     let near_traced = Near::new(traced.iter().map(|place| place.at).collect(), scene.size, GATE);
     let found = |p: P, tolerance: f64| near_traced.nearest(p).filter(|(_, distance)| *distance <= tolerance);
-    let mut steps = Vec::new(); // true step and strength
+    let mut steps: Vec<Stretch> = Vec::new();
     for (c, curve) in scene.curves.iter().enumerate() {
         let mut length = 0.0;
         for (i, &p) in curve.points.iter().enumerate().filter(|(_, p)| judged(**p)) {
@@ -84,7 +96,15 @@ pub(crate) fn measure(scene: &Scene, lines: &[Traced]) -> Sums {
             if let Some((place, _)) = found(p, scene.tolerance) {
                 sums.found_length += spacing;
                 class[1] += spacing;
-                steps.push((curve.contrast[i], traced[place].strength));
+                let number = (c, (i as f64 * SPACING / STRETCH) as usize);
+                if steps.last().is_none_or(|stretch| stretch.number != number) {
+                    steps.push(Stretch { number, places: 0.0, step: 0.0, strength: 0.0 });
+                }
+                if let Some(stretch) = steps.last_mut() {
+                    stretch.places += 1.0;
+                    stretch.step += curve.contrast[i];
+                    stretch.strength += traced[place].strength;
+                }
             }
         }
         sums.true_length += length;
@@ -100,7 +120,8 @@ pub(crate) fn measure(scene: &Scene, lines: &[Traced]) -> Sums {
         }
     }
     if scene.family == Family::Ramp {
-        sums.ranks.push(if steps.len() > 100 { rank_correlation(&steps) } else { 0.0 });
+        let pairs: Vec<_> = steps.iter().map(|s| (s.step / s.places, s.strength / s.places)).collect();
+        sums.ranks.push(if pairs.len() > 5 { rank_correlation(&pairs) } else { 0.0 });
     }
     sums.corners = scene.corners.iter().map(|&corner| distance_to_lines(&all, corner)).collect();
     sums.junctions = scene.junctions.iter().map(|junction| distance_to_lines(&all, junction.at)).collect();

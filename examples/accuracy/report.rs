@@ -110,9 +110,7 @@ fn time(time: Option<Time>) -> String {
 
 impl Figure {
     fn value(&self, by_family: &BTreeMap<Family, Sums>) -> f64 {
-        let mut sums = Sums::default();
-        self.families.iter().filter_map(|family| by_family.get(family)).for_each(|family| sums.add(family));
-        (self.value)(&sums)
+        (self.value)(&Sums::over(by_family, self.families))
     }
 
     fn text(&self, by_family: &BTreeMap<Family, Sums>) -> String {

@@ -26,6 +26,7 @@ pub(crate) enum Family {
 }
 
 impl Family {
+    #[cfg(test)]
     pub(crate) const ALL: [Self; 15] = [
         Self::Straight,
         Self::SmallDisc,

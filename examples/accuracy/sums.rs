@@ -1,5 +1,9 @@
 //! What is summed over scenes, and the figures made of it. Lengths and distances in pixels.
 
+use std::collections::BTreeMap;
+
+use crate::scene::Family;
+
 /// Width of the classes of true steps, code values; class 0 is around 0.
 pub(crate) const STEP_CLASS: f64 = 4.0;
 
@@ -55,6 +59,13 @@ impl Sums {
         ] {
             *to += from;
         }
+    }
+
+    /// The sums of several families in one.
+    pub(crate) fn over(by_family: &BTreeMap<Family, Self>, families: &[Family]) -> Self {
+        let mut sums = Self::default();
+        families.iter().filter_map(|family| by_family.get(family)).for_each(|family| sums.add(family));
+        sums
     }
 
     /// Share of the true length that is found.

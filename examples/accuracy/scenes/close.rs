@@ -1,6 +1,6 @@
 //! Contours that meet or lie near one another.
 
-use super::{greys, middle, start};
+use super::{STEPS, greys, middle, start};
 use crate::scene::{Family, Fill, Junction, Scene};
 use crate::shapes::{direction, half_plane, line, moved, strip, wedge, whole_line};
 
@@ -50,7 +50,7 @@ pub(super) fn bar(number: usize) -> Scene {
     let (mut rng, name) = start(Family::Bar, number);
     let size = [140, 140];
     let width = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0][number % 7];
-    let [paper, ink] = greys(&mut rng, number / 2 + 1);
+    let [paper, ink] = greys(&mut rng, STEPS, number / 2 + 1);
     let (at, along) = (middle(&mut rng, size), direction(rng.between(0.0, 180.0)));
     let first = moved(at, along, 0.0, -0.5 * width);
     let second = moved(at, along, 0.0, 0.5 * width);

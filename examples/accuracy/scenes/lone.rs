@@ -1,6 +1,6 @@
 //! One contour to a scene: straight, round, wavy, with corners, fading, of equal lightness.
 
-use super::{greys, middle, start};
+use super::{FAINT_STEPS, STEPS, greys, middle, start};
 use crate::rng::Rng;
 use crate::scene::{Curve, Family, Fill, P, Scene};
 use crate::shapes::{self, direction, half_plane, moved, sides, whole_line};
@@ -9,7 +9,7 @@ use crate::shapes::{self, direction, half_plane, moved, sides, whole_line};
 pub(super) fn straight(number: usize) -> Scene {
     let (mut rng, name) = start(Family::Straight, number);
     let size = [160, 160];
-    let [paper, ink] = greys(&mut rng, number);
+    let [paper, ink] = greys(&mut rng, FAINT_STEPS, number);
     let (at, along) = (middle(&mut rng, size), direction(5.0 * number as f64));
     Scene::new(name, Family::Straight, size, Fill::grey(paper)).paint(half_plane(at, along), Fill::grey(ink)).contour(
         whole_line(at, along, size),
@@ -22,7 +22,7 @@ pub(super) fn disc(number: usize, radius: f64) -> Scene {
     let family = if radius <= 30.0 { Family::SmallDisc } else { Family::LargeDisc };
     let (mut rng, name) = start(family, number);
     let size = [2 * radius.ceil() as usize + 40; 2];
-    let [paper, ink] = greys(&mut rng, number);
+    let [paper, ink] = greys(&mut rng, STEPS, number);
     let (outline, truth) = shapes::ellipse(middle(&mut rng, size), radius, radius, [1.0, 0.0]);
     Scene::new(format!("{name}-r{radius}"), family, size, Fill::grey(paper)).paint(outline, Fill::grey(ink)).contour(
         truth,
@@ -31,13 +31,13 @@ pub(super) fn disc(number: usize, radius: f64) -> Scene {
     )
 }
 
-/// Half axes 20 to 70 px, up to 5 to 1.
+/// Half axes 15 to 79 px, up to 3 to 1.
 pub(super) fn ellipse(number: usize) -> Scene {
     let (mut rng, name) = start(Family::Ellipse, number);
-    let long = 30.0 + 5.0 * number as f64;
-    let short = long / [1.5, 2.0, 3.0, 5.0][number % 4];
+    let long = 30.0 + 7.0 * number as f64;
+    let short = long / [1.5, 2.0, 1.2, 3.0][number % 4];
     let size = [2 * long as usize + 40; 2];
-    let [paper, ink] = greys(&mut rng, number / 2);
+    let [paper, ink] = greys(&mut rng, STEPS, number / 2);
     let along = direction(rng.between(0.0, 180.0));
     let (outline, truth) = shapes::ellipse(middle(&mut rng, size), long, short, along);
     Scene::new(name, Family::Ellipse, size, Fill::grey(paper)).paint(outline, Fill::grey(ink)).contour(
@@ -51,7 +51,7 @@ pub(super) fn ellipse(number: usize) -> Scene {
 pub(super) fn sine(number: usize) -> Scene {
     let (mut rng, name) = start(Family::Sine, number);
     let size = [200, 160];
-    let [paper, ink] = greys(&mut rng, number);
+    let [paper, ink] = greys(&mut rng, STEPS, number);
     let wavelength = [40.0, 50.0, 60.0, 80.0, 64.0, 100.0][number];
     let amplitude = [5.0, 7.0, 12.0, 14.0, 4.0, 30.0][number];
     let along = direction(rng.between(-15.0, 15.0));
@@ -67,7 +67,7 @@ pub(super) fn sine(number: usize) -> Scene {
 pub(super) fn polygon(number: usize) -> Scene {
     let (mut rng, name) = start(Family::Polygon, number);
     let size = [180, 180];
-    let [paper, ink] = greys(&mut rng, number);
+    let [paper, ink] = greys(&mut rng, STEPS, number);
     let sharp = [30.0, 40.0, 50.0, 60.0, 75.0, 90.0][number % 6];
     let (centre, turn) = (middle(&mut rng, size), rng.between(0.0, 180.0));
     let half = 0.5 * f64::to_radians(sharp);

@@ -12,7 +12,7 @@ pub(super) fn flat(number: usize) -> Scene {
     Scene::new(name, Family::Flat, [SIDE; 2], Fill::grey([60.0, 128.0, 200.0][number]))
 }
 
-/// Light that falls off smoothly, at most 3 code values from pixel to pixel.
+/// Light that falls off smoothly, at most 2.5 code values from pixel to pixel.
 pub(super) fn shading(number: usize) -> Scene {
     let (_, name) = start(Family::Shading, number);
     let side = SIDE as f64;
@@ -20,7 +20,7 @@ pub(super) fn shading(number: usize) -> Scene {
     let fill: Box<dyn Fn(P) -> [f64; 3]> = match number {
         0 => Box::new(move |p| [40.0 + 170.0 * p[0] / side; 3]),
         1 => Box::new(move |p| [230.0 - 200.0 * ((p[0] - 90.0).hypot(p[1] - 100.0) / side).powi(2).min(1.0); 3]),
-        2 => Box::new(move |p| [128.0 + 60.0 * (tau * (0.8 * p[0] + 0.6 * p[1]) / 128.0).sin(); 3]),
+        2 => Box::new(move |p| [128.0 + 50.0 * (tau * (0.8 * p[0] + 0.6 * p[1]) / 128.0).sin(); 3]),
         // a sky: from blue to the orange near the horizon
         _ => Box::new(move |p| {
             let t = p[1] / side;
