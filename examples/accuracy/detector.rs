@@ -11,6 +11,8 @@ use crate::measure::Traced;
 
 /// Runs over the mosaic; the table shows the middle one and the fastest.
 const RUNS: usize = 7;
+/// A run repeats the job until about this many seconds have passed: the system counts a thread's work in steps of 4 ms.
+const LEAST: f64 = 0.12;
 
 /// Milliseconds for a megapixel, on one thread.
 #[derive(Debug, Clone, Copy)]
@@ -44,14 +46,17 @@ pub(crate) fn time(picture: &Picture, params: &Params) -> Time {
 
 /// Time of a job on this picture.
 pub(crate) fn timed(picture: &Picture, mut job: impl FnMut()) -> Time {
-    job(); // pages and caches are warm after this
-    let mut times: Vec<f64> = (0..RUNS)
-        .map(|_| {
-            let start = Clock::start();
-            job();
-            1e9 * start.seconds() / (picture.size[0] * picture.size[1]) as f64
-        })
-        .collect();
+    let megapixels = 1e-6 * (picture.size[0] * picture.size[1]) as f64;
+    let mut seconds_of = |times: usize| {
+        let clock = Clock::start();
+        (0..times).for_each(|_| job());
+        clock.seconds() / times as f64
+    };
+    seconds_of(1); // pages and caches are warm after this
+    let wall = Instant::now();
+    let once = seconds_of(1).max(wall.elapsed().as_secs_f64()).max(1e-4);
+    let repeats = (LEAST / once).ceil() as usize;
+    let mut times: Vec<f64> = (0..RUNS).map(|_| 1e3 * seconds_of(repeats) / megapixels).collect();
     times.sort_by(f64::total_cmp);
     Time { median: times[RUNS / 2], best: times[0] }
 }

@@ -1,10 +1,12 @@
-"""Detectors of edges that others use, on the pictures of the accuracy benchmark.
+r"""Detectors of edges that others use, on the pictures of the accuracy benchmark.
 
 Needs numpy, numba, opencv-python-headless and scikit-image. All in one line, from the project's folder:
 
-    python3 -m venv peers/venv && peers/venv/bin/pip install numpy numba opencv-python-headless scikit-image \
-      && cargo run --release --example accuracy -- --export peers && peers/venv/bin/python examples/accuracy/peers.py peers \
-      && cargo run --release --example accuracy -- --peers peers
+    python3 -m venv target/venv \
+      && target/venv/bin/pip install numpy numba opencv-python-headless scikit-image \
+      && cargo run --release --example accuracy -- --export target/peers \
+      && target/venv/bin/python examples/accuracy/peers.py target/peers \
+      && cargo run --release --example accuracy -- --peers target/peers
 
 Each detector gets the 8-bit picture and gives linked lines; thresholds are steps of 8 (low) and 16 (high) code values.
 Times are from the decoded picture to linked lines, one thread's work. Lines and times are written beside the pictures, in

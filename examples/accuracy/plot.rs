@@ -93,17 +93,21 @@ fn head() -> String {
 
 /// Labels beside the best and the others' dots, moved up or down until they are free of one another.
 fn labels(svg: &mut String, dots: &[Dot], place: impl Fn([f64; 2]) -> [f64; 2]) {
-    let mut taken: Vec<[f64; 3]> = Vec::new(); // left, right, baseline
+    // left, right and baseline; a dot takes the room of a letter
+    let letter = |[x, y]: [f64; 2]| [x - 4.0, x + 4.0, y + 4.0];
+    let mut taken: Vec<[f64; 3]> = dots.iter().map(|dot| letter(place(dot.at))).collect();
     for dot in dots.iter().filter(|dot| dot.best || !dot.ours) {
         let [x, y] = place(dot.at);
         let width = 6.6 * dot.name.len() as f64; // a generous mean of a sans serif of 12
         let left = if x + 9.0 + width > AREA[2] { x - 9.0 - width } else { x + 9.0 };
         let free =
             |baseline: f64| taken.iter().all(|t| left > t[1] || left + width < t[0] || (baseline - t[2]).abs() >= LINE);
+        // a white seam keeps a line behind the letters from them
+        let seam = "stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
         let tries = (0..20).flat_map(|k| [y + 4.0 - f64::from(k) * 4.0, y + 4.0 + f64::from(k) * 4.0]);
         let Some(baseline) = tries.into_iter().find(|&baseline| free(baseline)) else { continue };
         taken.push([left, left + width, baseline]);
-        let _ = writeln!(svg, "<text x=\"{left:.1}\" y=\"{baseline:.1}\">{}</text>", dot.name);
+        let _ = writeln!(svg, "<text x=\"{left:.1}\" y=\"{baseline:.1}\" {seam}>{}</text>", dot.name);
     }
 }
 
@@ -126,9 +130,9 @@ impl Axis {
         (value / self.low).ln() / (self.high / self.low).ln()
     }
 
-    /// 1, 2 and 5 times the powers of ten.
+    /// 1, 2, 3, 5 and 7 times the powers of ten.
     fn marks(&self) -> Vec<f64> {
-        let all = (-4..6).flat_map(|power: i32| [1, 2, 5].map(|digit| format!("{digit}e{power}")));
+        let all = (-4..6).flat_map(|power: i32| [1, 2, 3, 5, 7].map(|digit| format!("{digit}e{power}")));
         all.filter_map(|text| text.parse().ok()).filter(|mark| (self.low..self.high).contains(mark)).collect()
     }
 }

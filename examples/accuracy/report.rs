@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::condition::Condition;
+use crate::condition::{Condition, PSFS};
 use crate::detector::Time;
 use crate::scene::Family;
 use crate::sums::Sums;
@@ -81,6 +81,7 @@ pub(crate) fn table(psf: f64, columns: &[Column]) -> String {
         columns[0].results.iter().map(|(condition, _)| *condition).filter(|c| c.psf.total_cmp(&psf).is_eq()).collect();
     let noises: Vec<String> = conditions.iter().map(|condition| condition.label()).collect();
     let lone = columns.len() == 1;
+    let targets = psf.total_cmp(&PSFS[0]).is_eq();
     let heads = if lone {
         noises.iter().map(|noise| format!("noise {noise}")).collect()
     } else {
@@ -96,7 +97,13 @@ pub(crate) fn table(psf: f64, columns: &[Column]) -> String {
         };
         let cells =
             if lone { values(&columns[0]) } else { columns.iter().map(|column| values(column).join(" / ")).collect() };
-        let _ = writeln!(text, "| {} | {} | {} |", figure.name, cells.join(" | "), figure.wanted);
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} |",
+            figure.name,
+            cells.join(" | "),
+            if targets { figure.wanted } else { "" }
+        );
     }
     let times: Vec<String> = columns.iter().map(|column| time(column.time)).collect();
     let empty = " |".repeat(if lone { noises.len() - 1 } else { 0 });
@@ -119,25 +126,28 @@ impl Figure {
     }
 }
 
-/// A table of the families by themselves, for one detector.
-pub(crate) fn families(name: &str, condition: Condition, by_family: &BTreeMap<Family, Sums>) -> String {
+/// A table whose rows are kinds of scenes or single scenes, for one detector.
+pub(crate) fn rows<'a>(
+    name: &str,
+    condition: Condition,
+    rows: impl IntoIterator<Item = (&'a str, &'a Sums)>,
+) -> String {
     let mut text = format!("\n{name}, point spread {} px, noise {}.\n\n", condition.psf, condition.label());
-    text += "| family | RMS | p95 | recall | precision | pieces | closed | length | px/MP |\n";
+    text += "| scenes | RMS | p95 | recall | precision | pieces | closed | length | px/MP |\n";
     text += "|---|---|---|---|---|---|---|---|---|\n";
-    for (family, s) in by_family {
-        let ring = s.closed_rings / s.rings;
+    for (row, s) in rows {
         let cells = [
             (s.rms(), 3),
             (s.p95(), 3),
             (s.recall(), 3),
             (s.precision(), 3),
             (s.pieces / s.contours, 2),
-            (ring, 2),
+            (s.closed_rings / s.rings, 2),
             (s.right_length / s.found_length, 3),
             (s.per_megapixel(), 0),
         ]
         .map(|(value, digits)| if value.is_finite() { format!("{value:.digits$}") } else { "-".into() });
-        let _ = writeln!(text, "| {} | {} |", family.name(), cells.join(" | "));
+        let _ = writeln!(text, "| {row} | {} |", cells.join(" | "));
     }
     text
 }

@@ -80,7 +80,7 @@ impl Sums {
 
     /// All traced length for a million pixels.
     pub(crate) fn per_megapixel(&self) -> f64 {
-        1e6 * self.all_length / self.area
+        1e6 * (self.all_length + 0.0) / self.area // an empty sum is -0
     }
 
     /// Root of the mean square distance of traced places to the truth.
