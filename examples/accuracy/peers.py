@@ -37,7 +37,7 @@ def per_step(sigma):
 # --- linking -----------------------------------------------------------------------------------------------------
 
 
-@njit(cache=True)
+@njit
 def link_pixels(edge):
     """Chains of an edge map's pixels: from ends first, then what is left (rings). Pixel numbers, and starts of chains."""
     height, width = edge.shape
@@ -86,7 +86,7 @@ def pixel_lines(edge, strength):
     return lines
 
 
-@njit(cache=True)
+@njit
 def link_points(number, px, py, gx, gy):
     """Each point's next one along the contour (-1: none): the nearest ahead within two pixels whose gradient does not
     point against its own, if it is that one's nearest behind as well."""
@@ -114,7 +114,7 @@ def link_points(number, px, py, gx, gy):
     return ahead
 
 
-@njit(cache=True)
+@njit
 def chains(ahead, strength, high):
     """Follows the links; a chain stays if it reaches `high` somewhere. Point numbers, starts and whether closed."""
     count = len(ahead)
