@@ -1,6 +1,7 @@
 #![doc = include_str!("ARCHITECTURE.md")]
 
 pub mod classes;
+pub mod contours;
 pub mod edges;
 pub mod error;
 pub mod frame;
@@ -15,7 +16,9 @@ pub mod raster;
 pub mod textures;
 pub mod units;
 
+pub use contours::Trace;
 pub use error::Error;
 pub use note::Note;
 pub use page::Page;
+pub use pipeline::trace::trace;
 pub use pipeline::{Drawing, convert};

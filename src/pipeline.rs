@@ -2,6 +2,8 @@
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+pub mod trace;
+
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
 use crate::frame::Frame;
@@ -142,10 +144,7 @@ fn layout(source: Size, plan: &Plan) -> Layout {
 /// than there are.
 fn working_size(source: Source, plan: &Plan) -> Result<Size, Error> {
     let Source { size, is_drawing } = source;
-    if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
-        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
-        return Err(Error::TooSmall { size, why });
-    }
+    enough_pixels(size)?;
     let place = layout(size, plan).figure;
     let figure = &plan.profile().figure;
     let side = place.width().min(place.height());
@@ -161,6 +160,14 @@ fn working_size(source: Source, plan: &Plan) -> Result<Size, Error> {
         if is_drawing { wanted } else { wanted.min(own) }
     };
     Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
+}
+
+fn enough_pixels(size: Size) -> Result<(), Error> {
+    if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
+        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
+        return Err(Error::TooSmall { size, why });
+    }
+    Ok(())
 }
 
 fn find_edges(

@@ -27,20 +27,25 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("textures", &["units", "geom", "raster", "frame", "classes", "lines"]),
     // No raster: a page has no pixels.
     ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures"]),
-    // Whoever comes after the page reads nothing but the page.
-    ("output", &["units", "geom", "page"]),
+    // Contours as data, back in the pixels of the source.
+    ("contours", &["units", "geom", "frame", "edges", "lines"]),
+    // Whoever comes after the page reads nothing but the page, or contours.
+    ("output", &["units", "geom", "page", "contours"]),
     ("reading", &["units", "geom", "page"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     (
         "profile",
         &[
-            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "page", "output", "reading",
-            "touch",
+            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "page", "contours", "output",
+            "reading", "touch",
         ],
     ),
     (
         "pipeline",
-        &["units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "page", "touch", "profile"],
+        &[
+            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "page", "contours", "touch",
+            "profile",
+        ],
     ),
 ];
 /// What any module may use.

@@ -1,18 +1,18 @@
 //! What may be said on the command line, and the help that teaches it.
 
+mod shared;
+mod trace;
+
 use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use tactograph::profile::built_in;
-use tactograph::raster::decode::Limits;
 
+pub(super) use self::shared::Shared;
+pub(super) use self::trace::Trace;
 use super::Exit;
 use super::report::Report;
-
-/// Largest value for a limit: a million megapixels or megabytes is beyond any machine, and far from overflow in bytes.
-const MOST: u64 = 1_000_000;
 
 const ABOUT: &str = "Turns colour pictures into tactile graphics: pages that blind people read with their fingers";
 
@@ -86,6 +86,10 @@ pub(super) enum Command {
     #[command(long_about = CONVERT_LONG_ABOUT, after_long_help = CONVERT_AFTER_LONG_HELP)]
     #[command(after_help = "Examples, formats, ranges and exit codes: tactograph convert --help")]
     Convert(Convert),
+    /// Writes the contours of pictures as data (JSON)
+    #[command(long_about = trace::LONG_ABOUT, after_long_help = trace::AFTER_LONG_HELP)]
+    #[command(after_help = "Format, unit, examples and exit codes: tactograph trace --help")]
+    Trace(Trace),
     /// Lists the profiles (papers and their settings) that come with the program, or shows one
     #[command(long_about = "Lists the profiles that come with the program, one a line: name and description.\n\n\
         A profile is a paper with all settings that a page for it needs: sizes, line widths, textures. The first in \
@@ -121,44 +125,8 @@ pub(super) struct Convert {
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
 
-    /// Paper and settings: a name from "tactograph profiles" or a .toml file of your own
-    ///
-    /// A value that ends in .toml or has a directory in it is a file. Begin your own with a line such as
-    /// inherits = "swell-a4" and write down only what differs; "tactograph profiles show swell-a4" prints every key
-    /// with its unit, range and reason.
-    #[arg(long, value_name = "NAME|FILE.toml", default_value = built_in()[0].name)]
-    pub(super) profile: String,
-
-    /// Changes one value of the profile; can be given several times
-    ///
-    /// Such as --set lines.width_max=1.2. Units, ranges and defaults of all keys: "tactograph profiles show NAME".
-    /// If a key is set twice, the last one counts.
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub(super) set: Vec<String>,
-
-    /// Tells how long each stage took, in milliseconds
-    ///
-    /// Written to standard error for each picture, also under --quiet. Stages that the page does not need are listed
-    /// as "skipped" with the reason.
-    #[arg(long)]
-    pub(super) timings: bool,
-
-    /// Says nothing but errors
-    #[arg(short, long)]
-    pub(super) quiet: bool,
-
-    /// Refuses pictures with more pixels than this, in millions of pixels
-    ///
-    /// Checked before decoding. A guard against files that claim to be huge. Range: 1 to 1000000.
-    #[arg(long, value_name = "N", default_value_t = Limits::default().megapixels, value_parser = limit)]
-    pub(super) max_megapixels: u64,
-
-    /// Refuses pictures that take more memory than this, in megabytes
-    ///
-    /// Counts what one picture needs for its file and, apart from that, for decoding it; pictures that are worked on
-    /// side by side each have this much. Range: 1 to 1000000.
-    #[arg(long, value_name = "MB", default_value_t = Limits::default().memory_mb, value_parser = limit)]
-    pub(super) max_memory: u64,
+    #[command(flatten)]
+    pub(super) shared: Shared,
 }
 
 /// `tactograph profiles`.
@@ -176,11 +144,6 @@ pub(super) enum ProfilesCommand {
         /// Name of the profile, as "tactograph profiles" lists it
         name: String,
     },
-}
-
-fn limit(text: &str) -> Result<u64, String> {
-    let number = text.parse().ok().filter(|number| (1..=MOST).contains(number));
-    number.ok_or_else(|| format!("give a whole number from 1 to {MOST}"))
 }
 
 /// What became of the command line.
@@ -209,7 +172,8 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command = ["convert", "profiles"].iter().find(|name| args.get(1).is_some_and(|arg| arg == *name));
+            let command =
+                ["convert", "trace", "profiles"].iter().find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
             let what = natural_mistake(&args, error.kind()).unwrap_or_else(|| in_one_line(&error.to_string()));
             Report::plain().usage(&format!("{what}; see tactograph {help}"));
@@ -224,7 +188,9 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind) -> Option<String> {
     let first = args.get(1)?.to_string_lossy();
     let second = args.get(2).map(|arg| arg.to_string_lossy());
     match (kind, &*first, second) {
-        (ErrorKind::MissingRequiredArgument, "convert", _) => Some("name a picture to convert".into()),
+        (ErrorKind::MissingRequiredArgument, verb @ ("convert" | "trace"), _) => {
+            Some(format!("name a picture to {verb}"))
+        }
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
             if !name.starts_with('-') =>
         {

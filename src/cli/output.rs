@@ -1,4 +1,4 @@
-//! Pages out: complete or not at all.
+//! Files out: complete or not at all.
 
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
@@ -6,68 +6,71 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{anyhow, bail};
 
+use super::product::Product;
+
 /// Most symbolic links followed from a name to its file, as many as Linux allows.
 const MOST_LINKS: usize = 40;
 
-/// How much of an existing SVG file is searched for the name of this program, which stands in the metadata at its top.
+/// How much of an existing file is searched for the name of this program, which stands at its top.
 const HEAD_BYTES: u64 = 64 << 10;
 
-/// Writes to standard output. A reader that has gone away (`| head`) is no error.
+/// Writes to standard output what is called `noun` in messages. A reader that has gone away (`| head`) is no error.
 ///
 /// # Errors
 /// In plain words, such as when the disk behind it is full.
-pub(super) fn to_stdout(bytes: &[u8]) -> anyhow::Result<()> {
+pub(super) fn to_stdout(bytes: &[u8], noun: &str) -> anyhow::Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        done => done.map_err(|error| explain(&error)),
+        done => done.map_err(|error| explain(&error, noun)),
     }
 }
 
-/// Looks for what would keep a page from being written to `path`, so that it is told before the work and not after.
+/// Looks for what would keep a result from being written to `path`, so that it is told before the work and not after.
 ///
-/// With `keep_others`, a file that is there already must be a page as this program wrote it (or empty): a name that the
+/// With `keep_others`, a file that is there already must be one as this program wrote it (or empty): a name that the
 /// user did not give must not cost them a drawing, nor the work they put into a page.
 ///
 /// # Errors
 /// In plain words, without the path.
-pub(super) fn check(path: &Path, keep_others: bool) -> anyhow::Result<()> {
-    let path = follow(path)?;
+pub(super) fn check(path: &Path, product: Product, keep_others: bool) -> anyhow::Result<()> {
+    let noun = product.noun();
+    let path = follow(path, noun)?;
     match fs::metadata(&path) {
         Ok(found) => {
-            refuse(&found)?;
-            if keep_others && found.is_file() && found.len() > 0 && !is_page(&path)? {
+            refuse(&found, noun)?;
+            if keep_others && found.is_file() && found.len() > 0 && !is_own(&path, product)? {
                 bail!(
-                    "this file exists and was not written by tactograph, or changed since; name the page with -o, or move that file away"
+                    "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, or move that file away"
                 );
             }
         }
         Err(error) if error.kind() == ErrorKind::NotFound => {
-            fs::metadata(directory(&path)).map_err(|error| explain(&error))?;
+            fs::metadata(directory(&path)).map_err(|error| explain(&error, noun))?;
         }
-        Err(error) => return Err(explain(&error)),
+        Err(error) => return Err(explain(&error, noun)),
     }
     Ok(())
 }
 
-/// Writes a page to a temporary file beside `path` and renames it, so that at every moment `path` is the old page or
+/// Writes to a temporary file beside `path` and renames it, so that at every moment `path` is the old file or
 /// the new one, and stays the old one if anything fails. Symbolic links stay links: the file they lead to is
 /// replaced. A file that is there keeps its permissions; a new one gets the usual ones. What is no file (`/dev/null`, a pipe) is
 /// simply written to.
 ///
 /// # Errors
 /// In plain words, without the path.
-pub(super) fn to_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
-    let path = follow(path)?;
+pub(super) fn to_file(path: &Path, bytes: &[u8], noun: &str) -> anyhow::Result<()> {
+    let path = follow(path, noun)?;
     let found = fs::metadata(&path).ok();
     if let Some(found) = &found {
-        refuse(found)?;
+        refuse(found, noun)?;
         if !found.is_file() {
-            let mut special = OpenOptions::new().write(true).open(&path).map_err(|error| explain(&error))?;
-            return special.write_all(bytes).map_err(|error| explain(&error));
+            let mut special = OpenOptions::new().write(true).open(&path).map_err(|error| explain(&error, noun))?;
+            return special.write_all(bytes).map_err(|error| explain(&error, noun));
         }
     }
-    replace(&path, bytes, found.as_ref()).map_err(|error| explain(&error))
+    replace(&path, bytes, found.as_ref()).map_err(|error| explain(&error, noun))
 }
 
 fn replace(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<()> {
@@ -79,36 +82,34 @@ fn replace(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<()
     file.write_all(bytes)?;
     if let Some(found) = found {
         file.as_file().set_permissions(found.permissions())?;
-        // Without this, a power cut just after the rename could leave neither the old page nor the new one.
+        // Without this, a power cut just after the rename could leave neither the old file nor the new one.
         file.as_file().sync_all()?;
     }
     file.persist(path)?;
     Ok(())
 }
 
-fn refuse(found: &Metadata) -> anyhow::Result<()> {
+fn refuse(found: &Metadata, noun: &str) -> anyhow::Result<()> {
     if found.is_dir() {
-        bail!("the page cannot be written here, as this is a directory; name a file, or use --out-dir");
+        bail!("the {noun} cannot be written here, as this is a directory; name a file, or use --out-dir");
     }
     if found.permissions().readonly() {
-        bail!("the page cannot be written here, as this file is write-protected; lift that or choose another name");
+        bail!("the {noun} cannot be written here, as this file is write-protected; lift that or choose another name");
     }
     Ok(())
 }
 
-/// Whether a file is a page as this program wrote it, with no work of a person in it.
-fn is_page(path: &Path) -> anyhow::Result<bool> {
+/// Whether a file is as this program wrote it, with no work of a person in it.
+fn is_own(path: &Path, product: Product) -> anyhow::Result<bool> {
+    let noun = product.noun();
     let mut head = Vec::new();
-    let file = File::open(path).map_err(|error| explain(&error))?;
-    file.take(HEAD_BYTES).read_to_end(&mut head).map_err(|error| explain(&error))?;
-    let has = |mark: &str| head.windows(mark.len()).any(|part| part == mark.as_bytes());
-    // Editors leave their own marks in what they save: Inkscape its version and its window, Illustrator a comment.
-    let edited = has("sodipodi:") || has("inkscape:version") || has("Illustrator");
-    Ok(has("<metadata>program = tactograph ") && !edited)
+    let file = File::open(path).map_err(|error| explain(&error, noun))?;
+    file.take(HEAD_BYTES).read_to_end(&mut head).map_err(|error| explain(&error, noun))?;
+    Ok(product.is_own(&head))
 }
 
 /// The file that `path` leads to over symbolic links, whether it exists or not.
-fn follow(path: &Path) -> anyhow::Result<PathBuf> {
+fn follow(path: &Path, noun: &str) -> anyhow::Result<PathBuf> {
     let mut path = path.to_path_buf();
     for _ in 0..MOST_LINKS {
         if !fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink()) {
@@ -118,10 +119,10 @@ fn follow(path: &Path) -> anyhow::Result<PathBuf> {
         if fs::metadata(&path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
             return Ok(path);
         }
-        let target = fs::read_link(&path).map_err(|error| explain(&error))?;
+        let target = fs::read_link(&path).map_err(|error| explain(&error, noun))?;
         path = directory(&path).join(target);
     }
-    bail!("the page cannot be written here, as this link leads round in a circle; choose another name")
+    bail!("the {noun} cannot be written here, as this link leads round in a circle; choose another name")
 }
 
 /// The directory that a file lies in.
@@ -145,22 +146,22 @@ pub(super) fn make_directory(path: &Path) -> anyhow::Result<()> {
     })
 }
 
-fn explain(error: &io::Error) -> anyhow::Error {
+fn explain(error: &io::Error, noun: &str) -> anyhow::Error {
     match error.kind() {
         ErrorKind::NotFound => {
-            anyhow!("the page cannot be written here, as the directory is missing; make it, or use --out-dir")
+            anyhow!("the {noun} cannot be written here, as the directory is missing; make it, or use --out-dir")
         }
         ErrorKind::NotADirectory => {
             anyhow!(
-                "the page cannot be written here, as a part of this path is a file, not a directory; check the name"
+                "the {noun} cannot be written here, as a part of this path is a file, not a directory; check the name"
             )
         }
         ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
-            anyhow!("the page cannot be written here, as you have no permission; choose another place with -o")
+            anyhow!("the {noun} cannot be written here, as you have no permission; choose another place with -o")
         }
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            anyhow!("the page cannot be written, as the disk is full; make room and try again")
+            anyhow!("the {noun} cannot be written, as the disk is full; make room and try again")
         }
-        _ => anyhow!("the page cannot be written here ({error}); choose another place with -o"),
+        _ => anyhow!("the {noun} cannot be written here ({error}); choose another place with -o"),
     }
 }

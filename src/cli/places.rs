@@ -1,23 +1,35 @@
-//! Where each page goes, and what must not be overwritten.
+//! Where each page or trace goes, and what must not be overwritten.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::args::Convert;
 use super::output::directory;
+use super::product::Product;
 
-/// One picture and its page.
+/// What the command line says of names.
+pub(super) struct Names<'a> {
+    /// What is made of the pictures.
+    pub(super) product: Product,
+    /// The pictures; `-` is standard input.
+    pub(super) pictures: &'a [PathBuf],
+    /// `-o`.
+    pub(super) output: Option<&'a Path>,
+    /// `--out-dir`.
+    pub(super) out_dir: Option<&'a Path>,
+}
+
+/// One picture and what is made of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Job {
     /// The picture; `-` is standard input.
     pub(super) picture: PathBuf,
-    /// Where its page goes.
-    pub(super) page: Target,
+    /// Where the result goes.
+    pub(super) target: Target,
 }
 
-/// Where a page goes.
+/// Where a result goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Target {
     /// To standard output.
@@ -48,8 +60,8 @@ pub(super) fn picture_name(path: &Path) -> String {
     if is_std(path) { "standard input".into() } else { path.display().to_string() }
 }
 
-/// What to call a page in messages.
-pub(super) fn page_name(target: &Target) -> String {
+/// What to call a result's place in messages.
+pub(super) fn target_name(target: &Target) -> String {
     target.path().map_or_else(|| "standard output".into(), |path| path.display().to_string())
 }
 
@@ -57,99 +69,104 @@ pub(super) fn page_name(target: &Target) -> String {
 ///
 /// # Errors
 /// Everything that is wrong with the names, one message each.
-pub(super) fn jobs(args: &Convert) -> Result<Vec<Job>, Vec<String>> {
+pub(super) fn jobs(names: &Names<'_>) -> Result<Vec<Job>, Vec<String>> {
     let mut faults = Vec::new();
-    if args.output.is_some() && args.pictures.len() > 1 {
-        let count = args.pictures.len();
-        faults.push(format!("-o names one page, but there are {count} pictures; use --out-dir DIR for several"));
+    let product = names.product;
+    let noun = product.noun();
+    if names.output.is_some() && names.pictures.len() > 1 {
+        let count = names.pictures.len();
+        faults.push(format!("-o names one {noun}, but there are {count} pictures; use --out-dir DIR for several"));
         return Err(faults);
     }
-    if let Some(fault) = args.output.as_deref().and_then(wrong_ending) {
+    if let Some(fault) = names.output.and_then(|path| wrong_ending(path, product)) {
         faults.push(fault);
     }
-    if args.pictures.iter().filter(|path| is_std(path)).count() > 1 {
+    if names.pictures.iter().filter(|path| is_std(path)).count() > 1 {
         faults.push("standard input (-) is given more than once; give it once".into());
         return Err(faults);
     }
-    if args.out_dir.is_some() && args.pictures.iter().any(|path| is_std(path)) {
-        faults.push(
-            "a picture from standard input (-) has no name for a page in --out-dir; name the page with -o".into(),
-        );
+    if names.out_dir.is_some() && names.pictures.iter().any(|path| is_std(path)) {
+        faults.push(format!(
+            "a picture from standard input (-) has no name for a {noun} in --out-dir; name the {noun} with -o"
+        ));
         return Err(faults);
     }
-    let jobs = args
+    let jobs = names
         .pictures
         .iter()
-        .map(|picture| Job { picture: picture.clone(), page: target(picture, args) })
+        .map(|picture| Job { picture: picture.clone(), target: target(picture, names) })
         .collect::<Vec<_>>();
-    faults.extend(collisions(&jobs));
+    faults.extend(collisions(&jobs, product));
     if faults.is_empty() { Ok(jobs) } else { Err(faults) }
 }
 
-fn target(picture: &Path, args: &Convert) -> Target {
-    match &args.output {
-        Some(page) if is_std(page) => Target::Stdout,
-        Some(page) => Target::Named(page.clone()),
+fn target(picture: &Path, names: &Names<'_>) -> Target {
+    match names.output {
+        Some(path) if is_std(path) => Target::Stdout,
+        Some(path) => Target::Named(path.to_path_buf()),
         None if is_std(picture) => Target::Stdout,
-        None => Target::Derived(derived(picture, args.out_dir.as_deref())),
+        None => Target::Derived(derived(picture, names.out_dir, names.product)),
     }
 }
 
 /// `photo.png` gives `photo.svg`, in `out_dir` or beside the picture. Where that is the picture itself, as for
-/// `photo.svg` or (on systems that take them for one) `photo.SVG`: `photo.page.svg`.
-fn derived(picture: &Path, out_dir: Option<&Path>) -> PathBuf {
-    let mut name = picture.file_stem().map_or_else(|| OsString::from("page"), OsString::from);
+/// `photo.svg` or (on systems that take them for one) `photo.SVG`: `photo.page.svg`. So also for traces.
+fn derived(picture: &Path, out_dir: Option<&Path>, product: Product) -> PathBuf {
+    let (noun, ending) = (product.noun(), product.ending());
+    let mut name = picture.file_stem().map_or_else(|| OsString::from(noun), OsString::from);
     let beside = out_dir.is_none_or(|dir| identity(dir) == identity(directory(picture)));
-    if beside && is_svg(picture) {
-        name.push(".page");
+    if beside && ends_in(picture, ending) {
+        name.push(format!(".{noun}"));
     }
-    name.push(".svg");
+    name.push(format!(".{ending}"));
     out_dir.map_or_else(|| picture.with_file_name(&name), |dir| dir.join(&name))
 }
 
-fn is_svg(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
+fn ends_in(path: &Path, wanted: &str) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
 }
 
 /// A name such as `page.pdf` would promise what is not written.
-fn wrong_ending(page: &Path) -> Option<String> {
-    let ending = page.extension()?;
-    if is_svg(page) {
+fn wrong_ending(path: &Path, product: Product) -> Option<String> {
+    let ending = path.extension()?;
+    let (noun, own) = (product.noun(), product.ending());
+    if ends_in(path, own) {
         return None;
     }
-    let instead = page.with_extension("svg");
+    let instead = path.with_extension(own);
     Some(format!(
-        "{}: a page is not written as .{}, only as .svg; name it {}",
-        page.display(),
+        "{}: a {noun} is not written as .{}, only as .{own}; name it {}",
+        path.display(),
         ending.display(),
         instead.display()
     ))
 }
 
-/// Pages that would overwrite a picture or one another.
-fn collisions(jobs: &[Job]) -> Vec<String> {
+/// Results that would overwrite a picture or one another.
+fn collisions(jobs: &[Job], product: Product) -> Vec<String> {
     let mut faults = Vec::new();
+    let (noun, verb) = (product.noun(), product.verb());
     let is_regular = |path: &Path| fs::metadata(path).map_or(true, |found| found.is_file());
     let pictures = jobs.iter().map(|job| &job.picture).filter(|path| !is_std(path) && is_regular(path));
     let pictures = pictures.map(|path| (identity(path), path)).collect::<BTreeMap<_, _>>();
-    let mut pages = BTreeMap::<_, &Job>::new();
+    let mut targets = BTreeMap::<_, &Job>::new();
     for job in jobs {
-        let Some(page) = job.page.path() else { continue };
-        let id = identity(page);
+        let Some(target) = job.target.path() else { continue };
+        let id = identity(target);
         if let Some(&picture) = pictures.get(&id) {
-            let (to, from, over) = (page.display(), job.picture.display(), picture.display());
+            let (to, from, over) = (target.display(), job.picture.display(), picture.display());
             faults.push(if job.picture == *picture {
-                format!("{to}: the page would overwrite the picture itself; choose another name with -o")
+                format!("{to}: the {noun} would overwrite the picture itself; choose another name with -o")
             } else {
-                format!("{to}: the page of {from} would overwrite the picture {over}; choose another name with -o")
+                format!("{to}: the {noun} of {from} would overwrite the picture {over}; choose another name with -o")
             });
         }
-        if let Some(other) = pages.insert(id, job) {
-            let (page, one, two) = (page.display(), other.picture.display(), job.picture.display());
+        if let Some(other) = targets.insert(id, job) {
+            let (to, one, two) = (target.display(), other.picture.display(), job.picture.display());
             faults.push(if other.picture == job.picture {
                 format!("{one}: this picture is given more than once; give it once")
             } else {
-                format!("{page}: would be the page of both {one} and {two}; convert one of them alone, with -o")
+                format!("{to}: would be the {noun} of both {one} and {two}; {verb} one of them alone, with -o")
             });
         }
     }

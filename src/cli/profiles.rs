@@ -51,7 +51,7 @@ fn with_ranges(text: &str) -> String {
 }
 
 fn print(text: &str, report: &Report) -> Exit {
-    match output::to_stdout(text.as_bytes()) {
+    match output::to_stdout(text.as_bytes(), "text") {
         Ok(()) => Exit::Done,
         Err(error) => {
             report.error("standard output", &format!("{error:#}"));

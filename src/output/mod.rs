@@ -1,2 +1,4 @@
-//! Writers of a page.
+//! Writers: of a page, and of contours as data.
+
+pub mod json;
 pub mod svg;

@@ -1,0 +1,63 @@
+//! Options that all commands on pictures have.
+
+use clap::Args;
+use tactograph::profile::built_in;
+use tactograph::raster::decode::Limits;
+
+/// Largest value for a limit: a million megapixels or megabytes is beyond any machine, and far from overflow in bytes.
+const MOST: u64 = 1_000_000;
+
+/// Options that all commands on pictures have.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Shared {
+    /// Paper and settings: a name from "tactograph profiles" or a .toml file of your own
+    ///
+    /// A value that ends in .toml or has a directory in it is a file. Begin your own with a line such as
+    /// inherits = "swell-a4" and write down only what differs; "tactograph profiles show swell-a4" prints every key
+    /// with its unit, range and reason.
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = built_in()[0].name)]
+    pub(in crate::cli) profile: String,
+
+    /// Changes one value of the profile; can be given several times
+    ///
+    /// Such as --set lines.width_max=1.2. Units, ranges and defaults of all keys: "tactograph profiles show NAME".
+    /// If a key is set twice, the last one counts.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(in crate::cli) set: Vec<String>,
+
+    /// Tells how long each stage took, in milliseconds
+    ///
+    /// Written to standard error for each picture, also under --quiet. Stages that are not needed are listed as
+    /// "skipped" with the reason.
+    #[arg(long)]
+    pub(in crate::cli) timings: bool,
+
+    /// Says nothing but errors
+    #[arg(short, long)]
+    pub(in crate::cli) quiet: bool,
+
+    /// Refuses pictures with more pixels than this, in millions of pixels
+    ///
+    /// Checked before decoding. A guard against files that claim to be huge. Range: 1 to 1000000.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().megapixels, value_parser = limit)]
+    max_megapixels: u64,
+
+    /// Refuses pictures that take more memory than this, in megabytes
+    ///
+    /// Counts what one picture needs for its file and, apart from that, for decoding it; pictures that are worked on
+    /// side by side each have this much. Range: 1 to 1000000.
+    #[arg(long, value_name = "MB", default_value_t = Limits::default().memory_mb, value_parser = limit)]
+    max_memory: u64,
+}
+
+impl Shared {
+    /// What a picture may cost.
+    pub(in crate::cli) fn limits(&self) -> Limits {
+        Limits { megapixels: self.max_megapixels, memory_mb: self.max_memory }
+    }
+}
+
+fn limit(text: &str) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|number| (1..=MOST).contains(number));
+    number.ok_or_else(|| format!("give a whole number from 1 to {MOST}"))
+}

@@ -1,0 +1,183 @@
+//! Pictures in, files out: what all commands on pictures do alike. Several pictures are worked on side by side.
+
+use std::path::{Path, PathBuf};
+
+use tactograph::profile::Plan;
+use tactograph::raster::decode::Limits;
+use tactograph::{Error, Note};
+
+use super::args::Shared;
+use super::fonts::SystemFonts;
+use super::places::{self, Job, Names, Target};
+use super::product::Product;
+use super::report::Report;
+use super::side_by_side::{self, Panicked};
+use super::timings::{Stopped, Timings};
+use super::{Exit, input, output, settings};
+
+/// What is asked for: the command line, as far as all commands on pictures have it.
+pub(super) struct Order<'a> {
+    /// What is made.
+    pub(super) product: Product,
+    /// The pictures.
+    pub(super) pictures: &'a [PathBuf],
+    /// `-o`.
+    pub(super) output: Option<&'a Path>,
+    /// `--out-dir`.
+    pub(super) out_dir: Option<&'a Path>,
+    /// Everything else.
+    pub(super) shared: &'a Shared,
+}
+
+/// What all pictures have in common.
+pub(super) struct Common {
+    /// `--profile` and `--set`.
+    pub(super) plan: Plan,
+    /// What a picture may cost.
+    pub(super) limits: Limits,
+    /// Letters for drawings.
+    pub(super) fonts: SystemFonts,
+}
+
+/// A file's contents, ready to be written.
+pub(super) struct Made {
+    /// The text of the file.
+    pub(super) text: String,
+    /// Remarks on it.
+    pub(super) notes: Vec<Note>,
+}
+
+/// A file was written.
+struct Done {
+    notes: Vec<Note>,
+    timings: Stopped,
+}
+
+/// No file was written: the file that stands in the way, and why.
+struct Failure {
+    file: String,
+    what: String,
+}
+
+/// Calls `make` with the bytes and the title of every picture, writes what it gives, and tells what became of each, in
+/// their order.
+pub(super) fn run(
+    order: &Order<'_>,
+    make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error> + Sync,
+) -> Exit {
+    let &Order { product, pictures, output, out_dir, shared } = order;
+    let report = Report::plain();
+    let names = Names { product, pictures, output, out_dir };
+    let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &shared.set)) {
+        (Ok(jobs), Ok(plan)) => (jobs, plan),
+        (jobs, plan) => {
+            jobs.err().iter().flatten().for_each(|what| report.usage(what));
+            plan.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
+            return Exit::Usage;
+        }
+    };
+    if let Some(dir) = out_dir
+        && let Err(error) = output::make_directory(dir)
+    {
+        report.error(&dir.display().to_string(), &format!("{error:#}"));
+        return Exit::Failed;
+    }
+    let common = Common { plan, limits: shared.limits(), fonts: SystemFonts::default() };
+    let report = Report::of_pictures(jobs.len(), shared.quiet);
+    let mut failed = 0;
+    side_by_side::run(
+        jobs.len(),
+        side_by_side::workers(jobs.len()),
+        |index| work(product, &jobs[index], &common, &make),
+        || report.advance(),
+        |index, outcome| failed += usize::from(!tell(&jobs, index, outcome, shared.timings, &report)),
+    );
+    report.finish();
+    if failed > 0 && jobs.len() > 1 {
+        report.usage(&format!("{failed} of {} pictures could not be {}", jobs.len(), product.done()));
+    }
+    if failed == 0 { Exit::Done } else { Exit::Failed }
+}
+
+/// One picture, from the file to the file.
+fn work(
+    product: Product,
+    job: &Job,
+    common: &Common,
+    make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error>,
+) -> Result<Done, Failure> {
+    let mut timings = Timings::start();
+    let about_picture = |what: String| Failure { file: places::picture_name(&job.picture), what };
+    let about_target =
+        |error: anyhow::Error| Failure { file: places::target_name(&job.target), what: format!("{error:#}") };
+
+    if let Some(path) = job.target.path() {
+        output::check(path, product, matches!(job.target, Target::Derived(_))).map_err(about_target)?;
+    }
+    let memory_mb = common.limits.memory_mb;
+    let too_long = format!("the file is longer than the memory limit of {memory_mb} MB; raise it with --max-memory");
+    let bytes = timings
+        .step("read", || input::read(&job.picture, memory_mb.saturating_mul(1_000_000), &too_long))
+        .map_err(|error| about_picture(format!("{error:#}")))?;
+    let Made { text, notes } =
+        make(&bytes, &title(job), common, &mut timings).map_err(|error| about_picture(explain(&error)))?;
+    timings
+        .step("write", || match job.target.path() {
+            None => output::to_stdout(text.as_bytes(), product.noun()),
+            Some(path) => output::to_file(path, text.as_bytes(), product.noun()),
+        })
+        .map_err(about_target)?;
+    Ok(Done { notes, timings: timings.stop() })
+}
+
+/// The library does not know the options of this program: where it says that a limit can be raised, say with which.
+fn explain(error: &Error) -> String {
+    match error {
+        Error::TooManyPixels { .. } => format!("{error} with --max-megapixels"),
+        Error::TooMuchMemory { .. } => format!("{error} with --max-memory"),
+        _ => error.to_string(),
+    }
+}
+
+/// A picture is called as its file is.
+fn title(job: &Job) -> String {
+    let name = if places::is_std(&job.picture) { None } else { job.picture.file_name() };
+    name.map_or_else(|| "picture".into(), |name| name.to_string_lossy().into_owned())
+}
+
+/// Tells what became of one picture. Returns whether its file is written.
+fn tell(
+    jobs: &[Job],
+    index: usize,
+    outcome: Result<Result<Done, Failure>, Panicked>,
+    timings: bool,
+    report: &Report,
+) -> bool {
+    let job = &jobs[index];
+    let picture = places::picture_name(&job.picture);
+    match outcome {
+        Ok(Ok(done)) => {
+            done.notes.iter().for_each(|note| report.note(&picture, &note.to_string()));
+            let wrote = format!("wrote {}", places::target_name(&job.target));
+            report.done(&match jobs.len() {
+                1 => wrote,
+                count => format!("{} of {count}: {picture}: {wrote}", index + 1),
+            });
+            if timings {
+                report.asked_for(&done.timings.table(&picture));
+            }
+            true
+        }
+        Ok(Err(failure)) => {
+            report.error(&failure.file, &failure.what);
+            false
+        }
+        Err(Panicked) => {
+            report.error(
+                &picture,
+                "an error in tactograph itself; please report it with this picture and the lines above",
+            );
+            false
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! `tactograph trace`: pictures in, contours as data out.
+
+use tactograph::output::json;
+use tactograph::pipeline::trace::{Request, trace};
+
+use super::Exit;
+use super::args::Trace;
+use super::batch::{self, Made, Order};
+use super::product::Product;
+
+/// Traces all pictures and tells what became of each, in their order.
+pub(super) fn run(args: &Trace) -> Exit {
+    let order = Order {
+        product: Product::Trace,
+        pictures: &args.pictures,
+        output: args.output.as_deref(),
+        out_dir: args.out_dir.as_deref(),
+        shared: &args.shared,
+    };
+    batch::run(&order, |picture, _, common, timings| {
+        let fonts = || common.fonts.get();
+        let request = Request {
+            subject: args.subject(),
+            thresholds: args.threshold,
+            plan: &common.plan,
+            limits: common.limits,
+            fonts: &fonts,
+        };
+        let traced = trace(picture, &request, &mut |event| timings.watch(event))?;
+        let text = timings.step("write", || json::write(&traced.trace));
+        Ok(Made { text, notes: traced.notes })
+    })
+}

@@ -1,0 +1,86 @@
+//! The way from bytes to contours as data: the first half of the way to a page.
+
+use super::{Event, Stage, enough_pixels, run, working_size};
+use crate::contours::Trace;
+use crate::edges;
+use crate::frame::Frame;
+use crate::profile::Plan;
+use crate::raster::decode::{self, Fonts, Limits, Options, Source};
+use crate::{Error, Note};
+
+/// Contours and what should be known of them.
+#[derive(Debug, Clone)]
+pub struct Traced {
+    /// The contours.
+    pub trace: Trace,
+    /// Remarks, in the order of the stages.
+    pub notes: Vec<Note>,
+}
+
+/// What is traced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// The contours as they are found: thinned, linked and chosen by strength, before any rule of touch.
+    Edges {
+        /// Whether to look at the source's own pixels with [`edges::Params::default`]. If not, the picture is worked on as
+        /// for the page.
+        full_resolution: bool,
+    },
+}
+
+/// Which contours are strong enough (see [`crate::edges`] for the unit).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thresholds {
+    low: f32,
+    high: f32,
+}
+
+impl Thresholds {
+    /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere. With
+    /// 0 and 0 everything is kept. None unless 0 <= `low` <= `high` and both are finite.
+    pub fn new(low: f32, high: f32) -> Option<Self> {
+        (0.0 <= low && low <= high && high.is_finite()).then_some(Self { low, high })
+    }
+}
+
+/// Everything beside the picture's bytes.
+pub struct Request<'a> {
+    /// What is traced.
+    pub subject: Subject,
+    /// Which contours are strong enough; without it the parameters of the subject say so.
+    pub thresholds: Option<Thresholds>,
+    /// The checked profile.
+    pub plan: &'a Plan,
+    /// What decoding may cost.
+    pub limits: Limits,
+    /// Fonts for drawings; asked only when a drawing has text.
+    pub fonts: &'a Fonts<'a>,
+}
+
+/// Traces the contours of a picture. `watch` is told of every stage.
+///
+/// # Errors
+/// When the picture cannot be read or is too small; see [`Error`].
+pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Traced, Error> {
+    let &Request { subject, thresholds, plan, limits, fonts } = request;
+    let in_full = matches!(subject, Subject::Edges { full_resolution: true });
+    let working_size = |source: Source| {
+        if in_full { enough_pixels(source.size).map(|()| source.size) } else { working_size(source, plan) }
+    };
+    let options = Options { limits, fonts, working_size: &working_size };
+    let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
+    let (raster, source, notes) = (picture.raster, picture.source.size, picture.notes);
+
+    let layout = super::layout(source, plan);
+    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+    let mut params = if in_full { edges::Params::default() } else { plan.edges(px_per_mm) };
+    if let Some(Thresholds { low, high }) = thresholds {
+        (params.low, params.high) = (low, high);
+    }
+    if raster.is_flat() {
+        watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
+        return Ok(Traced { trace: Trace { size: source, polylines: Vec::new() }, notes });
+    }
+    let edges = run(watch, Stage::Edges, || edges::find(&raster, &params));
+    Ok(Traced { trace: Trace::of_edges(&edges, source), notes })
+}
