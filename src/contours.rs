@@ -5,14 +5,17 @@
 //! CIELAB units with the chroma axes counted twice (see [`crate::edges`]): black against white is 100.
 
 use crate::edges::Edges;
-use crate::units::{PxPoint, Size};
+use crate::frame::Frame;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::lines::Line;
+use crate::units::{MmPoint, MmRect, PxPoint, Size};
 
 /// The contours of a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
     /// Size of the upright source picture, px.
     pub size: Size,
-    /// The contours, none of them without points.
+    /// The contours, in no promised order.
     pub polylines: Vec<Polyline>,
 }
 
@@ -46,10 +49,70 @@ impl Trace {
         });
         Self { size: source, polylines: polylines.collect() }
     }
+
+    /// The lines of a page, which `frame` put into `area` of the sheet.
+    ///
+    /// A line says only how strong it is on the whole. The strength at a point is that of the nearest of the contours
+    /// `edges` from which the lines were drawn; where none lies within `reach` mm, it is that of the whole line.
+    pub fn of_lines(lines: &[Line], edges: &Edges, frame: &Frame, area: MmRect, reach: f32, source: Size) -> Self {
+        let scale = Scale::new(edges.size, source);
+        let strengths = Strengths::new(edges, frame, area, reach);
+        let polylines = lines.iter().map(|line| {
+            let mut points: Vec<MmPoint> = Vec::new();
+            let mut width = Vec::new();
+            for run in &line.runs {
+                // Runs share the points where they meet; a point has the width of the run that it begins.
+                points.truncate(width.len());
+                points.extend(&run.points);
+                width.resize(points.len().saturating_sub(1), run.width);
+            }
+            let closed = points.len() > 3 && points.first() == points.last();
+            if closed {
+                points.pop();
+            } else {
+                width.extend(width.last().copied());
+            }
+            Polyline {
+                closed,
+                strength: points.iter().map(|&at| strengths.near(at).unwrap_or(line.strength)).collect(),
+                points: points.iter().map(|&at| scale.to_source(frame.to_px(at))).collect(),
+                width: Some(width),
+            }
+        });
+        Self { size: source, polylines: polylines.collect() }
+    }
 }
 
-/// The way from the working picture to the source picture. Both sides have a scale of their own, as each is rounded to
-/// whole pixels.
+/// Contours on the sheet, to look up how strong they are somewhere.
+struct Strengths<'a> {
+    edges: &'a Edges,
+    segments: Nearby,
+    reach: f32,
+}
+
+impl<'a> Strengths<'a> {
+    fn new(edges: &'a Edges, frame: &Frame, area: MmRect, reach: f32) -> Self {
+        let mut segments = Nearby::new(area, reach);
+        for (number, range) in edges.chains.iter().enumerate() {
+            for index in range.start..range.end.saturating_sub(1) {
+                let [a, b] = [index, index + 1].map(|i| frame.to_mm(edges.points[i].at));
+                segments.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: index as u32, arc: 0.0 });
+            }
+        }
+        Self { edges, segments, reach }
+    }
+
+    fn near(&self, at: MmPoint) -> Option<f32> {
+        let (_, on, Segment { a, b, index, .. }) = self.segments.nearest(at, self.reach, |_| true)?;
+        let [from, to] = [index as usize, index as usize + 1].map(|i| self.edges.points[i].strength);
+        let length = (b - a).length();
+        let share = if length > 0.0 { (on - a).length() / length } else { 0.0 };
+        Some(from + (to - from) * share)
+    }
+}
+
+/// The way from the working picture to the source picture. Both axes have a scale of their own, as each side of the working
+/// picture is rounded to whole pixels.
 struct Scale {
     across: f64,
     down: f64,

@@ -1,4 +1,4 @@
-//! What the maker of a page should know and the page survives.
+//! What the maker of a page or a trace should know and the result survives.
 
 /// One remark about a page that was made all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -10,6 +10,8 @@ pub enum Note {
     LeftOut(String),
     /// No contour was found that is strong and long enough.
     NoLines,
+    /// Nothing was found to trace.
+    NoContours,
     /// Much of what was found lies too close together for fingers; percent of its length.
     Crowded(u32),
     /// There is nothing on the page but its frame.
@@ -26,6 +28,9 @@ impl std::fmt::Display for Note {
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high and edges.low, \
                  or give a brighter picture or one with less around it",
+            ),
+            Self::NoContours => f.write_str(
+                "nothing to trace: no contour is strong and long enough; lower the thresholds, or give a brighter picture",
             ),
             Self::Crowded(percent) => write!(
                 f,

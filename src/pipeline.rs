@@ -106,10 +106,9 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
 
     let is_flat = picture.raster.is_flat();
     let edges = find_edges(&picture.raster, is_flat, &layout, plan, watch);
-    let Drawn { lines, crowded_out } = draw_lines(edges.as_ref(), &layout, plan, watch);
-    if crowded_out >= CROWDED {
-        notes.push(Note::Crowded((100.0 * crowded_out).round() as u32));
-    }
+    let drawn = draw_lines(edges.as_ref(), &layout, plan, watch);
+    notes.extend(crowded(&drawn));
+    let lines = drawn.lines;
     let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
     drop(edges);
     let classes = sort_colours(&picture.raster, &layout, plan, watch);
@@ -200,6 +199,11 @@ fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut d
     };
     watch(Event::Skip(Stage::Lines, reason));
     Drawn::default()
+}
+
+/// What the maker is told when much was left out for want of room.
+fn crowded(drawn: &Drawn) -> Option<Note> {
+    (drawn.crowded_out >= CROWDED).then(|| Note::Crowded((100.0 * drawn.crowded_out).round() as u32))
 }
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave fewer.

@@ -7,9 +7,17 @@ use super::Exit;
 use super::args::Trace;
 use super::batch::{self, Made, Order};
 use super::product::Product;
+use super::report::Report;
 
 /// Traces all pictures and tells what became of each, in their order.
 pub(super) fn run(args: &Trace) -> Exit {
+    let subject = match args.subject() {
+        Ok(subject) => subject,
+        Err(what) => {
+            Report::plain().usage(what);
+            return Exit::Usage;
+        }
+    };
     let order = Order {
         product: Product::Trace,
         pictures: &args.pictures,
@@ -19,13 +27,8 @@ pub(super) fn run(args: &Trace) -> Exit {
     };
     batch::run(&order, |picture, _, common, timings| {
         let fonts = || common.fonts.get();
-        let request = Request {
-            subject: args.subject(),
-            thresholds: args.threshold,
-            plan: &common.plan,
-            limits: common.limits,
-            fonts: &fonts,
-        };
+        let request =
+            Request { subject, thresholds: args.threshold, plan: &common.plan, limits: common.limits, fonts: &fonts };
         let traced = trace(picture, &request, &mut |event| timings.watch(event))?;
         let text = timings.step("write", || json::write(&traced.trace));
         Ok(Made { text, notes: traced.notes })

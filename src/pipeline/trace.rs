@@ -1,6 +1,6 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::{Event, Stage, enough_pixels, run, working_size};
+use super::{Event, Stage, crowded, draw_lines, enough_pixels, run, working_size};
 use crate::contours::Trace;
 use crate::edges;
 use crate::frame::Frame;
@@ -26,6 +26,9 @@ pub enum Subject {
         /// for the page.
         full_resolution: bool,
     },
+    /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a page is
+    /// drawn from what the profile works on, and lines drawn from anything else would be on no page.
+    Lines,
 }
 
 /// Which contours are strong enough (see [`crate::edges`] for the unit).
@@ -47,7 +50,8 @@ impl Thresholds {
 pub struct Request<'a> {
     /// What is traced.
     pub subject: Subject,
-    /// Which contours are strong enough; without it the parameters of the subject say so.
+    /// Which contours are strong enough; without it the parameters of the subject say so. Widths of lines stay as the plan
+    /// has them.
     pub thresholds: Option<Thresholds>,
     /// The checked profile.
     pub plan: &'a Plan,
@@ -69,7 +73,7 @@ pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)
     };
     let options = Options { limits, fonts, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
-    let (raster, source, notes) = (picture.raster, picture.source.size, picture.notes);
+    let (raster, source, mut notes) = (picture.raster, picture.source.size, picture.notes);
 
     let layout = super::layout(source, plan);
     let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
@@ -77,10 +81,28 @@ pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)
     if let Some(Thresholds { low, high }) = thresholds {
         (params.low, params.high) = (low, high);
     }
-    if raster.is_flat() {
+    let edges = if raster.is_flat() {
         watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
-        return Ok(Traced { trace: Trace { size: source, polylines: Vec::new() }, notes });
+        None
+    } else {
+        Some(run(watch, Stage::Edges, || edges::find(&raster, &params)))
+    };
+    drop(raster);
+    let trace = match (&edges, subject) {
+        (None, _) => Trace { size: source, polylines: Vec::new() },
+        (Some(edges), Subject::Edges { .. }) => Trace::of_edges(edges, source),
+        (Some(edges), Subject::Lines) => {
+            let drawn = draw_lines(Some(edges), &layout, plan, watch);
+            notes.extend(crowded(&drawn));
+            let frame = Frame::new(edges.size, layout.figure);
+            let params = plan.lines();
+            // The middle line of a bar lies so far from either side, and nothing is moved further.
+            let reach = 0.5 * (params.min_gap + params.width_max);
+            Trace::of_lines(&drawn.lines, edges, &frame, layout.figure, reach, source)
+        }
+    };
+    if trace.polylines.is_empty() {
+        notes.push(Note::NoContours);
     }
-    let edges = run(watch, Stage::Edges, || edges::find(&raster, &params));
-    Ok(Traced { trace: Trace::of_edges(&edges, source), notes })
+    Ok(Traced { trace, notes })
 }

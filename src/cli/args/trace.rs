@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use tactograph::pipeline::trace::{Subject, Thresholds};
 
 use super::shared::Shared;
@@ -32,6 +32,8 @@ Examples:
         looks at every pixel of the picture, whatever the size of the page
   tactograph trace photos/*.jpg --out-dir edges --full-resolution --threshold 0,0
         writes everything that may be a contour, to choose by strength afterwards
+  tactograph trace coffee.png --stage lines --profile swell-a3
+        writes the lines that convert draws for A3 paper
   curl https://example.org/cat.jpg | tactograph trace - | jq '.polylines | length'
         reads from standard input and writes to standard output
 
@@ -66,6 +68,10 @@ pub(in crate::cli) struct Trace {
     #[arg(long, value_name = "DIR")]
     pub(in crate::cli) out_dir: Option<PathBuf>,
 
+    /// What to write: the contours as found, or the lines of the page
+    #[arg(long, value_enum, default_value_t = Stage::Edges)]
+    stage: Stage,
+
     /// Which contours are strong enough, in units of strength (see above)
     ///
     /// A contour goes on as long as it has the strength LOW, and is kept if it has the strength HIGH somewhere. 0,0 keeps
@@ -78,7 +84,8 @@ pub(in crate::cli) struct Trace {
     /// Works on the picture's own pixels
     ///
     /// Without it, a picture is brought to the size that the profile works on for the page, and the profile says how
-    /// its contours are found. With it, the profile has no say.
+    /// its contours are found. With it, the profile has no say. Not for --stage lines, as a page has lines only at the
+    /// size that its profile works on.
     #[arg(long)]
     full_resolution: bool,
 
@@ -88,9 +95,28 @@ pub(in crate::cli) struct Trace {
 
 impl Trace {
     /// What is traced.
-    pub(in crate::cli) fn subject(&self) -> Subject {
-        Subject::Edges { full_resolution: self.full_resolution }
+    ///
+    /// # Errors
+    /// If what is asked for does not go together.
+    pub(in crate::cli) fn subject(&self) -> Result<Subject, &'static str> {
+        match (self.stage, self.full_resolution) {
+            (Stage::Edges, full_resolution) => Ok(Subject::Edges { full_resolution }),
+            (Stage::Lines, false) => Ok(Subject::Lines),
+            (Stage::Lines, true) => Err(
+                "--full-resolution does not go with --stage lines: a page has lines only at the size that its profile works on; \
+                 leave one out, or make that size larger with --set figure.resolution=12",
+            ),
+        }
     }
+}
+
+/// `--stage`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Stage {
+    /// Contours as they are found, before any rule of touch: thinned, linked, chosen by strength, not simplified
+    Edges,
+    /// The lines that "tactograph convert" draws in the figure: joined, cleared, simplified; with their width on the page, width_mm, from each point to the next
+    Lines,
 }
 
 fn thresholds(text: &str) -> Result<Thresholds, String> {
