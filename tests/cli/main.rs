@@ -5,5 +5,6 @@ mod pictures;
 mod places;
 mod profiles;
 mod several;
+mod trace;
 mod words;
 mod writing;
