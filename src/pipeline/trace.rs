@@ -40,7 +40,8 @@ pub struct Thresholds {
 
 impl Thresholds {
     /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere. With
-    /// 0 and 0 everything is kept. None unless 0 <= `low` <= `high` and both are finite.
+    /// 0 and 0 everything is kept that is long enough ([`edges::Params::min_length`]). None unless 0 <= `low` <= `high` and
+    /// both are finite.
     pub fn new(low: f32, high: f32) -> Option<Self> {
         (0.0 <= low && low <= high && high.is_finite()).then_some(Self { low, high })
     }
@@ -62,6 +63,25 @@ pub struct Request<'a> {
 }
 
 /// Traces the contours of a picture. `watch` is told of every stage.
+///
+/// ```no_run
+/// use std::sync::Arc;
+/// use tactograph::pipeline::trace::{Request, Subject, Thresholds};
+/// use tactograph::profile::{Plan, Profile};
+///
+/// let picture = std::fs::read("samples/coffee.png")?;
+/// let plan = Plan::new(&Profile::named("swell-a4").expect("built in")).expect("built-in profiles make sense");
+/// let fonts = || Arc::new(usvg::fontdb::Database::new());
+/// let subject = Subject::Edges { full_resolution: true };
+/// let thresholds = Thresholds::new(5.0, 20.0);
+/// let request = Request { subject, thresholds, plan: &plan, limits: Default::default(), fonts: &fonts };
+/// let traced = tactograph::trace(&picture, &request, &mut |_event| ())?;
+/// for contour in traced.trace.polylines.iter().filter(|contour| contour.closed) {
+///     println!("a ring of {} points", contour.points.len());
+/// }
+/// std::fs::write("coffee.json", tactograph::output::json::write(&traced.trace))?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// When the picture cannot be read or is too small; see [`Error`].

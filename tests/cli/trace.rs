@@ -224,6 +224,8 @@ fn help_teaches_the_format_and_the_unit() {
     // What is said of --full-resolution's own thresholds is so.
     let own = tactograph::edges::Params::default();
     assert!(help.out.contains(&format!("with --full-resolution {},{}]", own.low, own.high)));
+    let words = help.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains(&format!("crumbs, which at full resolution are shorter than {} pixels", own.min_length)));
     let lines = place.run(&["trace", "-h"]).out.lines().count();
     assert!(lines <= 35, "trace -h has {lines} lines: no short help");
 }
