@@ -16,6 +16,8 @@ pub struct Mm;
 
 /// A place in the working picture, in pixels.
 pub type PxPoint = euclid::Point2D<f32, Px>;
+/// A direction and distance in the working picture, in pixels.
+pub type PxVector = euclid::Vector2D<f32, Px>;
 /// A place on the sheet, in millimetres.
 pub type MmPoint = euclid::Point2D<f32, Mm>;
 /// A direction and distance on the sheet, in millimetres.

@@ -1,22 +1,24 @@
 //! Which chains are contours worth a line: strength with its texture taken off, hysteresis along the chain, length.
 
 use super::chain::Chain;
+use super::path::{Mark, Path};
 use super::sides::Sides;
 use super::thin::Ridge;
-use super::{EdgePoint, Edges, Params};
+use super::{Params, lab};
+use crate::raster::Raster;
 use crate::raster::plane::Plane;
-use crate::units::Size;
 
+/// `noise` is the standard deviation of a pixel in units of strength.
 pub(super) fn keep(
     points: &[Ridge],
     chains: &[Chain],
-    lab: &[Vec<f32>],
+    raster: &Raster,
     sides: &Sides,
-    size: Size,
+    noise: f32,
     params: &Params,
-) -> Edges {
-    let mut edges = Edges { size, points: Vec::new(), chains: Vec::new() };
-    let colours = Colours { planes: lab, size, reach: params.sigma.max(1.0) };
+) -> Vec<Path> {
+    let mut paths = Vec::new();
+    let colours = Colours { raster, reach: params.sigma.max(1.0) };
     for chain in chains {
         // Texture only takes strength away, so a chain without one step of this height never reaches it.
         let reaches = chain.iter().any(|&number| points[number as usize].step >= params.high);
@@ -25,25 +27,38 @@ pub(super) fn keep(
         }
         let strengths = strengths(points, chain, sides, params);
         for piece in pieces(chain, &strengths, params) {
-            let numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
+            let mut numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
             if length(points, &numbers) < params.min_length {
                 continue;
             }
-            let start = edges.points.len();
-            for (k, &i) in piece.iter().enumerate() {
-                let (before, after) = (numbers[k.saturating_sub(1)], numbers[(k + 1).min(numbers.len() - 1)]);
-                let step = colours.step(points, before, numbers[k], after);
-                edges.points.push(EdgePoint { at: points[numbers[k] as usize].at, strength: strengths[i], step });
+            let closed = numbers.len() > 3 && numbers.first() == numbers.last();
+            if closed {
+                numbers.pop();
             }
-            if numbers.first() == numbers.last()
-                && let Some(last) = edges.points.last().copied()
-            {
-                edges.points[start] = last; // a ring's seam carries one value
-            }
-            edges.chains.push(start..edges.points.len());
+            let n = numbers.len();
+            let mark = |k: usize| {
+                let (before, after) =
+                    if closed { ((k + n - 1) % n, (k + 1) % n) } else { (k.saturating_sub(1), (k + 1).min(n - 1)) };
+                let point = &points[numbers[k] as usize];
+                Mark {
+                    at: point.at,
+                    strength: strengths[piece[k]],
+                    step: colours.step(points, numbers[before], numbers[k], numbers[after]),
+                    blur: point.blur,
+                    doubt: doubt(noise, point, params.sigma),
+                }
+            };
+            paths.push(Path { marks: (0..n).map(mark).collect(), closed });
         }
     }
-    edges
+    paths
+}
+
+/// Standard deviation, px, of the place of the steepest point across an edge of height `D` and blur `t` found with
+/// derivatives of scale `sigma` under white noise `n`: noise of the second derivative, `n sqrt(3 / 16 pi) / sigma^3`, over
+/// the slope that the second derivative has at the edge, `D / (sqrt(2 pi) t^3)`.
+fn doubt(noise: f32, point: &Ridge, sigma: f32) -> f32 {
+    0.612 * noise / point.step.max(1e-3) * (point.blur / sigma).powi(3)
 }
 
 fn length(points: &[Ridge], chain: &[u32]) -> f32 {
@@ -59,11 +74,12 @@ fn strengths(points: &[Ridge], chain: &Chain, sides: &Sides, params: &Params) ->
         .iter()
         .map(|&number| {
             let point = &points[number as usize];
+            let step = point.step;
             if suppression > 0.0 {
                 // the geometric mean of gradient and side statistic: step * sqrt(contour) at full suppression
-                point.step * sides.contour(point.at, point.normal, point.step).powf(0.5 * suppression)
+                step * sides.contour(point.at, point.normal, step).powf(0.5 * suppression)
             } else {
-                point.step
+                step
             }
         })
         .collect();
@@ -110,8 +126,7 @@ fn pieces(chain: &Chain, strengths: &[f32], params: &Params) -> Vec<Vec<usize>> 
 
 /// Reads the colours to the right and left of a chain.
 struct Colours<'a> {
-    planes: &'a [Vec<f32>],
-    size: Size,
+    raster: &'a Raster,
     /// How far from the edge, px. The two ridges of a line thinner than the scale stand one sigma beside its middle: farther
     /// on would be the paper on its other side.
     reach: f32,
@@ -124,11 +139,15 @@ impl Colours<'_> {
         // right of the walking direction, with y down
         let sign = if -along.y * point.normal[0] + along.x * point.normal[1] >= 0.0 { 1.0 } else { -1.0 };
         let (dx, dy) = (sign * self.reach * point.normal[0], sign * self.reach * point.normal[1]);
-        let mut step = [0.0; 3];
-        for (step, plane) in step.iter_mut().zip(self.planes) {
-            let at = |x, y| Plane::look_up(plane, self.size, x, y);
-            *step = at(point.at.x + dx, point.at.y + dy) - at(point.at.x - dx, point.at.y - dy);
+        let (right, left) = (self.at(point.at.x + dx, point.at.y + dy), self.at(point.at.x - dx, point.at.y - dy));
+        std::array::from_fn(|i| right[i] - left[i])
+    }
+
+    fn at(&self, x: f32, y: f32) -> [f32; 3] {
+        let at = |plane: &Vec<f32>| Plane::look_up(plane, self.raster.size(), x, y);
+        match self.raster.planes() {
+            [red, green, blue] => lab::colour([at(red), at(green), at(blue)]),
+            planes => lab::colour([planes.first().map_or(0.0, at); 3]),
         }
-        step
     }
 }

@@ -1,7 +1,12 @@
-//! Perceptual planes: CIELAB with its chroma axes counted twice.
+//! Perceptual planes: the chroma axes of CIELAB, counted twice, beside the lightness that pictures are stored in.
 //!
-//! On photographs this scored best of the spaces tried (contour benchmark BSDS500, ODS 0.644 against 0.639 for plain
-//! CIELAB, 0.634 for OKLab, 0.604 for grey): a change of hue is a better sign of a new object than a change of light.
+//! On photographs CIELAB with chroma x 2 scored best of the spaces tried (contour benchmark BSDS500, ODS 0.644 against 0.639
+//! for plain CIELAB, 0.634 for OKLab, 0.604 for grey): a change of hue is a better sign of a new object than a change of
+//! light. In place of L*, lightness is 100 times the code value of sRGB for the luminance. The two differ by 6 at most; but
+//! most pictures were blurred, scaled and compressed as code values, and over a grey step L* bends such a profile: its
+//! steepest place moves by 0.03 px, against 0.004 px here (straight edges, PSF 0.7 px). On photographs it costs 0.003.
+
+use pulp::Arch;
 
 use crate::raster::Raster;
 
@@ -15,44 +20,78 @@ const TO_XYZ: [[f32; 3]; 3] = [
     [0.019_330_8 / 1.089_057_8, 0.119_194_8 / 1.089_057_8, 0.950_532_2 / 1.089_057_8],
 ];
 
-/// L, and for colour pictures 2a and 2b; L runs 0..=100.
-pub(super) fn planes(raster: &Raster) -> Vec<Vec<f32>> {
-    match raster.planes() {
-        [grey] => vec![grey.iter().map(|&y| 116.0 * f(y) - 16.0).collect()],
-        [red, green, blue] => {
-            let mut lab = [(); 3].map(|()| vec![0.0; red.len()]);
-            let [lightness, a, b] = &mut lab;
-            let colours = red.iter().zip(green).zip(blue);
-            for ((((&r, &g), &b_), l), (a, b)) in colours.zip(lightness).zip(a.iter_mut().zip(b)) {
-                let [x, y, z] = TO_XYZ.map(|row| f(row[0] * r + row[1] * g + row[2] * b_));
-                *l = 116.0 * y - 16.0;
-                *a = CHROMA * 500.0 * (x - y);
-                *b = CHROMA * 200.0 * (y - z);
-            }
-            lab.into()
+/// How many planes [`row`] fills: L, and for colour pictures 2a and 2b.
+pub(super) fn planes(raster: &Raster) -> usize {
+    raster.planes().len()
+}
+
+/// Row `y` of L (0..=100) and, for colour pictures, 2a and 2b. The rows of `lab` are as long as the picture is wide, or
+/// longer.
+pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
+    let width = raster.size().width as usize;
+    let part = |plane: usize| &raster.planes()[plane][y * width..][..width];
+    match lab {
+        [l] => {
+            let (grey, l) = (part(0), &mut l[..width]);
+            arch.dispatch(
+                #[inline(always)]
+                || {
+                    for i in 0..width {
+                        l[i] = lightness(grey[i]);
+                    }
+                },
+            );
         }
-        _ => Vec::new(), // a raster has one plane or three
+        [l, a, b] => {
+            let (red, green, blue) = (part(0), part(1), part(2));
+            let (l, a, b) = (&mut l[..width], &mut a[..width], &mut b[..width]);
+            arch.dispatch(
+                #[inline(always)]
+                || {
+                    for i in 0..width {
+                        let lab = colour([red[i], green[i], blue[i]]);
+                        (l[i], a[i], b[i]) = (lab[0], lab[1], lab[2]);
+                    }
+                },
+            );
+        }
+        _ => {} // a raster has one plane or three
     }
+}
+
+/// L, 2a and 2b of a colour in linear light.
+#[inline(always)]
+pub(super) fn colour([r, g, b]: [f32; 3]) -> [f32; 3] {
+    let [to_x, to_y, to_z] = &TO_XYZ;
+    let x = to_x[0] * r + to_x[1] * g + to_x[2] * b;
+    let y = to_y[0] * r + to_y[1] * g + to_y[2] * b;
+    let z = to_z[0] * r + to_z[1] * g + to_z[2] * b;
+    let (fx, fy, fz) = (f(x), f(y), f(z));
+    [lightness(y), CHROMA * 500.0 * (fx - fy), CHROMA * 200.0 * (fy - fz)]
+}
+
+/// 100 times the transfer curve of sRGB (IEC 61966-2-1), `1.055 y^(1/2.4) - 0.055` with a straight piece near black;
+/// 1/2.4 is a third and a quarter of a third.
+#[inline(always)]
+fn lightness(y: f32) -> f32 {
+    let root = cube_root(y);
+    if y > 0.003_130_8 { 105.5 * root * root.sqrt().sqrt() - 5.5 } else { 1292.0 * y }
 }
 
 /// The compression of CIELAB: a cube root with a straight piece near black.
-#[inline]
+#[inline(always)]
 fn f(t: f32) -> f32 {
     const DELTA: f32 = 6.0 / 29.0;
-    let t = t.max(0.0);
     if t > DELTA * DELTA * DELTA { cube_root(t) } else { t / (3.0 * DELTA * DELTA) + 4.0 / 29.0 }
 }
 
-/// Cube root of a positive number to 2e-7 of it: a third of the exponent as a first guess, then Halley's step twice. Only
-/// + - * /, so that it is the same on every machine and the compiler can do several at once.
-#[inline]
+/// Cube root of a positive number to 3e-5 of it (0.003 of lightness): a third of the exponent as a first guess, then one
+/// step of Halley's. Only + - * /, so that it is the same on every machine and the compiler can do several at once.
+#[inline(always)]
 fn cube_root(x: f32) -> f32 {
-    let mut y = f32::from_bits(x.to_bits() / 3 + 0x2a51_37a0);
-    for _ in 0..2 {
-        let cube = y * y * y;
-        y *= (cube + 2.0 * x) / (2.0 * cube + x);
-    }
-    y
+    let y = f32::from_bits(x.to_bits() / 3 + 0x2a51_37a0);
+    let cube = y * y * y;
+    y * ((cube + 2.0 * x) / (2.0 * cube + x))
 }
 
 #[cfg(test)]
@@ -61,11 +100,11 @@ mod tests {
     use crate::units::Size;
 
     #[test]
-    fn the_cube_root_is_right_to_single_precision() {
+    fn the_cube_root_is_as_right_as_said() {
         for i in 1..=100_000 {
             let x = i as f32 / 50_000.0;
             let exact = f64::from(x).cbrt();
-            assert!((f64::from(cube_root(x)) - exact).abs() < 3e-7 * exact, "{x}");
+            assert!((f64::from(cube_root(x)) - exact).abs() < 3e-5 * exact, "{x}");
         }
     }
 
@@ -73,15 +112,16 @@ mod tests {
     fn known_colours_have_their_known_lab_values() {
         let one = Size::new(1, 1);
         let lab = |r, g, b| {
-            let planes = planes(&Raster::colour(one, [vec![r], vec![g], vec![b]]));
-            [planes[0][0], planes[1][0] / CHROMA, planes[2][0] / CHROMA]
+            let mut lab = [(); 3].map(|()| vec![0.0]);
+            row(Arch::new(), &Raster::colour(one, [vec![r], vec![g], vec![b]]), 0, &mut lab);
+            [lab[0][0], lab[1][0] / CHROMA, lab[2][0] / CHROMA]
         };
-        // D65 values as printed in textbooks
+        // a and b as printed in textbooks for D65; lightness is the code value of the luminance
         for (got, want) in [
             (lab(1.0, 1.0, 1.0), [100.0, 0.0, 0.0]),
-            (lab(1.0, 0.0, 0.0), [53.24, 80.09, 67.20]),
-            (lab(0.0, 1.0, 0.0), [87.73, -86.18, 83.18]),
-            (lab(0.0, 0.0, 1.0), [32.30, 79.19, -107.86]),
+            (lab(1.0, 0.0, 0.0), [49.85, 80.09, 67.20]),
+            (lab(0.0, 1.0, 0.0), [86.25, -86.18, 83.18]),
+            (lab(0.0, 0.0, 1.0), [29.79, 79.19, -107.86]),
         ] {
             for (got, want) in got.iter().zip(want) {
                 assert!((got - want).abs() < 0.05, "{got} is not {want}");

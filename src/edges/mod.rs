@@ -1,22 +1,35 @@
 //! Contours of the picture: where its colour steps, how high the step is, and which points belong together.
 //!
 //! ```text
-//! Raster -> lab (perceptual planes) -> gradient (colour tensor, row by row) -> thin (points between pixels)
-//!                    `-> sides (what lies on both sides) ----------------------> keep
-//!                                                            thin -> chain ---^    `-> Edges
+//! Raster -> noise (how much)
+//!        -> lab (perceptual rows) -> gradient (colour tensor, row by row) -> thin (points between pixels)
+//!                 `-> sides (what lies on both sides) ----v                    |
+//!   Edges <- meet <- corner <- refine <- bridge <------- keep <- height <- chain
 //! ```
 //!
-//! **Strength is the height of the colour step** in CIELAB units with the chroma axes counted twice (`lab`), whatever the
-//! working resolution and the blur of the edge: black against white is 100, a step that is barely worth a line about 10.
+//! All colour planes live for a few rows only; from `thin` on there are points, and the time goes with their number.
+//!
+//! **Strength is the height of the colour step** in units of lightness, the chroma axes of CIELAB counted twice (`lab`),
+//! whatever the working resolution and the blur of the edge: black against white is 100, a step that is barely worth a line
+//! about 10. A grey step of N of 255 code values is N / 2.55.
 
+mod bridge;
 mod chain;
+mod corner;
 mod gradient;
+mod height;
 mod keep;
 mod lab;
+mod meet;
+mod noise;
+mod path;
+mod refine;
 mod sides;
 mod thin;
 
 use std::ops::Range;
+
+use noise::Noise;
 
 use crate::raster::Raster;
 use crate::units::{PxPoint, Size};
@@ -48,10 +61,10 @@ impl Default for Params {
     fn default() -> Self {
         Self {
             sigma: 1.5,
-            low: 3.0,
-            high: 6.0,
+            low: 3.5,
+            high: 8.0,
             min_length: 6.0,
-            strength_window: 3.0,
+            strength_window: 10.0,
             suppression: 1.0,
             side_sigma: 3.0,
             side_offset: 6.0,
@@ -82,6 +95,20 @@ pub struct Edges {
 }
 
 impl Edges {
+    fn from_paths(size: Size, paths: &[path::Path]) -> Self {
+        let mut edges = Self { size, points: Vec::new(), chains: Vec::new() };
+        for path in paths {
+            let start = edges.points.len();
+            let point = |mark: &path::Mark| EdgePoint { at: mark.at, strength: mark.strength, step: mark.step };
+            edges.points.extend(path.marks.iter().map(point));
+            if path.closed {
+                edges.points.extend(path.marks.first().map(point));
+            }
+            edges.chains.push(start..edges.points.len());
+        }
+        edges
+    }
+
     /// The chains one by one.
     pub fn chains(&self) -> impl Iterator<Item = &[EdgePoint]> {
         self.chains.iter().map(|range| &self.points[range.clone()])
@@ -95,18 +122,43 @@ impl Edges {
 
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
-    let lab = lab::planes(raster);
-    let mut thinner = thin::Thinner::new(raster.size(), params);
-    let mut sides = sides::Builder::new(raster.size(), params);
-    gradient::each_row(&lab, raster.size(), params.sigma, |tensor| {
-        thinner.push(tensor);
-        sides.push(tensor);
-    });
-    let points = thinner.finish();
-    if points.is_empty() {
-        return Edges { size: raster.size(), points: Vec::new(), chains: Vec::new() };
+    let arch = pulp::Arch::new();
+    let size = raster.size();
+    let planes = lab::planes(raster);
+    let noise = Noise::of(arch, raster);
+    let params = &noise.adapted(params);
+    let mut thinner = thin::Thinner::new(size, params);
+    let mut sides = sides::Builder::new(size, planes, params);
+    let mut gradient = gradient::Gradient::new(size, planes, params.sigma);
+    let mut lab = vec![vec![0.0; size.width as usize]; planes];
+    for y in 0..size.height as usize {
+        lab::row(arch, raster, y, &mut lab);
+        sides.push_colours(&lab);
+        for (plane, &weight) in lab.iter_mut().zip(&noise.weights).filter(|(_, weight)| **weight < 1.0) {
+            plane.iter_mut().for_each(|v| *v *= weight);
+        }
+        gradient.push(&lab, |tensor| {
+            thinner.push(tensor);
+            sides.push_tensor(tensor);
+        });
     }
-    let sides = sides.finish(&lab);
-    let chains = chain::link(&points, raster.size());
-    keep::keep(&points, &chains, &lab, &sides, raster.size(), params)
+    gradient.finish(|tensor| {
+        thinner.push(tensor);
+        sides.push_tensor(tensor);
+    });
+    let mut points = thinner.finish();
+    if points.is_empty() {
+        return Edges { size, points: Vec::new(), chains: Vec::new() };
+    }
+    let sides = sides.finish();
+    let chains = chain::link(&points, size);
+    height::even_out(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
+    let kept = keep::keep(&points, &chains, raster, &sides, noise.pixel, params);
+    let mut paths = bridge::join(kept, params.sigma);
+    for path in &mut paths {
+        refine::refine(path, params.sigma);
+        corner::sharpen(path);
+    }
+    meet::lead_on(&mut paths, size);
+    Edges::from_paths(size, &paths)
 }

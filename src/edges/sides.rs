@@ -8,7 +8,7 @@
 
 use super::Params;
 use super::gradient::TensorRow;
-use crate::raster::plane::{Plane, Shrinker, shrink};
+use crate::raster::plane::{Plane, Shrinker};
 use crate::units::{PxPoint, Size};
 
 /// Spread (in units of strength) within the sides that halves the power of a difference between them: n in the formula.
@@ -29,6 +29,9 @@ pub(super) struct Builder {
     sigma: f32,
     offset: f32,
     tensor: [Shrinker; 3],
+    colours: Vec<Shrinker>,
+    square: Shrinker,
+    sums: Vec<f32>,
 }
 
 /// Side statistics, ready to be asked.
@@ -42,42 +45,51 @@ pub(super) struct Sides {
 }
 
 impl Builder {
-    pub(super) fn new(size: Size, params: &Params) -> Self {
+    pub(super) fn new(size: Size, planes: usize, params: &Params) -> Self {
         let cell = (params.side_sigma / CELLS_PER_SIGMA).max(1.0);
         let cells = |pixels: u32| ((pixels as f32 / cell).ceil() as u32).clamp(1, pixels);
         let to = Size::new(cells(size.width), cells(size.height));
-        let tensor = [(); 3].map(|()| Shrinker::new(size, to));
-        Self { from: size, to, sigma: params.side_sigma, offset: params.side_offset, tensor }
+        let shrinker = || Shrinker::new(size, to);
+        Self {
+            from: size,
+            to,
+            sigma: params.side_sigma,
+            offset: params.side_offset,
+            tensor: [(); 3].map(|()| shrinker()),
+            colours: (0..planes).map(|_| shrinker()).collect(),
+            square: shrinker(),
+            sums: vec![0.0; size.width as usize],
+        }
     }
 
-    pub(super) fn push(&mut self, row: &TensorRow) {
+    pub(super) fn push_colours(&mut self, planes: &[Vec<f32>]) {
+        self.sums.fill(0.0);
+        for (plane, shrinker) in planes.iter().zip(&mut self.colours) {
+            shrinker.push(plane);
+            self.sums.iter_mut().zip(plane).for_each(|(sum, v)| *sum += v * v);
+        }
+        self.square.push(&self.sums);
+    }
+
+    pub(super) fn push_tensor(&mut self, row: &TensorRow) {
         let [xx, xy, yy] = &mut self.tensor;
         xx.push(&row.xx);
         xy.push(&row.xy);
         yy.push(&row.yy);
     }
 
-    pub(super) fn finish(self, lab: &[Vec<f32>]) -> Sides {
+    pub(super) fn finish(self) -> Sides {
         let (scale_x, scale_y) =
             (self.to.width as f32 / self.from.width as f32, self.to.height as f32 / self.from.height as f32);
         let sigma = self.sigma * (scale_x * scale_y).sqrt();
-        let width = self.from.width as usize;
-        let mut square = Shrinker::new(self.from, self.to);
-        let mut sums = vec![0.0; width];
-        for y in 0..self.from.height as usize {
-            sums.fill(0.0);
-            for plane in lab {
-                sums.iter_mut().zip(&plane[y * width..][..width]).for_each(|(sum, v)| *sum += v * v);
-            }
-            square.push(&sums);
-        }
+        let finish = |shrinker: Shrinker| shrinker.finish().blurred(sigma);
         Sides {
             scale_x,
             scale_y,
             offset: self.offset,
-            means: lab.iter().map(|plane| shrink(plane, self.from, self.to).blurred(sigma)).collect(),
-            square: square.finish().blurred(sigma),
-            tensor: self.tensor.map(|shrinker| shrinker.finish().blurred(sigma)),
+            means: self.colours.into_iter().map(finish).collect(),
+            square: finish(self.square),
+            tensor: self.tensor.map(finish),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Params;
 use super::gradient::TensorRow;
+use super::height::{Profile, WIDEST};
 use crate::units::{PxPoint, Size};
 
 /// A place where the gradient is greatest across the edge.
@@ -10,8 +11,11 @@ pub(super) struct Ridge {
     pub(super) at: PxPoint,
     /// Unit vector across the edge; its sign has no meaning (a colour step has no up).
     pub(super) normal: [f32; 2],
-    /// Height of the step.
+    pub(super) profile: Profile,
+    /// Height of the step, in units of strength.
     pub(super) step: f32,
+    /// Blur of the step with the scale of the derivative in it, px.
+    pub(super) blur: f32,
     /// The pixel it was found at.
     pub(super) column: u32,
     /// The pixel row.
@@ -24,91 +28,104 @@ pub(super) struct Thinner {
     sigma: f32,
     least_gradient: f32,
     least_step: f32,
-    rows: [Option<Row>; 3],
-    next: u32,
+    /// How far beyond an edge its pedestal is read, px.
+    reach: usize,
+    /// The last rows, row `y` in place `y` modulo their number.
+    rows: Vec<TensorRow>,
+    pushed: usize,
     points: Vec<Ridge>,
-}
-
-struct Row {
-    tensor: TensorRow,
-    gradient: Vec<f32>,
 }
 
 /// Ridges are kept down to this share of the lower threshold, so that smoothing along a chain still sees the weak points.
 const BELOW_LOW: f32 = 0.5;
-
-/// The widest edge whose height is measured, in sigmas: a step blurred more than this counts as shading and is taken for
-/// lower than it is.
-const WIDEST: f32 = 2.5;
+/// The pedestal is read this many scales beyond an edge, where a sharp edge's own gradient is down to 2 in 100.
+const BEYOND: f32 = 3.0;
 
 impl Thinner {
     pub(super) fn new(size: Size, params: &Params) -> Self {
         let least_step = BELOW_LOW * params.low;
-        // the gradient of that step when it is blurred as far as is measured
-        let least_gradient = least_step / (std::f32::consts::TAU.sqrt() * params.sigma * WIDEST);
+        let reach = (BEYOND * params.sigma).round() as usize;
         Self {
             size,
             sigma: params.sigma,
-            least_gradient,
+            // the gradient of that step when it is blurred as far as is measured
+            least_gradient: least_step / (std::f32::consts::TAU.sqrt() * params.sigma * WIDEST),
             least_step,
-            rows: [const { None }; 3],
-            next: 0,
+            reach,
+            rows: vec![TensorRow::default(); 2 * reach + 1],
+            pushed: 0,
             points: Vec::new(),
         }
     }
 
     pub(super) fn push(&mut self, tensor: &TensorRow) {
-        let gradient = tensor.xx.iter().zip(&tensor.xy).zip(&tensor.yy).map(|((&xx, &xy), &yy)| {
-            let (half, difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-            (half + (difference * difference + xy * xy).sqrt()).sqrt()
-        });
-        self.rows.rotate_left(1);
-        match &mut self.rows[2] {
-            Some(row) => {
-                row.gradient.clear();
-                row.gradient.extend(gradient);
-                row.tensor.clone_from(tensor);
-            }
-            empty => *empty = Some(Row { gradient: gradient.collect(), tensor: tensor.clone() }),
-        }
-        self.next += 1;
-        if self.next >= 3 {
-            self.thin_middle();
+        let slot = self.pushed % self.rows.len();
+        self.rows[slot].clone_from(tensor);
+        self.pushed += 1;
+        if self.pushed > self.reach {
+            self.thin(self.pushed - 1 - self.reach);
         }
     }
 
-    pub(super) fn finish(self) -> Vec<Ridge> {
+    pub(super) fn finish(mut self) -> Vec<Ridge> {
+        for row in self.pushed.saturating_sub(self.reach)..self.pushed {
+            self.thin(row);
+        }
         self.points
     }
 
-    /// Looks at the middle one of the three rows. The outermost pixels of the picture have no neighbours to compare with.
-    fn thin_middle(&mut self) {
-        let [Some(above), Some(middle), Some(below)] = &self.rows else { return };
-        let row = self.next - 2;
-        for column in 1..self.size.width.saturating_sub(1) as usize {
-            let here = middle.gradient[column];
+    /// Looks at one row. The outermost pixels of the picture have no neighbours to compare with.
+    fn thin(&mut self, row: usize) {
+        let Self { size, reach, rows, points, .. } = self;
+        let (width, height, reach) = (size.width as usize, size.height as usize, *reach);
+        if row == 0 || row + 1 >= height || width < 3 {
+            return;
+        }
+        let at = |y: usize| &rows[y % rows.len()];
+        let (above, middle, below) = (&at(row - 1).length, at(row), &at(row + 1).length);
+        let far = |y: Option<usize>| y.filter(|y| *y < height).map(|y| &at(y).length);
+        let (far_above, far_below) = (far(row.checked_sub(reach)), far(Some(row + reach)));
+        let lengths = &middle.length[..width];
+        for column in 1..width - 1 {
+            let here = lengths[column];
             if here < self.least_gradient {
                 continue;
             }
-            let (xx, xy, yy) = (middle.tensor.xx[column], middle.tensor.xy[column], middle.tensor.yy[column]);
+            let (xx, xy, yy) = (middle.xx[column], middle.xy[column], middle.yy[column]);
             let upright = xx >= yy; // the edge runs up and down, compare left and right
-            let (before, after) = if upright {
-                (middle.gradient[column - 1], middle.gradient[column + 1])
-            } else {
-                (above.gradient[column], below.gradient[column])
-            };
+            let (before, after) =
+                if upright { (lengths[column - 1], lengths[column + 1]) } else { (above[column], below[column]) };
             if !(here > before && here >= after) {
                 continue;
             }
             let normal = direction(xx, xy, yy);
             let along_axis = if upright { normal[0].abs() } else { normal[1].abs() };
-            let Some((offset, step)) = peak(before, here, after, along_axis, self.sigma) else { continue };
+            let Some((offset, top, sharpness)) = peak(before, here, after) else { continue };
+            let beyond = if upright {
+                let far = |x: Option<usize>| x.and_then(|x| lengths.get(x)).copied();
+                [far(column.checked_sub(reach)), far(Some(column + reach))]
+            } else {
+                [far_above, far_below].map(|row| row.map(|row| row[column]))
+            };
+            let beyond = match beyond {
+                [Some(a), Some(b)] => [a, b],
+                // at the border of the picture there is but one side
+                [a, b] => [a.or(b).unwrap_or(0.0); 2],
+            };
+            let profile = Profile {
+                top,
+                sharpness: sharpness / (along_axis * along_axis),
+                beyond: beyond.map(|gradient| gradient / here),
+                distance: reach as f32 * along_axis,
+            };
+            let step = profile.step(self.sigma);
             if step < self.least_step {
                 continue;
             }
             let (x, y) = (column as f32 + 0.5, row as f32 + 0.5);
             let at = if upright { PxPoint::new(x + offset, y) } else { PxPoint::new(x, y + offset) };
-            self.points.push(Ridge { at, normal, step, column: column as u32, row });
+            let blur = profile.blur(self.sigma);
+            points.push(Ridge { at, normal, profile, step, blur, column: column as u32, row: row as u32 });
         }
     }
 }
@@ -123,12 +140,13 @@ fn direction(xx: f32, xy: f32, yy: f32) -> [f32; 2] {
     if length > 0.0 { [x / length, y / length] } else { [1.0, 0.0] }
 }
 
-/// Where between the neighbours the gradient is greatest (pixels from the middle, -0.5..=0.5) and how high the step is.
+/// Where between the neighbours the gradient is greatest (pixels from the middle, -0.5..=0.5), how great it is there, and
+/// how sharp the ridge is along the axis, px^-2.
 ///
 /// Devernay (1995) lays a parabola through the three gradients. The gradient across a blurred step is a Gaussian, whose
-/// logarithm *is* a parabola: so through the logarithms the place is free of bias, and the parabola's curvature tells
-/// the total blur `t`, from which the height follows as `sqrt(tau) * t * peak`, however soft the edge was in the picture.
-fn peak(before: f32, here: f32, after: f32, along_axis: f32, sigma: f32) -> Option<(f32, f32)> {
+/// logarithm *is* a parabola: so through the logarithms the place is free of bias, and the parabola's curvature is
+/// `1 / t^2` for the total blur `t`.
+fn peak(before: f32, here: f32, after: f32) -> Option<(f32, f32, f32)> {
     const TINY: f32 = 1e-6;
     let (left, mid, right) = (before.max(TINY).ln(), here.max(TINY).ln(), after.max(TINY).ln());
     let curvature = left + right - 2.0 * mid;
@@ -138,8 +156,7 @@ fn peak(before: f32, here: f32, after: f32, along_axis: f32, sigma: f32) -> Opti
     let slope = 0.5 * (right - left);
     let offset = (-slope / curvature).clamp(-0.5, 0.5);
     let top = (mid + 0.5 * slope * offset).exp();
-    let blur = (along_axis / (-curvature).sqrt()).clamp(sigma, WIDEST * sigma);
-    Some((offset, std::f32::consts::TAU.sqrt() * blur * top))
+    Some((offset, top, -curvature))
 }
 
 #[cfg(test)]
@@ -152,7 +169,9 @@ mod tests {
             for blur in [1.5_f32, 2.0, 3.0] {
                 let g =
                     |x: f32| 40.0 / (std::f32::consts::TAU.sqrt() * blur) * (-0.5 * ((x - shift) / blur).powi(2)).exp();
-                let (offset, step) = peak(g(-1.0), g(0.0), g(1.0), 1.0, 1.5).unwrap();
+                let (offset, top, sharpness) = peak(g(-1.0), g(0.0), g(1.0)).unwrap();
+                let beyond = [g(shift + 4.5) / top; 2];
+                let step = Profile { top, sharpness, beyond, distance: 4.5 }.step(1.5);
                 assert!((offset - shift).abs() < 1e-3, "{offset} is not {shift}");
                 assert!((step - 40.0).abs() < 0.1, "{step} at blur {blur}");
             }

@@ -1,5 +1,7 @@
 //! One plane of numbers: shrink, blur, look up between the pixels.
 
+use pulp::Arch;
+
 use crate::units::Size;
 
 /// Numbers on a pixel grid, rows from the top.
@@ -48,13 +50,21 @@ impl Plane {
         if sigma <= 0.0 {
             return self;
         }
-        let kernel = gauss(sigma);
+        Arch::new().dispatch(
+            #[inline(always)]
+            || self.filtered(&gauss(sigma)),
+        )
+    }
+
+    /// Filters with an even kernel (half of it given) along x, then along y.
+    #[inline(always)]
+    fn filtered(self, kernel: &[f32]) -> Self {
         let (width, height) = (self.size.width as usize, self.size.height as usize);
         let mut across = vec![0.0; self.values.len()];
         let mut padded = Vec::new();
         for (from, to) in self.values.chunks_exact(width).zip(across.chunks_exact_mut(width)) {
             pad(from, kernel.len() - 1, &mut padded);
-            filter_row(&padded, &kernel, to);
+            filter_row(&padded, kernel, to);
         }
         let mut values = self.values;
         for (y, to) in values.chunks_exact_mut(width).enumerate() {
@@ -65,7 +75,9 @@ impl Plane {
             to.iter_mut().zip(row(y as isize)).for_each(|(to, v)| *to = kernel[0] * v);
             for (step, k) in kernel.iter().enumerate().skip(1) {
                 let (above, below) = (row(y as isize - step as isize), row(y as isize + step as isize));
-                to.iter_mut().zip(above).zip(below).for_each(|((to, a), b)| *to += k * (a + b));
+                for i in 0..width {
+                    to[i] += k * (above[i] + below[i]);
+                }
             }
         }
         Self { size: self.size, values }
@@ -80,13 +92,16 @@ pub fn shrink(values: &[f32], from: Size, to: Size) -> Plane {
 }
 
 /// Shrinks a plane whose rows come one after another, so that the large plane need not exist.
+///
+/// Rows are added up first, over whole vectors; only the sum of a row of cells is then shrunk along x.
 #[derive(Debug)]
 pub struct Shrinker {
     columns: Vec<(usize, Vec<f32>)>,
     rows: Vec<(usize, Vec<f32>)>,
-    across: Vec<f32>,
+    /// Weighted sum of the rows of the cell that is being filled.
+    sum: Vec<f32>,
     next_row: usize,
-    first_open: usize,
+    cell: usize,
     out: Plane,
 }
 
@@ -96,31 +111,33 @@ impl Shrinker {
         Self {
             columns: shares(from.width, to.width),
             rows: shares(from.height, to.height),
-            across: vec![0.0; to.width as usize],
+            sum: vec![0.0; from.width as usize],
             next_row: 0,
-            first_open: 0,
+            cell: 0,
             out: Plane::filled(to, 0.0),
         }
     }
 
     /// Takes the next row, from the top.
     pub fn push(&mut self, row: &[f32]) {
-        for (to, (first, weights)) in self.across.iter_mut().zip(&self.columns) {
-            *to = weights.iter().zip(&row[*first..]).map(|(weight, value)| weight * value).sum();
-        }
         let width = self.out.size.width as usize;
-        for cell in self.first_open..self.rows.len() {
-            let (first, weights) = &self.rows[cell];
-            if *first > self.next_row {
+        // a row lies in one cell, or on the border of two
+        while let Some((first, weights)) = self.rows.get(self.cell)
+            && *first <= self.next_row
+        {
+            let place = self.next_row - first;
+            if let Some(&weight) = weights.get(place) {
+                self.sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+            }
+            if place + 1 < weights.len() {
                 break;
             }
-            match weights.get(self.next_row - first) {
-                Some(weight) => self.out.values[cell * width..][..width]
-                    .iter_mut()
-                    .zip(&self.across)
-                    .for_each(|(sum, value)| *sum += weight * value),
-                None => self.first_open = cell + 1,
+            let to = &mut self.out.values[self.cell * width..][..width];
+            for (to, (first, weights)) in to.iter_mut().zip(&self.columns) {
+                *to = weights.iter().zip(&self.sum[*first..]).map(|(weight, value)| weight * value).sum();
             }
+            self.sum.fill(0.0);
+            self.cell += 1;
         }
         self.next_row += 1;
     }
@@ -165,13 +182,16 @@ pub(crate) fn pad(row: &[f32], radius: usize, padded: &mut Vec<f32>) {
 
 /// An even kernel (half of it given) over a padded row. Sums run from the centre outwards over pairs, so a mirrored row
 /// gives exactly the mirrored result.
-pub(crate) fn filter_row(padded: &[f32], kernel: &[f32], to: &mut [f32]) {
+#[inline(always)]
+fn filter_row(padded: &[f32], kernel: &[f32], to: &mut [f32]) {
     let radius = kernel.len() - 1;
     let n = to.len();
     to.iter_mut().zip(&padded[radius..]).for_each(|(to, v)| *to = kernel[0] * v);
     for (step, k) in kernel.iter().enumerate().skip(1) {
         let (left, right) = (&padded[radius - step..][..n], &padded[radius + step..][..n]);
-        to.iter_mut().zip(left).zip(right).for_each(|((to, a), b)| *to += k * (a + b));
+        for i in 0..n {
+            to[i] += k * (left[i] + right[i]);
+        }
     }
 }
 

@@ -1,0 +1,111 @@
+//! Corners: a blur rounds them off, here they are pointed again.
+//!
+//! Beyond the rounding the two flanks of a corner run on unharmed. Where both are straight and the path turns between
+//! them, they are led on to where they cross, and the corner stands there.
+
+use super::path::{Flank, Path};
+use crate::units::PxPoint;
+
+/// A turn smaller than this needs no pointing: rounding moves it by less than a fifth of the blur (cosine of 25 degrees).
+const TURN: f32 = 0.9;
+/// The rounding reaches this far along either flank, in blurs, at a right angle or less; at sharper corners farther.
+const ROUND: f32 = 1.5;
+/// The flanks are looked at over this much of the path beyond the rounding, in blurs; and over this much at least, px.
+const FLANK: f32 = 6.0;
+/// Farthest that marks may lie from a straight flank, root mean square, px, beside their doubt.
+const STRAIGHT: f32 = 0.06;
+/// ... of which this share is left after refining.
+const DOUBT: f32 = 0.4;
+/// The flanks themselves bend by at most this share of the turn between them; on a circle it is two thirds.
+const BOW: f32 = 0.3;
+/// Farthest that the corner may lie from the path as it was found, in blurs, for a right angle.
+const AWAY: f32 = 1.6;
+
+struct Corner {
+    mark: usize,
+    at: PxPoint,
+    flanks: [Flank; 2],
+    reach: f32,
+    off: f32,
+}
+
+/// Points the corners of a path.
+pub(super) fn sharpen(path: &mut Path) {
+    let n = path.marks.len();
+    if n < 9 {
+        return;
+    }
+    let mut corners: Vec<Corner> = (0..n).filter_map(|i| look(path, i)).collect();
+    // of neighbours that see one corner, the one nearest to it tells it
+    corners.sort_by(|a, b| a.off.total_cmp(&b.off).then(a.mark.cmp(&b.mark)));
+    let mut done: Vec<(PxPoint, f32)> = Vec::new();
+    for corner in corners {
+        if done.iter().any(|(at, reach)| (*at - corner.at).length() < reach.max(corner.reach)) {
+            continue;
+        }
+        point(path, &corner);
+        done.push((corner.at, corner.reach));
+    }
+}
+
+/// Whether there is a corner at a mark.
+fn look(path: &Path, i: usize) -> Option<Corner> {
+    let mark = &path.marks[i];
+    let blur = mark.blur;
+    let mut reach = ROUND * blur;
+    let mut found = None;
+    // A sharp corner is rounded over more of its flanks: looked at again beyond that.
+    for _ in 0..2 {
+        let to = reach + (FLANK * blur).max(4.0);
+        let before = path.flank(i, false, reach, to)?;
+        let after = path.flank(i, true, reach, to)?;
+        // both are directed away from the mark
+        let cosine = -before.along.dot(after.along);
+        let allowed = STRAIGHT.hypot(DOUBT * mark.doubt);
+        if cosine > TURN || before.off > allowed || after.off > allowed {
+            return None;
+        }
+        let middle = reach + 0.5 * (to - reach);
+        let bow = |forwards| {
+            let (near, far) = (path.flank(i, forwards, reach, middle)?, path.flank(i, forwards, middle, to)?);
+            Some(near.along.cross(far.along))
+        };
+        // forwards a bend to the right has one sign, backwards the other
+        let turn = -before.along.cross(after.along);
+        if (bow(true)? - bow(false)?) * turn.signum() > BOW * cosine.clamp(-1.0, 1.0).acos() {
+            return None;
+        }
+        let half_sine = (0.5 * (1.0 + cosine)).max(0.0).sqrt(); // sine of half the angle between the flanks
+        let (back, on) = before.crossing(&after)?;
+        // the crossing lies behind both flanks, towards the mark
+        if back > 0.0 || on > 0.0 {
+            return None;
+        }
+        let at = before.at + before.along * back;
+        let off = (at - mark.at).length();
+        if off > AWAY * blur * 0.707 / half_sine.max(0.25) {
+            return None;
+        }
+        found = Some(Corner { mark: i, at, flanks: [before, after], reach, off });
+        let wanted = ROUND * blur * (0.707 / half_sine.max(0.25)).max(1.0);
+        if wanted < 1.2 * reach {
+            break;
+        }
+        reach = wanted;
+    }
+    found
+}
+
+/// Puts the marks of the rounding on the flanks, and the middle one on the corner.
+fn point(path: &mut Path, corner: &Corner) {
+    for (flank, forwards) in corner.flanks.iter().zip([false, true]) {
+        let near: Vec<usize> =
+            path.walk(corner.mark, forwards).take_while(|(_, way)| *way < corner.reach).map(|(k, _)| k).collect();
+        for k in near {
+            let at = flank.nearest(path.marks[k].at);
+            // not beyond the corner
+            path.marks[k].at = if flank.along.dot(at - corner.at) > 0.0 { at } else { corner.at };
+        }
+    }
+    path.marks[corner.mark].at = corner.at;
+}
