@@ -16,7 +16,7 @@ use crate::units::{PxPoint, Size};
 const SPREAD: f32 = 20.0;
 
 /// The windows are computed at this many cells per window sigma; finer wins nothing.
-const CELLS_PER_SIGMA: f32 = 2.0;
+const CELLS_PER_SIGMA: f32 = 1.0;
 
 /// Share of a clean step's square that its own windows see as variance, because they reach across the edge. Measured on
 /// straight steps with offset = 2.2 window sigmas; subtracted, so that a clean step is not taken for texture.
