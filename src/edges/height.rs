@@ -41,10 +41,19 @@ impl Profile {
         let wide = self.sharpness.max(1e-6).sqrt().recip() / (WIDEST * scale);
         let no_shading = (3.0 - 2.0 * wide).clamp(0.0, 1.0);
         let blur = self.blur(scale);
+        std::f32::consts::TAU.sqrt() * blur * self.top * no_shading * self.above_pedestal(blur)
+    }
+
+    /// What stands above the pedestal, as a share of the step.
+    fn above_pedestal(&self, blur: f32) -> f32 {
+        let lower = self.beyond[0].min(self.beyond[1]);
+        if lower <= FREE {
+            return 1.0;
+        }
         // what a lone edge of this blur has there itself does not count
         let own = (-0.5 * (self.distance / blur).powi(2)).exp();
-        let pedestal = ((self.beyond[0].min(self.beyond[1]) - own) / (1.0 - own)).clamp(0.0, 1.0);
-        std::f32::consts::TAU.sqrt() * blur * self.top * no_shading * ((1.0 - pedestal) / (1.0 - FREE)).min(1.0)
+        let pedestal = ((lower - own) / (1.0 - own)).clamp(0.0, 1.0);
+        ((1.0 - pedestal) / (1.0 - FREE)).min(1.0)
     }
 }
 

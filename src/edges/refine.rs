@@ -7,7 +7,7 @@
 //! `R - t^2 / (2 R)` (the gradient along a radius is `exp(-(r - R)^2 / 2 t^2) / sqrt(r)` but for higher orders). Radius and
 //! blur are both measured, so the shift is known and taken back.
 
-use super::path::Path;
+use super::path::{Mark, Path};
 use crate::units::{PxPoint, PxVector};
 
 /// Half lengths of the windows that are tried, in scales.
@@ -73,11 +73,16 @@ fn arcs(path: &Path) -> Vec<f32> {
 fn best(path: &Path, arcs: &[f32], i: usize, scale: f32) -> Option<Fit> {
     let n = path.marks.len();
     let room = if path.closed { 0.45 * arcs[n] } else { arcs[i].min(arcs[n - 1] - arcs[i]).max(WINDOWS[0] * scale) };
+    let allowed = (NOISE_OFF * path.marks[i].doubt).hypot(LEAST_OFF);
+    let mut sums = Sums::at(&path.marks[i]);
     let mut best: Option<Fit> = None;
+    let mut tips = [(i, 0.0), (i, 0.0)];
     for window in WINDOWS {
         let half = (window * scale).min(room);
-        let Some(fit) = fit(path, arcs, i, half) else { break };
-        let allowed = (NOISE_OFF * path.marks[i].doubt).hypot(LEAST_OFF);
+        for (tip, forwards) in tips.iter_mut().zip([true, false]) {
+            widen(path, arcs, i, half, tip, forwards, &mut sums);
+        }
+        let Some(fit) = sums.fit(half) else { break };
         if best.is_some() && fit.off > allowed {
             break;
         }
@@ -89,75 +94,87 @@ fn best(path: &Path, arcs: &[f32], i: usize, scale: f32) -> Option<Fit> {
     best
 }
 
-/// Least squares parabolas of x and y over the way along the path, within `half` pixels of mark `i`.
-fn fit(path: &Path, arcs: &[f32], i: usize, half: f32) -> Option<Fit> {
-    let n = path.marks.len();
-    let (here, round) = (path.marks[i].at, arcs[n]);
-    let mut moments = [0.0_f64; 5];
-    let (mut xs, mut ys) = ([0.0_f64; 3], [0.0_f64; 3]);
-    let (mut squares, mut doubts) = (0.0_f64, 0.0_f64);
-    let mut add = |number: usize, way: f32| {
-        let (s, v) = (f64::from(way), path.marks[number].at - here);
+/// Adds the marks up to `half` pixels along the path from mark `i`, beyond `tip`, the last one added and its way.
+fn widen(path: &Path, arcs: &[f32], i: usize, half: f32, tip: &mut (usize, f32), forwards: bool, sums: &mut Sums) {
+    let round = arcs[path.marks.len()];
+    while let Some(to) = path.next(tip.0, if forwards { 1 } else { -1 })
+        && to != i
+    {
+        let mut way = arcs[to] - arcs[i];
+        if forwards && way < 0.0 {
+            way += round;
+        } else if !forwards && way > 0.0 {
+            way -= round;
+        }
+        if way.abs() > half {
+            return;
+        }
+        sums.add(&path.marks[to], way);
+        *tip = (to, way);
+    }
+}
+
+/// Sums for least squares parabolas of x and y over the way along a path.
+struct Sums {
+    from: PxPoint,
+    moments: [f64; 5],
+    xs: [f64; 3],
+    ys: [f64; 3],
+    squares: f64,
+    doubts: f64,
+}
+
+impl Sums {
+    fn at(mark: &Mark) -> Self {
+        let mut sums = Self { from: mark.at, moments: [0.0; 5], xs: [0.0; 3], ys: [0.0; 3], squares: 0.0, doubts: 0.0 };
+        sums.add(mark, 0.0);
+        sums
+    }
+
+    fn add(&mut self, mark: &Mark, way: f32) {
+        let (s, v) = (f64::from(way), mark.at - self.from);
         let (x, y) = (f64::from(v.x), f64::from(v.y));
-        let mut power = 1.0;
-        for (k, moment) in moments.iter_mut().enumerate() {
-            *moment += power;
-            if k < 3 {
-                xs[k] += power * x;
-                ys[k] += power * y;
-            }
-            power *= s;
+        let powers = [1.0, s, s * s, s * s * s, s * s * s * s];
+        for k in 0..5 {
+            self.moments[k] += powers[k];
         }
-        squares += x * x + y * y;
-        doubts += f64::from(path.marks[number].doubt).powi(2);
-    };
-    add(i, 0.0);
-    for forwards in [true, false] {
-        let mut k = i;
-        loop {
-            let Some(to) = path.next(k, if forwards { 1 } else { -1 }) else { break };
-            if to == i {
-                break;
-            }
-            let mut way = arcs[to] - arcs[i];
-            if forwards && way < 0.0 {
-                way += round;
-            } else if !forwards && way > 0.0 {
-                way -= round;
-            }
-            if way.abs() > half {
-                break;
-            }
-            add(to, way);
-            k = to;
+        for k in 0..3 {
+            self.xs[k] += powers[k] * x;
+            self.ys[k] += powers[k] * y;
         }
+        self.squares += x * x + y * y;
+        self.doubts += f64::from(mark.doubt * mark.doubt);
     }
-    let count = moments[0];
-    if count < 4.0 {
-        return None;
+
+    fn fit(&self, half: f32) -> Option<Fit> {
+        let Self { moments, xs, ys, .. } = self;
+        let count = moments[0];
+        if count < 4.0 {
+            return None;
+        }
+        let (x, y) = (solve(moments, xs)?, solve(moments, ys)?);
+        let left = self.squares - (0..3).map(|k| x[k] * xs[k] + y[k] * ys[k]).sum::<f64>();
+        let speed = (x[1] * x[1] + y[1] * y[1]).sqrt();
+        if speed < 0.1 {
+            return None;
+        }
+        let curvature = 2.0 * (x[1] * y[2] - y[1] * x[2]) / (speed * speed * speed);
+        // of a parabola's curvature, 45 v / (n h^4); neighbours err alike (they share pixels), so one in two counts
+        let variance = 2.0 * 45.0 * (self.doubts / count) / (count * f64::from(half).powi(4));
+        // where the bend may be noise, a straight line is the better fit
+        let straight = |t: &[f64; 3]| {
+            (t[0] * moments[2] - moments[1] * t[1]) / (moments[0] * moments[2] - moments[1] * moments[1])
+        };
+        let sure = (1.0 - SURE * variance / (curvature * curvature).max(1e-12)).max(0.0);
+        let mix = |s: f64, q: f64| (s + (q - s) * sure) as f32;
+        Some(Fit {
+            at: self.from + PxVector::new(mix(straight(xs), x[0]), mix(straight(ys), y[0])),
+            sure: sure as f32,
+            along: PxVector::new((x[1] / speed) as f32, (y[1] / speed) as f32),
+            curvature: curvature as f32,
+            off: (left.max(0.0) / (count - 3.0).max(1.0)).sqrt() as f32,
+        })
     }
-    let x = solve(&moments, &xs)?;
-    let y = solve(&moments, &ys)?;
-    let left = squares - (0..3).map(|k| x[k] * xs[k] + y[k] * ys[k]).sum::<f64>();
-    let speed = x[1].hypot(y[1]);
-    if speed < 0.1 {
-        return None;
-    }
-    let curvature = 2.0 * (x[1] * y[2] - y[1] * x[2]) / speed.powi(3);
-    // neighbours err alike (they share their pixels), so only about one in two counts
-    let variance = 2.0 * 45.0 * (doubts / count) / (count * f64::from(half).powi(4));
-    // where the bend may be noise, a straight line is the better fit
-    let straight =
-        |t: &[f64; 3]| (t[0] * moments[2] - moments[1] * t[1]) / (moments[0] * moments[2] - moments[1] * moments[1]);
-    let sure = (1.0 - SURE * variance / (curvature * curvature).max(1e-12)).max(0.0);
-    let mix = |s: f64, q: f64| (s + (q - s) * sure) as f32;
-    Some(Fit {
-        at: here + PxVector::new(mix(straight(&xs), x[0]), mix(straight(&ys), y[0])),
-        sure: sure as f32,
-        along: PxVector::new((x[1] / speed) as f32, (y[1] / speed) as f32),
-        curvature: curvature as f32,
-        off: (left.max(0.0) / (count - 3.0).max(1.0)).sqrt() as f32,
-    })
 }
 
 /// Solves the normal equations of a parabola.

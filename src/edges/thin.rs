@@ -86,19 +86,19 @@ impl Thinner {
         let far = |y: Option<usize>| y.filter(|y| *y < height).map(|y| &at(y).length);
         let (far_above, far_below) = (far(row.checked_sub(reach)), far(Some(row + reach)));
         let lengths = &middle.length[..width];
+        let (xx, xy, yy) = (&middle.xx[..width], &middle.xy[..width], &middle.yy[..width]);
+        let (above, below) = (&above[..width], &below[..width]);
         for column in 1..width - 1 {
             let here = lengths[column];
-            if here < self.least_gradient {
+            // the edge runs up and down: compare left and right; all four are read, since which two count is hard to guess
+            let upright = xx[column] >= yy[column];
+            let (left, right) = (lengths[column - 1], lengths[column + 1]);
+            let before = if upright { left } else { above[column] };
+            let after = if upright { right } else { below[column] };
+            if !((here >= self.least_gradient) & (here > before) & (here >= after)) {
                 continue;
             }
-            let (xx, xy, yy) = (middle.xx[column], middle.xy[column], middle.yy[column]);
-            let upright = xx >= yy; // the edge runs up and down, compare left and right
-            let (before, after) =
-                if upright { (lengths[column - 1], lengths[column + 1]) } else { (above[column], below[column]) };
-            if !(here > before && here >= after) {
-                continue;
-            }
-            let normal = direction(xx, xy, yy);
+            let normal = direction(xx[column], xy[column], yy[column]);
             let along_axis = if upright { normal[0].abs() } else { normal[1].abs() };
             let Some((offset, top, sharpness)) = peak(before, here, after) else { continue };
             let beyond = if upright {
@@ -148,15 +148,14 @@ fn direction(xx: f32, xy: f32, yy: f32) -> [f32; 2] {
 /// `1 / t^2` for the total blur `t`.
 fn peak(before: f32, here: f32, after: f32) -> Option<(f32, f32, f32)> {
     const TINY: f32 = 1e-6;
-    let (left, mid, right) = (before.max(TINY).ln(), here.max(TINY).ln(), after.max(TINY).ln());
-    let curvature = left + right - 2.0 * mid;
+    let (left, right) = ((before / here).max(TINY).ln(), (after / here).max(TINY).ln());
+    let curvature = left + right;
     if curvature > -TINY {
         return None;
     }
     let slope = 0.5 * (right - left);
     let offset = (-slope / curvature).clamp(-0.5, 0.5);
-    let top = (mid + 0.5 * slope * offset).exp();
-    Some((offset, top, -curvature))
+    Some((offset, here * (0.5 * slope * offset).exp(), -curvature))
 }
 
 #[cfg(test)]
