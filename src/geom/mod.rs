@@ -27,6 +27,18 @@ pub fn segment_distance<U>(
     distance(a, c, d).min(distance(b, c, d)).min(distance(c, a, b)).min(distance(d, a, b))
 }
 
+/// Where two segments cross, if they do, in a point inside both.
+pub fn crossing<U>(
+    (a, b): (Point2D<f32, U>, Point2D<f32, U>),
+    (c, d): (Point2D<f32, U>, Point2D<f32, U>),
+) -> Option<Point2D<f32, U>> {
+    if !crosses((a, b), (c, d)) {
+        return None;
+    }
+    let (ab, cd) = (b - a, d - c);
+    Some(a + ab * ((c - a).cross(cd) / ab.cross(cd)).clamp(0.0, 1.0))
+}
+
 /// Whether two segments cross in a point inside both.
 fn crosses<U>((a, b): (Point2D<f32, U>, Point2D<f32, U>), (c, d): (Point2D<f32, U>, Point2D<f32, U>)) -> bool {
     let side = |p: Point2D<f32, U>, q: Point2D<f32, U>, r: Point2D<f32, U>| (q - p).cross(r - p);

@@ -1,53 +1,107 @@
-//! Fewer points within a tolerance (Ramer 1972, Douglas & Peucker 1973).
+//! The fewest points within a tolerance.
+//!
+//! Among all ways of dropping points that keep the rest within the tolerance, the one that keeps the fewest (Imai and Iri
+//! 1988: a shortest path over the steps that are allowed). Which steps are allowed from a point is found by one walk along
+//! the line with a wedge of directions that narrows as it goes (Williams 1978), so that the whole is linear but for
+//! straight lines:
+//!
+//! ```text
+//!            ___,o      every point passed narrows the wedge of directions
+//!     ___,--o           that pass it within the tolerance; a step may end at a
+//!    o---o---o---o      point inside the wedge, and the walk ends when the
+//!     `--.____          wedge is empty
+//! ```
 
-use super::nearest_on_segment;
-use lyon::geom::euclid::Point2D;
+use lyon::geom::euclid::{Point2D, Vector2D};
 
-/// The indices of the points to keep so that no dropped point is farther than `tolerance` from the polyline that is left.
-/// The first and the last point always stay. A closed polyline (first point = last point) is split at the point farthest
-/// from its first, so that a ring does not collapse.
+/// The longest step, in points. Only straight lines reach it; they keep one point more for it.
+const LOOK_AHEAD: usize = 512;
+
+/// The indices of the points to keep: as few as can be so that the polyline through them and the one given are nowhere
+/// farther from one another than `tolerance` (Hausdorff distance). The first and the last point always stay; a closed
+/// polyline (first point = last point) keeps at least two more, so that it does not collapse.
 pub fn simplify<U>(points: &[Point2D<f32, U>], tolerance: f32) -> Vec<usize> {
     let n = points.len();
     if n <= 2 {
         return (0..n).collect();
     }
-    let mut keep = vec![false; n];
-    keep[0] = true;
-    keep[n - 1] = true;
-    let mut open = vec![(0, n - 1)];
-    if points[0] == points[n - 1] {
-        let far = farthest(points, 0, n - 1).0;
-        keep[far] = true;
-        open = vec![(0, far), (far, n - 1)];
+    let longest = if points[0] == points[n - 1] { (n - 1).div_ceil(3) } else { LOOK_AHEAD };
+    // fewest[j]: steps from the first point to point j, the step before it, and how far those steps lie from the points
+    let mut fewest = vec![(u32::MAX, 0, 0.0_f32); n];
+    fewest[0] = (0, 0, 0.0);
+    for i in 0..n - 1 {
+        let (steps, _, off) = fewest[i];
+        each_step(points, i, tolerance, longest.min(LOOK_AHEAD), |j, farthest| {
+            let (least, _, least_off) = fewest[j];
+            // of two ways with as few points the one that stays nearer
+            let sum = off + farthest;
+            if steps + 1 < least || (steps + 1 == least && sum < least_off) {
+                fewest[j] = (steps + 1, i, sum);
+            }
+        });
     }
-    while let Some((first, last)) = open.pop() {
-        if last - first < 2 {
-            continue;
-        }
-        let (far, distance) = farthest(points, first, last);
-        if distance > tolerance {
-            keep[far] = true;
-            open.push((first, far));
-            open.push((far, last));
-        }
+    let mut kept = vec![n - 1];
+    while let Some(&last) = kept.last()
+        && last > 0
+    {
+        kept.push(fewest[last].1);
     }
-    (0..n).filter(|&i| keep[i]).collect()
+    kept.reverse();
+    kept
 }
 
-fn farthest<U>(points: &[Point2D<f32, U>], first: usize, last: usize) -> (usize, f32) {
-    let mut best = (first + 1, -1.0);
-    for i in first + 1..last {
-        let distance = nearest_on_segment(points[i], points[first], points[last]).0;
-        if distance > best.1 {
-            best = (i, distance);
+/// Calls `visit` with every point that one step from point `i` may lead to, and how far off the middle of the wedge it is,
+/// 0..=1: a measure of how far the points passed lie beside the step.
+fn each_step<U>(
+    points: &[Point2D<f32, U>],
+    i: usize,
+    tolerance: f32,
+    longest: usize,
+    mut visit: impl FnMut(usize, f32),
+) {
+    let mut wedge: Option<[Vector2D<f32, U>; 2]> = None; // unit vectors along its two sides, by the sign of cross
+    let mut reached = 0.0_f32; // farthest of the points passed
+    for j in i + 1..points.len().min(i + 1 + longest) {
+        let way = points[j] - points[i];
+        let distance = way.length();
+        let inside = wedge
+            .is_none_or(|[low, high]| low.cross(way) >= 0.0 && way.cross(high) >= 0.0 && (low + high).dot(way) > 0.0);
+        // A point that does not lie beyond all that were passed would leave those sticking out over its end.
+        if j == i + 1 || (inside && distance >= reached) {
+            let off = |[low, high]: [Vector2D<f32, U>; 2]| {
+                let (aside, open) = ((low + high).cross(way).abs(), low.cross(high) * distance);
+                (aside / open.max(f32::MIN_POSITIVE)).min(1.0)
+            };
+            visit(j, wedge.map_or(0.0, off));
         }
+        reached = reached.max(distance);
+        if distance <= tolerance {
+            continue; // any direction passes it
+        }
+        let (sin, unit) = (tolerance / distance, way / distance);
+        let (along, aside) = (unit * (1.0 - sin * sin).sqrt(), Vector2D::new(-unit.y, unit.x) * sin);
+        let (low, high) = (along - aside, along + aside);
+        wedge = Some(match wedge {
+            None => [low, high],
+            Some([old_low, old_high]) => {
+                if (old_low + old_high).dot(way) <= 0.0 {
+                    return; // it turns back
+                }
+                let low = if old_low.cross(low) > 0.0 { low } else { old_low };
+                let high = if high.cross(old_high) > 0.0 { high } else { old_high };
+                if low.cross(high) < 0.0 {
+                    return;
+                }
+                [low, high]
+            }
+        });
     }
-    best
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::nearest_on_segment;
     use crate::units::MmPoint;
     use proptest::prelude::*;
 
@@ -64,19 +118,61 @@ mod tests {
         assert_eq!(simplify(&ring, 0.1), [0, 2, 3, 5, 7]);
     }
 
+    #[test]
+    fn a_small_ring_does_not_collapse() {
+        let ring: Vec<MmPoint> = (0..=12)
+            .map(|i| (i % 12) as f32 * std::f32::consts::TAU / 12.0)
+            .map(|a| MmPoint::new(0.01 * a.cos(), 0.01 * a.sin()))
+            .collect();
+        assert!(simplify(&ring, 0.05).len() >= 4);
+    }
+
+    /// Douglas and Peucker's way keeps more: the circle's arcs start at points of its choosing.
+    #[test]
+    fn an_arc_has_as_few_points_as_its_curvature_asks_for() {
+        let arc: Vec<MmPoint> =
+            (0..=400).map(|i| i as f32 * 0.02).map(|a| MmPoint::new(20.0 * a.cos(), 20.0 * a.sin())).collect();
+        // a chord over the angle b lies 20 (1 - cos(b / 2)) from its arc
+        let widest = 2.0 * (1.0_f32 - 0.05 / 20.0).acos();
+        assert!(simplify(&arc, 0.05).len() as f32 <= (8.0 / widest).ceil() * 1.15 + 1.0);
+    }
+
+    /// How far the points of `from`, and those between them, lie from the polyline `to`.
+    fn distance(from: &[MmPoint], to: &[MmPoint]) -> f32 {
+        let between = from.windows(2).flat_map(|pair| (0..=20).map(|k| pair[0].lerp(pair[1], k as f32 / 20.0)));
+        let nearest = |p| to.windows(2).map(|s| nearest_on_segment(p, s[0], s[1]).0).fold(f32::MAX, f32::min);
+        between.map(nearest).fold(0.0, f32::max)
+    }
+
     proptest! {
         #[test]
-        fn no_point_is_farther_than_the_tolerance(
+        fn neither_line_is_farther_from_the_other_than_the_tolerance(
             raw in prop::collection::vec((-50.0_f32..50.0, -50.0_f32..50.0), 2..60),
             tolerance in 0.01_f32..5.0,
         ) {
             let points: Vec<MmPoint> = raw.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
-            let kept = simplify(&points, tolerance);
-            for (i, &p) in points.iter().enumerate() {
-                let at = kept.partition_point(|&k| k <= i).clamp(1, kept.len() - 1);
-                let (a, b) = (points[kept[at - 1]], points[kept[at]]);
-                prop_assert!(nearest_on_segment(p, a, b).0 <= tolerance + 1e-3);
+            let kept: Vec<MmPoint> = simplify(&points, tolerance).into_iter().map(|i| points[i]).collect();
+            prop_assert!(distance(&points, &kept) <= tolerance + 2e-3);
+            prop_assert!(distance(&kept, &points) <= tolerance + 2e-3);
+        }
+
+        #[test]
+        fn a_wandering_line_keeps_its_distance_and_its_ends(
+            turns in prop::collection::vec(-0.6_f32..0.6, 3..300),
+            tolerance in 0.02_f32..0.2,
+        ) {
+            let mut points = vec![MmPoint::zero()];
+            let mut heading = 0.0_f32;
+            for turn in turns {
+                heading += turn;
+                let last = points[points.len() - 1];
+                points.push(MmPoint::new(last.x + 0.4 * heading.cos(), last.y + 0.4 * heading.sin()));
             }
+            let indices = simplify(&points, tolerance);
+            prop_assert_eq!((indices[0], indices[indices.len() - 1]), (0, points.len() - 1));
+            let kept: Vec<MmPoint> = indices.into_iter().map(|i| points[i]).collect();
+            prop_assert!(distance(&points, &kept) <= tolerance + 1e-3);
+            prop_assert!(distance(&kept, &points) <= tolerance + 1e-3);
         }
     }
 }

@@ -1,0 +1,136 @@
+//! Where lines of a page run nearer to one another, or to themselves, than a finger can part them: measured on the finished
+//! lines alone, by a rule of its own, not by the one that made them.
+
+use tactograph::geom::nearby::{Nearby, Segment};
+use tactograph::geom::nearest_on_segment;
+use tactograph::page::Line;
+use tactograph::units::{MmPoint, MmRect};
+
+/// Lines are looked at every so often, mm.
+const STEP: f32 = 0.25;
+/// A line that ends this near to another meets it, mm.
+const TOUCH: f32 = 0.02;
+/// Where a line meets another it must have come from beyond the clearance within this way, in clearances: at 42 degrees or
+/// steeper.
+const APPROACH: f32 = 1.5;
+/// Two places of one line with this much way between them, in distances and mm, lie on the two sides of a bend: a corner of
+/// 30 degrees has the factor 1 / sin 15 = 3.9.
+const BEND: f32 = 4.0;
+const BEND_LEAST: f32 = 2.0;
+/// Numbers of the page have two digits after the point, and some are added up.
+const ROUNDING: f32 = 0.01;
+
+/// A place where two lines are too near.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TooNear {
+    /// Where.
+    pub at: MmPoint,
+    /// Blank between the edges of the lines, mm; negative where they overlap.
+    pub gap: f32,
+    /// Numbers of the lines; the same for a line too near to itself.
+    #[allow(dead_code, reason = "for messages")]
+    pub lines: (u32, u32),
+    /// How much of the line this stands for, mm.
+    pub length: f32,
+}
+
+struct Way {
+    segments: Vec<Segment>,
+    length: f32,
+    closed: bool,
+}
+
+impl Way {
+    fn of(number: usize, line: &Line) -> Self {
+        let mut segments = Vec::new();
+        let mut arc = 0.0;
+        for run in &line.runs {
+            for pair in run.points.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                let index = segments.len() as u32;
+                segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number as u32, index, arc });
+                arc += (b - a).length();
+            }
+        }
+        let closed = segments.len() > 2 && segments.first().map(|s| s.a) == segments.last().map(|s| s.b);
+        Self { segments, length: arc, closed }
+    }
+
+    /// The way along the line between two of its places.
+    fn between(&self, s: f32, t: f32) -> f32 {
+        let apart = (s - t).abs();
+        if self.closed { apart.min(self.length - apart) } else { apart }
+    }
+}
+
+/// All places where lines are nearer than `min_gap` though they do not join there.
+pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
+    let ways: Vec<Way> = lines.iter().enumerate().map(|(number, line)| Way::of(number, line)).collect();
+    let all = || ways.iter().flat_map(|way| &way.segments);
+    let widest = all().map(|s| s.half_width).fold(0.0, f32::max);
+    let low = all().fold(MmPoint::new(f32::MAX, f32::MAX), |low, s| low.min(s.a).min(s.b));
+    let high = all().fold(MmPoint::new(f32::MIN, f32::MIN), |high, s| high.max(s.a).max(s.b));
+    let mut nearby = Nearby::new(MmRect::new(low, high), min_gap);
+    all().for_each(|segment| nearby.insert(*segment));
+
+    // junctions[a] = (at its end?, the line that this end meets)
+    let junctions: Vec<Vec<(bool, u32)>> = ways
+        .iter()
+        .enumerate()
+        .map(|(number, way)| {
+            let mut meets = Vec::new();
+            let (Some(first), Some(last)) = (way.segments.first(), way.segments.last()) else { return meets };
+            if way.closed {
+                return meets;
+            }
+            for (at_end, tip) in [(false, first.a), (true, last.b)] {
+                let arc = if at_end { way.length } else { 0.0 };
+                nearby.around(tip, tip, TOUCH, |other| {
+                    let itself = other.line as usize == number;
+                    let (distance, at) = nearest_on_segment(tip, other.a, other.b);
+                    let there = other.arc + (at - other.a).length();
+                    if distance <= TOUCH && !(itself && way.between(arc, there) <= BEND * distance + BEND_LEAST) {
+                        meets.push((at_end, other.line));
+                    }
+                });
+            }
+            meets
+        })
+        .collect();
+    // whether line `a`, `arc` from its start, is on its way to a junction with line `b`
+    let arrives = |a: u32, arc: f32, b: u32, clearance: f32| {
+        junctions[a as usize].iter().any(|&(at_end, other)| {
+            let way = if at_end { ways[a as usize].length - arc } else { arc };
+            other == b && way <= APPROACH * clearance
+        })
+    };
+
+    let mut found = Vec::new();
+    for segment in all() {
+        let length = (segment.b - segment.a).length();
+        let steps = (length / STEP).ceil().max(1.0);
+        for k in 0..steps as u32 {
+            let share = (k as f32 + 0.5) / steps;
+            let (here, at) = (segment.arc + share * length, segment.a.lerp(segment.b, share));
+            let mut worst: Option<TooNear> = None;
+            nearby.around(at, at, min_gap + segment.half_width + widest, |other| {
+                let (distance, point) = nearest_on_segment(at, other.a, other.b);
+                let clearance = min_gap + segment.half_width + other.half_width;
+                if distance >= clearance - ROUNDING {
+                    return;
+                }
+                let there = other.arc + (point - other.a).length();
+                let bend = other.line == segment.line
+                    && ways[other.line as usize].between(here, there) <= BEND * distance + BEND_LEAST;
+                let joins = arrives(segment.line, here, other.line, clearance)
+                    || arrives(other.line, there, segment.line, clearance);
+                let gap = distance - segment.half_width - other.half_width;
+                if !bend && !joins && worst.is_none_or(|worst| gap < worst.gap) {
+                    worst = Some(TooNear { at, gap, lines: (segment.line, other.line), length: length / steps });
+                }
+            });
+            found.extend(worst);
+        }
+    }
+    found
+}
