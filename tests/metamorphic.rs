@@ -38,6 +38,7 @@ const LINES: lines::Params = lines::Params {
     join_gap: 3.0,
     smoothing: 0.6,
     tolerance: 0.05,
+    detail: 0.5,
 };
 
 const CLASSES: classes::Params =

@@ -27,8 +27,10 @@ pub struct Nearby {
     cell: f32,
     columns: usize,
     rows: usize,
-    cells: Vec<Vec<u32>>,
-    segments: Vec<Segment>,
+    /// Each cell holds the segments that reach into its box, so that looking round reads memory in order.
+    cells: Vec<Vec<Segment>>,
+    /// Which cells hold something, so that emptying the grid is cheap.
+    used: Vec<usize>,
 }
 
 impl Nearby {
@@ -38,19 +40,28 @@ impl Nearby {
         let cell = cell.max(0.5); // finer cells cost memory and win nothing at the millimetre scale
         let columns = (area.width() / cell).ceil().max(1.0) as usize;
         let rows = (area.height() / cell).ceil().max(1.0) as usize;
-        Self { origin: area.min, cell, columns, rows, cells: vec![Vec::new(); columns * rows], segments: Vec::new() }
+        Self { origin: area.min, cell, columns, rows, cells: vec![Vec::new(); columns * rows], used: Vec::new() }
     }
 
     /// Adds a segment.
     pub fn insert(&mut self, segment: Segment) {
-        let number = self.segments.len() as u32;
         let (columns, rows) = self.covered(segment.a.min(segment.b), segment.a.max(segment.b));
         for row in rows {
             for column in columns.clone() {
-                self.cells[row * self.columns + column].push(number);
+                let cell = row * self.columns + column;
+                if self.cells[cell].is_empty() {
+                    self.used.push(cell);
+                }
+                self.cells[cell].push(segment);
             }
         }
-        self.segments.push(segment);
+    }
+
+    /// Takes all segments out.
+    pub fn clear(&mut self) {
+        for cell in self.used.drain(..) {
+            self.cells[cell].clear();
+        }
     }
 
     /// Calls `visit` with the segments that may lie within `reach` of the box `low`-`high`; one segment can come several
@@ -60,9 +71,7 @@ impl Nearby {
             self.covered(MmPoint::new(low.x - reach, low.y - reach), MmPoint::new(high.x + reach, high.y + reach));
         for row in rows {
             for column in columns.clone() {
-                for &number in &self.cells[row * self.columns + column] {
-                    visit(&self.segments[number as usize]);
-                }
+                self.cells[row * self.columns + column].iter().for_each(&mut visit);
             }
         }
     }

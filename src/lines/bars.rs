@@ -9,7 +9,8 @@
 //! Sides belong together when they run parallel, nearer than two lines may, and the colour steps back across the second
 //! what it stepped across the first.
 
-use super::{Params, Trail, Vertex, dot};
+use super::Params;
+use super::trail::{Trail, Vertex, dot};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{arc_lengths, smooth};
 use crate::units::{MmPoint, MmRect, MmVector};

@@ -1,59 +1,130 @@
 //! No two lines nearer than fingers can part them: of two rivals the more salient stays, the other is trimmed where it
 //! comes too near. Lines that truly join may meet.
 
-use std::ops::Range;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
-use super::{Params, Trail, Vertex, weight};
+use super::near::{Field, State, is_bend, returns};
+use super::saliency::saliency;
+use super::trail::{Trail, Vertex};
+use super::{Params, meet};
+use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
-use crate::geom::polyline::arc_lengths;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect, MmVector};
 
-/// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
-/// and by this length, mm. A corner of 30 degrees or more is none (its factor is 1 / sin 15 = 3.9).
-const BEND: f32 = 4.0;
-const BEND_LEAST: f32 = 2.0;
-/// A line joins another if it comes this near, in join gaps.
+/// A line whose path comes this near to another, in join gaps, may be led over to it.
 const MEETS: f32 = 0.5;
-/// ... and comes nearer by at least this share of its way (30 degrees), mm per mm; flatter is a rival, not a junction.
-const STEEP: f32 = 0.5;
-/// ... within this way, in clearances.
-const APPROACH: f32 = 2.5;
+/// ... if it does not turn aside for it: least cosine between its heading and the way over.
+const AHEAD: f32 = 0.5;
+/// The heading is taken over this much of the line, mm.
+const HEADING: f32 = 2.0;
+/// A line that would meet another this near to where a third one does is led to the same place, mm.
+const SNAP: f32 = 1.5;
+/// A line of which less than this share is left in pieces keeps only the first of them, and a ring none: stubs say where
+/// something was, not what.
+const WHOLE: f32 = 0.5;
+/// A piece that is still too near after this many cuts is given up. None of the samples needs more than three.
+const MOST_CUTS: u8 = 8;
 
-/// Clears lines, weightiest first; the result is in that order.
-pub(super) fn clear(mut trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Trail> {
-    trails.retain(|trail| trail.vertices.len() > 1);
-    let mut order: Vec<(f32, usize)> = trails.iter().map(Trail::saliency).zip(0..).collect();
-    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let reach = params.min_gap + params.width_max;
-    let mut accepted = Nearby::new(area, reach);
-    let mut cleared: Vec<Trail> = Vec::new();
-    for (_, number) in order {
-        let trail = stronger_half_first(trails[number].clone());
-        let taken = taken(&trail, &accepted, area, params);
-        let mut add = |piece: Trail, accepted: &mut Nearby| {
-            if is_worth_it(&piece, params) {
-                insert(accepted, &piece, cleared.len() as u32, params);
-                cleared.push(piece);
-            }
-        };
-        if !taken.contains(&true) {
-            add(trail, &mut accepted);
-            continue;
-        }
-        // One after the other, so that a later piece can join an earlier one of its own line.
-        let (vertices, taken) = opened(&trail, taken);
-        for range in free_ranges(&taken) {
-            add(with_junctions(&vertices, range, &accepted, params), &mut accepted);
-        }
-    }
-    cleared
+/// A line that is drawn.
+pub(super) struct Cleared {
+    pub(super) trail: Trail,
+    pub(super) saliency: f32,
+    /// For each vertex whether another line ends there.
+    pub(super) pinned: Vec<bool>,
 }
 
-/// A line must be the longer the weaker it is: a faint short line costs a finger more than it tells. At full strength it is
-/// `min_length`, at half of it twice as much.
-fn is_worth_it(piece: &Trail, params: &Params) -> bool {
-    piece.weighted_length(params) >= params.min_length
+struct Candidate {
+    saliency: f32,
+    number: usize,
+    cuts: u8,
+    trail: Trail,
+}
+
+impl Ord for Candidate {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.saliency.total_cmp(&other.saliency).then(other.number.cmp(&self.number))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}
+
+/// Lines that wait for their turn.
+struct Queue<'a> {
+    heap: BinaryHeap<Candidate>,
+    count: usize,
+    params: &'a Params,
+}
+
+impl Queue<'_> {
+    fn push(&mut self, trail: Trail, cuts: u8) {
+        if trail.vertices.len() < 2 || trail.length() < self.params.min_length || cuts > MOST_CUTS {
+            return;
+        }
+        let saliency = saliency(&trail, self.params);
+        self.heap.push(Candidate { saliency, number: self.count, cuts, trail });
+        self.count += 1;
+    }
+}
+
+/// Clears lines, the one that says most first; the result is in that order.
+pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cleared> {
+    let mut queue = Queue { heap: BinaryHeap::with_capacity(trails.len()), count: 0, params };
+    trails.into_iter().for_each(|trail| queue.push(stronger_half_first(trail), 0));
+    let mut field = Field::new(area, params);
+    let mut own = Nearby::new(area, params.min_gap + params.width_max);
+    let mut cleared: Vec<Cleared> = Vec::new();
+    while let Some(Candidate { saliency, cuts, mut trail, .. }) = queue.heap.pop() {
+        let states = states(&trail, &field);
+        if states.contains(&State::TooNear) {
+            pieces(&trail, &states, &field, params).into_iter().for_each(|piece| queue.push(piece, cuts + 1));
+            continue;
+        }
+        let mut rest = None;
+        if let Some(mut back) = returns(&trail, &field, &mut own) {
+            if trail.closed {
+                // walked the other way round, the stretch that is too near comes last
+                trail = opened(&trail, back).reversed();
+                let Some(again) = returns(&trail, &field, &mut own) else {
+                    queue.push(trail, cuts + 1);
+                    continue;
+                };
+                back = again;
+            }
+            let path = trail.vertices.split_off(back);
+            rest = Some(path);
+            if trail.length() < params.min_length {
+                queue.push(Trail { vertices: rest.unwrap_or_default(), closed: false }, cuts + 1);
+                continue;
+            }
+        }
+        let line = field.begin(&trail);
+        if let Some(path) = rest {
+            let body = trail.vertices.len();
+            if let Some(on) = lead_on(&trail.vertices, &path, false, &field, Some(line), params) {
+                trail.vertices.extend(on);
+                field.go_on(&trail, body - 1, line);
+            }
+            queue.push(Trail { vertices: path, closed: false }, cuts + 1);
+        }
+        field.finish(&trail, line);
+        cleared.push(Cleared { saliency, pinned: vec![false; trail.vertices.len()], trail });
+    }
+    pin(&mut cleared, &field);
+    cleared
 }
 
 /// Where a line comes near itself its earlier part stays; which that is must not hang on the direction it was found in.
@@ -64,116 +135,214 @@ fn stronger_half_first(trail: Trail) -> Trail {
     if second > first { trail.reversed() } else { trail }
 }
 
-fn insert(nearby: &mut Nearby, trail: &Trail, line: u32, params: &Params) {
-    let arcs = arc_lengths(&trail.points());
-    for (i, pair) in trail.vertices.windows(2).enumerate() {
-        nearby.insert(segment(pair, i, line, arcs[i], params));
+/// The state of every vertex.
+fn states(trail: &Trail, field: &Field<'_>) -> Vec<State> {
+    if !trail.vertices.iter().any(|vertex| field.may_be_near(vertex.at)) {
+        return vec![State::Free; trail.vertices.len()];
     }
+    let places = field.places(&trail.vertices, trail.closed);
+    let state = |(i, vertex): (usize, &Vertex)| field.state(vertex, places.arcs[i], &places, |_, _| false);
+    trail.vertices.iter().enumerate().map(state).collect()
 }
 
-fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32, params: &Params) -> Segment {
-    let width = weight::width(pair[0].strength.max(pair[1].strength), params);
-    Segment { a: pair[0].at, b: pair[1].at, half_width: 0.5 * width, line, index: i as u32, arc }
-}
-
-/// For every vertex whether it comes too near to what is accepted or to an earlier part of its own trail.
-fn taken(trail: &Trail, accepted: &Nearby, area: MmRect, params: &Params) -> Vec<bool> {
-    let reach = params.min_gap + params.width_max;
-    let arcs = arc_lengths(&trail.points());
-    let total = arcs.last().copied().unwrap_or(0.0);
-    let mut own = (total > BEND_LEAST).then(|| Nearby::new(area, reach));
-    let mut taken: Vec<bool> = Vec::with_capacity(arcs.len());
-    for (i, vertex) in trail.vertices.iter().enumerate() {
-        let half = 0.5 * weight::width(vertex.strength, params);
-        let near = |found: Option<(f32, _, Segment)>| {
-            found.is_some_and(|(distance, _, rival)| distance < params.min_gap + half + rival.half_width)
+/// What is left of a line that is too near to others: its parts between, led on to the lines that they meet.
+fn pieces(trail: &Trail, states: &[State], field: &Field<'_>, params: &Params) -> Vec<Trail> {
+    let (trail, states) = match states.iter().position(|state| *state == State::TooNear) {
+        Some(start) if trail.closed => {
+            let ring = states.len() - 1;
+            (&opened(trail, start), (0..=ring).map(|k| states[(start + k) % ring]).collect())
+        }
+        _ => (trail, states.to_vec()),
+    };
+    let vertices = &trail.vertices;
+    let length = trail.length();
+    let mut left = Vec::new();
+    let mut i = 0;
+    // between[k]: from the end of one stretch with vertices that are too near to the start of the next
+    let mut kept_from = 0;
+    while i <= vertices.len() {
+        // the next stretch that is near
+        let Some(near) = (i..vertices.len()).find(|&k| states[k] != State::Free) else {
+            left.push((kept_from, vertices.len()));
+            break;
         };
-        let rival = near(accepted.nearest(vertex.at, reach, |_| true))
-            || near(own.as_ref().and_then(|own| {
-                own.nearest(vertex.at, reach, |segment| {
-                    let apart = (arcs[i] - segment.arc).abs();
-                    let apart = if trail.closed { apart.min(total - apart) } else { apart };
-                    let across = nearest_on_segment(vertex.at, segment.a, segment.b).0;
-                    apart > BEND * across + BEND_LEAST
-                })
-            }));
-        if i > 0
-            && !rival
-            && !taken[i - 1]
-            && let Some(own) = &mut own
-        {
-            own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1], params));
+        let until = (near..vertices.len()).find(|&k| states[k] == State::Free).unwrap_or(vertices.len());
+        if states[near..until].contains(&State::TooNear) {
+            left.push((kept_from, near));
+            kept_from = until;
         }
-        taken.push(rival);
-    }
-    taken
-}
-
-/// Ranges of vertices that are not taken.
-fn free_ranges(taken: &[bool]) -> Vec<Range<usize>> {
-    let mut ranges: Vec<Range<usize>> = Vec::new();
-    for i in (0..taken.len()).filter(|&i| !taken[i]) {
-        match ranges.last_mut() {
-            Some(range) if range.end == i => range.end = i + 1,
-            _ => ranges.push(i..i + 1),
-        }
-    }
-    ranges
-}
-
-/// A free part of a line, led on at both ends to the lines that it meets.
-fn with_junctions(vertices: &[Vertex], free: Range<usize>, accepted: &Nearby, params: &Params) -> Trail {
-    let before = junction(vertices[..=free.start].iter().rev(), accepted, params).unwrap_or_default();
-    let after = junction(vertices[free.end - 1..].iter(), accepted, params).unwrap_or_default();
-    let vertices = before.into_iter().rev().chain(vertices[free].iter().copied()).chain(after).collect();
-    Trail { vertices, closed: false }
-}
-
-/// A ring with taken parts, cut open inside one of them.
-fn opened(trail: &Trail, taken: Vec<bool>) -> (Vec<Vertex>, Vec<bool>) {
-    if !trail.closed {
-        return (trail.vertices.clone(), taken);
-    }
-    let ring = trail.vertices.len() - 1;
-    let start = taken.iter().position(|&t| t).unwrap_or(0) % ring;
-    (0..=ring).map(|k| (trail.vertices[(start + k) % ring], taken[(start + k) % ring])).unzip()
-}
-
-/// If a line, going on from its last free vertex (the first of `on`), soon meets an accepted line at a steep angle: the
-/// vertices up to the meeting, which is the last.
-fn junction<'a>(mut on: impl Iterator<Item = &'a Vertex>, accepted: &Nearby, params: &Params) -> Option<Vec<Vertex>> {
-    let reach = params.min_gap + params.width_max;
-    let first = on.next()?;
-    let (start, ..) = accepted.nearest(first.at, 2.0 * reach, |_| true)?;
-    let mut way = 0.0;
-    let mut last = first;
-    let mut path = Vec::new();
-    // the nearest approach so far: distance, where on the other line, how many vertices of the path, way
-    let mut best = (start, None, 0, 0.0);
-    for vertex in on {
-        way += (vertex.at - last.at).length();
-        if way > APPROACH * reach {
+        i = until;
+        if i == vertices.len() {
+            left.push((kept_from, i));
             break;
         }
-        path.push(*vertex);
-        last = vertex;
-        let Some((distance, at, _)) = accepted.nearest(vertex.at, reach, |_| true) else { continue };
-        if distance < best.0 {
-            best = (distance, Some(at), path.len(), way);
-            if distance <= 0.5 * params.width_max {
-                break; // they touch; going on would run beside or across the other line
-            }
-        } else if best.0 <= MEETS * params.join_gap {
-            break; // it was near enough, and leads away again
+    }
+    let mut pieces = Vec::new();
+    for (from, until) in left.into_iter().filter(|(from, until)| from < until) {
+        let mut piece = vertices[from..until].to_vec();
+        if until < vertices.len() {
+            let path = &vertices[until..];
+            piece.extend(lead_on(&piece, path, true, field, None, params).unwrap_or_default());
+        }
+        if from > 0 {
+            piece.reverse();
+            let path: Vec<Vertex> = vertices[..from].iter().rev().copied().collect();
+            piece.extend(lead_on(&piece, &path, true, field, None, params).unwrap_or_default());
+            piece.reverse();
+        }
+        let piece = Trail { vertices: piece, closed: false };
+        if piece.length() >= params.min_length {
+            pieces.push(piece);
         }
     }
-    let (distance, at, count, way) = best;
-    let at = at?;
-    if distance > MEETS * params.join_gap || start - distance < STEEP * way {
+    let kept: f32 = pieces.iter().map(Trail::length).sum();
+    if kept < WHOLE * length {
+        if trail.vertices.first().map(|v| v.at) == trail.vertices.last().map(|v| v.at) {
+            pieces.clear();
+        }
+        let first = (0..pieces.len())
+            .max_by(|&a, &b| saliency(&pieces[a], params).total_cmp(&saliency(&pieces[b], params)).then(b.cmp(&a)));
+        pieces = first.map(|first| pieces.swap_remove(first)).into_iter().collect();
+    }
+    pieces
+}
+
+/// A ring cut open at a vertex, which comes at both its ends.
+fn opened(trail: &Trail, start: usize) -> Trail {
+    let ring = trail.vertices.len() - 1;
+    Trail { vertices: (0..=ring).map(|k| trail.vertices[(start + k) % ring]).collect(), closed: false }
+}
+
+/// The vertices that lead a line on along its old `path`, to a line that it meets soon and not too flat. `own` is the line
+/// itself if it is drawn already, which it may meet as well.
+fn lead_on(
+    body: &[Vertex],
+    path: &[Vertex],
+    ends: bool,
+    field: &Field<'_>,
+    own: Option<u32>,
+    params: &Params,
+) -> Option<Vec<Vertex>> {
+    let start = body.last()?;
+    let length: f32 = body.windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum();
+    let own_bend = |segment: &Segment, way: f32, distance: f32| {
+        own == Some(segment.line) && is_bend(length + way - segment.arc, distance)
+    };
+    let longest = field.longest_approach();
+    let mut led: Vec<Vertex> = Vec::new();
+    let mut way = 0.0;
+    // the place to be led to, how many vertices come before it, and how far it is from the last of them
+    let mut target: Option<(MmPoint, usize, f32)> = None;
+    for vertex in path {
+        let last = led.last().unwrap_or(start).at;
+        let mut hit: Option<(f32, MmPoint)> = None;
+        field.segments().around(last.min(vertex.at), last.max(vertex.at), 0.0, |segment| {
+            if let Some(at) = crossing((last, vertex.at), (segment.a, segment.b)) {
+                let distance = (at - last).length();
+                if hit.is_none_or(|(least, _)| distance < least) && !own_bend(segment, way + distance, 0.0) {
+                    hit = Some((distance, at));
+                }
+            }
+        });
+        if let Some((_, at)) = hit {
+            target = Some((at, led.len(), 0.0));
+            break;
+        }
+        way += (vertex.at - last).length();
+        if way > longest {
+            break;
+        }
+        led.push(*vertex);
+        let reach = target.map_or(MEETS * params.join_gap, |(.., distance)| distance);
+        let near = field.segments().nearest(vertex.at, reach, |segment| {
+            !own_bend(segment, way, nearest_on_segment(vertex.at, segment.a, segment.b).0)
+        });
+        if let Some((distance, at, _)) = near {
+            target = Some((at, led.len(), distance));
+            if distance < 1e-3 {
+                break;
+            }
+        }
+    }
+    if target.is_none() && ends && way <= longest {
+        // the contour itself ends: what it points at
+        let tip = led.last().unwrap_or(start);
+        let heading = heading(body, &led)?;
+        let at = meet::ahead(tip.at, heading, field.segments(), params.join_gap, |_| true)?;
+        target = Some((at, led.len(), (at - tip.at).length()));
+    }
+    let (mut at, count, _) = target?;
+    led.truncate(count);
+    if let Some(tip) = field.nearest_tip(at, SNAP) {
+        at = tip;
+        while led.last().is_some_and(|vertex| (vertex.at - tip).length() < SNAP) {
+            led.pop();
+        }
+    }
+    let tip = *led.last().unwrap_or(start);
+    let over = at - tip.at;
+    let turns = heading(body, &led).is_some_and(|heading| over.dot(heading) < AHEAD * over.length());
+    if over.length() > params.join_gap || (over.length() > 1.5 * SNAP / 3.0 && turns) {
         return None;
     }
-    path.truncate(count);
-    let tip = *path.last()?;
-    path.push(Vertex { at, ..tip });
-    Some(path)
+    led.extend(meet::way(&tip, at));
+    let mut whole = vec![*start];
+    whole.extend(&led);
+    let places = field.arriving(&whole);
+    let joins = whole.iter().zip(&places.arcs).skip(1).all(|(vertex, &arc)| {
+        field.state(vertex, arc, &places, |segment, distance| own_bend(segment, arc, distance)) != State::TooNear
+    });
+    (joins && places.arcs.last().is_some_and(|&arc| arc <= longest)).then_some(led)
+}
+
+/// The direction of a line that goes on with `led`.
+fn heading(body: &[Vertex], led: &[Vertex]) -> Option<MmVector> {
+    let mut back = led.iter().rev().chain(body.iter().rev());
+    let tip = back.next()?.at;
+    let inner = back.find(|vertex| (vertex.at - tip).length() >= HEADING).or(body.first())?.at;
+    (tip - inner).try_normalize()
+}
+
+/// Puts a vertex into a line where another one ends on it, so that they still meet after simplification.
+fn pin(cleared: &mut [Cleared], field: &Field<'_>) {
+    const TOUCH: f32 = 0.01;
+    // line, vertex before, way from it, place
+    let mut pins: Vec<(usize, usize, f32, MmPoint)> = Vec::new();
+    for (number, line) in cleared.iter().enumerate().filter(|(_, line)| !line.trail.closed) {
+        let vertices = &line.trail.vertices;
+        for (at, inner) in [(vertices.first(), 1), (vertices.last(), vertices.len().saturating_sub(2))] {
+            let Some(at) = at.map(|vertex| vertex.at) else { continue };
+            field.segments().around(at, at, TOUCH, |segment| {
+                let (distance, _) = nearest_on_segment(at, segment.a, segment.b);
+                let itself = segment.line as usize == number && (segment.index as usize).abs_diff(inner) <= 2;
+                if distance <= TOUCH && !itself {
+                    let pin = (segment.line as usize, segment.index as usize, (at - segment.a).length(), at);
+                    pins.push(pin);
+                }
+            });
+        }
+    }
+    // from the last vertex back, so that the numbers before stay right
+    pins.sort_by(|a, b| (b.0, b.1).cmp(&(a.0, a.1)).then(b.2.total_cmp(&a.2)));
+    pins.dedup_by(|a, b| a.0 == b.0 && a.3 == b.3);
+    for (line, index, _, at) in pins {
+        let Cleared { trail, pinned, .. } = &mut cleared[line];
+        let near = |i: usize| (trail.vertices[i].at - at).length() <= TOUCH;
+        if near(index) || near(index + 1) {
+            let vertex = if near(index) { index } else { index + 1 };
+            trail.vertices[vertex].at = at;
+            pinned[vertex] = true;
+            // a ring begins where it ends
+            let last = trail.vertices.len() - 1;
+            if trail.closed && (vertex == 0 || vertex == last) {
+                trail.vertices[last - vertex].at = at;
+            }
+        } else {
+            let (before, after) = (trail.vertices[index], trail.vertices[index + 1]);
+            // as wide as the piece of line that it parts
+            let width = before.width.min(after.width);
+            trail.vertices.insert(index + 1, Vertex { at, width, ..before });
+            pinned.insert(index + 1, true);
+        }
+    }
 }

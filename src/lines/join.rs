@@ -1,6 +1,6 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
-use super::{Trail, Vertex, dot};
+use super::trail::{Trail, Vertex, dot};
 use crate::units::{MmPoint, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.

@@ -1,17 +1,20 @@
 //! Width by strength, in runs of equal width, with as few points as the tolerance allows.
 
-use super::{Line, Params, Run, Trail};
+use super::trail::{Trail, Vertex};
+use super::{Line, Params, Run};
 use crate::geom::polyline::{arc_lengths, smooth};
-use crate::geom::simplify::simplify;
+use crate::geom::{crossing, simplify::simplify};
 use crate::units::MmPoint;
 
 /// Widths come in steps of this, mm: finer ones cannot be told by touch.
 const STEP: f32 = 0.1;
 /// Widths are smoothed along the line with this sigma, mm, so that a line swells and fades instead of twitching.
 const SMOOTHING: f32 = 2.0;
-/// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first run of a line may be
-/// shorter.
+/// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first and the last run of a
+/// line may be shorter, where it fades out or is cut.
 const MIN_RUN: f32 = 2.0;
+/// Places of a line with more way than this between them, mm, are kept apart by the clearance.
+const NEAR: f32 = 12.0;
 
 /// Width of a line at a place of the given strength, mm: it grows with the strength and soon reaches its greatest value
 /// (the paper: a repeated thickness is easier to find).
@@ -21,54 +24,117 @@ pub(super) fn width(strength: f32, params: &Params) -> f32 {
     params.width_min + (params.width_max - params.width_min) * share
 }
 
-/// The finished line of a trail; none if nothing is left of it.
-pub(super) fn finish(trail: &Trail, params: &Params) -> Option<Line> {
+/// Gives every vertex the width that is drawn there, in steps.
+pub(super) fn assign(trail: &mut Trail, params: &Params) {
+    let arcs = arc_lengths(&trail.points());
+    let widths = smooth(&arcs, trail.closed, SMOOTHING, |i| [width(trail.vertices[i].strength, params)]);
+    let steps: Vec<i32> = widths.iter().map(|[w]| ((w - params.width_min) / STEP).round() as i32).collect();
+    for (from, to, step) in runs(&steps, &arcs) {
+        for vertex in &mut trail.vertices[from..=to] {
+            vertex.width = (params.width_min + step as f32 * STEP).min(params.width_max);
+        }
+    }
+}
+
+/// Runs of equal step as (first vertex, last vertex, step), none of the inner ones too short.
+fn runs(steps: &[i32], arcs: &[f32]) -> Vec<(usize, usize, i32)> {
+    let mut runs: Vec<(usize, usize, i32)> = Vec::new();
+    for (i, &step) in steps.iter().enumerate() {
+        match runs.last_mut() {
+            Some((_, to, last)) if *last == step => *to = i,
+            _ => runs.push((i, i, step)),
+        }
+    }
+    let length = |&(from, to, _): &(usize, usize, i32)| arcs[(to + 1).min(arcs.len() - 1)] - arcs[from];
+    // the shortest goes first, to the neighbour that it is most like
+    while let Some(short) = (1..runs.len().saturating_sub(1))
+        .filter(|&k| length(&runs[k]) < MIN_RUN)
+        .min_by(|&a, &b| length(&runs[a]).total_cmp(&length(&runs[b])))
+    {
+        let (from, to, step) = runs.remove(short);
+        let (before, after) = (runs[short - 1], runs[short]);
+        let closer = ((before.2 - step).abs(), -length(&before)) <= ((after.2 - step).abs(), -length(&after));
+        if closer {
+            runs[short - 1].1 = to;
+        } else {
+            runs[short].0 = from;
+        }
+        // two neighbours may now be alike
+        let mut k = short.saturating_sub(1);
+        while k + 1 < runs.len() && k <= short {
+            if runs[k].2 == runs[k + 1].2 {
+                runs[k].1 = runs[k + 1].1;
+                runs.remove(k + 1);
+            } else {
+                k += 1;
+            }
+        }
+    }
+    runs
+}
+
+/// Width of the piece of a line between two vertices that follow one another.
+pub(super) fn between(a: &Vertex, b: &Vertex) -> f32 {
+    a.width.max(b.width)
+}
+
+/// The finished line of a trail whose widths are assigned; none if nothing is left of it. `pinned` tells the vertices that
+/// stay, because other lines end there.
+pub(super) fn finish(trail: &Trail, pinned: &[bool], params: &Params) -> Option<Line> {
     let points = trail.points();
     if points.len() < 2 {
         return None;
     }
-    let arcs = arc_lengths(&points);
-    let widths = smooth(&arcs, trail.closed, SMOOTHING, |i| [width(trail.vertices[i].strength, params)]);
-    let steps: Vec<i32> = widths.iter().map(|[w]| (w / STEP).round() as i32).collect();
-    let runs = runs(&steps, &arcs)
-        .into_iter()
-        .map(|(from, to, step)| Run {
-            width: (step as f32 * STEP).clamp(params.width_min, params.width_max),
-            points: thinned(&points[from..=to], params.tolerance),
-        })
-        .filter(|run| run.points.len() > 1)
-        .collect::<Vec<_>>();
+    let mut tolerance = params.tolerance;
+    let mut runs = drawn(trail, &points, pinned, tolerance);
+    // Where a line bends sharply its simplified sides may cross: there it stays nearer to what it was.
+    for _ in 0..3 {
+        if !crosses_itself(&runs) {
+            break;
+        }
+        tolerance *= 0.25;
+        runs = drawn(trail, &points, pinned, tolerance);
+    }
     (!runs.is_empty()).then(|| Line { strength: trail.mean_strength(), runs })
 }
 
-fn thinned(points: &[MmPoint], tolerance: f32) -> Vec<MmPoint> {
-    simplify(points, tolerance).into_iter().map(|i| points[i]).collect()
-}
-
-/// Runs of equal width step as (first point, last point, step); neighbours share their point.
-fn runs(steps: &[i32], arcs: &[f32]) -> Vec<(usize, usize, i32)> {
-    let mut runs: Vec<(usize, usize, i32)> = Vec::new();
-    for (i, &width) in steps[..steps.len() - 1].iter().enumerate() {
-        match runs.last_mut() {
-            // a run goes on until it is long enough; the first may be short, as the line's end may fade
-            Some((_, to, step)) if *step == width => *to = i + 1,
-            Some((from, to, _)) if arcs[*to] - arcs[*from] < MIN_RUN && *from > 0 => *to = i + 1,
-            _ => runs.push((i, i + 1, width)),
+/// The runs of a line.
+fn drawn(trail: &Trail, points: &[MmPoint], pinned: &[bool], tolerance: f32) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let mut from = 0;
+    let width = |i: usize| between(&trail.vertices[i], &trail.vertices[i + 1]);
+    for i in 0..points.len() - 1 {
+        let last = i + 2 == points.len();
+        let same = !last && (width(i + 1) - width(i)).abs() < 0.5 * STEP;
+        if same && !pinned[i + 1] {
+            continue;
         }
-    }
-    if let [.., before, last] = runs.as_mut_slice()
-        && arcs[last.1] - arcs[last.0] < MIN_RUN
-    {
-        before.1 = last.1;
-        runs.pop();
+        let kept = simplify(&points[from..=i + 1], tolerance).into_iter().map(|k| points[from + k]);
+        match runs.last_mut() {
+            Some(run) if (run.width - width(i)).abs() < 0.5 * STEP => run.points.extend(kept.skip(1)),
+            _ => runs.push(Run { width: width(i), points: kept.collect() }),
+        }
+        from = i + 1;
     }
     runs
+}
+
+/// Whether a line crosses itself at a bend.
+fn crosses_itself(runs: &[Run]) -> bool {
+    let segments: Vec<_> = runs.iter().flat_map(|run| run.points.windows(2)).map(|pair| (pair[0], pair[1])).collect();
+    segments.iter().enumerate().any(|(i, &segment)| {
+        let mut way = 0.0;
+        segments[i + 1..].iter().skip(1).any(|&other| {
+            let near = way <= NEAR;
+            way += (other.1 - other.0).length();
+            near && crossing(segment, other).is_some()
+        })
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::Vertex;
 
     fn params() -> Params {
         Params {
@@ -81,7 +147,22 @@ mod tests {
             join_gap: 3.0,
             smoothing: 0.4,
             tolerance: 0.05,
+            detail: 0.5,
         }
+    }
+
+    fn straight(strength: impl Fn(f32) -> f32) -> Line {
+        let vertices = (0..=300)
+            .map(|i| Vertex {
+                at: MmPoint::new(i as f32 * 0.2, 5.0),
+                strength: strength(i as f32 * 0.2),
+                step: [1.0, 0.0, 0.0],
+                width: 0.0,
+            })
+            .collect();
+        let mut trail = Trail { vertices, closed: false };
+        assign(&mut trail, &params());
+        finish(&trail, &[false; 301], &params()).expect("there is a line")
     }
 
     #[test]
@@ -93,19 +174,30 @@ mod tests {
 
     #[test]
     fn a_fading_edge_is_drawn_in_runs_that_touch_and_thin_out() {
-        let vertices = (0..=300)
-            .map(|i| Vertex {
-                at: MmPoint::new(i as f32 * 0.2, 5.0),
-                strength: 40.0 - i as f32 * 0.1,
-                step: [1.0, 0.0, 0.0],
-            })
-            .collect();
-        let line = finish(&Trail { vertices, closed: false }, &params()).unwrap();
+        let line = straight(|x| 40.0 - 0.5 * x);
         assert!(line.runs.len() > 4);
         for pair in line.runs.windows(2) {
             assert_eq!(pair[0].points.last(), pair[1].points.first());
             assert!(pair[0].width > pair[1].width);
         }
         assert!((line.length() - 60.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_fading_edge_ends_at_the_least_width() {
+        for fade in [4.0, 8.0, 20.0] {
+            let line = straight(|x| 10.0 + 40.0 * ((60.0 - x) / fade).min(1.0));
+            let last = line.runs.last().expect("a run").width;
+            assert!(last <= 0.8 + 1e-4, "fading over {fade} mm it ends {last} mm wide");
+            assert!(line.runs.windows(2).all(|pair| pair[0].width > pair[1].width), "fading over {fade} mm");
+        }
+    }
+
+    #[test]
+    fn a_weak_spot_does_not_make_a_line_twitch() {
+        let line = straight(|x| if (30.0..30.6).contains(&x) { 12.0 } else { 60.0 });
+        assert!(line.runs.iter().all(|run| run.width > 1.2), "{:?}", line.runs);
+        let inner = &line.runs[1..line.runs.len().max(2) - 1];
+        assert!(inner.iter().all(|run| crate::geom::polyline::length(&run.points) >= MIN_RUN - 0.21));
     }
 }

@@ -165,6 +165,8 @@ table! {
         width_max: number(0.3 to 10.0, "mm");
         /// Height of a colour step from which a line has its greatest width, chroma counted twice.
         full_strength: number(1.0 to 600.0, "CIELAB units");
+        /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that fingers can part.
+        detail: number(0.0 to 1.0, "");
         /// Lines shorter than this are left out.
         min_length: number(0.0 to 200.0, "mm");
         /// Least blank between the edges of two lines.

@@ -81,6 +81,7 @@ impl Plan {
             join_gap: lines.join_gap,
             smoothing: lines.smoothing,
             tolerance: lines.tolerance,
+            detail: lines.detail,
         }
     }
 

@@ -2,7 +2,7 @@
 //! lines alone, by a rule of its own, not by the one that made them.
 
 use tactograph::geom::nearby::{Nearby, Segment};
-use tactograph::geom::nearest_on_segment;
+use tactograph::geom::{crossing, nearest_on_segment};
 use tactograph::page::Line;
 use tactograph::units::{MmPoint, MmRect};
 
@@ -17,6 +17,8 @@ const APPROACH: f32 = 1.5;
 /// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
 const BEND_LEAST: f32 = 2.0;
+/// Lines that have not been farther from one another than this between two crossings were never apart, mm.
+const CLOSE: f32 = 3.2;
 /// Numbers of the page have two digits after the point, and some are added up.
 const ROUNDING: f32 = 0.01;
 
@@ -73,36 +75,12 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
     let mut nearby = Nearby::new(MmRect::new(low, high), min_gap);
     all().for_each(|segment| nearby.insert(*segment));
 
-    // junctions[a] = (at its end?, the line that this end meets)
-    let junctions: Vec<Vec<(bool, u32)>> = ways
-        .iter()
-        .enumerate()
-        .map(|(number, way)| {
-            let mut meets = Vec::new();
-            let (Some(first), Some(last)) = (way.segments.first(), way.segments.last()) else { return meets };
-            if way.closed {
-                return meets;
-            }
-            for (at_end, tip) in [(false, first.a), (true, last.b)] {
-                let arc = if at_end { way.length } else { 0.0 };
-                nearby.around(tip, tip, TOUCH, |other| {
-                    let itself = other.line as usize == number;
-                    let (distance, at) = nearest_on_segment(tip, other.a, other.b);
-                    let there = other.arc + (at - other.a).length();
-                    if distance <= TOUCH && !(itself && way.between(arc, there) <= BEND * distance + BEND_LEAST) {
-                        meets.push((at_end, other.line));
-                    }
-                });
-            }
-            meets
-        })
-        .collect();
+    let junctions = junctions(&ways, &nearby);
     // whether line `a`, `arc` from its start, is on its way to a junction with line `b`
     let arrives = |a: u32, arc: f32, b: u32, clearance: f32| {
-        junctions[a as usize].iter().any(|&(at_end, other)| {
-            let way = if at_end { ways[a as usize].length - arc } else { arc };
-            other == b && way <= APPROACH * clearance
-        })
+        let way = &ways[a as usize];
+        let on_the_way = |j: &Junction| j.other == b && way.between(j.arc, arc) <= APPROACH * clearance;
+        junctions[a as usize].iter().any(on_the_way)
     };
 
     let mut found = Vec::new();
@@ -133,4 +111,62 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
         }
     }
     found
+}
+
+/// Where a line ends on another, or crosses it.
+struct Junction {
+    arc: f32,
+    other: u32,
+}
+
+/// The junctions of every line. Two lines that cross again before they have been apart only wind round one another: these
+/// are none.
+fn junctions(ways: &[Way], nearby: &Nearby) -> Vec<Vec<Junction>> {
+    let of = |(number, way): (usize, &Way)| {
+        let mut found: Vec<Junction> = Vec::new();
+        let mut add = |arc: f32, there: f32, other: &Segment| {
+            let itself = other.line as usize == number;
+            if !(itself && way.between(arc, there) <= BEND_LEAST) {
+                found.push(Junction { arc, other: other.line });
+            }
+        };
+        for segment in &way.segments {
+            let (a, b) = (segment.a, segment.b);
+            nearby.around(a.min(b), a.max(b), 0.0, |other| {
+                if let Some(at) = crossing((a, b), (other.a, other.b)) {
+                    add(segment.arc + (at - a).length(), other.arc + (at - other.a).length(), other);
+                }
+            });
+        }
+        if let (Some(first), Some(last), false) = (way.segments.first(), way.segments.last(), way.closed) {
+            for (tip, arc) in [(first.a, 0.0), (last.b, way.length)] {
+                nearby.around(tip, tip, TOUCH, |other| {
+                    let (distance, at) = nearest_on_segment(tip, other.a, other.b);
+                    if distance <= TOUCH {
+                        add(arc, other.arc + (at - other.a).length(), other);
+                    }
+                });
+            }
+        }
+        found
+    };
+    let all: Vec<Vec<Junction>> = ways.iter().enumerate().map(of).collect();
+    let winds = |way: &Way, junction: &Junction, list: &[Junction]| {
+        list.iter().any(|other| {
+            let (from, to) = (junction.arc.min(other.arc), junction.arc.max(other.arc));
+            other.other == junction.other
+                && to - from > 1.0
+                && way.segments.iter().filter(|s| s.arc >= from && s.arc < to).all(|s| {
+                    let near = |rival: &Segment| rival.line == junction.other && rival.line != s.line;
+                    nearby.nearest(s.a, CLOSE, near).is_some()
+                })
+        })
+    };
+    all.iter()
+        .zip(ways)
+        .map(|(list, way)| {
+            let kept = list.iter().filter(|junction| !winds(way, junction, list));
+            kept.map(|junction| Junction { ..*junction }).collect()
+        })
+        .collect()
 }

@@ -1,0 +1,108 @@
+//! T-junctions meet: an end that stops a little before another line and points at it is led on to it. The step that makes
+//! a contour fades where a stronger one passes, so such a line always stops short.
+//!
+//! ```text
+//!      |                |
+//!   --  |      ->     ---|
+//!      |                |
+//! ```
+
+use super::trail::{SPACING, Trail, Vertex};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::arc_lengths;
+use crate::geom::{crossing, nearest_on_segment};
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// The direction of an end is taken over this much of its line, mm.
+const HEADING: f32 = 2.0;
+/// Least cosine between an end's heading and the way to the line it is led to (53 degrees).
+const AHEAD: f32 = 0.6;
+/// Greatest cosine between that way and the line it is led to (50 degrees): flatter, the two would lie side by side.
+const STEEP: f32 = 0.64;
+/// A line meets itself only where the way round is at least this many gaps long.
+const ROUND: f32 = 4.0;
+
+/// Leads ends over gaps of at most `gap` millimetres on to what lies before them.
+pub(super) fn meet(trails: &mut [Trail], area: MmRect, gap: f32) {
+    let mut nearby = Nearby::new(area, gap);
+    let mut totals = Vec::with_capacity(trails.len());
+    for (number, trail) in trails.iter().enumerate() {
+        let arcs = arc_lengths(&trail.points());
+        for (i, pair) in trail.vertices.windows(2).enumerate() {
+            let (a, b) = (pair[0].at, pair[1].at);
+            nearby.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: i as u32, arc: arcs[i] });
+        }
+        totals.push(arcs.last().copied().unwrap_or(0.0));
+    }
+    // All ends are judged before any is led on, so that the order of the lines does not matter.
+    let mut on = Vec::new();
+    for (number, trail) in trails.iter().enumerate().filter(|(_, trail)| !trail.closed && trail.vertices.len() > 1) {
+        for at_start in [true, false] {
+            let arc = if at_start { 0.0 } else { totals[number] };
+            let other = |segment: &Segment| segment.line as usize != number || (segment.arc - arc).abs() > ROUND * gap;
+            let tip = if at_start { trail.vertices[0] } else { trail.vertices[trail.vertices.len() - 1] };
+            let Some(heading) = heading(trail, at_start, HEADING) else { continue };
+            if let Some(target) = ahead(tip.at, heading, &nearby, gap, other) {
+                on.push((number, at_start, way(&tip, target)));
+            }
+        }
+    }
+    for (number, at_start, way) in on {
+        let vertices = &mut trails[number].vertices;
+        if at_start {
+            vertices.splice(0..0, way.into_iter().rev());
+        } else {
+            vertices.extend(way);
+        }
+    }
+}
+
+/// The direction in which an end leaves its line, over the last `span` millimetres.
+pub(super) fn heading(trail: &Trail, at_start: bool, span: f32) -> Option<MmVector> {
+    let n = trail.vertices.len();
+    let from_end = |i: usize| trail.vertices[if at_start { i } else { n - 1 - i }].at;
+    let inner = (1..n).map(from_end).find(|at| (*at - from_end(0)).length() >= span).unwrap_or_else(|| from_end(n - 1));
+    (from_end(0) - inner).try_normalize()
+}
+
+/// The place that an end at `tip` points at, on the nearest of the segments that `other` lets pass: straight ahead, or a
+/// little aside. None if it lies on one already, or if it would run into it flat.
+pub(super) fn ahead(
+    tip: MmPoint,
+    heading: MmVector,
+    nearby: &Nearby,
+    gap: f32,
+    other: impl Fn(&Segment) -> bool,
+) -> Option<MmPoint> {
+    let mut hit: Option<(f32, MmPoint, MmVector)> = None;
+    nearby.around(tip, tip, gap, |segment| {
+        if !other(segment) {
+            return;
+        }
+        let along = segment.b - segment.a;
+        if let Some(at) = crossing((tip, tip + heading * gap), (segment.a, segment.b)) {
+            let distance = (at - tip).length();
+            if hit.is_none_or(|(least, ..)| distance < least) {
+                hit = Some((distance, at, along));
+            }
+        }
+    });
+    if hit.is_none() {
+        // nothing straight ahead: the nearest place, if it lies in front
+        let (distance, at, segment) = nearby.nearest(tip, gap, |segment| {
+            let (distance, at) = nearest_on_segment(tip, segment.a, segment.b);
+            other(segment) && (at - tip).dot(heading) >= AHEAD * distance
+        })?;
+        hit = Some((distance, at, segment.b - segment.a));
+    }
+    let (distance, at, along) = hit?;
+    let flat = along.try_normalize().is_none_or(|along| along.dot(heading).abs() > STEEP.max(AHEAD));
+    (distance > 1e-3 && !flat).then_some(at)
+}
+
+/// Vertices from a tip (without it) straight to a place.
+pub(super) fn way(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
+    let steps = ((to - tip.at).length() / SPACING).ceil().max(1.0) as usize;
+    let at = |k: usize| if k == steps { to } else { tip.at.lerp(to, k as f32 / steps as f32) };
+    (1..=steps).map(|k| Vertex { at: at(k), ..*tip }).collect()
+}

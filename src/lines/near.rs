@@ -1,0 +1,370 @@
+//! The lines that are drawn so far, and what comes too near to them.
+//!
+//! Two lines may be near only on the way to a place where they meet: where one of them ends on the other, or where they
+//! cross. The way from there until they are apart must be short, which keeps out lines that run into one another flat:
+//!
+//! ```text
+//!   ----------o----------   far enough          -----------o------   too flat: the
+//!             |                                    ___---´´          lower line ends
+//!             |  <- at most 1.5 clearances      --´                  where it comes near
+//! ```
+
+use super::trail::{SPACING, Trail, Vertex};
+use super::{Params, weight};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::{crossing, nearest_on_segment};
+use crate::units::{MmPoint, MmRect};
+
+/// A line ends on another if it comes this near, mm.
+const TOUCH: f32 = 0.01;
+/// The longest way from a meeting until two lines are apart, in clearances: at 42 degrees a straight line needs as much.
+const APPROACH: f32 = 1.5;
+/// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
+/// and by this length, mm. A corner of 30 degrees or more is none (its factor is 1 / sin 15 = 3.9).
+const BEND: f32 = 4.0;
+const BEND_LEAST: f32 = 2.0;
+/// What rounding may take from a distance, mm.
+const ROUNDING: f32 = 0.02;
+
+/// Cells of the map of what is near to a line at all, mm.
+const CELL: f32 = 1.0;
+
+/// A trail meets a line.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Meeting {
+    /// How far along the trail.
+    arc: f32,
+    line: u32,
+    /// If it is an end of the line that lies here: how far along the line that is.
+    end: Option<f32>,
+}
+
+/// How near a vertex is to lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum State {
+    /// Apart from all.
+    Free,
+    /// Near to lines that it meets close by.
+    Joined,
+    /// Near to a line that it does not meet.
+    TooNear,
+}
+
+/// Lines that are drawn.
+pub(super) struct Field<'a> {
+    params: &'a Params,
+    area: MmRect,
+    /// All their segments.
+    segments: Nearby,
+    /// Their ends, as segments without length; `index` is 1 at the end, 0 at the start.
+    tips: Nearby,
+    /// Way to the last vertex of each, mm.
+    lengths: Vec<f32>,
+    closed: Vec<bool>,
+    /// For each cell whether a line may be nearer to a place in it than two lines may be.
+    map: Vec<bool>,
+    columns: usize,
+    rows: usize,
+}
+
+/// A trail among the lines that are drawn.
+pub(super) struct Places {
+    /// Way to each vertex, mm.
+    pub(super) arcs: Vec<f32>,
+    /// Its whole length if it is closed.
+    pub(super) round: Option<f32>,
+    /// Where it meets lines.
+    pub(super) meetings: Vec<Meeting>,
+}
+
+impl Places {
+    /// Way along the trail between two places, mm.
+    pub(super) fn way(&self, s: f32, t: f32) -> f32 {
+        let apart = (s - t).abs();
+        self.round.map_or(apart, |round| apart.min(round - apart))
+    }
+}
+
+impl<'a> Field<'a> {
+    pub(super) fn new(area: MmRect, params: &'a Params) -> Self {
+        let reach = params.min_gap + params.width_max;
+        let cells = |mm: f32| (mm / CELL).ceil().max(1.0) as usize;
+        let (columns, rows) = (cells(area.width()), cells(area.height()));
+        Self {
+            params,
+            area,
+            segments: Nearby::new(area, reach),
+            tips: Nearby::new(area, reach),
+            lengths: Vec::new(),
+            closed: Vec::new(),
+            map: vec![false; columns * rows],
+            columns,
+            rows,
+        }
+    }
+
+    /// How far apart the centre lines of two lines must be, mm. Simplification may move both.
+    pub(super) fn clearance(&self, half_widths: f32) -> f32 {
+        self.params.min_gap + half_widths + 2.0 * self.params.tolerance + ROUNDING
+    }
+
+    /// The longest way from a meeting until two lines of the least width are apart, mm.
+    pub(super) fn longest_approach(&self) -> f32 {
+        APPROACH * (self.params.min_gap + self.params.width_min) - 2.0 * ROUNDING
+    }
+
+    fn farthest(&self) -> f32 {
+        self.clearance(self.params.width_max)
+    }
+
+    /// Begins to draw a line. Returns its number. Nothing meets its ends until [`Field::finish`].
+    pub(super) fn begin(&mut self, trail: &Trail) -> u32 {
+        let line = self.lengths.len() as u32;
+        self.lengths.push(0.0);
+        self.closed.push(trail.closed);
+        self.go_on(trail, 0, line);
+        line
+    }
+
+    /// Draws what was added to a line after vertex `from`.
+    pub(super) fn go_on(&mut self, trail: &Trail, from: usize, line: u32) {
+        let arcs = arcs(&trail.vertices);
+        for (i, pair) in trail.vertices.windows(2).enumerate().skip(from) {
+            self.segments.insert(segment(pair, i, line, arcs[i]));
+            self.mark(pair[0].at);
+            self.mark(pair[1].at);
+        }
+        self.lengths[line as usize] = arcs.last().copied().unwrap_or(0.0);
+    }
+
+    /// A line is complete: others may meet its ends.
+    pub(super) fn finish(&mut self, trail: &Trail, line: u32) {
+        let (Some(first), Some(last), false) = (trail.vertices.first(), trail.vertices.last(), trail.closed) else {
+            return;
+        };
+        for (at, index, arc) in [(first.at, 0, 0.0), (last.at, 1, self.lengths[line as usize])] {
+            self.tips.insert(Segment { a: at, b: at, half_width: 0.0, line, index, arc });
+        }
+    }
+
+    fn mark(&mut self, at: MmPoint) {
+        let reach = self.farthest() + CELL; // the diagonal of a cell and the way to the next vertex
+        let (x, y) = ((at.x - self.area.min.x) / CELL, (at.y - self.area.min.y) / CELL);
+        let range = |middle: f32, count: usize| {
+            ((middle - reach / CELL).max(0.0) as usize)..(((middle + reach / CELL).max(0.0) as usize + 1).min(count))
+        };
+        for row in range(y, self.rows) {
+            for column in range(x, self.columns) {
+                let (dx, dy) = (column as f32 + 0.5 - x, row as f32 + 0.5 - y);
+                if (dx * dx + dy * dy) * CELL * CELL <= reach * reach {
+                    self.map[row * self.columns + column] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether any line may be too near to this place.
+    pub(super) fn may_be_near(&self, at: MmPoint) -> bool {
+        let index = |value: f32, count: usize| ((value / CELL).max(0.0) as usize).min(count - 1);
+        let (column, row) = (index(at.x - self.area.min.x, self.columns), index(at.y - self.area.min.y, self.rows));
+        self.map[row * self.columns + column]
+    }
+
+    /// Where a trail meets the lines.
+    pub(super) fn places(&self, vertices: &[Vertex], closed: bool) -> Places {
+        let arcs = arcs(vertices);
+        let arc = arcs.last().copied().unwrap_or(0.0);
+        let mut meetings = Vec::new();
+        for (i, pair) in vertices.windows(2).enumerate() {
+            if !self.may_be_near(pair[0].at) {
+                continue;
+            }
+            let (a, b) = (pair[0].at, pair[1].at);
+            let (low, high) = (a.min(b), a.max(b));
+            self.segments.around(low, high, 0.0, |segment| {
+                if let Some(at) = crossing((a, b), (segment.a, segment.b)) {
+                    meetings.push(Meeting { arc: arcs[i] + (at - a).length(), line: segment.line, end: None });
+                }
+            });
+            self.tips.around(low, high, TOUCH, |tip| {
+                let (distance, at) = nearest_on_segment(tip.a, a, b);
+                if distance <= TOUCH {
+                    let arc = arcs[i] + (at - a).length();
+                    meetings.push(Meeting { arc, line: tip.line, end: Some(tip.arc) });
+                }
+            });
+        }
+        if !closed && let (Some(first), Some(last)) = (vertices.first(), vertices.last()) {
+            for (at, arc) in [(first.at, 0.0), (last.at, arc)] {
+                self.segments.around(at, at, TOUCH, |segment| {
+                    if nearest_on_segment(at, segment.a, segment.b).0 <= TOUCH {
+                        meetings.push(Meeting { arc, line: segment.line, end: None });
+                    }
+                });
+            }
+        }
+        let mut places = Places { arcs, round: closed.then_some(arc), meetings };
+        let winding: Vec<bool> = places.meetings.iter().map(|meeting| self.winds(meeting, vertices, &places)).collect();
+        let mut winding = winding.into_iter();
+        places.meetings.retain(|_| !winding.next().unwrap_or(false));
+        places
+    }
+
+    /// Whether a trail that meets a line does so again before it has been apart from it: the two wind round one another.
+    fn winds(&self, meeting: &Meeting, vertices: &[Vertex], places: &Places) -> bool {
+        places.meetings.iter().any(|other| {
+            let (from, to) = (meeting.arc.min(other.arc), meeting.arc.max(other.arc));
+            if other.line != meeting.line || to - from <= 1.0 {
+                return false;
+            }
+            let (first, last) =
+                (places.arcs.partition_point(|&arc| arc < from), places.arcs.partition_point(|&arc| arc < to));
+            vertices[first..last].iter().all(|vertex| {
+                let reach = self.clearance(0.5 * vertex.width);
+                self.segments.nearest(vertex.at, reach, |segment| segment.line == meeting.line).is_some()
+            })
+        })
+    }
+
+    /// The state of a vertex of a trail. Lines for which `leave_out` says so, given the segment and the distance to it, do
+    /// not count.
+    pub(super) fn state(
+        &self,
+        vertex: &Vertex,
+        arc: f32,
+        places: &Places,
+        leave_out: impl Fn(&Segment, f32) -> bool,
+    ) -> State {
+        if !self.may_be_near(vertex.at) {
+            return State::Free;
+        }
+        let half = 0.5 * vertex.width;
+        let mut state = State::Free;
+        self.segments.around(vertex.at, vertex.at, self.farthest(), |segment| {
+            if state == State::TooNear {
+                return;
+            }
+            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
+            if distance >= self.clearance(half + segment.half_width) || leave_out(segment, distance) {
+                return;
+            }
+            let limit = APPROACH * (self.params.min_gap + half + segment.half_width) - ROUNDING;
+            let there = segment.arc + (at - segment.a).length();
+            let joins = places.meetings.iter().any(|meeting| {
+                meeting.line == segment.line
+                    && (places.way(meeting.arc, arc) <= limit
+                        || meeting.end.is_some_and(|end| (end - there).abs() <= limit))
+            });
+            state = if joins { State::Joined } else { State::TooNear };
+        });
+        state
+    }
+
+    /// The nearest end of a line within `reach`.
+    pub(super) fn nearest_tip(&self, at: MmPoint, reach: f32) -> Option<MmPoint> {
+        self.tips.nearest(at, reach, |_| true).map(|(_, at, _)| at)
+    }
+
+    /// The places of a path whose last vertex ends on lines: it meets all that pass there.
+    pub(super) fn arriving(&self, path: &[Vertex]) -> Places {
+        let mut places = Places { arcs: arcs(path), round: None, meetings: Vec::new() };
+        if let (Some(&arc), Some(tip)) = (places.arcs.last(), path.last()) {
+            self.segments.around(tip.at, tip.at, TOUCH, |segment| {
+                if nearest_on_segment(tip.at, segment.a, segment.b).0 <= TOUCH {
+                    places.meetings.push(Meeting { arc, line: segment.line, end: None });
+                }
+            });
+        }
+        places
+    }
+
+    /// All segments of lines.
+    pub(super) fn segments(&self) -> &Nearby {
+        &self.segments
+    }
+}
+
+/// For every vertex of a trail that comes back to itself, from where on it is too near to an earlier part of it: the first
+/// such vertex. `own` is an empty grid, and empty again afterwards.
+pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Option<usize> {
+    let arcs = arcs(&trail.vertices);
+    let total = arcs.last().copied().unwrap_or(0.0);
+    if total <= BEND_LEAST {
+        return None;
+    }
+    let apart = |s: f32, t: f32| if trail.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
+    // its own ends may lie on it
+    let tips: Vec<f32> = if trail.closed { Vec::new() } else { own_meetings(trail, &arcs, own) };
+    let mut found = None;
+    for (i, vertex) in trail.vertices.iter().enumerate() {
+        let half = 0.5 * vertex.width;
+        let mut near = false;
+        own.around(vertex.at, vertex.at, field.farthest(), |segment| {
+            let way = apart(arcs[i], segment.arc);
+            if near || way <= BEND_LEAST {
+                return;
+            }
+            let distance = nearest_on_segment(vertex.at, segment.a, segment.b).0;
+            if distance >= field.clearance(half + segment.half_width) || is_bend(way, distance) {
+                return;
+            }
+            let limit = APPROACH * (field.params.min_gap + half + segment.half_width) - ROUNDING;
+            near =
+                !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - segment.arc).abs() <= limit - SPACING);
+        });
+        if near {
+            found = Some(i);
+            break;
+        }
+        if i > 0 {
+            own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1]));
+        }
+    }
+    own.clear();
+    found
+}
+
+/// Which ends of an open trail, as places along it, lie on the trail itself.
+fn own_meetings(trail: &Trail, arcs: &[f32], own: &mut Nearby) -> Vec<f32> {
+    let (Some(first), Some(last), Some(&total)) = (trail.vertices.first(), trail.vertices.last(), arcs.last()) else {
+        return Vec::new();
+    };
+    for (i, pair) in trail.vertices.windows(2).enumerate() {
+        own.insert(segment(pair, i, 0, arcs[i]));
+    }
+    let mut tips = Vec::new();
+    for (at, arc) in [(first.at, 0.0), (last.at, total)] {
+        own.around(at, at, TOUCH, |segment| {
+            let distance = nearest_on_segment(at, segment.a, segment.b).0;
+            if distance <= TOUCH && !is_bend((segment.arc - arc).abs() - SPACING, 0.0) {
+                tips.push(arc);
+            }
+        });
+    }
+    own.clear();
+    tips
+}
+
+/// Way to each vertex, mm.
+fn arcs(vertices: &[Vertex]) -> Vec<f32> {
+    let mut arc = 0.0;
+    let mut last: Option<MmPoint> = None;
+    vertices
+        .iter()
+        .map(|vertex| {
+            arc += last.map_or(0.0, |last| (vertex.at - last).length());
+            last = Some(vertex.at);
+            arc
+        })
+        .collect()
+}
+
+/// Whether two places of one line are near one another only because it bends there.
+pub(super) fn is_bend(way: f32, distance: f32) -> bool {
+    way <= BEND * distance + BEND_LEAST
+}
+
+fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32) -> Segment {
+    let half_width = 0.5 * weight::between(&pair[0], &pair[1]);
+    Segment { a: pair[0].at, b: pair[1].at, half_width, line, index: i as u32, arc }
+}
