@@ -88,28 +88,28 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
     let mut own = Nearby::new(area, params.min_gap + params.width_max);
     let mut cleared: Vec<Cleared> = Vec::new();
     while let Some(Candidate { saliency, cuts, mut trail, .. }) = queue.heap.pop() {
-        let states = states(&trail, &field);
-        if states.contains(&State::TooNear) {
-            pieces(&trail, &states, &field, params).into_iter().for_each(|piece| queue.push(piece, cuts + 1));
+        let near = states(&trail, &field);
+        if near.contains(&State::TooNear) {
+            pieces(&trail, &near, &field, params).into_iter().for_each(|piece| queue.push(piece, cuts + 1));
             continue;
         }
         let mut rest = None;
-        if let Some(mut back) = returns(&trail, &field, &mut own) {
+        if let Some(back) = returns(&trail, &field, &mut own) {
             if trail.closed {
-                // walked the other way round, the stretch that is too near comes last
-                trail = opened(&trail, back).reversed();
-                let Some(again) = returns(&trail, &field, &mut own) else {
-                    queue.push(trail, cuts + 1);
-                    continue;
-                };
-                back = again;
-            }
-            let path = trail.vertices.split_off(back);
-            rest = Some(path);
-            if trail.length() < params.min_length {
-                queue.push(Trail { vertices: rest.unwrap_or_default(), closed: false }, cuts + 1);
+                // begun after the stretch that is too near, it comes last
+                let mut open = opened(&trail, back.end % (trail.vertices.len() - 1));
+                open.vertices.pop();
+                queue.push(open, cuts + 1);
                 continue;
             }
+            let path = trail.vertices.split_off(back.start);
+            // What was joined to a line by a meeting beyond the cut is so no longer.
+            if trail.length() < params.min_length || states(&trail, &field).contains(&State::TooNear) {
+                queue.push(trail, cuts + 1);
+                queue.push(Trail { vertices: path, closed: false }, cuts + 1);
+                continue;
+            }
+            rest = Some(path);
         }
         let line = field.begin(&trail);
         if let Some(path) = rest {

@@ -9,7 +9,9 @@
 //!             |  <- at most 1.5 clearances      --´                  where it comes near
 //! ```
 
-use super::trail::{SPACING, Trail, Vertex};
+use std::ops::Range;
+
+use super::trail::{Trail, Vertex};
 use super::{Params, weight};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::{crossing, nearest_on_segment};
@@ -17,12 +19,14 @@ use crate::units::{MmPoint, MmRect};
 
 /// A line ends on another if it comes this near, mm.
 const TOUCH: f32 = 0.01;
+/// A line that crosses another this near to its end ends there, mm.
+const END: f32 = 0.05;
 /// The longest way from a meeting until two lines are apart, in clearances: at 42 degrees a straight line needs as much.
 const APPROACH: f32 = 1.5;
 /// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
-/// and by this length, mm. A corner of 30 degrees or more is none (its factor is 1 / sin 15 = 3.9).
-const BEND: f32 = 4.0;
-const BEND_LEAST: f32 = 2.0;
+/// and by this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
+const BEND: f32 = 3.5;
+const BEND_LEAST: f32 = 1.5;
 /// What rounding may take from a distance, mm.
 const ROUNDING: f32 = 0.02;
 
@@ -108,6 +112,8 @@ impl<'a> Field<'a> {
         self.params.min_gap + half_widths + 2.0 * self.params.tolerance + ROUNDING
     }
 
+    /// A line that crosses another this near to its end ends there, mm.
+    const END: f32 = 0.05;
     /// The longest way from a meeting until two lines of the least width are apart, mm.
     pub(super) fn longest_approach(&self) -> f32 {
         APPROACH * (self.params.min_gap + self.params.width_min) - 2.0 * ROUNDING
@@ -182,7 +188,10 @@ impl<'a> Field<'a> {
             let (a, b) = (pair[0].at, pair[1].at);
             let (low, high) = (a.min(b), a.max(b));
             self.segments.around(low, high, 0.0, |segment| {
-                if let Some(at) = crossing((a, b), (segment.a, segment.b)) {
+                // a line that ends on another may, by a rounding, cross it
+                if let Some(at) = crossing((a, b), (segment.a, segment.b))
+                    && self.tips.nearest(at, END, |tip| tip.line == segment.line).is_none()
+                {
                     meetings.push(Meeting { arc: arcs[i] + (at - a).length(), line: segment.line, end: None });
                 }
             });
@@ -250,10 +259,10 @@ impl<'a> Field<'a> {
             }
             let limit = APPROACH * (self.params.min_gap + half + segment.half_width) - ROUNDING;
             let there = segment.arc + (at - segment.a).length();
+            // it is the line that ends there, or either of two that cross, that must have come from far enough
             let joins = places.meetings.iter().any(|meeting| {
-                meeting.line == segment.line
-                    && (places.way(meeting.arc, arc) <= limit
-                        || meeting.end.is_some_and(|end| (end - there).abs() <= limit))
+                let way = meeting.end.map_or_else(|| places.way(meeting.arc, arc), |end| (end - there).abs());
+                meeting.line == segment.line && way <= limit
             });
             state = if joins { State::Joined } else { State::TooNear };
         });
@@ -284,9 +293,9 @@ impl<'a> Field<'a> {
     }
 }
 
-/// For every vertex of a trail that comes back to itself, from where on it is too near to an earlier part of it: the first
-/// such vertex. `own` is an empty grid, and empty again afterwards.
-pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Option<usize> {
+/// The first vertices of a trail that come back too near to an earlier part of it. `own` is an empty grid, and empty again
+/// afterwards.
+pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Option<Range<usize>> {
     let arcs = arcs(&trail.vertices);
     let total = arcs.last().copied().unwrap_or(0.0);
     if total <= BEND_LEAST {
@@ -295,28 +304,28 @@ pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Opt
     let apart = |s: f32, t: f32| if trail.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
     // its own ends may lie on it
     let tips: Vec<f32> = if trail.closed { Vec::new() } else { own_meetings(trail, &arcs, own) };
-    let mut found = None;
+    let mut found: Option<Range<usize>> = None;
     for (i, vertex) in trail.vertices.iter().enumerate() {
         let half = 0.5 * vertex.width;
         let mut near = false;
         own.around(vertex.at, vertex.at, field.farthest(), |segment| {
-            let way = apart(arcs[i], segment.arc);
-            if near || way <= BEND_LEAST {
+            if near || apart(arcs[i], segment.arc) <= BEND_LEAST {
                 return;
             }
-            let distance = nearest_on_segment(vertex.at, segment.a, segment.b).0;
+            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
+            let there = segment.arc + (at - segment.a).length();
+            let way = apart(arcs[i], there);
             if distance >= field.clearance(half + segment.half_width) || is_bend(way, distance) {
                 return;
             }
             let limit = APPROACH * (field.params.min_gap + half + segment.half_width) - ROUNDING;
-            near =
-                !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - segment.arc).abs() <= limit - SPACING);
+            near = !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - there).abs() <= limit);
         });
         if near {
-            found = Some(i);
+            found.get_or_insert(i..i).end = i + 1;
+        } else if found.is_some() {
             break;
-        }
-        if i > 0 {
+        } else if i > 0 {
             own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1]));
         }
     }
@@ -335,8 +344,9 @@ fn own_meetings(trail: &Trail, arcs: &[f32], own: &mut Nearby) -> Vec<f32> {
     let mut tips = Vec::new();
     for (at, arc) in [(first.at, 0.0), (last.at, total)] {
         own.around(at, at, TOUCH, |segment| {
-            let distance = nearest_on_segment(at, segment.a, segment.b).0;
-            if distance <= TOUCH && !is_bend((segment.arc - arc).abs() - SPACING, 0.0) {
+            let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
+            let there = segment.arc + (touched - segment.a).length();
+            if distance <= TOUCH && !is_bend((there - arc).abs(), 0.0) {
                 tips.push(arc);
             }
         });

@@ -58,6 +58,12 @@ impl Way {
         Self { segments, length: arc, closed }
     }
 
+    /// Whether a place is an end of the line, give or take what simplification moves.
+    fn ends_at(&self, at: MmPoint) -> bool {
+        let tips = [self.segments.first().map(|s| s.a), self.segments.last().map(|s| s.b)];
+        !self.closed && tips.into_iter().flatten().any(|tip| (tip - at).length() <= 0.1)
+    }
+
     /// The way along the line between two of its places.
     fn between(&self, s: f32, t: f32) -> f32 {
         let apart = (s - t).abs();
@@ -133,7 +139,9 @@ fn junctions(ways: &[Way], nearby: &Nearby) -> Vec<Vec<Junction>> {
         for segment in &way.segments {
             let (a, b) = (segment.a, segment.b);
             nearby.around(a.min(b), a.max(b), 0.0, |other| {
-                if let Some(at) = crossing((a, b), (other.a, other.b)) {
+                if let Some(at) = crossing((a, b), (other.a, other.b))
+                    && !ways[other.line as usize].ends_at(at)
+                {
                     add(segment.arc + (at - a).length(), other.arc + (at - other.a).length(), other);
                 }
             });
