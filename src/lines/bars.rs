@@ -10,7 +10,9 @@
 //! what it stepped across the first.
 
 use super::Params;
+use super::saliency::saliency;
 use super::trail::{Trail, Vertex, dot};
+use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{arc_lengths, smooth};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -24,10 +26,6 @@ const STEP_BACK: f32 = 0.3;
 const ALIKE: f32 = 0.3;
 /// The shortest stretch of two sides that counts as a bar, in widths of the bar; shorter ones are the ends of other shapes.
 const MIN_STRETCH: f32 = 1.5;
-/// Greatest cosine between the way over and the line: it stands upright, give or take 37 degrees ...
-const ACROSS: f32 = 0.6;
-/// ... and a way shorter than this, mm, has no direction worth asking for.
-const NO_WAY: f32 = 0.3;
 /// Vertices of the other side between two opposites that follow one another belong to the bar up to this many (3 mm).
 const SKIP: usize = 8;
 /// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a half
@@ -36,6 +34,10 @@ const BEND: f32 = 1.4;
 const BEND_LEAST: f32 = 0.8;
 /// The longest blunt end, in clearances: the bar's width and the two corners, whose vertices have no opposites.
 const BLUNT: f32 = 2.0;
+/// A ring of which this share has become the middle line of another one goes altogether.
+const MOST: f32 = 0.5;
+/// Cells in which the other side is looked for, mm: about two vertices.
+const CELL: f32 = 1.0;
 /// A line moves over to the middle of a bar within about this length (sigma), mm: a finger glides over it.
 const TRANSITION: f32 = 2.0;
 
@@ -47,116 +49,184 @@ struct Opposite {
     at: MmPoint,
 }
 
-/// A stretch of one trail along which it has opposites.
+/// A stretch of one trail along which it has opposites on one other.
 struct Stretch {
     trail: usize,
+    other: usize,
     from: usize,
     to: usize,
     /// Length times strength.
     saliency: f32,
 }
 
+/// What becomes of the vertices.
+struct Fate {
+    /// How far a vertex moves over to the middle of its bar.
+    moved: Vec<Vec<Option<MmVector>>>,
+    /// Whether a vertex gives way to the other side of its bar.
+    gone: Vec<Vec<bool>>,
+}
+
 pub(super) fn merge(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Trail> {
     let reach = params.min_gap + params.width_max;
     let opposites = opposites(&trails, area, reach);
-    let mut stretches = stretches(&trails, &opposites);
-    stretches.sort_by(|a, b| b.saliency.total_cmp(&a.saliency).then((a.trail, a.from).cmp(&(b.trail, b.from))));
-
-    let mut moved: Vec<Vec<Option<MmVector>>> = trails.iter().map(|t| vec![None; t.vertices.len()]).collect();
-    let mut gone: Vec<Vec<bool>> = trails.iter().map(|t| vec![false; t.vertices.len()]).collect();
-    for stretch in &stretches {
-        let mut last: Option<(usize, usize)> = None;
-        for i in stretch.from..=stretch.to {
-            let Some(opposite) = opposites[stretch.trail][i] else { continue };
-            let (other, j) = (opposite.trail as usize, opposite.index as usize);
-            if gone[stretch.trail][i] || moved[stretch.trail][i].is_some() || moved[other][j].is_some() {
-                last = None;
-                continue;
-            }
-            moved[stretch.trail][i] = Some((opposite.at - trails[stretch.trail].vertices[i].at) * 0.5);
-            // All that the other side has between the last opposite and this one goes.
-            let from = match last {
-                Some((trail, k)) if trail == other && k.abs_diff(j) <= SKIP => k,
-                _ => j,
-            };
-            for k in from.min(j)..=from.max(j) {
-                if moved[other][k].is_none() {
-                    gone[other][k] = true;
-                }
-            }
-            last = Some((other, j));
-        }
-    }
+    let stretches = stretches(&trails, &opposites);
+    let fate = fates(&trails, &opposites, stretches, params);
     let mut merged = Vec::with_capacity(trails.len());
-    for ((trail, moved), gone) in trails.into_iter().zip(&moved).zip(&gone) {
+    for ((trail, moved), gone) in trails.into_iter().zip(&fate.moved).zip(&fate.gone) {
+        if trail.closed && is_rest(&trail, moved, gone) {
+            continue;
+        }
         split(shifted(trail, moved), moved, gone, reach, &mut merged);
     }
     merged
 }
 
-/// Finds for every vertex the nearest place on the opposite side of a bar, if it lies on one.
+/// Decides for every two trails which of them goes to the middle all along their bars and which gives way, so that two
+/// rings that lie in one another become one ring and not a spiral of halves.
+fn fates(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], mut stretches: Vec<Stretch>, params: &Params) -> Fate {
+    let mut by_rank: Vec<(f32, usize)> = trails.iter().map(|trail| saliency(trail, params)).zip(0..).collect();
+    by_rank.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let mut rank = vec![0; trails.len()];
+    by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
+
+    let winner = |stretch: &Stretch| rank[stretch.trail].min(rank[stretch.other]);
+    stretches.sort_by(|a, b| {
+        let (first, second) = (winner(a), winner(b));
+        let sides = (rank[a.trail] != first).cmp(&(rank[b.trail] != second)); // as the winner sees it comes first
+        first
+            .cmp(&second)
+            .then(sides)
+            .then(b.saliency.total_cmp(&a.saliency))
+            .then((a.trail, a.from).cmp(&(b.trail, b.from)))
+    });
+    let mut fate = Fate {
+        moved: trails.iter().map(|t| vec![None; t.vertices.len()]).collect(),
+        gone: trails.iter().map(|t| vec![false; t.vertices.len()]).collect(),
+    };
+    for stretch in &stretches {
+        if rank[stretch.trail] == winner(stretch) {
+            take_middle(trails, opposites, stretch, &mut fate);
+        } else {
+            give_way(trails, opposites, stretch, &mut fate);
+        }
+    }
+    fate
+}
+
+/// A stretch goes to the middle; the other side goes.
+fn take_middle(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], stretch: &Stretch, fate: &mut Fate) {
+    let mut last: Option<usize> = None;
+    for i in stretch.from..=stretch.to {
+        let Some(opposite) = opposites[stretch.trail][i] else { continue };
+        let (other, j) = (stretch.other, opposite.index as usize);
+        if fate.gone[stretch.trail][i] || fate.moved[stretch.trail][i].is_some() || fate.moved[other][j].is_some() {
+            last = None;
+            continue;
+        }
+        fate.moved[stretch.trail][i] = Some((opposite.at - trails[stretch.trail].vertices[i].at) * 0.5);
+        // All that the other side has between the last opposite and this one goes.
+        let from = last.filter(|k| k.abs_diff(j) <= SKIP).unwrap_or(j);
+        for k in from.min(j)..=from.max(j) {
+            if fate.moved[other][k].is_none() {
+                fate.gone[other][k] = true;
+            }
+        }
+        last = Some(j);
+    }
+}
+
+/// A stretch goes, and the other side to the middle where it has not yet.
+fn give_way(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], stretch: &Stretch, fate: &mut Fate) {
+    for i in stretch.from..=stretch.to {
+        let Some(opposite) = opposites[stretch.trail][i] else { continue };
+        let (other, j) = (stretch.other, opposite.index as usize);
+        if fate.gone[other][j] || fate.moved[stretch.trail][i].is_some() {
+            continue;
+        }
+        fate.gone[stretch.trail][i] = true;
+        let way = trails[stretch.trail].vertices[i].at - opposite.at;
+        fate.moved[other][j].get_or_insert(way * 0.5);
+    }
+}
+
+/// Whether a ring has for the most part become the middle line of a stronger one: the rest of it would be an arc beside
+/// that, which says nothing.
+fn is_rest(trail: &Trail, moved: &[Option<MmVector>], gone: &[bool]) -> bool {
+    let count = |flags: usize| flags as f32 / trail.vertices.len() as f32;
+    count(gone.iter().filter(|gone| **gone).count()) >= MOST && count(moved.iter().flatten().count()) < 0.2 * MOST
+}
+
+/// Finds for every vertex the nearest place on the opposite side of a bar, if it lies on one: straight across, on either
+/// side of the line.
 fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Opposite>>> {
-    let mut nearby = Nearby::new(area, reach);
-    let mut totals = Vec::with_capacity(trails.len());
+    let mut nearby = Nearby::new(area, CELL);
+    let mut all_arcs = Vec::with_capacity(trails.len());
     for (number, trail) in trails.iter().enumerate() {
         let arcs = arc_lengths(&trail.points());
-        for (i, pair) in trail.vertices.windows(2).enumerate() {
-            nearby.insert(Segment {
-                a: pair[0].at,
-                b: pair[1].at,
-                half_width: 0.0,
-                line: number as u32,
-                index: i as u32,
-                arc: arcs[i],
-            });
+        if !is_dot(trail, &arcs, reach) {
+            for (i, pair) in trail.vertices.windows(2).enumerate() {
+                let (a, b) = (pair[0].at, pair[1].at);
+                nearby.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: i as u32, arc: arcs[i] });
+            }
         }
-        totals.push(arcs.last().copied().unwrap_or(0.0));
+        all_arcs.push(arcs);
     }
-    let opposite = |number: usize, i: usize, arc: f32| -> Option<Opposite> {
+    let opposite = |number: usize, i: usize| -> Option<Opposite> {
         let trail = &trails[number];
         let here: &Vertex = &trail.vertices[i];
+        let (arc, total) = (all_arcs[number][i], all_arcs[number].last().copied().unwrap_or(0.0));
         let tangent = trail.tangent(i);
-        let found = nearby.nearest(here.at, reach, |segment| {
-            let way = segment.a.lerp(segment.b, 0.5) - here.at;
-            if segment.line as usize == number {
-                // Along the same line: not this place itself, only what lies beyond a bend.
-                let apart = (segment.arc - arc).abs();
-                let apart = if trail.closed { apart.min(totals[number] - apart) } else { apart };
-                if apart < BEND * way.length() + BEND_LEAST {
-                    return false;
+        let up = dot(here.step, here.step).sqrt();
+        let mut best: Option<(f32, Opposite)> = None;
+        for side in [1.0, -1.0] {
+            let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
+            let way = (here.at, here.at + across);
+            nearby.along(way.0, way.1, |segment| {
+                let Some(at) = crossing(way, (segment.a, segment.b)) else { return };
+                let distance = (at - here.at).length();
+                if best.is_some_and(|(least, _)| distance >= least) {
+                    return;
                 }
-            }
-            let Some(direction) = (segment.b - segment.a).try_normalize() else { return false };
-            let along = direction.dot(tangent);
-            if along.abs() < PARALLEL {
-                return false;
-            }
-            let sides = [0, 1].map(|end| trails[segment.line as usize].vertices[segment.index as usize + end].step);
-            let there = std::array::from_fn(|i| 0.5 * (sides[0][i] + sides[1][i]) * along.signum());
-            let (up, down) = (dot(here.step, here.step).sqrt(), dot(there, there).sqrt());
-            // a faint ghost beside a strong contour is no bar
-            let alike = up.min(down) >= ALIKE * up.max(down);
-            // across, not beside: the way over stands upright on both lines
-            alike
-                && dot(here.step, there) < -STEP_BACK * up * down
-                && way.dot(tangent).abs() < ACROSS * way.length().max(NO_WAY)
-        })?;
-        let (at, segment) = (found.1, found.2);
-        let nearer_end = u32::from((segment.b - at).square_length() < (segment.a - at).square_length());
-        Some(Opposite { trail: segment.line, index: segment.index + nearer_end, at })
+                if segment.line as usize == number {
+                    // Along the same line: not this place itself, only what lies beyond a bend.
+                    let apart = (segment.arc - arc).abs();
+                    let apart = if trail.closed { apart.min(total - apart) } else { apart };
+                    if apart < BEND * distance + BEND_LEAST {
+                        return;
+                    }
+                }
+                let Some(direction) = (segment.b - segment.a).try_normalize() else { return };
+                let along = direction.dot(tangent);
+                if along.abs() < PARALLEL {
+                    return;
+                }
+                let sides = [0, 1].map(|end| trails[segment.line as usize].vertices[segment.index as usize + end].step);
+                let there = std::array::from_fn(|i| 0.5 * (sides[0][i] + sides[1][i]) * along.signum());
+                let down = dot(there, there).sqrt();
+                // a faint ghost beside a strong contour is no bar
+                let alike = up.min(down) >= ALIKE * up.max(down);
+                if alike && dot(here.step, there) < -STEP_BACK * up * down {
+                    let nearer_end = u32::from((segment.b - at).square_length() < (segment.a - at).square_length());
+                    best = Some((distance, Opposite { trail: segment.line, index: segment.index + nearer_end, at }));
+                }
+            });
+        }
+        best.map(|(_, opposite)| opposite)
     };
     trails
         .iter()
         .enumerate()
-        .map(|(number, trail)| {
-            let arcs = arc_lengths(&trail.points());
-            // A small ring (an eye, a button) is felt as a dot and stays whole.
-            if trail.closed && totals[number] < std::f32::consts::PI * reach {
-                return vec![None; trail.vertices.len()];
-            }
-            (0..trail.vertices.len()).map(|i| opposite(number, i, arcs[i])).collect()
+        .map(|(number, trail)| match is_dot(trail, &all_arcs[number], reach) {
+            true => vec![None; trail.vertices.len()],
+            false => (0..trail.vertices.len()).map(|i| opposite(number, i)).collect(),
         })
         .collect()
+}
+
+/// A small ring (an eye, a button) is felt as a dot and stays whole.
+fn is_dot(trail: &Trail, arcs: &[f32], reach: f32) -> bool {
+    trail.closed && arcs.last().is_none_or(|&total| total < std::f32::consts::PI * reach)
 }
 
 /// Stretches of vertices with opposites on the same trail that are long enough for a bar.
@@ -181,7 +251,7 @@ fn stretches(trails: &[Trail], opposites: &[Vec<Option<Opposite>>]) -> Vec<Stret
                 i += 1;
             }
             if length >= MIN_STRETCH * across / (i - from) as f32 {
-                found.push(Stretch { trail: number, from, to: i - 1, saliency });
+                found.push(Stretch { trail: number, other: first.trail as usize, from, to: i - 1, saliency });
             }
         }
     }

@@ -147,6 +147,11 @@ fn states(trail: &Trail, field: &Field<'_>) -> Vec<State> {
 
 /// What is left of a line that is too near to others: its parts between, led on to the lines that they meet.
 fn pieces(trail: &Trail, states: &[State], field: &Field<'_>, params: &Params) -> Vec<Trail> {
+    let ring = trail.closed;
+    // of a small ring, which is felt as a dot, no part says anything
+    if ring && trail.length() < std::f32::consts::PI * (params.min_gap + params.width_max) {
+        return Vec::new();
+    }
     let (trail, states) = match states.iter().position(|state| *state == State::TooNear) {
         Some(start) if trail.closed => {
             let ring = states.len() - 1;
@@ -197,7 +202,7 @@ fn pieces(trail: &Trail, states: &[State], field: &Field<'_>, params: &Params) -
     }
     let kept: f32 = pieces.iter().map(Trail::length).sum();
     if kept < WHOLE * length {
-        if trail.vertices.first().map(|v| v.at) == trail.vertices.last().map(|v| v.at) {
+        if ring {
             pieces.clear();
         }
         let first = (0..pieces.len())
