@@ -88,6 +88,10 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
     let mut own = Nearby::new(area, params.min_gap + params.width_max);
     let mut cleared: Vec<Cleared> = Vec::new();
     while let Some(Candidate { saliency, cuts, mut trail, .. }) = queue.heap.pop() {
+        if let Some(shorter) = without_stubs(&trail, &field) {
+            queue.push(shorter, cuts + 1);
+            continue;
+        }
         let near = states(&trail, &field);
         if near.contains(&State::TooNear) {
             pieces(&trail, &near, &field, params).into_iter().for_each(|piece| queue.push(piece, cuts + 1));
@@ -133,6 +137,35 @@ fn stronger_half_first(trail: Trail) -> Trail {
     let sum = |vertices: &[Vertex]| vertices.iter().map(|v| v.strength).sum::<f32>();
     let (first, second) = (sum(&trail.vertices[..half]), sum(&trail.vertices[trail.vertices.len() - half..]));
     if second > first { trail.reversed() } else { trail }
+}
+
+/// A line that ends soon after it has crossed another ends on it instead: the stub beyond is felt as a blot. None if it has
+/// no stubs.
+fn without_stubs(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
+    let near = |vertex: Option<&Vertex>| vertex.is_some_and(|vertex| field.may_be_near(vertex.at));
+    if trail.closed || !(near(trail.vertices.first()) || near(trail.vertices.last())) {
+        return None;
+    }
+    let places = field.places(&trail.vertices, false);
+    let total = places.arcs.last().copied().unwrap_or(0.0);
+    let stub = field.clearance(0.0);
+    let inner = |arc: f32, end: f32| (1e-2..stub).contains(&(arc - end).abs());
+    let first = places.meetings.iter().filter(|meeting| inner(meeting.arc, 0.0)).max_by(|a, b| a.arc.total_cmp(&b.arc));
+    let last =
+        places.meetings.iter().filter(|meeting| inner(meeting.arc, total)).min_by(|a, b| a.arc.total_cmp(&b.arc));
+    if (first.is_none() && last.is_none()) || total < 2.0 * stub {
+        return None;
+    }
+    let (from, to) = (first.map_or(-1.0, |meeting| meeting.arc), last.map_or(f32::MAX, |meeting| meeting.arc));
+    let kept = trail.vertices.iter().zip(&places.arcs).filter(|(_, arc)| (from..to).contains(*arc));
+    let mut vertices: Vec<Vertex> = kept.map(|(vertex, _)| *vertex).collect();
+    if let (Some(meeting), Some(&next)) = (first, vertices.first()) {
+        vertices.insert(0, Vertex { at: meeting.at, ..next });
+    }
+    if let (Some(meeting), Some(&before)) = (last, vertices.last()) {
+        vertices.push(Vertex { at: meeting.at, ..before });
+    }
+    Some(Trail { vertices, closed: false })
 }
 
 /// The state of every vertex.

@@ -6,7 +6,7 @@
 //! ```text
 //!   ----------o----------   far enough          -----------o------   too flat: the
 //!             |                                    ___---´´          lower line ends
-//!             |  <- at most 1.5 clearances      --´                  where it comes near
+//!             |  <- at most 1.7 clearances      --´                  where it comes near
 //! ```
 
 use std::ops::Range;
@@ -21,8 +21,8 @@ use crate::units::{MmPoint, MmRect};
 const TOUCH: f32 = 0.01;
 /// A line that crosses another this near to its end ends there, mm.
 const END: f32 = 0.05;
-/// The longest way from a meeting until two lines are apart, in clearances: at 42 degrees a straight line needs as much.
-const APPROACH: f32 = 1.5;
+/// The longest way from a meeting until two lines are apart, in clearances: at 36 degrees a straight line needs as much.
+const APPROACH: f32 = 1.7;
 /// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
 /// and by this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
 const BEND: f32 = 3.5;
@@ -37,7 +37,8 @@ const CELL: f32 = 1.0;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting {
     /// How far along the trail.
-    arc: f32,
+    pub(super) arc: f32,
+    pub(super) at: MmPoint,
     line: u32,
     /// If it is an end of the line that lies here: how far along the line that is.
     end: Option<f32>,
@@ -192,14 +193,14 @@ impl<'a> Field<'a> {
                 if let Some(at) = crossing((a, b), (segment.a, segment.b))
                     && self.tips.nearest(at, END, |tip| tip.line == segment.line).is_none()
                 {
-                    meetings.push(Meeting { arc: arcs[i] + (at - a).length(), line: segment.line, end: None });
+                    meetings.push(Meeting { arc: arcs[i] + (at - a).length(), at, line: segment.line, end: None });
                 }
             });
             self.tips.around(low, high, TOUCH, |tip| {
                 let (distance, at) = nearest_on_segment(tip.a, a, b);
                 if distance <= TOUCH {
                     let arc = arcs[i] + (at - a).length();
-                    meetings.push(Meeting { arc, line: tip.line, end: Some(tip.arc) });
+                    meetings.push(Meeting { arc, at: tip.a, line: tip.line, end: Some(tip.arc) });
                 }
             });
         }
@@ -207,7 +208,7 @@ impl<'a> Field<'a> {
             for (at, arc) in [(first.at, 0.0), (last.at, arc)] {
                 self.segments.around(at, at, TOUCH, |segment| {
                     if nearest_on_segment(at, segment.a, segment.b).0 <= TOUCH {
-                        meetings.push(Meeting { arc, line: segment.line, end: None });
+                        meetings.push(Meeting { arc, at, line: segment.line, end: None });
                     }
                 });
             }
@@ -280,7 +281,7 @@ impl<'a> Field<'a> {
         if let (Some(&arc), Some(tip)) = (places.arcs.last(), path.last()) {
             self.segments.around(tip.at, tip.at, TOUCH, |segment| {
                 if nearest_on_segment(tip.at, segment.a, segment.b).0 <= TOUCH {
-                    places.meetings.push(Meeting { arc, line: segment.line, end: None });
+                    places.meetings.push(Meeting { arc, at: tip.at, line: segment.line, end: None });
                 }
             });
         }

@@ -73,9 +73,10 @@ fn runs(steps: &[i32], arcs: &[f32]) -> Vec<(usize, usize, i32)> {
     runs
 }
 
-/// Width of the piece of a line between two vertices that follow one another.
+/// Width of the piece of a line between two vertices that follow one another: that of the thinner, so that no place is
+/// wider than its vertex said when distances were looked at.
 pub(super) fn between(a: &Vertex, b: &Vertex) -> f32 {
-    a.width.max(b.width)
+    a.width.min(b.width)
 }
 
 /// The finished line of a trail whose widths are assigned; none if nothing is left of it. `pinned` tells the vertices that

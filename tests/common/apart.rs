@@ -10,9 +10,9 @@ use tactograph::units::{MmPoint, MmRect};
 const STEP: f32 = 0.25;
 /// A line that ends this near to another meets it, mm.
 const TOUCH: f32 = 0.02;
-/// Where a line meets another it must have come from beyond the clearance within this way, in clearances: at 42 degrees or
+/// Where a line meets another it must have come from beyond the clearance within this way, in clearances: at 36 degrees or
 /// steeper.
-const APPROACH: f32 = 1.5;
+const APPROACH: f32 = 1.7;
 /// Two places of one line with this much way between them, in distances and mm, lie on the two sides of a bend: a corner of
 /// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
