@@ -17,6 +17,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 const MEETS: f32 = 0.5;
 /// ... if it does not turn aside for it: least cosine between its heading and the way over.
 const AHEAD: f32 = 0.5;
+/// ... where the way over is longer than this, mm; shorter ones have no direction worth asking for.
+const TURN: f32 = 0.75;
 /// The heading is taken over this much of the line, mm.
 const HEADING: f32 = 2.0;
 /// A line that would meet another this near to where a third one does is led to the same place, mm.
@@ -317,10 +319,13 @@ fn lead_on(
             led.pop();
         }
     }
+    if own.is_some() && body.first().is_some_and(|first| (first.at - at).length() < SNAP) {
+        return None; // it would close the ring that was cut open because its sides are too near
+    }
     let tip = *led.last().unwrap_or(start);
     let over = at - tip.at;
     let turns = heading(body, &led).is_some_and(|heading| over.dot(heading) < AHEAD * over.length());
-    if over.length() > params.join_gap || (over.length() > 1.5 * SNAP / 3.0 && turns) {
+    if over.length() > params.join_gap || (over.length() > TURN && turns) {
         return None;
     }
     led.extend(meet::way(&tip, at));
