@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::near::{Field, State, is_bend, returns};
+use super::near::{Field, Meeting, State, is_bend, returns};
 use super::saliency::saliency;
 use super::trail::{Trail, Vertex};
 use super::{Params, meet};
@@ -19,6 +19,8 @@ const MEETS: f32 = 0.5;
 const AHEAD: f32 = 0.5;
 /// ... where the way over is longer than this, mm; shorter ones have no direction worth asking for.
 const TURN: f32 = 0.75;
+/// A line that meets another this near to its end, mm, ends there.
+const TIP: f32 = 0.01;
 /// The heading is taken over this much of the line, mm.
 const HEADING: f32 = 2.0;
 /// A line that would meet another this near to where a third one does is led to the same place, mm.
@@ -141,8 +143,8 @@ fn stronger_half_first(trail: Trail) -> Trail {
     if second > first { trail.reversed() } else { trail }
 }
 
-/// A line that ends soon after it has crossed another ends on it instead: the stub beyond is felt as a blot. None if it has
-/// no stubs.
+/// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a blot.
+/// None if it has no stubs.
 fn without_stubs(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
     let near = |vertex: Option<&Vertex>| vertex.is_some_and(|vertex| field.may_be_near(vertex.at));
     if trail.closed || !(near(trail.vertices.first()) || near(trail.vertices.last())) {
@@ -150,12 +152,15 @@ fn without_stubs(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
     }
     let places = field.places(&trail.vertices, false);
     let total = places.arcs.last().copied().unwrap_or(0.0);
-    let stub = field.clearance(0.0);
-    let inner = |arc: f32, end: f32| (1e-2..stub).contains(&(arc - end).abs());
-    let first = places.meetings.iter().filter(|meeting| inner(meeting.arc, 0.0)).max_by(|a, b| a.arc.total_cmp(&b.arc));
-    let last =
-        places.meetings.iter().filter(|meeting| inner(meeting.arc, total)).min_by(|a, b| a.arc.total_cmp(&b.arc));
-    if (first.is_none() && last.is_none()) || total < 2.0 * stub {
+    // a line that is not yet apart from the other where it ends
+    let stub = |meeting: &Meeting, end: f32, tip: Option<&Vertex>| {
+        let way = (meeting.arc - end).abs();
+        way > TIP && way <= field.longest_stub() && tip.is_some_and(|tip| field.is_near(tip, meeting.line))
+    };
+    let meetings = || places.meetings.iter();
+    let first = meetings().filter(|m| stub(m, 0.0, trail.vertices.first())).max_by(|a, b| a.arc.total_cmp(&b.arc));
+    let last = meetings().filter(|m| stub(m, total, trail.vertices.last())).min_by(|a, b| a.arc.total_cmp(&b.arc));
+    if (first.is_none() && last.is_none()) || total < 2.0 * field.longest_stub() {
         return None;
     }
     let (from, to) = (first.map_or(-1.0, |meeting| meeting.arc), last.map_or(f32::MAX, |meeting| meeting.arc));

@@ -39,7 +39,7 @@ pub(super) struct Meeting {
     /// How far along the trail.
     pub(super) arc: f32,
     pub(super) at: MmPoint,
-    line: u32,
+    pub(super) line: u32,
     /// If it is an end of the line that lies here: how far along the line that is.
     end: Option<f32>,
 }
@@ -118,6 +118,18 @@ impl<'a> Field<'a> {
     /// The longest way from a meeting until two lines of the least width are apart, mm.
     pub(super) fn longest_approach(&self) -> f32 {
         APPROACH * (self.params.min_gap + self.params.width_min) - 2.0 * ROUNDING
+    }
+
+    /// The longest way beyond a crossing that does not count as a line of its own, mm.
+    pub(super) fn longest_stub(&self) -> f32 {
+        APPROACH * (self.params.min_gap + self.params.width_max)
+    }
+
+    /// Whether a vertex is too near to one of the lines.
+    pub(super) fn is_near(&self, vertex: &Vertex, line: u32) -> bool {
+        self.segments
+            .nearest(vertex.at, self.farthest(), |segment| segment.line == line)
+            .is_some_and(|(distance, _, segment)| distance < self.clearance(0.5 * vertex.width + segment.half_width))
     }
 
     fn farthest(&self) -> f32 {
