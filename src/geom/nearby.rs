@@ -25,6 +25,7 @@ pub struct Segment {
 pub struct Nearby {
     origin: MmPoint,
     cell: f32,
+    per_mm: f32,
     columns: usize,
     rows: usize,
     /// Each cell holds the segments that reach into its box, so that looking round reads memory in order.
@@ -40,7 +41,15 @@ impl Nearby {
         let cell = cell.max(0.5); // finer cells cost memory and win nothing at the millimetre scale
         let columns = (area.width() / cell).ceil().max(1.0) as usize;
         let rows = (area.height() / cell).ceil().max(1.0) as usize;
-        Self { origin: area.min, cell, columns, rows, cells: vec![Vec::new(); columns * rows], used: Vec::new() }
+        Self {
+            origin: area.min,
+            cell,
+            per_mm: 1.0 / cell,
+            columns,
+            rows,
+            cells: vec![Vec::new(); columns * rows],
+            used: Vec::new(),
+        }
     }
 
     /// Adds a segment.
@@ -127,7 +136,7 @@ impl Nearby {
     }
 
     fn covered(&self, low: MmPoint, high: MmPoint) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
-        let index = |value: f32, count: usize| (value / self.cell).floor().clamp(0.0, (count - 1) as f32) as usize;
+        let index = |value: f32, count: usize| (value * self.per_mm).clamp(0.0, (count - 1) as f32) as usize;
         let columns = index(low.x - self.origin.x, self.columns)..index(high.x - self.origin.x, self.columns) + 1;
         let rows = index(low.y - self.origin.y, self.rows)..index(high.y - self.origin.y, self.rows) + 1;
         (columns, rows)

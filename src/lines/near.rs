@@ -32,6 +32,8 @@ const ROUNDING: f32 = 0.02;
 
 /// Cells of the map of what is near to a line at all, mm.
 const CELL: f32 = 1.0;
+/// ... which is marked along a line in steps of this, mm.
+const MARK: f32 = 1.5;
 
 /// A trail meets a line.
 #[derive(Debug, Clone, Copy)]
@@ -148,10 +150,14 @@ impl<'a> Field<'a> {
     /// Draws what was added to a line after vertex `from`.
     pub(super) fn go_on(&mut self, trail: &Trail, from: usize, line: u32) {
         let arcs = arcs(&trail.vertices);
+        if let Some(first) = trail.vertices.get(from) {
+            self.mark(first.at);
+        }
         for (i, pair) in trail.vertices.windows(2).enumerate().skip(from) {
             self.segments.insert(segment(pair, i, line, arcs[i]));
-            self.mark(pair[0].at);
-            self.mark(pair[1].at);
+            if i + 2 == trail.vertices.len() || (arcs[i] / MARK) as usize != (arcs[i + 1] / MARK) as usize {
+                self.mark(pair[1].at);
+            }
         }
         self.lengths[line as usize] = arcs.last().copied().unwrap_or(0.0);
     }
@@ -167,7 +173,7 @@ impl<'a> Field<'a> {
     }
 
     fn mark(&mut self, at: MmPoint) {
-        let reach = self.farthest() + CELL; // the diagonal of a cell and the way to the next vertex
+        let reach = self.farthest() + CELL + 0.5 * MARK; // half the diagonal of a cell, and half the way to the next mark
         let (x, y) = ((at.x - self.area.min.x) / CELL, (at.y - self.area.min.y) / CELL);
         let range = |middle: f32, count: usize| {
             ((middle - reach / CELL).max(0.0) as usize)..(((middle + reach / CELL).max(0.0) as usize + 1).min(count))
