@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 use super::near::{Field, Meeting, State, is_bend, returns};
 use super::saliency::saliency;
 use super::trail::{Trail, Vertex};
-use super::{Params, meet};
+use super::{Params, meet, nudge};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -98,6 +98,10 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
         }
         let near = states(&trail, &field);
         if near.contains(&State::TooNear) {
+            if let Some(aside) = nudge::nudged(&trail, &field) {
+                queue.push(aside, cuts + 1);
+                continue;
+            }
             pieces(&trail, &near, &field, params).into_iter().for_each(|piece| queue.push(piece, cuts + 1));
             continue;
         }
@@ -181,7 +185,7 @@ fn states(trail: &Trail, field: &Field<'_>) -> Vec<State> {
         return vec![State::Free; trail.vertices.len()];
     }
     let places = field.places(&trail.vertices, trail.closed);
-    let state = |(i, vertex): (usize, &Vertex)| field.state(vertex, places.arcs[i], &places, |_, _| false);
+    let state = |(i, vertex): (usize, &Vertex)| field.state(vertex, places.arcs[i], &places);
     trail.vertices.iter().enumerate().map(state).collect()
 }
 
@@ -338,7 +342,12 @@ fn lead_on(
     whole.extend(&led);
     let places = field.arriving(&whole);
     let joins = whole.iter().zip(&places.arcs).skip(1).all(|(vertex, &arc)| {
-        field.state(vertex, arc, &places, |segment, distance| own_bend(segment, arc, distance)) != State::TooNear
+        let mut fits = true;
+        field.each_near(vertex, arc, &places, |near, _, joins| {
+            fits = joins || own_bend(near.segment, arc, near.distance);
+            fits
+        });
+        fits
     });
     (joins && places.arcs.last().is_some_and(|&arc| arc <= longest)).then_some(led)
 }

@@ -1,6 +1,6 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
-use super::trail::{SPACING, Trail, Vertex, dot};
+use super::trail::{Trail, Vertex, dot};
 use crate::units::{MmPoint, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
@@ -115,13 +115,6 @@ fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
     }
 }
 
-/// Puts vertices into the gap before vertex `seam`, as close as elsewhere: what looks at a line looks at its vertices.
-fn bridge(vertices: &mut Vec<Vertex>, seam: usize) {
-    let (from, to) = (vertices[seam - 1], vertices[seam]);
-    let steps = ((to.at - from.at).length() / SPACING).ceil() as usize;
-    vertices.splice(seam..seam, (1..steps).map(|k| from.between(&to, k as f32 / steps as f32)));
-}
-
 /// Strings trails together end by end.
 fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Trail> {
     // end_of[t] = the numbers of the start and the end of trail t
@@ -155,17 +148,16 @@ fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Tr
                 vertices.extend(trail.vertices);
                 if seam > 0 {
                     meet_halfway(&mut vertices, seam);
-                    bridge(&mut vertices, seam);
                 }
                 next = partner[end_of[end.trail][usize::from(end.at_start)]];
             }
             let closed = next.is_some() && vertices.len() > 3;
             if closed {
                 vertices.push(vertices[0]);
-                let seam = vertices.len() - 1;
-                bridge(&mut vertices, seam);
             }
-            joined.push(Trail { vertices, closed });
+            let mut trail = Trail { vertices, closed };
+            trail.filled();
+            joined.push(trail);
         }
     }
     joined

@@ -11,6 +11,7 @@ mod clear;
 mod join;
 mod meet;
 mod near;
+mod nudge;
 mod saliency;
 mod trail;
 mod weight;
@@ -93,11 +94,12 @@ pub struct Drawn {
 pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Drawn {
     let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).evened());
     let mut trails = join::join(trails.collect(), params.join_gap);
-    trails.retain(|trail| trail.length() >= CRUMB * params.min_length);
+    trails.retain(|trail| trail.weighted_length(params.full_strength) >= CRUMB * params.min_length);
     let trails = bars::merge(trails, area, params);
     // Where one side of a bar ends and the other goes on, the middle line goes on with it.
     let mut trails = join::join(trails, params.join_gap);
     trails.retain(|trail| trail.length() >= params.min_length);
+    trails.iter_mut().for_each(Trail::filled);
     meet::meet(&mut trails, area, params.join_gap);
     trails.iter_mut().for_each(|trail| weight::assign(trail, params));
 
@@ -115,5 +117,6 @@ pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Draw
     }
 }
 
-/// A line shorter than this share of the least length has joined nothing and will not: it is not looked at further.
+/// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in proportion, has
+/// joined nothing and will not: it is not looked at further.
 const CRUMB: f32 = 0.5;

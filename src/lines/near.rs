@@ -15,7 +15,7 @@ use super::trail::{Trail, Vertex};
 use super::{Params, weight};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::{crossing, nearest_on_segment};
-use crate::units::{MmPoint, MmRect};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A line ends on another if it comes this near, mm.
 const TOUCH: f32 = 0.01;
@@ -55,6 +55,15 @@ pub(super) enum State {
     Joined,
     /// Near to a line that it does not meet.
     TooNear,
+}
+
+/// A segment that is near to a vertex.
+pub(super) struct Near<'a> {
+    pub(super) segment: &'a Segment,
+    /// From centre line to centre line, mm.
+    pub(super) distance: f32,
+    /// What the distance falls short by, mm.
+    pub(super) missing: f32,
 }
 
 /// Lines that are drawn.
@@ -254,26 +263,34 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// The state of a vertex of a trail. Lines for which `leave_out` says so, given the segment and the distance to it, do
-    /// not count.
-    pub(super) fn state(
+    /// The state of a vertex of a trail.
+    pub(super) fn state(&self, vertex: &Vertex, arc: f32, places: &Places) -> State {
+        let mut state = State::Free;
+        self.each_near(vertex, arc, places, |_, _, joins| {
+            state = if joins && state != State::TooNear { State::Joined } else { State::TooNear };
+            state != State::TooNear
+        });
+        state
+    }
+
+    /// Calls `visit` with the nearest place of every segment that is too near to a vertex of a trail unless the two lines meet
+    /// close by, as the way from there and the length missing, and whether they do. It goes on as long as `visit` says so.
+    pub(super) fn each_near(
         &self,
         vertex: &Vertex,
         arc: f32,
         places: &Places,
-        leave_out: impl Fn(&Segment, f32) -> bool,
-    ) -> State {
+        mut visit: impl FnMut(&Near<'_>, MmVector, bool) -> bool,
+    ) {
         if !self.may_be_near(vertex.at) {
-            return State::Free;
+            return;
         }
         let half = 0.5 * vertex.width;
-        let mut state = State::Free;
+        let mut on = true;
         self.segments.around(vertex.at, vertex.at, self.farthest(), |segment| {
-            if state == State::TooNear {
-                return;
-            }
             let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
-            if distance >= self.clearance(half + segment.half_width) || leave_out(segment, distance) {
+            let clearance = self.clearance(half + segment.half_width);
+            if !on || distance >= clearance {
                 return;
             }
             let limit = APPROACH * (self.params.min_gap + half + segment.half_width) - ROUNDING;
@@ -283,9 +300,8 @@ impl<'a> Field<'a> {
                 let way = meeting.end.map_or_else(|| places.way(meeting.arc, arc), |end| (end - there).abs());
                 meeting.line == segment.line && way <= limit
             });
-            state = if joins { State::Joined } else { State::TooNear };
+            on = visit(&Near { segment, distance, missing: clearance - distance }, vertex.at - at, joins);
         });
-        state
     }
 
     /// The nearest end of a line within `reach`.

@@ -56,6 +56,11 @@ impl Trail {
         self.vertices.windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum()
     }
 
+    /// Length, mm, of a line of full strength that is worth as much: a weak line counts in proportion.
+    pub(super) fn weighted_length(&self, full_strength: f32) -> f32 {
+        self.length() * (self.mean_strength() / full_strength).min(1.0)
+    }
+
     pub(super) fn mean_strength(&self) -> f32 {
         self.vertices.iter().map(|v| v.strength).sum::<f32>() / self.vertices.len().max(1) as f32
     }
@@ -109,6 +114,22 @@ impl Trail {
         self.closed &= steps >= 3;
         self.vertices = even;
         self
+    }
+
+    /// Puts vertices where two that follow one another are much farther apart than [`SPACING`]: what looks at a line looks at
+    /// its vertices.
+    pub(super) fn filled(&mut self) {
+        let far = |pair: &[Vertex]| (pair[1].at - pair[0].at).length() > 1.25 * SPACING;
+        if !self.vertices.windows(2).any(far) {
+            return;
+        }
+        let mut filled = Vec::with_capacity(self.vertices.len() + 8);
+        for pair in self.vertices.windows(2) {
+            let steps = ((pair[1].at - pair[0].at).length() / (1.25 * SPACING)).ceil().max(1.0) as usize;
+            filled.extend((0..steps).map(|k| pair[0].between(&pair[1], k as f32 / steps as f32)));
+        }
+        filled.extend(self.vertices.last().copied());
+        self.vertices = filled;
     }
 
     pub(super) fn smoothed(mut self, sigma: f32) -> Self {
