@@ -10,6 +10,7 @@
 
 use super::chain::Chain;
 use super::thin::Ridge;
+use crate::units::PxVector;
 
 /// The widest edge whose height is measured, in scales: a step blurred more than this counts as shading, the less the
 /// wider, and nothing from one and a half times this on.
@@ -24,7 +25,7 @@ pub(super) struct Profile {
     pub(super) top: f32,
     /// `1 / t^2` for the blur `t`, which has the scale of the derivative in it, px^-2.
     pub(super) sharpness: f32,
-    /// The gradient beyond the edge on either side, as a share of the top.
+    /// The gradient beyond the edge, to the left of it or above, and to the right or below, as a share of the top.
     pub(super) beyond: [f32; 2],
     /// How far from the edge these were read, px.
     pub(super) distance: f32,
@@ -57,23 +58,45 @@ impl Profile {
     }
 }
 
+impl Ridge {
+    /// The gradients beyond the edge on the left and on the right of a chain that goes on `along` here.
+    fn sides(&self, along: PxVector) -> [f32; 2] {
+        let [low, high] = self.profile.beyond;
+        let upright = self.normal[0].abs() >= self.normal[1].abs();
+        // with y down, right of the way (x, y) is (-y, x)
+        let high_is_right = if upright { -along.y > 0.0 } else { along.x > 0.0 };
+        if high_is_right { [low, high] } else { [high, low] }
+    }
+}
+
 /// Averages sharpness and pedestal along every chain, over `window` points to both sides.
 pub(super) fn even_out(points: &mut [Ridge], chains: &[Chain], window: usize, scale: f32) {
-    let mut sums: Vec<[f32; 3]> = Vec::new();
+    let mut sums: Vec<[f64; 3]> = Vec::new();
     for chain in chains {
         let closed = chain.first() == chain.last();
         let n = chain.len() - usize::from(closed);
+        // running sums; round a ring they go on for a window beyond both its ends
+        let around = if closed { window.min((n - 1) / 2) } else { 0 };
         sums.clear();
         let mut sum = [0.0; 3];
         sums.push(sum);
-        for &number in &chain[..n] {
-            let Profile { sharpness, beyond, .. } = points[number as usize].profile;
-            sum = [sum[0] + sharpness, sum[1] + beyond[0], sum[2] + beyond[1]];
+        for i in 0..n + 2 * around {
+            let place = (i + n - around) % n;
+            let (before, after) = if closed {
+                (chain[(place + n - 1) % n], chain[(place + 1) % n])
+            } else {
+                (chain[place.saturating_sub(1)], chain[(place + 1).min(n - 1)])
+            };
+            let point = &points[chain[place] as usize];
+            let [left, right] = point.sides(points[after as usize].at - points[before as usize].at);
+            let values = [point.profile.sharpness, left, right].map(f64::from);
+            sum = std::array::from_fn(|k| sum[k] + values[k]);
             sums.push(sum);
         }
         for (i, &number) in chain[..n].iter().enumerate() {
-            let (from, to) = (i.saturating_sub(window), (i + window + 1).min(n));
-            let mean = |k: usize| (sums[to][k] - sums[from][k]) / (to - from) as f32;
+            let place = i + around;
+            let (from, to) = (place.saturating_sub(window), (place + window + 1).min(n + 2 * around));
+            let mean = |k: usize| ((sums[to][k] - sums[from][k]) / (to - from) as f64) as f32;
             let point = &mut points[number as usize];
             let profile = Profile { sharpness: mean(0), beyond: [mean(1), mean(2)], ..point.profile };
             (point.step, point.blur) = (profile.step(scale), profile.blur(scale));

@@ -59,6 +59,14 @@ pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     }
 }
 
+/// One pixel of [`row`], by its number in the picture; zeroes for the planes that a grey picture lacks.
+pub(super) fn pixel(raster: &Raster, number: usize) -> [f32; 3] {
+    match raster.planes() {
+        [red, green, blue] => colour([red[number], green[number], blue[number]]),
+        planes => [planes.first().map_or(0.0, |grey| lightness(grey[number])), 0.0, 0.0],
+    }
+}
+
 /// L, 2a and 2b of a colour in linear light.
 #[inline(always)]
 pub(super) fn colour([r, g, b]: [f32; 3]) -> [f32; 3] {

@@ -125,7 +125,7 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let arch = pulp::Arch::new();
     let size = raster.size();
     let planes = lab::planes(raster);
-    let noise = Noise::of(arch, raster);
+    let noise = Noise::of(raster);
     let params = &noise.adapted(params);
     let mut thinner = thin::Thinner::new(size, params);
     let mut sides = sides::Builder::new(size, planes, params);

@@ -1,15 +1,13 @@
 //! How noisy the picture is, so that noise is not drawn, and noisy edges are looked for at a scale that sees them.
 
-use pulp::Arch;
-
 use super::{Params, lab};
 use crate::raster::Raster;
 use crate::raster::plane::gauss;
 
-/// Rows are looked at in threes, one three in this many rows.
-const EVERY: usize = 12;
-/// Pixels of a row that give one reading: their median.
-const TILE: usize = 64;
+/// Squares of this many pixels give one reading each: their median.
+const TILE: usize = 8;
+/// They lie this far apart, px, evenly about the middle of the picture, so that a picture turned or flipped reads the same.
+const EVERY: usize = 40;
 /// The reading that counts, as a share of all from the smoothest: where a picture has texture, the smooth parts tell its
 /// noise.
 const SMOOTHEST: f32 = 0.2;
@@ -47,8 +45,8 @@ pub(super) struct Noise {
 }
 
 impl Noise {
-    pub(super) fn of(arch: Arch, raster: &Raster) -> Self {
-        let noise = estimate(arch, raster);
+    pub(super) fn of(raster: &Raster) -> Self {
+        let noise = estimate(raster);
         let lightness = noise.first().copied().unwrap_or(0.0);
         let most = lightness.max(COLOUR_NOISE);
         let weights: Vec<f32> = noise.iter().map(|&n| if n > most { most / n } else { 1.0 }).collect();
@@ -74,30 +72,34 @@ impl Noise {
 /// Standard deviation of the noise of a pixel in each plane of [`lab`], in units of strength.
 ///
 /// The measure is Immerkaer's (1996): the second difference along x of the second difference along y, which is blind to
-/// plain slopes and straight edges along the axes; in place of its mean over the picture, the median over pieces of rows
-/// and a low quantile of these.
-fn estimate(arch: Arch, raster: &Raster) -> Vec<f32> {
-    let (width, height) = (raster.size().width as usize, raster.size().height as usize);
+/// plain slopes and straight edges along the axes; in place of its mean over the picture, the median over small squares and
+/// a low quantile of these.
+fn estimate(raster: &Raster) -> Vec<f32> {
+    const SIDE: usize = TILE + 2;
     let planes = lab::planes(raster);
+    let (width, height) = (raster.size().width as usize, raster.size().height as usize);
+    let starts = |pixels: usize| {
+        let count = (pixels.saturating_sub(SIDE) / EVERY) + usize::from(pixels >= SIDE);
+        let first = pixels.saturating_sub(SIDE + EVERY * count.saturating_sub(1)) / 2;
+        (0..count).map(move |k| first + k * EVERY)
+    };
     let mut readings = vec![Vec::new(); planes];
-    if width < TILE + 2 || height < 3 {
-        return vec![0.0; planes];
-    }
-    let mut rows = [(); 3].map(|()| vec![vec![0.0; width]; planes]);
-    let mut sizes: Vec<f32> = vec![0.0; TILE];
-    for y in (1..height - 1).step_by(EVERY) {
-        for (k, row) in rows.iter_mut().enumerate() {
-            lab::row(arch, raster, y + k - 1, row);
-        }
-        let [above, here, below] = &rows;
-        for plane in 0..planes {
-            let down = |x: usize| above[plane][x] - 2.0 * here[plane][x] + below[plane][x];
-            for start in (1..width - TILE).step_by(TILE) {
+    let mut lab = [[0.0_f32; 3]; SIDE * SIDE];
+    let mut sizes = [0.0_f32; TILE * TILE];
+    for top in starts(height) {
+        for left in starts(width) {
+            for (i, lab) in lab.iter_mut().enumerate() {
+                *lab = lab::pixel(raster, (top + i / SIDE) * width + left + i % SIDE);
+            }
+            for (plane, readings) in readings.iter_mut().enumerate() {
+                let at = |x: usize, y: usize| lab[y * SIDE + x][plane];
+                let down = |x: usize, y: usize| (at(x, y) + at(x, y + 2)) - 2.0 * at(x, y + 1);
                 for (i, size) in sizes.iter_mut().enumerate() {
-                    *size = (down(start + i - 1) - 2.0 * down(start + i) + down(start + i + 1)).abs();
+                    let (x, y) = (i % TILE, i / TILE);
+                    *size = ((down(x, y) + down(x + 2, y)) - 2.0 * down(x + 1, y)).abs();
                 }
-                let (_, median, _) = sizes.select_nth_unstable_by(TILE / 2, f32::total_cmp);
-                readings[plane].push(*median / (6.0 * MEDIAN)); // the weights' squares sum to 36
+                let (_, median, _) = sizes.select_nth_unstable_by(TILE * TILE / 2, f32::total_cmp);
+                readings.push(*median / (6.0 * MEDIAN)); // the weights' squares sum to 36
             }
         }
     }
@@ -149,7 +151,7 @@ mod tests {
     #[test]
     fn white_noise_is_measured_within_a_tenth() {
         for n in [2.0, 5.0, 10.0, 20.0] {
-            let noise = Noise::of(Arch::new(), &noisy(n, true));
+            let noise = Noise::of(&noisy(n, true));
             let want = n / 2.55;
             assert!((noise.lightness - want).abs() < 0.1 * want, "{} is not {want}", noise.lightness);
         }
@@ -157,7 +159,7 @@ mod tests {
 
     #[test]
     fn noise_of_single_channels_takes_weight_from_the_colour_axes() {
-        let noise = Noise::of(Arch::new(), &noisy(10.0, false));
+        let noise = Noise::of(&noisy(10.0, false));
         assert!((noise.weights[0] - 1.0).abs() < 1e-6 && noise.weights[1] < 0.4 && noise.weights[2] < 0.4, "{noise:?}");
         assert!(noise.pixel < 1.05 * noise.lightness.max(COLOUR_NOISE));
     }
@@ -166,6 +168,6 @@ mod tests {
     fn without_noise_nothing_changes() {
         let params = Params::default();
         let flat = Raster::grey(Size::new(200, 200), vec![0.3; 40_000]);
-        assert_eq!(Noise::of(Arch::new(), &flat).adapted(&params), params);
+        assert_eq!(Noise::of(&flat).adapted(&params), params);
     }
 }

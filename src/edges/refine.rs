@@ -20,6 +20,12 @@ const NOISE_OFF: f32 = 1.15;
 /// How many times its variance the square of a bend must be to count at all; above that it counts the more the larger.
 const SURE: f64 = 1.5;
 
+/// A window counts fully as long as its parabola is off by no more than this many times what is allowed, and not at all
+/// from the second on.
+const FULLY: f32 = 0.8;
+const NOT_AT_ALL: f32 = 1.2;
+
+#[derive(Debug, Clone, Copy)]
 struct Fit {
     at: PxPoint,
     /// Unit direction of the path.
@@ -29,6 +35,20 @@ struct Fit {
     /// How sure it is that the bend is no noise, 0..=1.
     sure: f32,
     off: f32,
+}
+
+impl Fit {
+    /// The fit a share of the way from this one to `wider`.
+    fn mixed(&self, wider: &Self, share: f32) -> Self {
+        let mix = |a: f32, b: f32| a + (b - a) * share;
+        Self {
+            at: self.at.lerp(wider.at, share),
+            along: self.along.lerp(wider.along, share),
+            curvature: mix(self.curvature, wider.curvature),
+            sure: mix(self.sure, wider.sure),
+            off: wider.off,
+        }
+    }
 }
 
 /// Moves every mark to where the edge is.
@@ -83,11 +103,10 @@ fn best(path: &Path, arcs: &[f32], i: usize, scale: f32) -> Option<Fit> {
             widen(path, arcs, i, half, tip, forwards, &mut sums);
         }
         let Some(fit) = sums.fit(half) else { break };
-        if best.is_some() && fit.off > allowed {
-            break;
-        }
-        best = Some(fit);
-        if half < window * scale {
+        // from one window to the next gradually, so that a little more noise moves a mark but a little
+        let share = ((NOT_AT_ALL - fit.off / allowed) / (NOT_AT_ALL - FULLY)).clamp(0.0, 1.0);
+        best = Some(best.map_or(fit, |best| best.mixed(&fit, share)));
+        if share <= 0.0 || half < window * scale {
             break;
         }
     }
