@@ -3,7 +3,7 @@
 //! Beyond the rounding the two flanks of a corner run on unharmed. Where both are straight and the path turns between
 //! them, they are led on to where they cross, and the corner stands there.
 
-use super::path::{Flank, Path};
+use super::path::{Flank, Mark, Path};
 use crate::units::PxPoint;
 
 /// A turn smaller than this needs no pointing: rounding moves it by less than a fifth of the blur (cosine of 25 degrees).
@@ -20,6 +20,9 @@ const DOUBT: f32 = 0.4;
 const BOW: f32 = 0.3;
 /// Farthest that the corner may lie from the path as it was found, in blurs, for a right angle.
 const AWAY: f32 = 1.6;
+
+/// A mark that is nearer to one flank's side of the corner than to the other's by less than this, px, is on neither.
+const EVEN: f32 = 0.1;
 
 struct Corner {
     mark: usize,
@@ -38,13 +41,16 @@ pub(super) fn sharpen(path: &mut Path) {
     let mut corners: Vec<Corner> = (0..n).filter_map(|i| look(path, i)).collect();
     // of neighbours that see one corner, the one nearest to it tells it
     corners.sort_by(|a, b| a.off.total_cmp(&b.off).then(a.mark.cmp(&b.mark)));
-    let mut done: Vec<(PxPoint, f32)> = Vec::new();
+    let mut kept: Vec<Corner> = Vec::new();
     for corner in corners {
-        if done.iter().any(|(at, reach)| (*at - corner.at).length() < reach.max(corner.reach)) {
-            continue;
+        if kept.iter().all(|other| (other.at - corner.at).length() >= corner.reach.max(other.reach)) {
+            kept.push(corner);
         }
+    }
+    // from the last on, so that the numbers of the marks before stay what they are
+    kept.sort_by_key(|corner| std::cmp::Reverse(corner.mark));
+    for corner in kept {
         point(path, &corner);
-        done.push((corner.at, corner.reach));
     }
 }
 
@@ -96,16 +102,26 @@ fn look(path: &Path, i: usize) -> Option<Corner> {
     found
 }
 
-/// Puts the marks of the rounding on the flanks, and the middle one on the corner.
+/// Puts the marks of the rounding on the flanks, and a mark on the corner between them.
 fn point(path: &mut Path, corner: &Corner) {
-    for (flank, forwards) in corner.flanks.iter().zip([false, true]) {
+    let [before, after] = &corner.flanks;
+    let place = |flank: &Flank, at: PxPoint| flank.along.dot(at - corner.at);
+    let middle = path.marks[corner.mark];
+    let lean = place(before, middle.at) - place(after, middle.at);
+    let is_before = lean > 0.0;
+    for (flank, forwards) in [(before, false), (after, true)] {
         let near: Vec<usize> =
             path.walk(corner.mark, forwards).take_while(|(_, way)| *way < corner.reach).map(|(k, _)| k).collect();
-        for k in near {
+        for k in near.into_iter().filter(|k| *k != corner.mark || is_before != forwards) {
             let at = flank.nearest(path.marks[k].at);
             // not beyond the corner
-            path.marks[k].at = if flank.along.dot(at - corner.at) > 0.0 { at } else { corner.at };
+            path.marks[k].at = if place(flank, at) > 0.0 { at } else { corner.at };
         }
     }
-    path.marks[corner.mark].at = corner.at;
+    let tip = Mark { at: corner.at, ..middle };
+    if lean.abs() < EVEN {
+        path.marks[corner.mark] = tip; // it lies on neither side
+        return;
+    }
+    path.marks.insert(corner.mark + usize::from(is_before), tip);
 }
