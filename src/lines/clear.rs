@@ -114,7 +114,11 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
                 queue.push(open, cuts + 1);
                 continue;
             }
-            let path = trail.vertices.split_off(back.start);
+            let mut path = trail.vertices.split_off(back.start);
+            // an end that lay on the line itself, and made what is near it a junction, may be gone
+            while let Some(back) = returns(&trail, &field, &mut own) {
+                path.splice(0..0, trail.vertices.split_off(back.start));
+            }
             // What was joined to a line by a meeting beyond the cut is so no longer.
             if trail.length() < params.min_length || states(&trail, &field).contains(&State::TooNear) {
                 queue.push(trail, cuts + 1);
@@ -128,7 +132,11 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
             let body = trail.vertices.len();
             if let Some(on) = lead_on(&trail.vertices, &path, false, &field, Some(line), params) {
                 trail.vertices.extend(on);
-                field.go_on(&trail, body - 1, line);
+                if returns(&trail, &field, &mut own).is_none() {
+                    field.go_on(&trail, body - 1, line);
+                } else {
+                    trail.vertices.truncate(body);
+                }
             }
             queue.push(Trail { vertices: path, closed: false }, cuts + 1);
         }
@@ -381,7 +389,7 @@ fn pin(cleared: &mut [Cleared], field: &Field<'_>) {
     }
     // from the last vertex back, so that the numbers before stay right
     pins.sort_by(|a, b| (b.0, b.1).cmp(&(a.0, a.1)).then(b.2.total_cmp(&a.2)));
-    pins.dedup_by(|a, b| a.0 == b.0 && a.3 == b.3);
+    pins.dedup_by(|a, b| a.0 == b.0 && a.1.abs_diff(b.1) <= 1 && a.3 == b.3);
     for (line, index, _, at) in pins {
         let Cleared { trail, pinned, .. } = &mut cleared[line];
         let near = |i: usize| (trail.vertices[i].at - at).length() <= TOUCH;

@@ -23,6 +23,8 @@ const TOUCH: f32 = 0.01;
 const END: f32 = 0.05;
 /// The longest way from a meeting until two lines are apart, in clearances: at 36 degrees a straight line needs as much.
 const APPROACH: f32 = 1.7;
+/// ... less this, mm: a line may be drawn by a step of width thinner than its vertices say.
+const LESS: f32 = 0.2;
 /// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
 /// and by this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
 const BEND: f32 = 3.5;
@@ -128,7 +130,7 @@ impl<'a> Field<'a> {
     const END: f32 = 0.05;
     /// The longest way from a meeting until two lines of the least width are apart, mm.
     pub(super) fn longest_approach(&self) -> f32 {
-        APPROACH * (self.params.min_gap + self.params.width_min) - 2.0 * ROUNDING
+        APPROACH * (self.params.min_gap + self.params.width_min) - 2.0 * LESS
     }
 
     /// The longest way beyond a crossing that does not count as a line of its own, mm.
@@ -293,7 +295,7 @@ impl<'a> Field<'a> {
             if !on || distance >= clearance {
                 return;
             }
-            let limit = APPROACH * (self.params.min_gap + half + segment.half_width) - ROUNDING;
+            let limit = APPROACH * (self.params.min_gap + half + segment.half_width) - LESS;
             let there = segment.arc + (at - segment.a).length();
             // it is the line that ends there, or either of two that cross, that must have come from far enough
             let joins = places.meetings.iter().any(|meeting| {
@@ -353,7 +355,7 @@ pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Opt
             if distance >= field.clearance(half + segment.half_width) || is_bend(way, distance) {
                 return;
             }
-            let limit = APPROACH * (field.params.min_gap + half + segment.half_width) - ROUNDING;
+            let limit = APPROACH * (field.params.min_gap + half + segment.half_width) - LESS;
             near = !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - there).abs() <= limit);
         });
         if near {

@@ -17,8 +17,6 @@ const APPROACH: f32 = 1.7;
 /// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
 const BEND_LEAST: f32 = 2.0;
-/// Lines that have not been farther from one another than this between two crossings were never apart, mm.
-const CLOSE: f32 = 3.2;
 /// Numbers of the page have two digits after the point, and some are added up.
 const ROUNDING: f32 = 0.01;
 
@@ -64,6 +62,17 @@ impl Way {
         !self.closed && tips.into_iter().flatten().any(|tip| (tip - at).length() <= 0.1)
     }
 
+    /// Places on the line between two others, every half millimetre.
+    fn places(&self, from: f32, to: f32) -> impl Iterator<Item = MmPoint> {
+        let steps = (2.0 * (to - from)).ceil().max(1.0) as u32;
+        (1..steps).map(move |k| {
+            let arc = from + (to - from) * k as f32 / steps as f32;
+            let segment = &self.segments[self.segments.partition_point(|s| s.arc <= arc).saturating_sub(1)];
+            let length = (segment.b - segment.a).length().max(f32::MIN_POSITIVE);
+            segment.a.lerp(segment.b, ((arc - segment.arc) / length).min(1.0))
+        })
+    }
+
     /// The way along the line between two of its places.
     fn between(&self, s: f32, t: f32) -> f32 {
         let apart = (s - t).abs();
@@ -81,7 +90,7 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
     let mut nearby = Nearby::new(MmRect::new(low, high), min_gap);
     all().for_each(|segment| nearby.insert(*segment));
 
-    let junctions = junctions(&ways, &nearby);
+    let junctions = junctions(&ways, &nearby, min_gap);
     // whether line `a`, `arc` from its start, is on its way to a junction with line `b`
     let arrives = |a: u32, arc: f32, b: u32, clearance: f32| {
         let way = &ways[a as usize];
@@ -127,7 +136,7 @@ struct Junction {
 
 /// The junctions of every line. Two lines that cross again before they have been apart only wind round one another: these
 /// are none.
-fn junctions(ways: &[Way], nearby: &Nearby) -> Vec<Vec<Junction>> {
+fn junctions(ways: &[Way], nearby: &Nearby, min_gap: f32) -> Vec<Vec<Junction>> {
     let of = |(number, way): (usize, &Way)| {
         let mut found: Vec<Junction> = Vec::new();
         let mut add = |arc: f32, there: f32, other: &Segment| {
@@ -162,12 +171,11 @@ fn junctions(ways: &[Way], nearby: &Nearby) -> Vec<Vec<Junction>> {
     let winds = |way: &Way, junction: &Junction, list: &[Junction]| {
         list.iter().any(|other| {
             let (from, to) = (junction.arc.min(other.arc), junction.arc.max(other.arc));
+            let itself = way.segments.first().map(|s| s.line) == Some(junction.other);
             other.other == junction.other
+                && !itself
                 && to - from > 1.0
-                && way.segments.iter().filter(|s| s.arc >= from && s.arc < to).all(|s| {
-                    let near = |rival: &Segment| rival.line == junction.other && rival.line != s.line;
-                    nearby.nearest(s.a, CLOSE, near).is_some()
-                })
+                && way.places(from, to).all(|at| nearby.nearest(at, min_gap, |s| s.line == junction.other).is_some())
         })
     };
     all.iter()
