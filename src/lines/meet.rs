@@ -48,11 +48,18 @@ pub(super) fn meet(trails: &mut [Trail], area: MmRect, gap: f32) {
         }
     }
     for (number, at_start, way) in on {
-        let vertices = &mut trails[number].vertices;
+        let trail = &mut trails[number];
         if at_start {
-            vertices.splice(0..0, way.into_iter().rev());
+            trail.vertices.splice(0..0, way.into_iter().rev());
         } else {
-            vertices.extend(way);
+            trail.vertices.extend(way);
+        }
+        // an end that was led on to the other end of its line has closed it
+        if let [first, .., last] = &mut trail.vertices[..]
+            && (last.at - first.at).length() < SPACING
+        {
+            *last = *first;
+            trail.closed = true;
         }
     }
 }
