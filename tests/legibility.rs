@@ -1,5 +1,7 @@
 //! What a fingertip needs holds on every page, measured on the finished marks alone: widths, lengths, gaps, ink.
 
+#[path = "common/apart.rs"]
+mod apart;
 #[path = "common/page.rs"]
 mod page;
 #[path = "common/samples.rs"]
@@ -14,10 +16,8 @@ use tactograph::units::MmPoint;
 const LINE_GAP: f32 = 3.0;
 const WIDTHS: std::ops::RangeInclusive<f32> = 0.75..=1.5;
 const MIN_LENGTH: f32 = 8.0;
-/// Blank between two lines; a tenth less than the profile's 3.2 mm, for what simplification and smoothing move.
-const LINE_APART: f32 = 2.9;
-/// Around a junction lines are near one another, mm: three clearances.
-const JOIN: f32 = 14.0;
+/// Blank between two lines.
+const LINE_APART: f32 = 3.2;
 /// Ink above this share of the sheet makes swell paper curl.
 const MOST_INK: f32 = 0.4;
 
@@ -110,32 +110,8 @@ fn lines_keep_apart_where_they_do_not_join() {
     for (name, page) in pages() {
         let overview = page.overview.iter().map(|overview| ("overview", &overview.lines));
         for (part, lines) in [("figure", &page.figure.lines)].into_iter().chain(overview) {
-            let per_line: Vec<_> = lines.iter().map(|line| segments(std::slice::from_ref(line))).collect();
-            let (mut total, mut near) = (0.0, 0.0);
-            for (i, line) in per_line.iter().enumerate() {
-                let others: Vec<_> =
-                    per_line.iter().enumerate().filter(|(j, _)| *j != i).flat_map(|(_, l)| l).collect();
-                // where the line meets another, at its own end or in its middle
-                let meetings: Vec<MmPoint> = line
-                    .iter()
-                    .flat_map(|&(a, b, _)| others.iter().map(move |o| (a, b, o)))
-                    .filter(|(a, b, o)| segment_distance((*a, *b), (o.0, o.1)) < 0.3)
-                    .map(|(a, b, _)| a.lerp(b, 0.5))
-                    .collect();
-                for &(a, b, half) in line {
-                    let length = (b - a).length();
-                    total += length;
-                    let middle = a.lerp(b, 0.5);
-                    let gap = others
-                        .iter()
-                        .map(|o| nearest_on_segment(middle, o.0, o.1).0 - half - o.2)
-                        .fold(f32::MAX, f32::min);
-                    let joins = meetings.iter().any(|at| (*at - middle).length() < JOIN);
-                    near += if gap < LINE_APART && !joins { length } else { 0.0 };
-                }
-            }
-            let share: f32 = near / f32::max(total, 1.0);
-            assert!(share <= 0.01, "{name}, {part}: {share} of the length is too near to another line");
+            let near = apart::too_near(lines, LINE_APART);
+            assert!(near.is_empty(), "{name}, {part}: {} places, such as {:?}", near.len(), near[0]);
         }
     }
 }

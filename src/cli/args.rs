@@ -57,6 +57,8 @@ Examples:
         names the page and takes larger paper
   tactograph convert photos/*.jpg --out-dir pages
         makes pages/NAME.svg of every photo
+  tactograph convert coffee.png --detail 0.2
+        draws the main outlines only
   tactograph convert coffee.png --set lines.width_max=1.2 --set overview=false
         changes two values of the profile
   curl https://example.org/cat.jpg | tactograph convert - > cat.svg

@@ -68,7 +68,7 @@ pub(super) fn run(
     let &Order { product, pictures, output, out_dir, shared } = order;
     let report = Report::plain();
     let names = Names { product, pictures, output, out_dir };
-    let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &shared.set)) {
+    let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &shared.changes())) {
         (Ok(jobs), Ok(plan)) => (jobs, plan),
         (jobs, plan) => {
             jobs.err().iter().flatten().for_each(|what| report.usage(what));

@@ -91,6 +91,15 @@ fn fates(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], mut stretches: V
     by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
 
     let winner = |stretch: &Stretch| rank[stretch.trail].min(rank[stretch.other]);
+    // A ring that is a bar's side on its lesser part stays whole: it is a thing beside another, as a pupil in an eye.
+    let mut sides = vec![0; trails.len()];
+    stretches.iter().for_each(|stretch| sides[stretch.trail] += stretch.to - stretch.from + 1);
+    let thing =
+        |number: usize| trails[number].closed && (sides[number] as f32) < MOST * trails[number].vertices.len() as f32;
+    stretches.retain(|stretch| {
+        let loser = if rank[stretch.trail] == winner(stretch) { stretch.other } else { stretch.trail };
+        stretch.trail == stretch.other || !thing(loser)
+    });
     stretches.sort_by(|a, b| {
         let (first, second) = (winner(a), winner(b));
         let sides = (rank[a.trail] != first).cmp(&(rank[b.trail] != second)); // as the winner sees it comes first

@@ -126,8 +126,6 @@ impl<'a> Field<'a> {
         self.params.min_gap + half_widths + 2.0 * self.params.tolerance + ROUNDING
     }
 
-    /// A line that crosses another this near to its end ends there, mm.
-    const END: f32 = 0.05;
     /// The longest way from a meeting until two lines of the least width are apart, mm.
     pub(super) fn longest_approach(&self) -> f32 {
         APPROACH * (self.params.min_gap + self.params.width_min) - 2.0 * LESS

@@ -16,7 +16,7 @@ const SPAN: usize = 5;
 /// Lengths of full strength that a line must be worth at the detail 0, in least lengths: 120 mm on a sheet with 8 mm.
 const OUTLINES: f32 = 15.0;
 /// ... but a page always has the lines that say at least this share of what the first one says.
-const OF_FIRST: f32 = 0.5;
+const OF_FIRST: f32 = 0.25;
 
 /// Length, mm, of a straight line of full strength that says as much.
 pub(super) fn saliency(trail: &Trail, params: &Params) -> f32 {

@@ -89,3 +89,20 @@ fn set_changes_the_page_and_the_last_one_counts() {
     assert_eq!(page(&["--set", "lines.width_max=1.2", "--set", "lines.width_max=1.7"]), wide);
     assert!(plain.contains("id=\"overview\"") && !page(&["--set", "overview=false"]).contains("id=\"overview\""));
 }
+
+#[test]
+fn detail_is_short_for_a_key_and_counts_after_set() {
+    let place = Place::with_picture("a.png");
+    let page = |words: &[&str]| {
+        let run = place.run(&[&["convert", "a.png", "-q", "-o", "-"], words].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{words:?}");
+        run.out
+    };
+    let least = page(&["--detail", "0"]);
+    assert_eq!(least, page(&["--set", "lines.detail=0"]));
+    assert_eq!(least, page(&["--detail", "0", "--set", "lines.detail=1"]));
+    for wrong in ["2", "-0.5", "much"] {
+        let what = format!("--set lines.detail={wrong}: lines.detail must be a number from 0 to 1, not {wrong}");
+        place.refuses(&["convert", "a.png", "--detail", wrong], 2, &[&what]);
+    }
+}

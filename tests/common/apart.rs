@@ -22,13 +22,13 @@ const ROUNDING: f32 = 0.01;
 
 /// A place where two lines are too near.
 #[derive(Debug, Clone, Copy)]
+#[allow(dead_code, reason = "what a test does not ask for still stands in its message")]
 pub(crate) struct TooNear {
     /// Where.
     pub at: MmPoint,
     /// Blank between the edges of the lines, mm; negative where they overlap.
     pub gap: f32,
     /// Numbers of the lines; the same for a line too near to itself.
-    #[allow(dead_code, reason = "for messages")]
     pub lines: (u32, u32),
     /// How much of the line this stands for, mm.
     pub length: f32,

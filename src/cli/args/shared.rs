@@ -25,6 +25,15 @@ pub(in crate::cli) struct Shared {
     #[arg(long, value_name = "KEY=VALUE")]
     pub(in crate::cli) set: Vec<String>,
 
+    /// How many lines the page has: 0 the most important outlines only, 1 all that fingers can part
+    ///
+    /// The longest, strongest, closed and smooth lines come first; those of less detail are all on the page of more. Short
+    /// for --set lines.detail=D, and counts after every --set. Range: 0 to 1.
+    ///
+    /// [default: the profile's, 0.5 in those that come with the program]
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    pub(in crate::cli) detail: Option<String>,
+
     /// Tells how long each stage took, in milliseconds
     ///
     /// Written to standard error for each picture, also under --quiet. Stages that are not needed are listed as
@@ -51,6 +60,12 @@ pub(in crate::cli) struct Shared {
 }
 
 impl Shared {
+    /// All changes to the profile as `KEY=VALUE`, in the order in which they count.
+    pub(in crate::cli) fn changes(&self) -> Vec<String> {
+        let detail = self.detail.iter().map(|detail| format!("lines.detail={detail}"));
+        self.set.iter().cloned().chain(detail).collect()
+    }
+
     /// What a picture may cost.
     pub(in crate::cli) fn limits(&self) -> Limits {
         Limits { megapixels: self.max_megapixels, memory_mb: self.max_memory }

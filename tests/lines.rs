@@ -1,0 +1,225 @@
+//! Lines for fingers, on pictures that nobody has looked at: noise, spirals, stars and scenes thrown together. And less
+//! detail is a part of more.
+
+#[path = "common/apart.rs"]
+mod apart;
+#[path = "common/page.rs"]
+mod page;
+#[path = "common/samples.rs"]
+mod samples;
+
+use tactograph::edges;
+use tactograph::frame::Frame;
+use tactograph::lines::{self, Line};
+use tactograph::raster::Raster;
+use tactograph::units::{MmPoint, MmRect, Size};
+
+const SIDE: u32 = 300;
+/// Millimetres for a pixel.
+const SCALE: f32 = 0.4;
+
+const EDGES: edges::Params = edges::Params {
+    sigma: 1.2,
+    low: 5.0,
+    high: 10.0,
+    min_length: 5.0,
+    strength_window: 3.0,
+    suppression: 0.0, // all that noise has to offer
+    side_sigma: 2.5,
+    side_offset: 5.5,
+};
+
+const LINES: lines::Params = lines::Params {
+    width_min: 0.75,
+    width_max: 1.5,
+    least_strength: 5.0,
+    full_strength: 30.0,
+    min_length: 8.0,
+    min_gap: 3.2,
+    join_gap: 3.0,
+    smoothing: 0.6,
+    tolerance: 0.05,
+    detail: 1.0,
+};
+
+fn draw(value: impl Fn(f32, f32) -> f32, params: &lines::Params) -> Vec<Line> {
+    let size = Size::new(SIDE, SIDE);
+    let values = (0..SIDE * SIDE).map(|i| value((i % SIDE) as f32 + 0.5, (i / SIDE) as f32 + 0.5).clamp(0.0, 1.0));
+    let raster = Raster::grey(size, values.map(|v| v.powf(2.2)).collect());
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(SIDE as f32 * SCALE, SIDE as f32 * SCALE));
+    lines::draw(&edges::find(&raster, &EDGES), &Frame::new(size, area), area, params).lines
+}
+
+fn assert_apart(scene: &str, lines: &[Line], params: &lines::Params) {
+    assert!(!lines.is_empty(), "{scene} has no lines");
+    let near = apart::too_near(lines, params.min_gap);
+    assert!(near.is_empty(), "{scene}: {} places are too near, such as {:?}", near.len(), near.first());
+    for line in lines {
+        assert!(line.length() >= 0.97 * params.min_length, "{scene}: a remnant of {} mm", line.length());
+    }
+}
+
+/// A number in 0..1 for two whole ones and a seed.
+fn hash(x: i32, y: i32, seed: u32) -> f32 {
+    let mut h =
+        (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77) ^ seed.wrapping_mul(0xC2B2_AE3D);
+    h = (h ^ (h >> 15)).wrapping_mul(0x2C1B_3C6D);
+    h = (h ^ (h >> 12)).wrapping_mul(0x297A_2D39);
+    ((h ^ (h >> 15)) >> 8) as f32 / (1 << 24) as f32
+}
+
+/// Smooth noise with features of about `cell` pixels, 0..1.
+fn noise(x: f32, y: f32, cell: f32, seed: u32) -> f32 {
+    let (x, y) = (x / cell, y / cell);
+    let (i, j) = (x.floor(), y.floor());
+    let ease = |t: f32| t * t * (3.0 - 2.0 * t);
+    let (u, v) = (ease(x - i), ease(y - j));
+    let at = |di: i32, dj: i32| hash(i as i32 + di, j as i32 + dj, seed);
+    (at(0, 0) * (1.0 - u) + at(1, 0) * u) * (1.0 - v) + (at(0, 1) * (1.0 - u) + at(1, 1) * u) * v
+}
+
+/// Distance from the middle and angle round it.
+fn polar(x: f32, y: f32) -> (f32, f32) {
+    ((x - 150.3).hypot(y - 149.6), (y - 149.6).atan2(x - 150.3))
+}
+
+#[test]
+fn lines_keep_apart_on_noise() {
+    for seed in 0..4 {
+        for cell in [3.0, 6.0, 10.0, 18.0, 40.0] {
+            assert_apart(&format!("noise of {cell} px"), &draw(|x, y| noise(x, y, cell, seed), &LINES), &LINES);
+            let steps = |x, y| (0.5 + 8.0 * (noise(x, y, cell, seed) - 0.5)).clamp(0.1, 0.9);
+            assert_apart(&format!("blots of {cell} px"), &draw(steps, &LINES), &LINES);
+        }
+    }
+}
+
+#[test]
+fn lines_keep_apart_on_spirals_rings_and_stars() {
+    let wave = |phase: f32| 0.5 + (2.0 * phase.sin()).clamp(-0.4, 0.4);
+    for pitch in [4.0, 6.0, 9.0, 13.0, 20.0_f32] {
+        let turn = std::f32::consts::TAU / pitch;
+        let scene = |name: &str, value: &dyn Fn(f32, f32) -> f32| {
+            assert_apart(&format!("{name}, {pitch} px"), &draw(value, &LINES), &LINES);
+        };
+        scene("rings", &|x, y| wave(polar(x, y).0 * turn));
+        scene("a spiral", &|x, y| wave(polar(x, y).0 * turn - polar(x, y).1));
+        scene("a star", &|x, y| wave(polar(x, y).1 * pitch.floor()));
+        scene("hairpins", &|x, y| wave((x + 12.0 * (y * 0.1).sin()) * turn * (y / 300.0 + 0.5)));
+    }
+}
+
+#[test]
+fn lines_keep_apart_at_other_gaps() {
+    for (min_gap, width_max) in [(1.5, 1.0), (3.2, 3.0), (6.0, 2.0)] {
+        let params = lines::Params { min_gap, width_max, join_gap: 0.9 * min_gap, ..LINES };
+        for seed in 10..14 {
+            assert_apart(&format!("a gap of {min_gap}"), &draw(|x, y| noise(x, y, 14.0, seed), &params), &params);
+            assert_apart(&format!("a gap of {min_gap}"), &draw(scene(seed), &params), &params);
+        }
+    }
+}
+
+/// Shapes thrown on one another: discs, rings, boxes, strokes and wedges, soft by a pixel.
+fn scene(seed: u32) -> impl Fn(f32, f32) -> f32 {
+    let number = |shape: i32, which: i32| hash(shape, which, 1000 + seed);
+    let shapes: Vec<[f32; 7]> = (0..14).map(|shape| std::array::from_fn(|which| number(shape, which as i32))).collect();
+    move |x, y| {
+        let mut value = 0.9;
+        for [kind, cx, cy, angle, long, wide, shade] in &shapes {
+            let (sin, cos) = (std::f32::consts::TAU * angle).sin_cos();
+            let (dx, dy) = (x - 300.0 * cx, y - 300.0 * cy);
+            let (u, v) = (dx * cos + dy * sin, dy * cos - dx * sin);
+            let (long, wide) = (15.0 + 90.0 * long, 1.0 + 14.0 * wide * wide);
+            let outside = match (kind * 5.0) as u32 {
+                0 => u.hypot(v * (1.0 + wide / 8.0)) - 0.6 * long,
+                1 => (u.hypot(v) - 0.5 * long).abs() - 0.3 * wide,
+                2 => (u.abs() - 0.7 * long).max(v.abs() - 2.5 * wide),
+                3 => (u.abs() - long).max((v - 10.0 * (u / 25.0).sin()).abs() - 0.4 * wide),
+                _ => (v.abs() - 0.35 * u).max(u - long),
+            };
+            let inside = (0.5 - outside).clamp(0.0, 1.0);
+            value += (0.05 + 0.85 * shade - value) * inside;
+        }
+        value
+    }
+}
+
+#[test]
+fn lines_keep_apart_on_fifty_scenes() {
+    for seed in 0..50 {
+        assert_apart(&format!("scene {seed}"), &draw(scene(seed), &LINES), &LINES);
+    }
+}
+
+#[test]
+fn less_detail_is_a_part_of_more() {
+    for path in samples::samples() {
+        let bytes = std::fs::read(&path).expect("a sample can be read");
+        let pages = ["0", "0.25", "0.5", "0.75", "1"]
+            .map(|detail| page::page_of(&bytes, "sample", &[("lines.detail", detail)], &mut |_| ()).page);
+        for pair in pages.windows(2) {
+            let parts = |page: &tactograph::Page| {
+                let overview = page.overview.iter().flat_map(|overview| overview.lines.clone()).collect();
+                [page.figure.lines.clone(), overview]
+            };
+            let (less, more): ([Vec<Line>; 2], [Vec<Line>; 2]) = (parts(&pair[0]), parts(&pair[1]));
+            for (less, more) in less.iter().zip(&more) {
+                assert!(less.len() <= more.len());
+                // the lines that say most come first
+                assert_eq!(less[..], more[..less.len()], "{}", path.display());
+            }
+        }
+        let [first, .., last] = &pages;
+        assert_eq!(first.figure.lines.is_empty(), last.figure.lines.is_empty(), "{}: nothing is left", path.display());
+    }
+}
+
+#[test]
+fn long_strong_closed_and_smooth_lines_come_first() {
+    let params = lines::Params { detail: 0.0, ..LINES };
+    // a large dark disc, a small one, a long faint edge
+    let picture = |x: f32, y: f32| {
+        let disc = |cx: f32, cy: f32, r: f32| (0.5 + r - (x - cx).hypot(y - cy)).clamp(0.0, 1.0);
+        let ring = disc(100.0, 100.0, 70.0);
+        let small = disc(230.0, 60.0, 9.0);
+        let faint = (0.5 + x - 200.0 - 0.2 * y).clamp(0.0, 1.0) * 0.15 * f32::from(y > 150.0);
+        0.85 - 0.7 * ring.max(small) - faint
+    };
+    let least = draw(picture, &params);
+    assert_eq!(least.len(), 1, "{least:?}");
+    assert!(least[0].runs[0].is_closed() && least[0].length() > 150.0, "not the large ring: {:?}", least[0]);
+    assert_eq!(draw(picture, &LINES).len(), 3);
+}
+
+#[test]
+fn an_end_that_points_at_a_line_meets_it() {
+    // a dark upper half, and below it two greys side by side: their border stops short of the upper half's
+    for blur in [0.7, 1.5] {
+        let step = |d: f32| 1.0 / (1.0 + (-1.7 * d / blur).exp());
+        let lines = draw(|x, y| 0.08 + step(y - 120.0) * (0.45 + 0.4 * step(x - 150.0)), &LINES);
+        assert_eq!(lines.len(), 2, "{lines:?}");
+        let points = |line: &Line| line.runs.iter().flat_map(|run| run.points.clone()).collect::<Vec<_>>();
+        let (through, stem) = (points(&lines[0]), points(&lines[1]));
+        let tips = [stem[0], stem[stem.len() - 1]];
+        let meets = |tip: &MmPoint| through.iter().any(|p| (*p - *tip).length() < 1e-3);
+        assert!(tips.iter().any(meets), "blur {blur}: the stem ends at {tips:?}");
+    }
+}
+
+#[test]
+fn a_pupil_in_an_eye_stays_a_ring() {
+    // an outline of an eye, and the pupil off its middle: 2.7 mm from it on one side, edge to edge
+    let lines = draw(
+        |x, y| {
+            let ellipse = |cx: f32, cy: f32, a: f32, b: f32| ((x - cx) / a).hypot((y - cy) / b);
+            let white = ((1.0 - ellipse(150.0, 150.0, 40.0, 30.0)) * 30.0 + 0.5).clamp(0.0, 1.0);
+            let pupil = ((1.0 - ellipse(164.0, 150.0, 14.0, 16.0)) * 14.0 + 0.5).clamp(0.0, 1.0);
+            (0.5 + 0.4 * white) * (1.0 - pupil) + 0.05 * pupil
+        },
+        &LINES,
+    );
+    assert_eq!(lines.len(), 2, "{lines:?}");
+    let closed = |line: &Line| line.runs[0].points.first() == line.runs[line.runs.len() - 1].points.last();
+    assert!(lines.iter().all(closed), "an eye or its pupil is open");
+}
