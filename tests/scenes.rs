@@ -13,7 +13,7 @@ const SCALE: f32 = 1.0 / 3.0;
 /// A grey picture of `lightness(x, y)` in CIELAB L, 0..=100, at pixel centres.
 fn picture(lightness: impl Fn(f32, f32) -> f32) -> Raster {
     let size = Size::new(SIDE, SIDE);
-    let linear = |l: f32| ((l + 16.0) / 116.0).powi(3); // all scenes are lighter than L = 8, where CIELAB turns straight
+    let linear = |l: f32| ((l / 100.0 + 0.055) / 1.055).powf(2.4); // all scenes are lighter than where sRGB turns straight
     let values = (0..SIDE * SIDE).map(|i| linear(lightness((i % SIDE) as f32 + 0.5, (i / SIDE) as f32 + 0.5)));
     Raster::grey(size, values.collect())
 }
