@@ -50,7 +50,27 @@ pub(super) fn sharpen(path: &mut Path) {
     // from the last on, so that the numbers of the marks before stay what they are
     kept.sort_by_key(|corner| std::cmp::Reverse(corner.mark));
     for corner in kept {
+        let corner = settled(path, corner);
         point(path, &corner);
+    }
+}
+
+/// The corner with flanks measured from itself instead of from the mark that told it: two marks at equal distances from it
+/// tell the same corner.
+fn settled(path: &Path, corner: Corner) -> Corner {
+    let blur = path.marks[corner.mark].blur;
+    let to = corner.reach + (FLANK * blur).max(4.0);
+    let flank = |forwards| {
+        let marks = path.walk(corner.mark, forwards).take_while(|(_, way)| *way <= 2.0 * to);
+        let points = marks.map(|(number, _)| path.marks[number].at);
+        Flank::through(points.filter(|at| (corner.reach..=to).contains(&(*at - corner.at).length())))
+    };
+    let Some((before, after)) = flank(false).zip(flank(true)) else { return corner };
+    match before.crossing(&after) {
+        Some((back, on)) if back < 0.0 && on < 0.0 => {
+            Corner { at: before.at + before.along * back, flanks: [before, after], ..corner }
+        }
+        _ => corner,
     }
 }
 
@@ -110,8 +130,8 @@ fn point(path: &mut Path, corner: &Corner) {
     let lean = place(before, middle.at) - place(after, middle.at);
     let is_before = lean > 0.0;
     for (flank, forwards) in [(before, false), (after, true)] {
-        let near: Vec<usize> =
-            path.walk(corner.mark, forwards).take_while(|(_, way)| *way < corner.reach).map(|(k, _)| k).collect();
+        let is_near = |k: usize| place(flank, path.marks[k].at) < corner.reach;
+        let near: Vec<usize> = path.walk(corner.mark, forwards).map(|(k, _)| k).take_while(|&k| is_near(k)).collect();
         for k in near.into_iter().filter(|k| *k != corner.mark || is_before != forwards) {
             let at = flank.nearest(path.marks[k].at);
             // not beyond the corner

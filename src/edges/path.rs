@@ -78,7 +78,8 @@ impl Path {
 }
 
 impl Flank {
-    fn through(points: impl Iterator<Item = PxPoint>) -> Option<Self> {
+    /// The line through points; none through fewer than three.
+    pub(super) fn through(points: impl Iterator<Item = PxPoint>) -> Option<Self> {
         let (mut n, mut sum) = (0.0, PxVector::zero());
         let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
         let mut ends = None;
