@@ -36,6 +36,8 @@ const BEND_LEAST: f32 = 0.8;
 const BLUNT: f32 = 2.0;
 /// A ring of which this share has become the middle line of another one goes altogether.
 const MOST: f32 = 0.5;
+/// A ring of which less than this share is a bar's side is no bar but a thing near another.
+const LESSER: f32 = 0.3;
 /// Cells in which the other side is looked for, mm: about two vertices.
 const CELL: f32 = 1.0;
 /// A line moves over to the middle of a bar within about this length (sigma), mm: a finger glides over it.
@@ -57,6 +59,14 @@ struct Stretch {
     to: usize,
     /// Length times strength.
     saliency: f32,
+}
+
+impl Stretch {
+    /// Its vertices that have opposites, with these.
+    fn opposites(&self, all: &[Vec<Option<Opposite>>]) -> impl Iterator<Item = (usize, Opposite)> {
+        let own = all[self.trail].iter().enumerate().take(self.to + 1).skip(self.from);
+        own.filter_map(|(i, opposite)| opposite.map(|opposite| (i, opposite)))
+    }
 }
 
 /// What becomes of the vertices.
@@ -95,7 +105,7 @@ fn fates(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], mut stretches: V
     let mut sides = vec![0; trails.len()];
     stretches.iter().for_each(|stretch| sides[stretch.trail] += stretch.to - stretch.from + 1);
     let thing =
-        |number: usize| trails[number].closed && (sides[number] as f32) < MOST * trails[number].vertices.len() as f32;
+        |number: usize| trails[number].closed && (sides[number] as f32) < LESSER * trails[number].vertices.len() as f32;
     stretches.retain(|stretch| {
         let loser = if rank[stretch.trail] == winner(stretch) { stretch.other } else { stretch.trail };
         stretch.trail == stretch.other || !thing(loser)
@@ -126,8 +136,7 @@ fn fates(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], mut stretches: V
 /// A stretch goes to the middle; the other side goes.
 fn take_middle(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], stretch: &Stretch, fate: &mut Fate) {
     let mut last: Option<usize> = None;
-    for i in stretch.from..=stretch.to {
-        let Some(opposite) = opposites[stretch.trail][i] else { continue };
+    for (i, opposite) in stretch.opposites(opposites) {
         let (other, j) = (stretch.other, opposite.index as usize);
         if fate.gone[stretch.trail][i] || fate.moved[stretch.trail][i].is_some() || fate.moved[other][j].is_some() {
             last = None;
@@ -147,8 +156,7 @@ fn take_middle(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], stretch: &
 
 /// A stretch goes, and the other side to the middle where it has not yet.
 fn give_way(trails: &[Trail], opposites: &[Vec<Option<Opposite>>], stretch: &Stretch, fate: &mut Fate) {
-    for i in stretch.from..=stretch.to {
-        let Some(opposite) = opposites[stretch.trail][i] else { continue };
+    for (i, opposite) in stretch.opposites(opposites) {
         let (other, j) = (stretch.other, opposite.index as usize);
         if fate.gone[other][j] || fate.moved[stretch.trail][i].is_some() {
             continue;

@@ -16,6 +16,9 @@ mod saliency;
 mod trail;
 mod weight;
 
+#[cfg(test)]
+mod tests;
+
 use trail::Trail;
 
 use crate::edges::Edges;

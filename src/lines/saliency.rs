@@ -15,7 +15,7 @@ const WAVERING: f32 = 0.4;
 const SPAN: usize = 5;
 /// Lengths of full strength that a line must be worth at the detail 0, in least lengths: 120 mm on a sheet with 8 mm.
 const OUTLINES: f32 = 15.0;
-/// ... but a page always has the lines that say at least this share of what the first one says.
+/// ... but not more than this share of what the first line of the page says, as pages and overviews differ in size.
 const OF_FIRST: f32 = 0.25;
 
 /// Length, mm, of a straight line of full strength that says as much.
@@ -49,10 +49,13 @@ fn wavering(trail: &Trail) -> f32 {
 
 /// What a line must say to be drawn at `params.detail`; it falls as the detail rises.
 ///
-/// At 1/2 it is the least length; from there it falls to nothing at 1 and grows to that of long outlines at 0, though never
+/// At 1/2 it is the least length; from there it falls to nothing at 1 and grows to that of long outlines at 0, though not
 /// beyond a share of `first`, what the first line says.
 pub(super) fn least(first: f32, params: &Params) -> f32 {
-    let share =
-        if params.detail >= 0.5 { 2.0 * (1.0 - params.detail) } else { OUTLINES.powf(1.0 - 2.0 * params.detail) };
-    (share * params.min_length).min(OF_FIRST * first)
+    let Params { detail, min_length, .. } = *params;
+    if detail >= 0.5 {
+        2.0 * (1.0 - detail) * min_length
+    } else {
+        (OUTLINES.powf(1.0 - 2.0 * detail) * min_length).min((OF_FIRST * first).max(min_length))
+    }
 }
