@@ -154,13 +154,9 @@ impl Sums {
         let (s, v) = (f64::from(way), mark.at - self.from);
         let (x, y) = (f64::from(v.x), f64::from(v.y));
         let powers = [1.0, s, s * s, s * s * s, s * s * s * s];
-        for k in 0..5 {
-            self.moments[k] += powers[k];
-        }
-        for k in 0..3 {
-            self.xs[k] += powers[k] * x;
-            self.ys[k] += powers[k] * y;
-        }
+        self.moments.iter_mut().zip(&powers).for_each(|(sum, power)| *sum += power);
+        self.xs.iter_mut().zip(&powers).for_each(|(sum, power)| *sum += power * x);
+        self.ys.iter_mut().zip(&powers).for_each(|(sum, power)| *sum += power * y);
         self.squares += x * x + y * y;
         self.doubts += f64::from(mark.doubt * mark.doubt);
     }
