@@ -17,13 +17,15 @@ const REACH: i64 = 2;
 const STRAIGHT: f32 = 0.5;
 const NONE: u32 = u32::MAX;
 
-/// Links points (in reading order) to chains, those with free ends first, then the closed ones.
-pub(super) fn link(points: &[Ridge], size: Size) -> Vec<Chain> {
-    let mut links = candidates(points, size);
-    links.sort_unstable_by_key(|link| (link.cost, link.ends[0], link.ends[1]));
+/// Links points (in reading order) to chains of at least `least` px, those with free ends first, then the closed ones.
+pub(super) fn link(points: &[Ridge], size: Size, least: f32) -> Vec<Chain> {
+    let links = candidates(points, size);
+    // of links that cost the same the first found is taken first
+    let mut order: Vec<u64> = (0_u64..).zip(&links).map(|(i, link)| u64::from(link.cost) << 32 | i).collect();
+    order.sort_unstable();
     // neighbour[p][s]: the point linked to p on side s of its tangent
     let mut neighbour = vec![[NONE; 2]; points.len()];
-    for link in links {
+    for link in order.iter().map(|cost_and_number| &links[(cost_and_number & 0xffff_ffff) as usize]) {
         let [p, q] = link.ends.map(|end| end as usize);
         let [sp, sq] = link.sides.map(usize::from);
         if neighbour[p][sp] == NONE && neighbour[q][sq] == NONE {
@@ -31,7 +33,14 @@ pub(super) fn link(points: &[Ridge], size: Size) -> Vec<Chain> {
             neighbour[q][sq] = p as u32;
         }
     }
-    walk(&neighbour)
+    let mut chains = walk(&neighbour);
+    chains.retain(|chain| length(points, chain) >= least);
+    chains
+}
+
+/// Length of a chain, px.
+pub(super) fn length(points: &[Ridge], chain: &[u32]) -> f32 {
+    chain.windows(2).map(|pair| (points[pair[1] as usize].at - points[pair[0] as usize].at).length()).sum()
 }
 
 struct Link {

@@ -6,7 +6,7 @@
 
 use pulp::Arch;
 
-use crate::raster::plane::{gauss, pad};
+use crate::raster::plane::gauss;
 use crate::units::Size;
 
 /// Pixels worked on together: their sums stay in registers.
@@ -26,18 +26,17 @@ pub(super) struct TensorRow {
 pub(super) struct Gradient {
     arch: Arch,
     size: Size,
-    /// Width rounded up to whole blocks.
-    stride: usize,
     smooth: Vec<f32>,
     slope: Vec<f32>,
-    /// For each colour plane a ring of rows, already filtered along x.
-    rings: Vec<Ring>,
-    padded: Vec<f32>,
+    /// For each colour plane the last rows, row `y` in place `y` modulo their number.
+    rings: Vec<Vec<f32>>,
+    across: Across,
     filled: usize,
     row: TensorRow,
 }
 
-struct Ring {
+/// One row of one plane, filtered down the columns, with room beyond its ends for the kernel along it.
+struct Across {
     smooth: Vec<f32>,
     slope: Vec<f32>,
 }
@@ -46,37 +45,28 @@ impl Gradient {
     pub(super) fn new(size: Size, planes: usize, sigma: f32) -> Self {
         let smooth = gauss(sigma);
         let slope = derivative(&smooth);
-        let stride = (size.width as usize).next_multiple_of(BLOCK);
-        let rows = 2 * smooth.len() - 1;
-        let ring = || Ring { smooth: vec![0.0; stride * rows], slope: vec![0.0; stride * rows] };
-        let row = || vec![0.0; stride];
+        let stride = stride(size);
+        let radius = smooth.len() - 1;
+        let padded = || vec![0.0; stride + 2 * radius];
         Self {
             arch: Arch::new(),
             size,
-            stride,
-            rings: (0..planes).map(|_| ring()).collect(),
-            padded: Vec::with_capacity(stride + 2 * smooth.len()),
+            rings: (0..planes).map(|_| vec![0.0; stride * (2 * radius + 1)]).collect(),
+            across: Across { smooth: padded(), slope: padded() },
             smooth,
             slope,
             filled: 0,
-            row: TensorRow { xx: row(), xy: row(), yy: row(), length: row() },
+            row: TensorRow::of(size),
         }
     }
 
-    /// Takes the next row, one slice per plane; `take` gets the row of the tensor that is complete with it, if there is one.
-    pub(super) fn push(&mut self, planes: &[Vec<f32>], take: impl FnMut(&TensorRow)) {
-        let radius = self.smooth.len() - 1;
-        let slot = self.filled % (2 * radius + 1) * self.stride;
+    /// Takes the next row, one slice per plane; `take` gets the row of the tensor that is complete with it, if there is one,
+    /// and may keep it and leave another of the same size.
+    pub(super) fn push(&mut self, planes: &[Vec<f32>], take: impl FnMut(&mut TensorRow)) {
+        let (width, stride, radius) = (self.size.width as usize, stride(self.size), self.smooth.len() - 1);
+        let slot = self.filled % (2 * radius + 1) * stride;
         for (ring, plane) in self.rings.iter_mut().zip(planes) {
-            pad(&plane[..self.size.width as usize], radius, &mut self.padded);
-            self.padded.resize(self.stride + 2 * radius, 0.0);
-            let (padded, smooth, slope) = (&self.padded[..], &self.smooth[..], &self.slope[..]);
-            let (to_smooth, to_slope) =
-                (&mut ring.smooth[slot..][..self.stride], &mut ring.slope[slot..][..self.stride]);
-            self.arch.dispatch(
-                #[inline(always)]
-                || along_x(padded, smooth, slope, to_smooth, to_slope),
-            );
+            ring[slot..][..width].copy_from_slice(&plane[..width]);
         }
         self.filled += 1;
         if self.filled > radius {
@@ -85,26 +75,61 @@ impl Gradient {
     }
 
     /// Gives the rows that waited for rows below the picture.
-    pub(super) fn finish(mut self, mut take: impl FnMut(&TensorRow)) {
+    pub(super) fn finish(mut self, mut take: impl FnMut(&mut TensorRow)) {
         let radius = self.smooth.len() - 1;
         for y in self.filled.saturating_sub(radius)..self.filled {
             self.complete(y, &mut take);
         }
     }
 
-    fn complete(&mut self, y: usize, mut take: impl FnMut(&TensorRow)) {
-        let Self { arch, size, stride, smooth, slope, rings, row, .. } = self;
-        let radius = smooth.len() - 1;
-        let slot = |at: usize| at % (2 * radius + 1) * *stride;
+    fn complete(&mut self, y: usize, mut take: impl FnMut(&mut TensorRow)) {
+        let Self { arch, size, smooth, slope, rings, across, row, .. } = self;
+        let (width, stride, radius) = (size.width as usize, stride(*size), smooth.len() - 1);
+        let slot = |at: usize| at % (2 * radius + 1) * stride;
         // beyond the border the nearest row counts
         let pairs: Vec<(usize, usize)> =
             (0..=radius).map(|k| (slot(y.saturating_sub(k)), slot((y + k).min(size.height as usize - 1)))).collect();
+        row.clear();
         arch.dispatch(
             #[inline(always)]
-            || along_y(rings, &pairs, smooth, slope, row),
+            || {
+                for ring in rings {
+                    down(ring, &pairs, smooth, slope, across, radius);
+                    extend(&mut across.smooth, radius, width);
+                    extend(&mut across.slope, radius, width);
+                    along(across, smooth, slope, row);
+                }
+                lengths(row);
+            },
         );
         take(row);
     }
+}
+
+impl TensorRow {
+    /// A row of zeroes for a picture of this size.
+    pub(super) fn of(size: Size) -> Self {
+        let row = || vec![0.0; stride(size)];
+        Self { xx: row(), xy: row(), yy: row(), length: row() }
+    }
+
+    fn clear(&mut self) {
+        for values in [&mut self.xx, &mut self.xy, &mut self.yy] {
+            values.fill(0.0);
+        }
+    }
+}
+
+/// Width rounded up to whole blocks.
+fn stride(size: Size) -> usize {
+    (size.width as usize).next_multiple_of(BLOCK)
+}
+
+/// Repeats the first and the last value of a row of `width` that begins at `radius`.
+fn extend(row: &mut [f32], radius: usize, width: usize) {
+    let (first, last) = (row[radius], row[radius + width - 1]);
+    row[..radius].fill(first);
+    row[radius + width..].fill(last);
 }
 
 /// Half of the odd kernel that belongs to half of a Gaussian, scaled so that a ramp of 1 per pixel gives 1.
@@ -118,21 +143,22 @@ fn block(values: &[f32], at: usize) -> &[f32; BLOCK] {
     values[at..].first_chunk().unwrap_or(&[0.0; BLOCK])
 }
 
-/// Smooths and differentiates a padded row.
+/// Smooths and differentiates down the columns, over the rows whose places `pairs` holds.
 #[inline(always)]
-fn along_x(padded: &[f32], smooth: &[f32], slope: &[f32], to_smooth: &mut [f32], to_slope: &mut [f32]) {
-    let radius = smooth.len() - 1;
-    let (to_smooth, to_slope) = (to_smooth.as_chunks_mut::<BLOCK>().0, to_slope.as_chunks_mut::<BLOCK>().0);
-    for (number, (to_smooth, to_slope)) in to_smooth.iter_mut().zip(to_slope).enumerate() {
-        let at = number * BLOCK + radius;
-        let mut even = *block(padded, at);
+fn down(ring: &[f32], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], to: &mut Across, radius: usize) {
+    let to_smooth = to.smooth[radius..].as_chunks_mut::<BLOCK>().0.iter_mut();
+    let to_slope = to.slope[radius..].as_chunks_mut::<BLOCK>().0;
+    let blocks = (ring.len() / (2 * radius + 1)) / BLOCK;
+    for (number, (to_smooth, to_slope)) in to_smooth.zip(to_slope).enumerate().take(blocks) {
+        let at = number * BLOCK;
+        let mut even = *block(ring, pairs[0].0 + at);
         even.iter_mut().for_each(|v| *v *= smooth[0]);
         let mut odd = [0.0; BLOCK];
-        for k in 1..=radius {
-            let (left, right) = (block(padded, at - k), block(padded, at + k));
+        for (k, &(up, down)) in pairs.iter().enumerate().skip(1) {
+            let (above, below) = (block(ring, up + at), block(ring, down + at));
             for i in 0..BLOCK {
-                even[i] += smooth[k] * (left[i] + right[i]);
-                odd[i] += slope[k] * (right[i] - left[i]);
+                even[i] += smooth[k] * (above[i] + below[i]);
+                odd[i] += slope[k] * (below[i] - above[i]);
             }
         }
         *to_smooth = even;
@@ -140,39 +166,41 @@ fn along_x(padded: &[f32], smooth: &[f32], slope: &[f32], to_smooth: &mut [f32],
     }
 }
 
-/// Finishes the gradients of all planes down the rows whose places `pairs` holds, and sums their products.
+/// Finishes the gradient of one plane along the row and adds its products.
 #[inline(always)]
-fn along_y(rings: &[Ring], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], row: &mut TensorRow) {
-    let TensorRow { xx, xy, yy, length } = row;
-    let rows = xx.as_chunks_mut::<BLOCK>().0.iter_mut().zip(xy.as_chunks_mut::<BLOCK>().0);
-    let rows = rows.zip(yy.as_chunks_mut::<BLOCK>().0).zip(length.as_chunks_mut::<BLOCK>().0);
-    for (number, (((xx, xy), yy), length)) in rows.enumerate() {
-        let at = number * BLOCK;
-        (*xx, *xy, *yy) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-        for ring in rings {
-            let mut gx = *block(&ring.slope, pairs[0].0 + at);
-            gx.iter_mut().for_each(|v| *v *= smooth[0]);
-            let mut gy = [0.0; BLOCK];
-            for (k, &(up, down)) in pairs.iter().enumerate().skip(1) {
-                let (above, below) = (block(&ring.slope, up + at), block(&ring.slope, down + at));
-                for i in 0..BLOCK {
-                    gx[i] += smooth[k] * (above[i] + below[i]);
-                }
-                let (above, below) = (block(&ring.smooth, up + at), block(&ring.smooth, down + at));
-                for i in 0..BLOCK {
-                    gy[i] += slope[k] * (below[i] - above[i]);
-                }
-            }
+fn along(across: &Across, smooth: &[f32], slope: &[f32], row: &mut TensorRow) {
+    let radius = smooth.len() - 1;
+    let rows = row.xx.as_chunks_mut::<BLOCK>().0.iter_mut().zip(row.xy.as_chunks_mut::<BLOCK>().0);
+    for (number, ((xx, xy), yy)) in rows.zip(row.yy.as_chunks_mut::<BLOCK>().0).enumerate() {
+        let at = number * BLOCK + radius;
+        let mut gy = *block(&across.slope, at);
+        gy.iter_mut().for_each(|v| *v *= smooth[0]);
+        let mut gx = [0.0; BLOCK];
+        for k in 1..=radius {
+            let (left, right) = (block(&across.smooth, at - k), block(&across.smooth, at + k));
             for i in 0..BLOCK {
-                xx[i] += gx[i] * gx[i];
-                xy[i] += gx[i] * gy[i];
-                yy[i] += gy[i] * gy[i];
+                gx[i] += slope[k] * (right[i] - left[i]);
+            }
+            let (left, right) = (block(&across.slope, at - k), block(&across.slope, at + k));
+            for i in 0..BLOCK {
+                gy[i] += smooth[k] * (left[i] + right[i]);
             }
         }
         for i in 0..BLOCK {
-            let (half, difference) = (0.5 * (xx[i] + yy[i]), 0.5 * (xx[i] - yy[i]));
-            length[i] = (half + (difference * difference + xy[i] * xy[i]).sqrt()).sqrt();
+            xx[i] += gx[i] * gx[i];
+            xy[i] += gx[i] * gy[i];
+            yy[i] += gy[i] * gy[i];
         }
+    }
+}
+
+/// The root of the first eigenvalue.
+#[inline(always)]
+fn lengths(row: &mut TensorRow) {
+    let TensorRow { xx, xy, yy, length } = row;
+    for (((xx, xy), yy), length) in xx.iter().zip(xy).zip(yy).zip(length) {
+        let (half, difference) = (0.5 * (*xx + *yy), 0.5 * (*xx - *yy));
+        *length = (half + (difference * difference + *xy * *xy).sqrt()).sqrt();
     }
 }
 
@@ -184,7 +212,7 @@ mod tests {
     fn a_ramp_has_its_own_slope_everywhere_inside() {
         let size = Size::new(40, 30);
         let mut rows = 0;
-        let mut look = |tensor: &TensorRow| {
+        let mut look = |tensor: &mut TensorRow| {
             if (6..24).contains(&rows) {
                 for x in 6..34 {
                     assert!((tensor.xx[x] - 9.0).abs() < 1e-2);

@@ -1,6 +1,6 @@
 //! Which chains are contours worth a line: strength with its texture taken off, hysteresis along the chain, length.
 
-use super::chain::Chain;
+use super::chain::{self, Chain};
 use super::path::{Mark, Path};
 use super::sides::Sides;
 use super::thin::Ridge;
@@ -22,13 +22,13 @@ pub(super) fn keep(
     for chain in chains {
         // Texture only takes strength away, so a chain without one step of this height never reaches it.
         let reaches = chain.iter().any(|&number| points[number as usize].step >= params.high);
-        if !reaches || length(points, chain) < params.min_length {
+        if !reaches {
             continue;
         }
         let strengths = strengths(points, chain, sides, params);
         for piece in pieces(chain, &strengths, params) {
             let mut numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
-            if length(points, &numbers) < params.min_length {
+            if chain::length(points, &numbers) < params.min_length {
                 continue;
             }
             let closed = numbers.len() > 3 && numbers.first() == numbers.last();
@@ -59,10 +59,6 @@ pub(super) fn keep(
 /// the slope that the second derivative has at the edge, `D / (sqrt(2 pi) t^3)`.
 fn doubt(noise: f32, point: &Ridge, sigma: f32) -> f32 {
     0.612 * noise / point.step.max(1e-3) * (point.blur / sigma).powi(3)
-}
-
-fn length(points: &[Ridge], chain: &[u32]) -> f32 {
-    chain.windows(2).map(|pair| (points[pair[1] as usize].at - points[pair[0] as usize].at).length()).sum()
 }
 
 /// Step heights with texture suppressed, averaged along the chain.

@@ -138,20 +138,20 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
             plane.iter_mut().for_each(|v| *v *= weight);
         }
         gradient.push(&lab, |tensor| {
-            thinner.push(tensor);
             sides.push_tensor(tensor);
+            thinner.push(tensor);
         });
     }
     gradient.finish(|tensor| {
-        thinner.push(tensor);
         sides.push_tensor(tensor);
+        thinner.push(tensor);
     });
     let mut points = thinner.finish();
     if points.is_empty() {
         return Edges { size, points: Vec::new(), chains: Vec::new() };
     }
     let sides = sides.finish();
-    let chains = chain::link(&points, size);
+    let chains = chain::link(&points, size, params.min_length);
     height::even_out(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
     let kept = keep::keep(&points, &chains, raster, &sides, noise.pixel, params);
     let mut paths = bridge::join(kept, params.sigma);
