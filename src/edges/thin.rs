@@ -1,5 +1,7 @@
 //! From a broad ridge of gradient to single points between the pixels.
 
+use pulp::Arch;
+
 use super::Params;
 use super::gradient::TensorRow;
 use super::height::{Profile, WIDEST};
@@ -24,6 +26,7 @@ pub(super) struct Ridge {
 
 /// Takes tensor rows and keeps the ridge points, in reading order.
 pub(super) struct Thinner {
+    arch: Arch,
     size: Size,
     sigma: f32,
     least_gradient: f32,
@@ -33,8 +36,13 @@ pub(super) struct Thinner {
     /// The last rows, row `y` in place `y` modulo their number.
     rows: Vec<TensorRow>,
     pushed: usize,
+    /// Where the row at hand has its peaks.
+    peaks: Vec<bool>,
     points: Vec<Ridge>,
 }
+
+/// So many places are passed over at once where there is no peak.
+const PEAKS_AT_ONCE: usize = 16;
 
 /// Ridges are kept down to this share of the lower threshold, so that smoothing along a chain still sees the weak points.
 const BELOW_LOW: f32 = 0.5;
@@ -46,6 +54,7 @@ impl Thinner {
         let least_step = BELOW_LOW * params.low;
         let reach = (BEYOND * params.sigma).round() as usize;
         Self {
+            arch: Arch::new(),
             size,
             sigma: params.sigma,
             // the gradient of that step when it is blurred as far as is measured
@@ -54,6 +63,7 @@ impl Thinner {
             reach,
             rows: vec![TensorRow::of(size); 2 * reach + 1],
             pushed: 0,
+            peaks: Vec::new(),
             points: Vec::new(),
         }
     }
@@ -77,57 +87,86 @@ impl Thinner {
 
     /// Looks at one row. The outermost pixels of the picture have no neighbours to compare with.
     fn thin(&mut self, row: usize) {
-        let Self { size, reach, rows, points, .. } = self;
-        let (width, height, reach) = (size.width as usize, size.height as usize, *reach);
+        let (width, height) = (self.size.width as usize, self.size.height as usize);
         if row == 0 || row + 1 >= height || width < 3 {
             return;
         }
-        let at = |y: usize| &rows[y % rows.len()];
-        let (above, middle, below) = (&at(row - 1).length, at(row), &at(row + 1).length);
-        let far = |y: Option<usize>| y.filter(|y| *y < height).map(|y| &at(y).length);
-        let (far_above, far_below) = (far(row.checked_sub(reach)), far(Some(row + reach)));
-        let lengths = &middle.length[..width];
-        let (xx, xy, yy) = (&middle.xx[..width], &middle.xy[..width], &middle.yy[..width]);
-        let (above, below) = (&above[..width], &below[..width]);
-        for column in 1..width - 1 {
-            let here = lengths[column];
-            // the edge runs up and down: compare left and right; all four are read, since which two count is hard to guess
-            let upright = xx[column] >= yy[column];
-            let (left, right) = (lengths[column - 1], lengths[column + 1]);
-            let before = if upright { left } else { above[column] };
-            let after = if upright { right } else { below[column] };
-            if !((here >= self.least_gradient) & (here > before) & (here >= after)) {
+        let mut peaks = std::mem::take(&mut self.peaks);
+        peaks.resize(width.next_multiple_of(PEAKS_AT_ONCE), false);
+        let [above, middle, below] = [row - 1, row, row + 1].map(|y| self.row(y));
+        let lengths = [&above.length[..], &middle.length, &below.length];
+        self.arch.dispatch(
+            #[inline(always)]
+            || find_peaks(lengths, &middle.xx, &middle.yy, self.least_gradient, &mut peaks[1..width - 1]),
+        );
+        for (block, found) in peaks.as_chunks::<PEAKS_AT_ONCE>().0.iter().enumerate() {
+            if *found == [false; PEAKS_AT_ONCE] {
                 continue;
             }
-            let normal = direction(xx[column], xy[column], yy[column]);
-            let along_axis = if upright { normal[0].abs() } else { normal[1].abs() };
-            let Some((offset, top, sharpness)) = peak(before, here, after) else { continue };
-            let beyond = if upright {
-                let far = |x: Option<usize>| x.and_then(|x| lengths.get(x)).copied();
-                [far(column.checked_sub(reach)), far(Some(column + reach))]
-            } else {
-                [far_above, far_below].map(|row| row.map(|row| row[column]))
-            };
-            let beyond = match beyond {
-                [Some(a), Some(b)] => [a, b],
-                // at the border of the picture there is but one side
-                [a, b] => [a.or(b).unwrap_or(0.0); 2],
-            };
-            let profile = Profile {
-                top,
-                sharpness: sharpness / (along_axis * along_axis),
-                beyond: beyond.map(|gradient| gradient / here),
-                distance: reach as f32 * along_axis,
-            };
-            let step = profile.step(self.sigma);
-            if step < self.least_step {
-                continue;
+            for (column, _) in found.iter().enumerate().filter(|(_, found)| **found) {
+                let ridge = self.ridge(block * PEAKS_AT_ONCE + column, row);
+                self.points.extend(ridge);
             }
-            let (x, y) = (column as f32 + 0.5, row as f32 + 0.5);
-            let at = if upright { PxPoint::new(x + offset, y) } else { PxPoint::new(x, y + offset) };
-            let blur = profile.blur(self.sigma);
-            points.push(Ridge { at, normal, profile, step, blur, column: column as u32, row: row as u32 });
         }
+        self.peaks = peaks;
+    }
+
+    fn row(&self, y: usize) -> &TensorRow {
+        &self.rows[y % self.rows.len()]
+    }
+
+    /// The point of a ridge at a pixel where the gradient has its peak.
+    fn ridge(&self, column: usize, row: usize) -> Option<Ridge> {
+        let TensorRow { xx, xy, yy, length } = self.row(row);
+        let (xx, xy, yy, here) = (xx[column], xy[column], yy[column], length[column]);
+        let (width, height) = (self.size.width as usize, self.size.height as usize);
+        let upright = xx >= yy;
+        // the gradient so many pixels on across the edge, if that is in the picture
+        let across = |on: isize| {
+            if upright {
+                column.checked_add_signed(on).filter(|x| *x < width).map(|x| length[x])
+            } else {
+                row.checked_add_signed(on).filter(|y| *y < height).map(|y| self.row(y).length[column])
+            }
+        };
+        let (offset, top, sharpness) = peak(across(-1)?, here, across(1)?)?;
+        let reach = self.reach as isize;
+        let beyond = match [across(-reach), across(reach)] {
+            [Some(a), Some(b)] => [a, b],
+            // at the border of the picture there is but one side
+            [a, b] => [a.or(b).unwrap_or(0.0); 2],
+        };
+        let normal = direction(xx, xy, yy);
+        let along_axis = if upright { normal[0].abs() } else { normal[1].abs() };
+        let profile = Profile {
+            top,
+            sharpness: sharpness / (along_axis * along_axis),
+            beyond: beyond.map(|gradient| gradient / here),
+            distance: self.reach as f32 * along_axis,
+        };
+        let step = profile.step(self.sigma);
+        let (x, y) = (column as f32 + 0.5, row as f32 + 0.5);
+        let at = if upright { PxPoint::new(x + offset, y) } else { PxPoint::new(x, y + offset) };
+        let blur = profile.blur(self.sigma);
+        let ridge = Ridge { at, normal, profile, step, blur, column: column as u32, row: row as u32 };
+        (step >= self.least_step).then_some(ridge)
+    }
+}
+
+/// Marks the places of a row whose gradient is no less than `least` and greater than that of both neighbours across the edge,
+/// from the second to the last but one. Of two that are equal the second counts.
+#[inline(always)]
+fn find_peaks([above, here, below]: [&[f32]; 3], xx: &[f32], yy: &[f32], least: f32, peaks: &mut [bool]) {
+    let n = peaks.len();
+    let (above, below, left, here, right) =
+        (&above[1..][..n], &below[1..][..n], &here[..n], &here[1..][..n], &here[2..][..n]);
+    let (xx, yy) = (&xx[1..][..n], &yy[1..][..n]);
+    for i in 0..n {
+        // the edge runs up and down: compare left and right
+        let upright = xx[i] >= yy[i];
+        let before = if upright { left[i] } else { above[i] };
+        let after = if upright { right[i] } else { below[i] };
+        peaks[i] = (here[i] >= least) & (here[i] > before) & (here[i] >= after);
     }
 }
 
