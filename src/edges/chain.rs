@@ -12,7 +12,10 @@ pub(super) type Chain = Vec<u32>;
 
 /// Linked points are at most this far apart, px: thinned contours touch at sqrt(2), and skip a pixel where the axis of
 /// comparison changes.
-const REACH: i64 = 2;
+const REACH: u32 = 2;
+/// ... and by place at least this far (two readings of one place are no way along an edge) and at most that, px.
+const LEAST: f32 = 0.05;
+const MOST: f32 = 2.5;
 /// Least cosine between a link and the edge at both its points, and between the edge's directions there (60 degrees).
 const STRAIGHT: f32 = 0.5;
 const NONE: u32 = u32::MAX;
@@ -58,19 +61,18 @@ fn candidates(points: &[Ridge], size: Size) -> Vec<Link> {
         starts[row + 1] += starts[row];
     }
     let mut links = Vec::with_capacity(2 * points.len());
-    for (i, p) in points.iter().enumerate() {
-        for row in i64::from(p.row)..=(i64::from(p.row) + REACH).min(i64::from(size.height) - 1) {
-            let (from, to) = (starts[row as usize], starts[row as usize + 1]);
-            let first = from + points[from..to].partition_point(|q| i64::from(q.column) < i64::from(p.column) - REACH);
-            for (j, q) in points[first..to].iter().enumerate().map(|(k, q)| (first + k, q)) {
-                if i64::from(q.column) > i64::from(p.column) + REACH {
-                    break;
+    for row in 0..size.height as usize {
+        // where the points of this row and of those below begin that are not too far to the left
+        let mut firsts: [usize; 1 + REACH as usize] =
+            std::array::from_fn(|on| starts[(row + on).min(starts.len() - 1)]);
+        for (i, p) in (starts[row]..).zip(&points[starts[row]..starts[row + 1]]) {
+            for (on, first) in firsts.iter_mut().enumerate().filter(|(on, _)| row + on < size.height as usize) {
+                let end = starts[row + on + 1];
+                while *first < end && points[*first].column + REACH < p.column {
+                    *first += 1;
                 }
-                if j > i
-                    && let Some(link) = candidate((i, p), (j, q))
-                {
-                    links.push(link);
-                }
+                let near = (*first..).zip(&points[*first..end]).take_while(|(_, q)| q.column <= p.column + REACH);
+                links.extend(near.filter(|(j, _)| *j > i).filter_map(|(j, q)| candidate((i, p), (j, q))));
             }
         }
     }
@@ -79,10 +81,11 @@ fn candidates(points: &[Ridge], size: Size) -> Vec<Link> {
 
 fn candidate((i, p): (usize, &Ridge), (j, q): (usize, &Ridge)) -> Option<Link> {
     let (dx, dy) = (q.at.x - p.at.x, q.at.y - p.at.y);
-    let distance = (dx * dx + dy * dy).sqrt();
-    if !(0.05..=REACH as f32 + 0.5).contains(&distance) {
-        return None; // farther, or two readings of one place
+    let square = dx * dx + dy * dy;
+    if !(LEAST * LEAST..=MOST * MOST).contains(&square) {
+        return None;
     }
+    let distance = square.sqrt();
     // along each point's tangent, which is its normal turned by a quarter
     let along = |r: &Ridge| (-r.normal[1] * dx + r.normal[0] * dy) / distance;
     let (ap, aq) = (along(p), along(q));

@@ -2,9 +2,10 @@
 //!
 //! Only as many rows as the kernel is high are in memory. Sums run over mirrored pairs from the centre outwards, so that a
 //! flipped picture gives exactly the flipped tensor; the widest vectors of the processor at hand do several pixels at once
-//! with the same operations in the same order, so that every machine gives the same bits.
+//! with the same operations in the same order, so that every machine gives the same bits. (Kernels are structs with a
+//! `WithSimd`: the body of a closure may be compiled apart, without the wide vectors; that was half as fast.)
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::raster::plane::gauss;
 use crate::units::Size;
@@ -90,19 +91,36 @@ impl Gradient {
         let pairs: Vec<(usize, usize)> =
             (0..=radius).map(|k| (slot(y.saturating_sub(k)), slot((y + k).min(size.height as usize - 1)))).collect();
         row.clear();
-        arch.dispatch(
-            #[inline(always)]
-            || {
-                for ring in rings {
-                    down(ring, &pairs, smooth, slope, across, radius);
-                    extend(&mut across.smooth, radius, width);
-                    extend(&mut across.slope, radius, width);
-                    along(across, smooth, slope, row);
-                }
-                lengths(row);
-            },
-        );
+        arch.dispatch(Rows { width, rings, pairs: &pairs, smooth, slope, across, to: row });
         take(row);
+    }
+}
+
+/// The rows around one, at the places that `pairs` holds, which become one of the tensor.
+struct Rows<'a> {
+    width: usize,
+    rings: &'a [Vec<f32>],
+    pairs: &'a [(usize, usize)],
+    smooth: &'a [f32],
+    slope: &'a [f32],
+    across: &'a mut Across,
+    to: &'a mut TensorRow,
+}
+
+impl WithSimd for Rows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { width, rings, pairs, smooth, slope, across, to } = self;
+        let radius = smooth.len() - 1;
+        for ring in rings {
+            down(ring, pairs, smooth, slope, across);
+            extend(&mut across.smooth, radius, width);
+            extend(&mut across.slope, radius, width);
+            along(across, smooth, slope, to);
+        }
+        lengths(to);
     }
 }
 
@@ -145,7 +163,8 @@ fn block(values: &[f32], at: usize) -> &[f32; BLOCK] {
 
 /// Smooths and differentiates down the columns, over the rows whose places `pairs` holds.
 #[inline(always)]
-fn down(ring: &[f32], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], to: &mut Across, radius: usize) {
+fn down(ring: &[f32], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], to: &mut Across) {
+    let radius = smooth.len() - 1;
     let to_smooth = to.smooth[radius..].as_chunks_mut::<BLOCK>().0.iter_mut();
     let to_slope = to.slope[radius..].as_chunks_mut::<BLOCK>().0;
     let blocks = (ring.len() / (2 * radius + 1)) / BLOCK;

@@ -6,7 +6,7 @@
 //! most pictures were blurred, scaled and compressed as code values, and over a grey step L* bends such a profile: its
 //! steepest place moves by 0.03 px, against 0.004 px here (straight edges, PSF 0.7 px). On photographs it costs 0.003.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::raster::Raster;
 
@@ -31,31 +31,45 @@ pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     let width = raster.size().width as usize;
     let part = |plane: usize| &raster.planes()[plane][y * width..][..width];
     match lab {
-        [l] => {
-            let (grey, l) = (part(0), &mut l[..width]);
-            arch.dispatch(
-                #[inline(always)]
-                || {
-                    for i in 0..width {
-                        l[i] = lightness(grey[i]);
-                    }
-                },
-            );
-        }
-        [l, a, b] => {
-            let (red, green, blue) = (part(0), part(1), part(2));
-            let (l, a, b) = (&mut l[..width], &mut a[..width], &mut b[..width]);
-            arch.dispatch(
-                #[inline(always)]
-                || {
-                    for i in 0..width {
-                        let lab = colour([red[i], green[i], blue[i]]);
-                        (l[i], a[i], b[i]) = (lab[0], lab[1], lab[2]);
-                    }
-                },
-            );
-        }
+        [l] => arch.dispatch(GreyRow { from: part(0), to: &mut l[..width] }),
+        [l, a, b] => arch.dispatch(ColourRow {
+            from: [part(0), part(1), part(2)],
+            to: [&mut l[..width], &mut a[..width], &mut b[..width]],
+        }),
         _ => {} // a raster has one plane or three
+    }
+}
+
+struct GreyRow<'a> {
+    from: &'a [f32],
+    to: &'a mut [f32],
+}
+
+impl WithSimd for GreyRow<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.to.iter_mut().zip(self.from).for_each(|(l, grey)| *l = lightness(*grey));
+    }
+}
+
+struct ColourRow<'a> {
+    from: [&'a [f32]; 3],
+    to: [&'a mut [f32]; 3],
+}
+
+impl WithSimd for ColourRow<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let ([red, green, blue], [l, a, b]) = (self.from, self.to);
+        let n = l.len();
+        let (red, green, blue, a, b) = (&red[..n], &green[..n], &blue[..n], &mut a[..n], &mut b[..n]);
+        for i in 0..n {
+            [l[i], a[i], b[i]] = colour([red[i], green[i], blue[i]]);
+        }
     }
 }
 

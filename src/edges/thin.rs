@@ -1,6 +1,6 @@
 //! From a broad ridge of gradient to single points between the pixels.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::Params;
 use super::gradient::TensorRow;
@@ -29,7 +29,7 @@ pub(super) struct Thinner {
     arch: Arch,
     size: Size,
     sigma: f32,
-    least_gradient: f32,
+    least: Least,
     least_step: f32,
     /// How far beyond an edge its pedestal is read, px.
     reach: usize,
@@ -57,8 +57,7 @@ impl Thinner {
             arch: Arch::new(),
             size,
             sigma: params.sigma,
-            // the gradient of that step when it is blurred as far as is measured
-            least_gradient: least_step / (std::f32::consts::TAU.sqrt() * params.sigma * WIDEST),
+            least: Least::new(least_step, params.sigma),
             least_step,
             reach,
             rows: vec![TensorRow::of(size); 2 * reach + 1],
@@ -94,11 +93,13 @@ impl Thinner {
         let mut peaks = std::mem::take(&mut self.peaks);
         peaks.resize(width.next_multiple_of(PEAKS_AT_ONCE), false);
         let [above, middle, below] = [row - 1, row, row + 1].map(|y| self.row(y));
-        let lengths = [&above.length[..], &middle.length, &below.length];
-        self.arch.dispatch(
-            #[inline(always)]
-            || find_peaks(lengths, &middle.xx, &middle.yy, self.least_gradient, &mut peaks[1..width - 1]),
-        );
+        self.arch.dispatch(Peaks {
+            lengths: [&above.length, &middle.length, &below.length],
+            xx: &middle.xx,
+            yy: &middle.yy,
+            least: &self.least,
+            to: &mut peaks[1..width - 1],
+        });
         for (block, found) in peaks.as_chunks::<PEAKS_AT_ONCE>().0.iter().enumerate() {
             if *found == [false; PEAKS_AT_ONCE] {
                 continue;
@@ -153,20 +154,63 @@ impl Thinner {
     }
 }
 
-/// Marks the places of a row whose gradient is no less than `least` and greater than that of both neighbours across the edge,
-/// from the second to the last but one. Of two that are equal the second counts.
-#[inline(always)]
-fn find_peaks([above, here, below]: [&[f32]; 3], xx: &[f32], yy: &[f32], least: f32, peaks: &mut [bool]) {
-    let n = peaks.len();
-    let (above, below, left, here, right) =
-        (&above[1..][..n], &below[1..][..n], &here[..n], &here[1..][..n], &here[2..][..n]);
-    let (xx, yy) = (&xx[1..][..n], &yy[1..][..n]);
-    for i in 0..n {
-        // the edge runs up and down: compare left and right
-        let upright = xx[i] >= yy[i];
-        let before = if upright { left[i] } else { above[i] };
-        let after = if upright { right[i] } else { below[i] };
-        peaks[i] = (here[i] >= least) & (here[i] > before) & (here[i] >= after);
+/// What a peak must have at least, so that its step can be worth keeping.
+///
+/// With the logarithm's bound `-ln x >= 1 - x` its sharpness is at least `(2 here - before - after) / here`, and its blur at
+/// most the root of the reciprocal, or what the derivative has itself.
+struct Least {
+    /// Gradient of an edge as wide as is measured.
+    gradient: f32,
+    /// Gradient of an edge as sharp as there can be.
+    sharp: f32,
+    /// Square of the gradient of an edge blurred by one pixel.
+    square: f32,
+}
+
+impl Least {
+    fn new(step: f32, sigma: f32) -> Self {
+        // a peak between two pixels is higher than the pixels, seldom by more than this
+        const RISE: f32 = 1.2;
+        let at_one_pixel = step / std::f32::consts::TAU.sqrt();
+        Self {
+            gradient: at_one_pixel / (sigma * WIDEST),
+            sharp: at_one_pixel / (sigma * RISE),
+            square: (at_one_pixel / RISE).powi(2),
+        }
+    }
+}
+
+/// Marks the places of a row whose gradient is greater than that of both neighbours across the edge and not too low, from the
+/// second to the last but one. Of two that are equal the second counts.
+struct Peaks<'a> {
+    /// Of the row above, the row itself and the row below.
+    lengths: [&'a [f32]; 3],
+    xx: &'a [f32],
+    yy: &'a [f32],
+    least: &'a Least,
+    to: &'a mut [bool],
+}
+
+impl WithSimd for Peaks<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { lengths: [above, here, below], xx, yy, least, to: peaks } = self;
+        let Least { gradient, sharp, square } = *least;
+        let n = peaks.len();
+        let (above, below, left, here, right) =
+            (&above[1..][..n], &below[1..][..n], &here[..n], &here[1..][..n], &here[2..][..n]);
+        let (xx, yy) = (&xx[1..][..n], &yy[1..][..n]);
+        for i in 0..n {
+            // the edge runs up and down: compare left and right
+            let upright = xx[i] >= yy[i];
+            let before = if upright { left[i] } else { above[i] };
+            let after = if upright { right[i] } else { below[i] };
+            let here = here[i];
+            let high = (here >= sharp) | (here * here * here >= square * (2.0 * here - before - after));
+            peaks[i] = (here >= gradient) & (here > before) & (here >= after) & high;
+        }
     }
 }
 

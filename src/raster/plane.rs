@@ -1,6 +1,6 @@
 //! One plane of numbers: shrink, blur, look up between the pixels.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::units::Size;
 
@@ -50,10 +50,7 @@ impl Plane {
         if sigma <= 0.0 {
             return self;
         }
-        Arch::new().dispatch(
-            #[inline(always)]
-            || self.filtered(&gauss(sigma)),
-        )
+        Arch::new().dispatch(Filter { plane: self, kernel: &gauss(sigma) })
     }
 
     /// Filters with an even kernel (half of it given) along x, then along y.
@@ -84,6 +81,20 @@ impl Plane {
     }
 }
 
+struct Filter<'a> {
+    plane: Plane,
+    kernel: &'a [f32],
+}
+
+impl WithSimd for Filter<'_> {
+    type Output = Plane;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Plane {
+        self.plane.filtered(self.kernel)
+    }
+}
+
 /// [`Plane::shrunk`] for values that are not in a `Plane`.
 pub fn shrink(values: &[f32], from: Size, to: Size) -> Plane {
     let mut shrinker = Shrinker::new(from, to);
@@ -96,6 +107,7 @@ pub fn shrink(values: &[f32], from: Size, to: Size) -> Plane {
 /// Rows are added up first, over whole vectors; only the sum of a row of cells is then shrunk along x.
 #[derive(Debug)]
 pub struct Shrinker {
+    arch: Arch,
     columns: Vec<(usize, Vec<f32>)>,
     rows: Vec<(usize, Vec<f32>)>,
     /// Weighted sum of the rows of the cell that is being filled.
@@ -109,6 +121,7 @@ impl Shrinker {
     /// For a plane of `from` pixels that becomes one of `to`, which is not larger.
     pub fn new(from: Size, to: Size) -> Self {
         Self {
+            arch: Arch::new(),
             columns: shares(from.width, to.width),
             rows: shares(from.height, to.height),
             sum: vec![0.0; from.width as usize],
@@ -127,7 +140,7 @@ impl Shrinker {
         {
             let place = self.next_row - first;
             if let Some(&weight) = weights.get(place) {
-                self.sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+                self.arch.dispatch(AddRow { sum: &mut self.sum, row, weight });
             }
             if place + 1 < weights.len() {
                 break;
@@ -145,6 +158,21 @@ impl Shrinker {
     /// The small plane.
     pub fn finish(self) -> Plane {
         self.out
+    }
+}
+
+struct AddRow<'a> {
+    sum: &'a mut [f32],
+    row: &'a [f32],
+    weight: f32,
+}
+
+impl WithSimd for AddRow<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.sum.iter_mut().zip(self.row).for_each(|(sum, value)| *sum += self.weight * value);
     }
 }
 
