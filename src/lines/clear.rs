@@ -87,7 +87,8 @@ impl Queue<'_> {
 /// Clears lines, the one that says most first; the result is in that order.
 pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cleared> {
     let mut queue = Queue { heap: BinaryHeap::with_capacity(trails.len()), count: 0, params };
-    trails.into_iter().for_each(|trail| queue.push(stronger_half_first(trail), 0));
+    // Where a line comes near itself its earlier part stays.
+    trails.into_iter().for_each(|trail| queue.push(trail.stronger_half_first(), 0));
     let mut field = Field::new(area, params);
     let mut own = Nearby::new(area, params.min_gap + params.width_max);
     let mut cleared: Vec<Cleared> = Vec::new();
@@ -145,14 +146,6 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
     }
     pin(&mut cleared, &field);
     cleared
-}
-
-/// Where a line comes near itself its earlier part stays; which that is must not hang on the direction it was found in.
-fn stronger_half_first(trail: Trail) -> Trail {
-    let half = trail.vertices.len() / 2;
-    let sum = |vertices: &[Vertex]| vertices.iter().map(|v| v.strength).sum::<f32>();
-    let (first, second) = (sum(&trail.vertices[..half]), sum(&trail.vertices[trail.vertices.len() - half..]));
-    if second > first { trail.reversed() } else { trail }
 }
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a blot.

@@ -95,8 +95,7 @@ pub struct Drawn {
 
 /// Draws the contours in `area`, the part of the sheet where `frame` puts the picture.
 pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Drawn {
-    let trails = edges.chains().map(|chain| Trail::from_chain(chain, frame).smoothed(params.smoothing).evened());
-    let mut trails = join::join(trails.collect(), params.join_gap);
+    let mut trails = join::join(trails(edges, frame, params), params.join_gap);
     trails.retain(|trail| trail.weighted_length(params.full_strength) >= CRUMB * params.min_length);
     let trails = bars::merge(trails, area, params);
     // Where one side of a bar ends and the other goes on, the middle line goes on with it.
@@ -118,6 +117,17 @@ pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Draw
         lines: drawn.into_iter().filter_map(|line| weight::finish(&line.trail, &line.pinned, params)).collect(),
         crowded_out: if wanted > 0.0 { (1.0 - kept / wanted).max(0.0) } else { 0.0 },
     }
+}
+
+/// The contours on the sheet, in an order and in directions that do not hang on where in the picture they were found first.
+fn trails(edges: &Edges, frame: &Frame, params: &Params) -> Vec<Trail> {
+    let trail = |chain| {
+        let trail = Trail::from_chain(chain, frame).smoothed(params.smoothing).evened().stronger_half_first();
+        (trail.vertices.iter().map(|v| f64::from(v.strength)).sum::<f64>(), trail)
+    };
+    let mut trails: Vec<(f64, Trail)> = edges.chains().map(trail).collect();
+    trails.sort_by(|a, b| b.0.total_cmp(&a.0));
+    trails.into_iter().map(|(_, trail)| trail).collect()
 }
 
 /// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in proportion, has

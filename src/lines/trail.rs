@@ -73,6 +73,15 @@ impl Trail {
         self
     }
 
+    /// The trail in the one of its two directions that begins with its stronger half, so that nothing hangs on the direction
+    /// it was found in.
+    pub(super) fn stronger_half_first(self) -> Self {
+        let half = self.vertices.len() / 2;
+        let sum = |vertices: &[Vertex]| vertices.iter().map(|v| v.strength).sum::<f32>();
+        let (first, second) = (sum(&self.vertices[..half]), sum(&self.vertices[self.vertices.len() - half..]));
+        if second > first { self.reversed() } else { self }
+    }
+
     /// Unit direction of travel at a vertex, over its neighbours.
     pub(super) fn tangent(&self, i: usize) -> MmVector {
         let n = self.vertices.len();
