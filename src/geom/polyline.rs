@@ -24,7 +24,8 @@ pub fn arc_lengths<U>(points: &[Point2D<f32, U>]) -> Vec<f32> {
 ///
 /// `value(i)` gives an array of numbers. A closed line (its last place is its first again) wraps round. At the ends of an
 /// open line the window is cut to the same reach on both sides, so that end points stay where they are and nothing
-/// shrinks towards the middle.
+/// shrinks towards the middle. The Gaussian is lowered so that it ends at 0, and what lies at the window's end to a rounding
+/// is inside: at even distances many places do, and a rounding must not decide.
 pub fn smooth<const N: usize>(
     arcs: &[f32],
     closed: bool,
@@ -42,7 +43,7 @@ pub fn smooth<const N: usize>(
     let reach = if closed { (3.0 * sigma).min(total / 2.0) } else { 3.0 * sigma };
     let mut out = Vec::with_capacity(n);
     for i in 0..ring {
-        let reach = if closed { reach } else { reach.min(arcs[i]).min(total - arcs[i]) };
+        let reach = if closed { reach } else { reach.min(arcs[i]).min(total - arcs[i]) } + ROUNDING * sigma;
         let mut sum = value(i).map(f64::from);
         let mut weight = 1.0_f64;
         for forward in [true, false] {
@@ -83,13 +84,13 @@ pub fn smooth<const N: usize>(
 
 /// Steps for one sigma in the table of the Gaussian: its values are right within 0.005.
 const STEPS: usize = 64;
+/// What rounding may add to a distance, in sigmas.
+const ROUNDING: f32 = 1e-3;
 
-/// The Gaussian from its middle to three sigma and a step, each value that of the middle of its step.
+/// The Gaussian from its middle to three sigma, where it is 0, and a step; each value that of the middle of its step.
 fn bell() -> [f64; 3 * STEPS + 2] {
-    std::array::from_fn(|i| {
-        let x = (i as f64 + 0.5) / STEPS as f64;
-        (-0.5 * x * x).exp()
-    })
+    let gaussian = |x: f64| (-0.5 * x * x).exp();
+    std::array::from_fn(|i| (gaussian((i as f64 + 0.5) / STEPS as f64) - gaussian(3.0)).max(0.0))
 }
 
 #[cfg(test)]

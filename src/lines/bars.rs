@@ -38,6 +38,9 @@ const BLUNT: f32 = 2.0;
 const MOST: f32 = 0.5;
 /// A ring of which less than this share is a bar's side is no bar but a thing near another.
 const LESSER: f32 = 0.3;
+/// What rounding may change, as a share: where two sides have vertices straight across from one another, as on drawings, it
+/// must not decide which of two segments or ends is the opposite.
+const ROUNDING: f32 = 1e-3;
 /// Cells in which the other side is looked for, mm: about two vertices.
 const CELL: f32 = 1.0;
 /// A line moves over to the middle of a bar within about this length (sigma), mm: a finger glides over it.
@@ -200,9 +203,11 @@ fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Oppos
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
             let way = (here.at, here.at + across);
             nearby.along(way.0, way.1, |segment| {
-                let Some(at) = crossing(way, (segment.a, segment.b)) else { return };
+                // longer by a rounding: a way that leads through a vertex exactly crosses both segments, not neither
+                let over = (segment.b - segment.a) * ROUNDING;
+                let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
                 let distance = (at - here.at).length();
-                if best.is_some_and(|(least, _)| distance >= least) {
+                if best.is_some_and(|(least, _)| distance >= least * (1.0 - ROUNDING)) {
                     return;
                 }
                 if segment.line as usize == number {
@@ -224,7 +229,8 @@ fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Vec<Option<Oppos
                 // a faint ghost beside a strong contour is no bar
                 let alike = up.min(down) >= ALIKE * up.max(down);
                 if alike && dot(here.step, there) < -STEP_BACK * up * down {
-                    let nearer_end = u32::from((segment.b - at).square_length() < (segment.a - at).square_length());
+                    let (first, second) = ((segment.a - at).length(), (segment.b - at).length());
+                    let nearer_end = u32::from(second < first * (1.0 - ROUNDING));
                     best = Some((distance, Opposite { trail: segment.line, index: segment.index + nearer_end, at }));
                 }
             });

@@ -19,6 +19,8 @@ const HEADING: f32 = 2.0;
 const AHEAD: f32 = 0.6;
 /// Greatest cosine between that way and the line it is led to (50 degrees): flatter, the two would lie side by side.
 const STEEP: f32 = 0.64;
+/// Places nearer than this, mm, are one.
+const SAME: f32 = 1e-3;
 /// A line meets itself only where the way round is at least this many gaps long.
 const ROUND: f32 = 4.0;
 
@@ -81,30 +83,33 @@ pub(super) fn ahead(
     gap: f32,
     other: impl Fn(&Segment) -> bool,
 ) -> Option<MmPoint> {
-    let mut hit: Option<(f32, MmPoint, MmVector)> = None;
+    let mut hit: Option<(f32, MmPoint)> = None;
     nearby.around(tip, tip, gap, |segment| {
-        if !other(segment) {
-            return;
-        }
-        let along = segment.b - segment.a;
         if let Some(at) = crossing((tip, tip + heading * gap), (segment.a, segment.b)) {
             let distance = (at - tip).length();
-            if hit.is_none_or(|(least, ..)| distance < least) {
-                hit = Some((distance, at, along));
+            if hit.is_none_or(|(least, _)| distance < least) && other(segment) {
+                hit = Some((distance, at));
             }
         }
     });
     if hit.is_none() {
         // nothing straight ahead: the nearest place, if it lies in front
-        let (distance, at, segment) = nearby.nearest(tip, gap, |segment| {
+        let (distance, at, _) = nearby.nearest(tip, gap, |segment| {
             let (distance, at) = nearest_on_segment(tip, segment.a, segment.b);
             other(segment) && (at - tip).dot(heading) >= AHEAD * distance
         })?;
-        hit = Some((distance, at, segment.b - segment.a));
+        hit = Some((distance, at));
     }
-    let (distance, at, along) = hit?;
-    let flat = along.try_normalize().is_none_or(|along| along.dot(heading).abs() > STEEP.max(AHEAD));
-    (distance > 1e-3 && !flat).then_some(at)
+    let (distance, at) = hit?;
+    // where two segments share a vertex, the steeper one counts, not the one that was found first
+    let mut least = f32::INFINITY;
+    nearby.around(at, at, SAME, |segment| {
+        if other(segment) && nearest_on_segment(at, segment.a, segment.b).0 <= SAME {
+            let along = (segment.b - segment.a).try_normalize();
+            least = least.min(along.map_or(f32::INFINITY, |along| along.dot(heading).abs()));
+        }
+    });
+    (distance > SAME && least <= STEEP).then_some(at)
 }
 
 /// Vertices from a tip (without it) straight to a place.
