@@ -130,7 +130,7 @@ fn a_pen_stroke_is_one_line_along_its_middle() {
                 assert!(off < 0.7, "{scene}: {off} mm beside its middle");
             }
             let length = 200.0 * SCALE;
-            assert!((lines[0].length() - length).abs() < 4.0, "{scene}: {} mm for {length}", lines[0].length());
+            assert!((lines[0].length() - length).abs() < 0.7, "{scene}: {} mm for {length}", lines[0].length());
         }
     }
 }

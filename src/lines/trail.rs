@@ -52,6 +52,11 @@ impl Trail {
         self.vertices.iter().map(|v| v.at).collect()
     }
 
+    /// The number of its vertices, of a ring without the one that is repeated.
+    pub(super) fn places(&self) -> usize {
+        self.vertices.len() - usize::from(self.closed)
+    }
+
     pub(super) fn length(&self) -> f32 {
         self.vertices.windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum()
     }
