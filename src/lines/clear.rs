@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::near::{Field, Meeting, State, is_bend, returns};
+use super::near::{Field, Meeting, State, TOUCH, is_bend, returns};
 use super::saliency::saliency;
 use super::trail::{Trail, Vertex};
 use super::{Params, meet, nudge};
@@ -128,6 +128,7 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
             }
             rest = Some(path);
         }
+        snap(&mut trail, &field);
         let line = field.begin(&trail);
         if let Some(path) = rest {
             let body = trail.vertices.len();
@@ -145,6 +146,8 @@ pub(super) fn clear(trails: Vec<Trail>, area: MmRect, params: &Params) -> Vec<Cl
         cleared.push(Cleared { saliency, pinned: vec![false; trail.vertices.len()], trail });
     }
     pin(&mut cleared, &field);
+    // what gave way or lost a stub may say more than before
+    cleared.sort_by(|a, b| b.saliency.total_cmp(&a.saliency));
     cleared
 }
 
@@ -178,6 +181,16 @@ fn without_stubs(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
         vertices.push(Vertex { at: meeting.at, ..before });
     }
     Some(Trail { vertices, closed: false })
+}
+
+/// Puts the ends of a line that touch others exactly on them.
+fn snap(trail: &mut Trail, field: &Field<'_>) {
+    if let ([first, .., last], false) = (&mut trail.vertices[..], trail.closed) {
+        for end in [first, last] {
+            let on_line = || field.segments().nearest(end.at, TOUCH, |_| true).map(|(_, at, _)| at);
+            end.at = field.nearest_tip(end.at, TOUCH).or_else(on_line).unwrap_or(end.at);
+        }
+    }
 }
 
 /// The state of every vertex.
@@ -363,7 +376,6 @@ fn heading(body: &[Vertex], led: &[Vertex]) -> Option<MmVector> {
 
 /// Puts a vertex into a line where another one ends on it, so that they still meet after simplification.
 fn pin(cleared: &mut [Cleared], field: &Field<'_>) {
-    const TOUCH: f32 = 0.01;
     // line, vertex before, way from it, place
     let mut pins: Vec<(usize, usize, f32, MmPoint)> = Vec::new();
     for (number, line) in cleared.iter().enumerate().filter(|(_, line)| !line.trail.closed) {
@@ -385,7 +397,11 @@ fn pin(cleared: &mut [Cleared], field: &Field<'_>) {
     pins.dedup_by(|a, b| a.0 == b.0 && a.1.abs_diff(b.1) <= 1 && a.3 == b.3);
     for (line, index, _, at) in pins {
         let Cleared { trail, pinned, .. } = &mut cleared[line];
-        let near = |i: usize| (trail.vertices[i].at - at).length() <= TOUCH;
+        let near = |i: usize| {
+            let vertex = trail.vertices[i].at;
+            let is_end = !trail.closed && (i == 0 || i + 1 == trail.vertices.len());
+            vertex == at || (!pinned[i] && !is_end && (vertex - at).length() <= TOUCH)
+        };
         if near(index) || near(index + 1) {
             let vertex = if near(index) { index } else { index + 1 };
             trail.vertices[vertex].at = at;

@@ -17,10 +17,9 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// A line ends on another if it comes this near, mm.
-const TOUCH: f32 = 0.01;
-/// A line that crosses another this near to its end ends there, mm.
-const END: f32 = 0.05;
+/// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
+/// [`super::clear`], which gives the other a vertex there), and far less than a finger notices.
+pub(super) const TOUCH: f32 = 0.1;
 /// The longest way from a meeting until two lines are apart, in clearances: at 36 degrees a straight line needs as much.
 const APPROACH: f32 = 1.7;
 /// ... less this, mm: a line may be drawn by a step of width thinner than its vertices say.
@@ -218,7 +217,7 @@ impl<'a> Field<'a> {
             self.segments.around(low, high, 0.0, |segment| {
                 // a line that ends on another may, by a rounding, cross it
                 if let Some(at) = crossing((a, b), (segment.a, segment.b))
-                    && self.tips.nearest(at, END, |tip| tip.line == segment.line).is_none()
+                    && self.tips.nearest(at, TOUCH, |tip| tip.line == segment.line).is_none()
                 {
                     meetings.push(Meeting { arc: arcs[i] + (at - a).length(), at, line: segment.line, end: None });
                 }

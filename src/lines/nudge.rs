@@ -8,7 +8,7 @@ use crate::units::MmVector;
 /// The farthest that a line gives way, mm: the index finger tells places from about 0.94 mm (Van Boven and Johnson 1994).
 const FARTHEST: f32 = 0.8;
 /// A ring may give way by more, mm: that it closes says more than where exactly its side runs.
-const RING_FARTHEST: f32 = 1.6;
+pub(super) const RING_FARTHEST: f32 = 1.6;
 /// It swings back within this length, mm, so that no corner is felt.
 const FADE: f32 = 6.0;
 /// A little more than it must, mm, so that it need not do so again.

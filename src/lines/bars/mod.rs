@@ -25,8 +25,10 @@ const MIN_STRETCH: f32 = 1.5;
 const SKIP: usize = 8;
 /// A ring of which this share has become the middle line of another one goes altogether.
 const MOST: f32 = 0.5;
-/// A ring of which less than this share is a bar's side is no bar but a thing near another.
+/// A ring of which less than this share is a bar's side is no bar but a thing near another, ...
 const LESSER: f32 = 0.3;
+/// ... or less than [`MOST`] where the bar is wider than clearance less this, mm: a ring gives way by as much.
+const GIVES_WAY: f32 = super::nudge::RING_FARTHEST;
 
 /// A stretch of one trail along which it has opposites on one other.
 struct Stretch {
@@ -80,11 +82,20 @@ fn fates(trails: &[Trail], opposites: &[Opposites], mut stretches: Vec<Stretch>,
     by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
 
     let winner = |stretch: &Stretch| rank[stretch.trail].min(rank[stretch.other]);
-    // A ring that is a bar's side on its lesser part stays whole: it is a thing beside another, as a pupil in an eye.
-    let mut sides = vec![0; trails.len()];
-    stretches.iter().for_each(|stretch| sides[stretch.trail] += stretch.count);
-    let thing =
-        |number: usize| trails[number].closed && (sides[number] as f32) < LESSER * trails[number].vertices.len() as f32;
+    // A ring that is a bar's side on its lesser part stays whole: it is a thing beside another, as a pupil in an eye. Where
+    // it can give way that part may be larger.
+    let (mut sides, mut close) = (vec![0; trails.len()], vec![0; trails.len()]);
+    let reach = params.min_gap + params.width_max;
+    for stretch in &stretches {
+        sides[stretch.trail] += stretch.count;
+        let vertices = &trails[stretch.trail].vertices;
+        let is_close = |(i, opposite): &(usize, Opposite)| (opposite.at - vertices[*i].at).length() < reach - GIVES_WAY;
+        close[stretch.trail] += stretch.opposites(opposites).filter(is_close).count();
+    }
+    let thing = |number: usize| {
+        let share = |count: usize| count as f32 / trails[number].places() as f32;
+        trails[number].closed && share(close[number]) < LESSER && share(sides[number]) < MOST
+    };
     stretches.retain(|stretch| {
         let loser = if rank[stretch.trail] == winner(stretch) { stretch.other } else { stretch.trail };
         stretch.trail == stretch.other || !thing(loser)
