@@ -168,7 +168,7 @@ fn without_stubs(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
     let meetings = || places.meetings.iter();
     let first = meetings().filter(|m| stub(m, 0.0, trail.vertices.first())).max_by(|a, b| a.arc.total_cmp(&b.arc));
     let last = meetings().filter(|m| stub(m, total, trail.vertices.last())).min_by(|a, b| a.arc.total_cmp(&b.arc));
-    if (first.is_none() && last.is_none()) || total < 2.0 * field.longest_stub() {
+    if first.is_none() && last.is_none() {
         return None;
     }
     let (from, to) = (first.map_or(-1.0, |meeting| meeting.arc), last.map_or(f32::MAX, |meeting| meeting.arc));
@@ -291,6 +291,10 @@ fn lead_on(
     let own_bend = |segment: &Segment, way: f32, distance: f32| {
         own == Some(segment.line) && is_bend(length + way - segment.arc, distance)
     };
+    // a line that is led back to itself makes a loop that a finger finds
+    let own_knot = |segment: &Segment, way: f32, distance: f32| {
+        own == Some(segment.line) && is_bend(length + way - segment.arc - field.longest_stub(), distance)
+    };
     let longest = field.longest_approach();
     let mut led: Vec<Vertex> = Vec::new();
     let mut way = 0.0;
@@ -302,7 +306,7 @@ fn lead_on(
         field.segments().around(last.min(vertex.at), last.max(vertex.at), 0.0, |segment| {
             if let Some(at) = crossing((last, vertex.at), (segment.a, segment.b)) {
                 let distance = (at - last).length();
-                if hit.is_none_or(|(least, _)| distance < least) && !own_bend(segment, way + distance, 0.0) {
+                if hit.is_none_or(|(least, _)| distance < least) && !own_knot(segment, way + distance, 0.0) {
                     hit = Some((distance, at));
                 }
             }
@@ -318,7 +322,7 @@ fn lead_on(
         led.push(*vertex);
         let reach = target.map_or(MEETS * params.join_gap, |(.., distance)| distance);
         let near = field.segments().nearest(vertex.at, reach, |segment| {
-            !own_bend(segment, way, nearest_on_segment(vertex.at, segment.a, segment.b).0)
+            !own_knot(segment, way, nearest_on_segment(vertex.at, segment.a, segment.b).0)
         });
         if let Some((distance, at, _)) = near {
             target = Some((at, led.len(), distance));

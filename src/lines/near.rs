@@ -28,8 +28,8 @@ const LESS: f32 = 0.2;
 /// and by this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
 const BEND: f32 = 3.5;
 const BEND_LEAST: f32 = 1.5;
-/// What rounding may take from a distance, mm.
-const ROUNDING: f32 = 0.02;
+/// What rounding and the vertices where lines meet may take from a distance, mm.
+const ROUNDING: f32 = 0.08;
 
 /// Cells of the map of what is near to a line at all, mm.
 const CELL: f32 = 1.0;
