@@ -337,7 +337,7 @@ pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Opt
     }
     let apart = |s: f32, t: f32| if trail.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
     // its own ends may lie on it
-    let tips: Vec<f32> = if trail.closed { Vec::new() } else { own_meetings(trail, &arcs, own) };
+    let tips: Vec<f32> = if trail.closed { Vec::new() } else { own_meetings(trail, &arcs, field.longest_stub(), own) };
     let mut found: Option<Range<usize>> = None;
     for (i, vertex) in trail.vertices.iter().enumerate() {
         let half = 0.5 * vertex.width;
@@ -367,8 +367,8 @@ pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Opt
     found
 }
 
-/// Which ends of an open trail, as places along it, lie on the trail itself.
-fn own_meetings(trail: &Trail, arcs: &[f32], own: &mut Nearby) -> Vec<f32> {
+/// Which ends of an open trail, as places along it, lie on the trail itself, at the end of a loop that is longer than `knot`.
+fn own_meetings(trail: &Trail, arcs: &[f32], knot: f32, own: &mut Nearby) -> Vec<f32> {
     let (Some(first), Some(last), Some(&total)) = (trail.vertices.first(), trail.vertices.last(), arcs.last()) else {
         return Vec::new();
     };
@@ -380,7 +380,7 @@ fn own_meetings(trail: &Trail, arcs: &[f32], own: &mut Nearby) -> Vec<f32> {
         own.around(at, at, TOUCH, |segment| {
             let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
             let there = segment.arc + (touched - segment.a).length();
-            if distance <= TOUCH && !is_bend((there - arc).abs(), 0.0) {
+            if distance <= TOUCH && (there - arc).abs() > knot {
                 tips.push(arc);
             }
         });
