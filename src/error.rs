@@ -66,6 +66,18 @@ pub enum Error {
     /// A mark would lie off the sheet.
     #[error("the page does not fit its sheet: {0}; give more margin or thinner lines")]
     OffSheet(String),
+    /// More pixels than a picture of the page may have.
+    #[error(
+        "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; take fewer dots per inch"
+    )]
+    TooFine {
+        /// The picture of the page.
+        size: Size,
+        /// What was asked for.
+        dpi: u32,
+        /// The limit, in millions of pixels.
+        limit_megapixels: u64,
+    },
     /// The profile cannot be used; every fault is listed.
     #[error("{}", crate::profile::faults_in_one_line(.0))]
     Profile(Vec<crate::profile::Fault>),

@@ -271,10 +271,12 @@ fn assemble(
         sheet: layout.sheet,
         title: request.title.to_owned(),
         description: page::describe(&figure, overview.as_ref(), classes.map(Classes::shares)),
+        language: page::LANGUAGE.into(),
         origin: origin(request, figure.source),
         frame: frame(figure.place),
         figure,
         overview,
+        labels: Vec::new(),
     };
     Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))
 }

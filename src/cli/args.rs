@@ -2,6 +2,7 @@
 
 mod shared;
 mod trace;
+mod writing;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -11,6 +12,7 @@ use clap::{Args, Parser, Subcommand};
 
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
+pub(super) use self::writing::{Chosen, Writing};
 use super::Exit;
 use super::report::Report;
 
@@ -24,13 +26,13 @@ textures: rhombuses in rows that run across for blue, up to the right for green,
 right for red; dots for greys; nothing for white. Darker colours have larger glyphs. A small overview with lines only \
 lies below the figure.
 
-The page is an SVG drawing in true millimetres. Print it at 100 % on swell paper and heat it, or open it in a drawing \
-program such as Inkscape and change it first.";
+The page is in true millimetres: an SVG drawing to be changed in a program such as Inkscape, a PDF to be printed, or a \
+PNG picture. Print it at 100 % on swell paper and heat it.";
 
 const AFTER_HELP: &str = "\
 Examples:
   tactograph convert coffee.png             makes coffee.svg beside the picture
-  tactograph convert coffee.png -o page.svg
+  tactograph convert coffee.png -o page.pdf
   tactograph profiles                       which papers there are
 
 Exit codes: 0 done, 1 a picture could not be converted, 2 wrong usage.
@@ -40,11 +42,11 @@ const CONVERT_LONG_ABOUT: &str = "\
 Makes a page of each picture.
 
 Formats read: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM and SVG. The format is told from the contents, not \
-from the name. Written is SVG.
+from the name. Written are SVG, PDF and PNG, as the name for -o ends or --format says.
 
 The page of photo.png is photo.svg beside it, unless -o or --out-dir say otherwise. Where that is the picture itself, \
-because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is an SVG drawing \
-that tactograph did not write, or a page that was changed in an editor, unless -o names it.
+because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is a file that \
+tactograph did not write, or a page that was changed in an editor, unless -o names it.
 
 Several pictures are worked on side by side. One that cannot be converted does not stop the others. Results are told \
 in the order of the pictures.";
@@ -53,10 +55,12 @@ const CONVERT_AFTER_LONG_HELP: &str = "\
 Examples:
   tactograph convert coffee.png
         makes coffee.svg beside the picture, for A4 swell paper
-  tactograph convert coffee.png -o page.svg --profile swell-a3
-        names the page and takes larger paper
-  tactograph convert photos/*.jpg --out-dir pages
-        makes pages/NAME.svg of every photo
+  tactograph convert coffee.png -o page.pdf --profile swell-a3
+        makes a PDF, to be printed, and takes larger paper
+  tactograph convert coffee.png -o page.png --dpi 600
+        makes a picture for a printer of 600 dots per inch
+  tactograph convert photos/*.jpg --out-dir pages --format pdf
+        makes pages/NAME.pdf of every photo
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
   tactograph convert coffee.png --set lines.width_max=1.2 --set overview=false
@@ -112,23 +116,75 @@ pub(super) struct Convert {
 
     /// Where the page goes, for one picture; - for standard output
     ///
-    /// The name ends in .svg (or has no ending). An existing file is replaced in one step, when the new page is
-    /// complete; until then, and if anything fails, it stays as it is.
+    /// The name ends in .svg, .pdf or .png, which says the format, or has no ending. An existing file is replaced in one
+    /// step, when the new page is complete; until then, and if anything fails, it stays as it is.
     ///
-    /// [default: the picture's name with .svg, beside the picture]
-    #[arg(short, long, value_name = "PAGE.svg", conflicts_with = "out_dir")]
+    /// [default: the picture's name with the ending of the format, beside the picture]
+    #[arg(short, long, value_name = "PAGE", conflicts_with = "out_dir")]
     pub(super) output: Option<PathBuf>,
 
     /// Directory for the pages, made if missing
     ///
-    /// Each page has its picture's name with .svg. Two pictures whose pages would have the same name are refused.
+    /// Each page has its picture's name with the ending of the format. Two pictures whose pages would have the same name are refused.
     ///
     /// [default: each page lies beside its picture]
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
 
     #[command(flatten)]
+    pub(super) writing: Writing,
+
+    /// What the page is called, for one picture
+    ///
+    /// Shown by viewers and read out by screen readers.
+    ///
+    /// [default: the picture's file name]
+    #[arg(long, value_name = "TEXT")]
+    pub(super) title: Option<String>,
+
+    /// What is on the page, in your words, for one picture
+    ///
+    /// Read out by screen readers in place of the picture. Say what one could not guess from the file's name.
+    ///
+    /// [default: sizes, number of contours and shares of the colours, in English]
+    #[arg(long, value_name = "TEXT")]
+    alt: Option<String>,
+
+    /// Language of --title and --alt, so that a screen reader speaks them well: de, fr-CA and the like
+    #[arg(long, value_name = "TAG", requires = "alt", default_value = tactograph::page::LANGUAGE, value_parser = language)]
+    lang: String,
+
+    #[command(flatten)]
     pub(super) shared: Shared,
+}
+
+impl Convert {
+    /// `--alt` and its language.
+    pub(super) fn description(&self) -> Option<(&str, &str)> {
+        self.alt.as_deref().map(|alt| (alt, &*self.lang))
+    }
+
+    /// What is wrong if one picture's words are given to several.
+    pub(super) fn words_for_many(&self) -> Option<String> {
+        let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some())];
+        let given = given.iter().filter(|(_, given)| *given && self.pictures.len() > 1).map(|(option, _)| *option);
+        let given = given.collect::<Vec<_>>().join(" and ");
+        let count = self.pictures.len();
+        (!given.is_empty()).then(|| {
+            format!("{given}: these words are for one picture, but there are {count}; convert them one by one")
+        })
+    }
+}
+
+/// The shape of a language tag (BCP 47): letters and digits in groups of up to eight, the first of two or three letters.
+fn language(text: &str) -> Result<String, String> {
+    let mut groups = text.split('-');
+    let first = groups
+        .next()
+        .is_some_and(|group| matches!(group.len(), 2 | 3) && group.bytes().all(|byte| byte.is_ascii_alphabetic()));
+    let others =
+        groups.all(|group| (1..=8).contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_alphanumeric()));
+    if first && others { Ok(text.into()) } else { Err("give a language tag, such as de or fr-CA".into()) }
 }
 
 /// `tactograph profiles`.

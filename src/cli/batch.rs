@@ -25,6 +25,8 @@ pub(super) struct Order<'a> {
     pub(super) output: Option<&'a Path>,
     /// `--out-dir`.
     pub(super) out_dir: Option<&'a Path>,
+    /// What was found wrong with the command line before.
+    pub(super) faults: Vec<String>,
     /// Everything else.
     pub(super) shared: &'a Shared,
 }
@@ -41,8 +43,8 @@ pub(super) struct Common {
 
 /// A file's contents, ready to be written.
 pub(super) struct Made {
-    /// The text of the file.
-    pub(super) text: String,
+    /// The bytes of the file.
+    pub(super) file: Vec<u8>,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
 }
@@ -65,12 +67,13 @@ pub(super) fn run(
     order: &Order<'_>,
     make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error> + Sync,
 ) -> Exit {
-    let &Order { product, pictures, output, out_dir, shared } = order;
+    let &Order { product, pictures, output, out_dir, shared, ref faults } = order;
     let report = Report::plain();
     let names = Names { product, pictures, output, out_dir };
     let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &shared.changes())) {
-        (Ok(jobs), Ok(plan)) => (jobs, plan),
+        (Ok(jobs), Ok(plan)) if faults.is_empty() => (jobs, plan),
         (jobs, plan) => {
+            faults.iter().for_each(|what| report.usage(what));
             jobs.err().iter().flatten().for_each(|what| report.usage(what));
             plan.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
             return Exit::Usage;
@@ -119,12 +122,12 @@ fn work(
     let bytes = timings
         .step("read", || input::read(&job.picture, memory_mb.saturating_mul(1_000_000), &too_long))
         .map_err(|error| about_picture(format!("{error:#}")))?;
-    let Made { text, notes } =
+    let Made { file, notes } =
         make(&bytes, &title(job), common, &mut timings).map_err(|error| about_picture(explain(&error)))?;
     timings
         .step("write", || match job.target.path() {
-            None => output::to_stdout(text.as_bytes(), product.noun()),
-            Some(path) => output::to_file(path, text.as_bytes(), product.noun()),
+            None => output::to_stdout(&file, product.noun()),
+            Some(path) => output::to_file(path, &file, product.noun()),
         })
         .map_err(about_target)?;
     Ok(Done { notes, timings: timings.stop() })
@@ -135,6 +138,7 @@ fn explain(error: &Error) -> String {
     match error {
         Error::TooManyPixels { .. } => format!("{error} with --max-megapixels"),
         Error::TooMuchMemory { .. } => format!("{error} with --max-memory"),
+        Error::TooFine { .. } => format!("{error} with --dpi"),
         _ => error.to_string(),
     }
 }

@@ -11,9 +11,6 @@ use super::product::Product;
 /// Most symbolic links followed from a name to its file, as many as Linux allows.
 const MOST_LINKS: usize = 40;
 
-/// How much of an existing file is searched for the name of this program, which stands at its top.
-const HEAD_BYTES: u64 = 64 << 10;
-
 /// Writes to standard output what is called `noun` in messages. A reader that has gone away (`| head`) is no error.
 ///
 /// # Errors
@@ -104,7 +101,7 @@ fn is_own(path: &Path, product: Product) -> anyhow::Result<bool> {
     let noun = product.noun();
     let mut head = Vec::new();
     let file = File::open(path).map_err(|error| explain(&error, noun))?;
-    file.take(HEAD_BYTES).read_to_end(&mut head).map_err(|error| explain(&error, noun))?;
+    file.take(product.needs_of_file()).read_to_end(&mut head).map_err(|error| explain(&error, noun))?;
     Ok(product.is_own(&head))
 }
 

@@ -122,11 +122,12 @@ fn derived(picture: &Path, out_dir: Option<&Path>, product: Product) -> PathBuf 
     out_dir.map_or_else(|| picture.with_file_name(&name), |dir| dir.join(&name))
 }
 
-fn ends_in(path: &Path, wanted: &str) -> bool {
+/// Whether a name has this ending, in capitals or not.
+pub(super) fn ends_in(path: &Path, wanted: &str) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
 }
 
-/// A name such as `page.pdf` would promise what is not written.
+/// A name such as `page.jpg` would promise what is not written.
 fn wrong_ending(path: &Path, product: Product) -> Option<String> {
     let ending = path.extension()?;
     let (noun, own) = (product.noun(), product.ending());
@@ -135,9 +136,10 @@ fn wrong_ending(path: &Path, product: Product) -> Option<String> {
     }
     let instead = path.with_extension(own);
     Some(format!(
-        "{}: a {noun} is not written as .{}, only as .{own}; name it {}",
+        "{}: a {noun} is not written as .{}, only as {}; name it {}",
         path.display(),
         ending.display(),
+        product.endings(),
         instead.display()
     ))
 }

@@ -1,19 +1,51 @@
-//! What a command makes of a picture, in words and file names.
+//! What a command makes, in words and file names.
+
+use tactograph::output::{json, pdf, png};
 
 /// What a command makes of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Product {
-    /// A tactile page, as SVG.
-    Page,
+    /// A tactile page.
+    Page(Format),
     /// Its contours as data, as JSON.
     Trace,
+}
+
+/// A format of pages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    /// A drawing, to be changed.
+    Svg,
+    /// A document, to be printed.
+    Pdf,
+    /// A picture.
+    Png,
+}
+
+/// How much of a file is searched for the name of this program, which stands at its top.
+const HEAD_BYTES: u64 = 64 << 10;
+/// Largest PDF or PNG that can be one of ours: a page is far smaller.
+const MOST_BYTES: u64 = 256 << 20;
+
+impl Format {
+    /// All of them, the usual one first.
+    pub(super) const ALL: [Self; 3] = [Self::Svg, Self::Pdf, Self::Png];
+
+    /// How the names of its files end.
+    pub(super) fn ending(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Pdf => "pdf",
+            Self::Png => "png",
+        }
+    }
 }
 
 impl Product {
     /// What it is called in messages.
     pub(super) fn noun(self) -> &'static str {
         match self {
-            Self::Page => "page",
+            Self::Page(_) => "page",
             Self::Trace => "trace",
         }
     }
@@ -21,7 +53,7 @@ impl Product {
     /// The command that makes it.
     pub(super) fn verb(self) -> &'static str {
         match self {
-            Self::Page => "convert",
+            Self::Page(_) => "convert",
             Self::Trace => "trace",
         }
     }
@@ -29,7 +61,7 @@ impl Product {
     /// What has happened to a picture of which it was made.
     pub(super) fn done(self) -> &'static str {
         match self {
-            Self::Page => "converted",
+            Self::Page(_) => "converted",
             Self::Trace => "traced",
         }
     }
@@ -37,8 +69,24 @@ impl Product {
     /// How the names of its files end.
     pub(super) fn ending(self) -> &'static str {
         match self {
-            Self::Page => "svg",
+            Self::Page(format) => format.ending(),
             Self::Trace => "json",
+        }
+    }
+
+    /// All endings that a name for it can have, in words.
+    pub(super) fn endings(self) -> &'static str {
+        match self {
+            Self::Page(_) => ".svg, .pdf or .png",
+            Self::Trace => ".json",
+        }
+    }
+
+    /// How many bytes from its beginning [`Product::is_own`] needs of a file.
+    pub(super) fn needs_of_file(self) -> u64 {
+        match self {
+            Self::Page(Format::Pdf | Format::Png) => MOST_BYTES,
+            Self::Page(Format::Svg) | Self::Trace => HEAD_BYTES,
         }
     }
 
@@ -46,13 +94,16 @@ impl Product {
     pub(super) fn is_own(self, head: &[u8]) -> bool {
         let has = |mark: &str| head.windows(mark.len()).any(|part| part == mark.as_bytes());
         match self {
-            Self::Page => {
+            Self::Page(Format::Svg) => {
                 // Editors leave their own marks in what they save: Inkscape its version and its window, Illustrator a comment.
                 let edited = has("sodipodi:") || has("inkscape:version") || has("Illustrator");
                 has("<metadata>program = tactograph ") && !edited
             }
+            // These carry a number that fits their bytes only as long as nobody changes them.
+            Self::Page(Format::Pdf) => pdf::is_as_written(head),
+            Self::Page(Format::Png) => png::is_as_written(head),
             // Whatever reads JSON and writes it again sets its spaces otherwise.
-            Self::Trace => head.starts_with(tactograph::output::json::MARK.as_bytes()),
+            Self::Trace => head.starts_with(json::MARK.as_bytes()),
         }
     }
 }

@@ -23,6 +23,7 @@ pub(super) fn run(args: &Trace) -> Exit {
         pictures: &args.pictures,
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
+        faults: Vec::new(),
         shared: &args.shared,
     };
     batch::run(&order, |picture, _, common, timings| {
@@ -31,6 +32,6 @@ pub(super) fn run(args: &Trace) -> Exit {
             Request { subject, thresholds: args.threshold, plan: &common.plan, limits: common.limits, fonts: &fonts };
         let traced = trace(picture, &request, &mut |event| timings.watch(event))?;
         let text = timings.step("write", || json::write(&traced.trace));
-        Ok(Made { text, notes: traced.notes })
+        Ok(Made { file: text.into_bytes(), notes: traced.notes })
     })
 }

@@ -1,4 +1,24 @@
 //! Writers: of a page, and of contours as data.
 
 pub mod json;
+mod layer;
+pub mod pdf;
+pub mod png;
+mod seal;
 pub mod svg;
+mod zlib;
+
+/// Text that XML and other formats may hold: control characters are replaced.
+fn plain(text: &str) -> String {
+    let allowed = |c: char| match c {
+        '\t' | '\n' | '\r' => ' ',
+        c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => '\u{fffd}',
+        c => c,
+    };
+    text.chars().map(allowed).collect()
+}
+
+/// How a page was made, as lines `name = value`.
+fn origin_lines(origin: &[(String, String)]) -> impl Iterator<Item = String> {
+    origin.iter().map(|(name, value)| plain(&format!("{name} = {value}")))
+}

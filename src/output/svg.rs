@@ -8,6 +8,7 @@
 //!     g#lines > g (one a contour; data-strength) > path (stroke-width in mm)
 //!   g#overview-frame
 //!   g#overview  data-box > g > path
+//!   g#labels (one path a size of dots)
 //! ```
 //!
 //! Every group with an id is an Inkscape layer; other editors show groups. A layer that would be empty is left out.
@@ -17,6 +18,8 @@ use std::fmt::Write;
 use svg::node::element::{Description, Element, Group, Path, Title};
 use svg::{Document, Node};
 
+use super::layer::Layer;
+use super::{origin_lines, plain};
 use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Shape};
 use crate::units::{MmPoint, MmRect};
 
@@ -30,17 +33,24 @@ pub fn write(page: &Page) -> String {
         .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
         .set("role", "img")
         .add(Title::new(plain(&page.title)))
-        .add(Description::new().set("xml:lang", "en").add(svg::node::Text::new(plain(&page.description))))
+        .add(
+            Description::new()
+                .set("xml:lang", plain(&page.language))
+                .add(svg::node::Text::new(plain(&page.description))),
+        )
         .add(metadata(&page.origin));
     if !page.frame.at.is_empty() {
-        document = document.add(layer("frame", "Frame").add(dots(&page.frame)));
+        document = document.add(layer(Layer::Frame).add(dots(&page.frame)));
     }
     document = document.add(figure(&page.figure));
     if let Some(overview) = &page.overview {
         if !overview.frame.at.is_empty() {
-            document = document.add(layer("overview-frame", "Overview frame").add(dots(&overview.frame)));
+            document = document.add(layer(Layer::OverviewFrame).add(dots(&overview.frame)));
         }
         document = document.add(overview_layer(overview));
+    }
+    if !page.labels.is_empty() {
+        document = document.add(page.labels.iter().fold(layer(Layer::Labels), |group, label| group.add(dots(label))));
     }
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Writing to a String cannot fail.
@@ -50,14 +60,14 @@ pub fn write(page: &Page) -> String {
 
 /// How the page was made, as lines `name = value`. Text, because Inkscape warns of every element that it does not know.
 fn metadata(origin: &[(String, String)]) -> Element {
-    let lines: Vec<String> = origin.iter().map(|(name, value)| plain(&format!("{name} = {value}"))).collect();
+    let lines: Vec<String> = origin_lines(origin).collect();
     let mut metadata = Element::new("metadata");
     metadata.append(svg::node::Text::new(lines.join("\n")));
     metadata
 }
 
-fn layer(id: &str, label: &str) -> Group {
-    Group::new().set("id", id).set("inkscape:groupmode", "layer").set("inkscape:label", label)
+fn layer(layer: Layer) -> Group {
+    Group::new().set("id", layer.id()).set("inkscape:groupmode", "layer").set("inkscape:label", layer.label())
 }
 
 fn data_box(place: MmRect) -> String {
@@ -65,16 +75,15 @@ fn data_box(place: MmRect) -> String {
 }
 
 fn figure(figure: &Figure) -> Group {
-    let mut group = layer("figure", "Figure")
+    let mut group = layer(Layer::Figure)
         .set("data-box", data_box(figure.place))
         .set("data-source", format!("{} {}", figure.source.width, figure.source.height));
     if !figure.textures.is_empty() {
-        let mut textures = layer("textures", "Textures");
+        let mut textures = layer(Layer::Textures);
         for class in Class::ALL {
             let mut paths = figure.textures.iter().filter(|texture| texture.class == class).peekable();
             if paths.peek().is_some() {
-                let name = class.name();
-                let of_class = layer(&format!("texture-{name}"), &format!("Texture {name}"));
+                let of_class = layer(Layer::Texture(class));
                 textures = textures.add(
                     paths.fold(of_class, |group, texture| group.add(Path::new().set("d", glyph_path(&texture.glyphs)))),
                 );
@@ -82,11 +91,11 @@ fn figure(figure: &Figure) -> Group {
         }
         group = group.add(textures);
     }
-    if figure.lines.is_empty() { group } else { group.add(lines(layer("lines", "Lines"), &figure.lines)) }
+    if figure.lines.is_empty() { group } else { group.add(lines(layer(Layer::Lines), &figure.lines)) }
 }
 
 fn overview_layer(overview: &Overview) -> Group {
-    lines(layer("overview", "Overview").set("data-box", data_box(overview.place)), &overview.lines)
+    lines(layer(Layer::Overview).set("data-box", data_box(overview.place)), &overview.lines)
 }
 
 /// Lines as strokes: an editor can change their width and bend them.
@@ -179,16 +188,6 @@ fn push_number(text: &mut String, value: f32) {
         (_, 0) => write!(text, "{whole}.{}", rest / 10),
         _ => write!(text, "{whole}.{rest:02}"),
     };
-}
-
-/// Text that an XML document may hold: control characters are replaced. Markup is escaped by the `svg` crate.
-fn plain(text: &str) -> String {
-    let allowed = |c: char| match c {
-        '\t' | '\n' | '\r' => ' ',
-        c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => '\u{fffd}',
-        c => c,
-    };
-    text.chars().map(allowed).collect()
 }
 
 #[cfg(test)]

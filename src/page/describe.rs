@@ -2,6 +2,9 @@
 
 use super::{Class, Figure, Overview};
 
+/// The language of [`describe`] (BCP 47).
+pub const LANGUAGE: &str = "en";
+
 /// A description for people who do not see the page: its size, how many contours, the share of each colour (in the order of
 /// [`Class::ALL`], 0..=1, the rest is white).
 pub fn describe(figure: &Figure, overview: Option<&Overview>, shares: Option<[f32; 5]>) -> String {

@@ -31,7 +31,7 @@ impl Display for Page {
             writeln!(f, "overview {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
             overview.lines.iter().try_for_each(|line| write_line(f, line))?;
         }
-        Ok(())
+        self.labels.iter().try_for_each(|label| dots(f, "label", label))
     }
 }
 

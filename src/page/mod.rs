@@ -10,7 +10,7 @@ pub mod layout;
 pub use crate::classes::Class;
 pub use crate::lines::{Line, Run};
 pub use crate::textures::{Glyph, Shape, Texture};
-pub use describe::describe;
+pub use describe::{LANGUAGE, describe};
 
 use crate::units::{MmPoint, MmRect, Size};
 
@@ -29,6 +29,8 @@ pub struct Parts {
     pub title: String,
     /// What is on it, in plain words.
     pub description: String,
+    /// The language of title and description as in BCP 47, such as `en`.
+    pub language: String,
     /// How it was made: program, profile and every parameter, as name and value.
     pub origin: Vec<(String, String)>,
     /// The band of fine dots around the figure; empty if there is none.
@@ -37,6 +39,8 @@ pub struct Parts {
     pub figure: Figure,
     /// The smaller picture of lines only, if there is one.
     pub overview: Option<Overview>,
+    /// Braille and other dots that name or number what is on the page; one entry a size. Few pages have any.
+    pub labels: Vec<Dots>,
 }
 
 /// Discs of one size.
@@ -100,8 +104,10 @@ impl Page {
             }
         };
         let overview = parts.overview.iter();
-        for dots in [&parts.frame].into_iter().chain(overview.clone().map(|o| &o.frame)) {
-            dots.at.iter().try_for_each(|&at| on_sheet("a dot of a frame", at, 0.5 * dots.diameter))?;
+        let frames = [&parts.frame].into_iter().chain(overview.clone().map(|o| &o.frame));
+        let labels = parts.labels.iter().map(|dots| ("a dot of a label", dots));
+        for (what, dots) in frames.map(|dots| ("a dot of a frame", dots)).chain(labels) {
+            dots.at.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * dots.diameter))?;
         }
         for line in parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines)) {
             for run in &line.runs {
@@ -112,6 +118,19 @@ impl Page {
             texture.glyphs.iter().try_for_each(|glyph| on_sheet("a glyph", glyph.at, glyph.radius()))?;
         }
         Ok(Self { parts })
+    }
+
+    /// The same page with words of its maker's: a title, and a description with its language (BCP 47, such as `en`). What is
+    /// not given stays.
+    #[must_use]
+    pub fn called(mut self, title: Option<&str>, description: Option<(&str, &str)>) -> Self {
+        if let Some(title) = title {
+            self.parts.title = title.to_owned();
+        }
+        if let Some((description, language)) = description {
+            (self.parts.description, self.parts.language) = (description.to_owned(), language.to_owned());
+        }
+        self
     }
 
     /// Whether there is neither a line nor a glyph on it.

@@ -1,0 +1,88 @@
+//! Options that say in which format pages are written.
+
+use std::path::Path;
+
+use clap::{Args, ValueEnum};
+use tactograph::output::png::{Depth, Dpi};
+
+use crate::cli::places::{ends_in, is_std};
+use crate::cli::product::Format;
+
+/// Options of all commands that write pages.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Writing {
+    /// Format of the page: svg to change it in a drawing program, pdf to print it, png for everything else
+    ///
+    /// Needed only where no name says it: a name for -o that ends in .svg, .pdf or .png does. All three are in true
+    /// millimetres; SVG and PDF have the same layers.
+    ///
+    /// [default: svg]
+    #[arg(long, value_name = "FORMAT")]
+    format: Option<Format>,
+
+    /// Pixels of one inch of the sheet, for PNG
+    ///
+    /// Take what the printer draws, then it has nothing to round: 300 and 600 are usual. The picture says its size in
+    /// millimetres, so print it at 100 %. Range: 50 to 1200.
+    ///
+    /// [default: 300]
+    #[arg(long, value_name = "N", value_parser = dpi)]
+    dpi: Option<Dpi>,
+
+    /// Draws PNG with smooth edges in 256 greys, for displays; without it, every pixel is black or white, for printers
+    #[arg(long)]
+    grey: bool,
+}
+
+/// How pages are written.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::cli) struct Chosen {
+    /// The format.
+    pub(in crate::cli) format: Format,
+    /// `--dpi`.
+    pub(in crate::cli) dpi: Dpi,
+    /// `--grey`.
+    pub(in crate::cli) depth: Depth,
+}
+
+impl Writing {
+    /// What these options and the name for `-o` say together, and everything in them that does not go together.
+    pub(in crate::cli) fn choose(&self, output: Option<&Path>) -> (Chosen, Vec<String>) {
+        let mut faults = Vec::new();
+        let told = output.filter(|path| !is_std(path));
+        let of_name = told.and_then(|path| Format::ALL.into_iter().find(|format| ends_in(path, format.ending())));
+        if let (Some(name), Some(by_name), Some(asked)) = (told, of_name, self.format)
+            && by_name != asked
+        {
+            let (name, ending) = (name.display(), asked.ending());
+            faults.push(format!("{name}: this name does not go with --format {ending}; leave one out"));
+        }
+        let format = of_name.or(self.format).unwrap_or(Format::Svg);
+        for (option, given) in [("--dpi", self.dpi.is_some()), ("--grey", self.grey)] {
+            if given && format != Format::Png {
+                let ending = format.ending();
+                faults.push(format!(
+                    "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in .png",
+                    ending.to_uppercase()
+                ));
+            }
+        }
+        let depth = if self.grey { Depth::Grey } else { Depth::Bilevel };
+        (Chosen { format, dpi: self.dpi.unwrap_or_default(), depth }, faults)
+    }
+}
+
+fn dpi(text: &str) -> Result<Dpi, String> {
+    let (least, most) = (Dpi::LEAST, Dpi::MOST);
+    text.parse().ok().and_then(Dpi::new).ok_or_else(|| format!("give a whole number from {least} to {most}"))
+}
+
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(self.ending()))
+    }
+}

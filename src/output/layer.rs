@@ -1,0 +1,49 @@
+//! The layers of a page: the same names in every format that has layers.
+
+use crate::page::Class;
+
+/// A layer. Those with a parent lie in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Layer {
+    Frame,
+    Figure,
+    Textures,
+    Texture(Class),
+    Lines,
+    OverviewFrame,
+    Overview,
+    Labels,
+}
+
+impl Layer {
+    /// Its id, for programs.
+    pub(super) fn id(self) -> String {
+        self.label().to_lowercase().replace(' ', "-")
+    }
+
+    /// Its name, for people.
+    pub(super) fn label(self) -> String {
+        match self {
+            Self::Frame => "Frame".into(),
+            Self::Figure => "Figure".into(),
+            Self::Textures => "Textures".into(),
+            Self::Texture(class) => format!("Texture {}", class.name()),
+            Self::Lines => "Lines".into(),
+            Self::OverviewFrame => "Overview frame".into(),
+            Self::Overview => "Overview".into(),
+            Self::Labels => "Labels".into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_those_that_other_programs_rely_on() {
+        let id_and_label = |layer: Layer| (layer.id(), layer.label());
+        assert_eq!(id_and_label(Layer::Texture(Class::Blue)), ("texture-blue".into(), "Texture blue".into()));
+        assert_eq!(id_and_label(Layer::OverviewFrame), ("overview-frame".into(), "Overview frame".into()));
+    }
+}

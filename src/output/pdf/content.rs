@@ -1,0 +1,170 @@
+//! The marks of a page as PDF drawing operators.
+//!
+//! User space is turned to y down and scaled to hundredths of a millimetre, so that every number is a whole one, the same
+//! that the SVG has with a point in it. All ink is DeviceGray 0, set once: what is black here is black on any printer, and
+//! never a mixture of colours.
+
+use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::{Content, Name, Settings};
+
+use super::super::layer::Layer;
+use super::POINTS_PER_MM;
+use crate::page::{Class, Dots, Glyph, Line, Page, Shape};
+use crate::units::MmPoint;
+
+/// Units of user space in a millimetre.
+const UNITS: f32 = 100.0;
+/// The page's only piece of tagged content.
+pub(super) const MARKED_CONTENT: i32 = 0;
+/// A quarter of a circle of radius 1 as a Bezier curve has its control points this far from its ends; it then leaves the
+/// circle by at most 0.03 % of the radius. From 4/3 (sqrt 2 - 1).
+const CIRCLE: f32 = 0.552_284_8;
+
+/// A page's content stream, not compressed. `name_of` gives the name of a layer in the page's resources.
+pub(super) fn write(page: &Page, name_of: &dyn Fn(Layer) -> String) -> Vec<u8> {
+    let scale = POINTS_PER_MM / UNITS;
+    let mut out = Writer { content: Content::with_settings(Settings { pretty: false }), name_of, width: f32::NAN };
+    out.content.transform([scale, 0.0, 0.0, -scale, 0.0, page.sheet[1] * POINTS_PER_MM]);
+    out.content.set_fill_gray(0.0).set_stroke_gray(0.0);
+    out.content.set_line_cap(LineCapStyle::RoundCap).set_line_join(LineJoinStyle::RoundJoin);
+    out.content.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(MARKED_CONTENT);
+    out.page(page);
+    out.content.end_marked_content();
+    out.content.finish().into_vec()
+}
+
+/// The layers that [`write()`] puts a page into, in the order of the page, each after the one that it lies in.
+pub(super) fn layers(page: &Page) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    let mut add = |layer, is_there: bool| layers.extend(is_there.then_some(layer));
+    let has = |class| page.figure.textures.iter().any(|texture| texture.class == class);
+    add(Layer::Frame, !page.frame.at.is_empty());
+    add(Layer::Figure, true);
+    add(Layer::Textures, !page.figure.textures.is_empty());
+    Class::ALL.into_iter().for_each(|class| add(Layer::Texture(class), has(class)));
+    add(Layer::Lines, !page.figure.lines.is_empty());
+    add(Layer::OverviewFrame, page.overview.as_ref().is_some_and(|overview| !overview.frame.at.is_empty()));
+    add(Layer::Overview, page.overview.is_some());
+    add(Layer::Labels, !page.labels.is_empty());
+    layers
+}
+
+struct Writer<'a> {
+    content: Content,
+    name_of: &'a dyn Fn(Layer) -> String,
+    /// Line width in force.
+    width: f32,
+}
+
+impl Writer<'_> {
+    fn page(&mut self, page: &Page) {
+        for layer in layers(page) {
+            match layer {
+                Layer::Frame => self.layer(layer, |out| out.dots(&page.frame)),
+                Layer::Figure => self.layer(layer, |out| out.figure(page)),
+                Layer::OverviewFrame => {
+                    self.layer(layer, |out| page.overview.iter().for_each(|overview| out.dots(&overview.frame)));
+                }
+                Layer::Overview => {
+                    self.layer(layer, |out| page.overview.iter().for_each(|overview| out.lines(&overview.lines)));
+                }
+                Layer::Labels => self.layer(layer, |out| page.labels.iter().for_each(|label| out.dots(label))),
+                Layer::Textures | Layer::Texture(_) | Layer::Lines => {} // in the figure
+            }
+        }
+    }
+
+    fn figure(&mut self, page: &Page) {
+        let figure = &page.figure;
+        if !figure.textures.is_empty() {
+            self.layer(Layer::Textures, |out| {
+                for class in Class::ALL {
+                    let mut textures = figure.textures.iter().filter(|texture| texture.class == class).peekable();
+                    if textures.peek().is_some() {
+                        out.layer(Layer::Texture(class), |out| {
+                            textures.for_each(|texture| out.glyphs(&texture.glyphs))
+                        });
+                    }
+                }
+            });
+        }
+        if !figure.lines.is_empty() {
+            self.layer(Layer::Lines, |out| out.lines(&figure.lines));
+        }
+    }
+
+    /// What `draw` writes, as optional content.
+    fn layer(&mut self, layer: Layer, draw: impl FnOnce(&mut Self)) {
+        let name = (self.name_of)(layer);
+        self.content.begin_marked_content_with_properties(Name(b"OC")).properties_named(Name(name.as_bytes()));
+        draw(self);
+        self.content.end_marked_content();
+    }
+
+    /// Lines stay strokes: an editor can change their width and bend them.
+    fn lines(&mut self, lines: &[Line]) {
+        for run in lines.iter().flat_map(|line| &line.runs) {
+            let width = units(run.width);
+            if width.total_cmp(&self.width).is_ne() {
+                self.content.set_line_width(width);
+                self.width = width;
+            }
+            let shown = if run.is_closed() { &run.points[..run.points.len() - 1] } else { &run.points[..] };
+            self.polyline(shown);
+            if run.is_closed() {
+                self.content.close_and_stroke();
+            } else {
+                self.content.stroke();
+            }
+        }
+    }
+
+    /// The glyphs of one region as one path, which an editor takes as one object.
+    fn glyphs(&mut self, glyphs: &[Glyph]) {
+        for glyph in glyphs {
+            match glyph.shape {
+                Shape::Rhombus { .. } => {
+                    self.polyline(&glyph.corners());
+                    self.content.close_path();
+                }
+                Shape::Dot { diameter } => self.disc(glyph.at, diameter),
+            }
+        }
+        self.content.fill_nonzero();
+    }
+
+    fn dots(&mut self, dots: &Dots) {
+        dots.at.iter().for_each(|&at| self.disc(at, dots.diameter));
+        self.content.fill_nonzero();
+    }
+
+    fn polyline(&mut self, points: &[MmPoint]) {
+        for (i, at) in points.iter().enumerate() {
+            let (x, y) = (units(at.x), units(at.y));
+            if i == 0 {
+                self.content.move_to(x, y);
+            } else {
+                self.content.line_to(x, y);
+            }
+        }
+    }
+
+    fn disc(&mut self, at: MmPoint, diameter: f32) {
+        let radius = 0.5 * diameter;
+        let on = |x: f32, y: f32| [units(at.x + radius * x), units(at.y + radius * y)];
+        let [x, y] = on(1.0, 0.0);
+        self.content.move_to(x, y);
+        // A quarter from (a, b) to (-b, a).
+        for (a, b) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)] {
+            let ([x1, y1], [x2, y2]) = (on(a - b * CIRCLE, b + a * CIRCLE), on(a * CIRCLE - b, b * CIRCLE + a));
+            let [x3, y3] = on(-b, a);
+            self.content.cubic_to(x1, y1, x2, y2, x3, y3);
+        }
+        self.content.close_path();
+    }
+}
+
+/// A length in whole units of user space: 0.01 mm, as in the SVG.
+fn units(mm: f32) -> f32 {
+    (f64::from(mm) * f64::from(UNITS)).round() as f32
+}
