@@ -66,6 +66,16 @@ pub enum Error {
     /// A mark would lie off the sheet.
     #[error("the page does not fit its sheet: {0}; give more margin or thinner lines")]
     OffSheet(String),
+    /// The sheet is too small for what must be on it.
+    #[error(
+        "a sample of {sample} has no room between the margins of a sheet of {sheet}; take larger paper or less margin"
+    )]
+    NoRoom {
+        /// Its size.
+        sample: String,
+        /// The sheet's size.
+        sheet: String,
+    },
     /// More pixels than a picture of the page may have.
     #[error(
         "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; take fewer dots per inch"

@@ -1,5 +1,6 @@
 #![doc = include_str!("ARCHITECTURE.md")]
 
+pub mod calibration;
 pub mod classes;
 pub mod contours;
 pub mod edges;

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Proves with other people's programs that the pages are what they claim to be: well-formed (xmllint), real layers of the
-# true size in millimetres (Inkscape, rsvg-convert), and the same picture whoever renders them (rsvg-convert, resvg).
+# true size in millimetres (Inkscape, rsvg-convert), and the same picture whoever renders them (rsvg-convert, resvg). The
+# same for PDF (qpdf, poppler, mutool, Ghostscript, Inkscape) and PNG (pngcheck), in tests/clients/prints.sh.
 #
 #     tests/clients.sh            builds the program (debug) and checks the page of every picture in samples/
 #     KEEP=folder tests/clients.sh    also keeps pages and renderings there, to be looked at
 #
-# Needs inkscape, rsvg-convert and xmllint; as root on Debian it installs what is missing.
+# Needs the programs of TOOLS; as root on Debian it installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -31,16 +32,18 @@ check() { # check WHAT COMMAND...: runs the command and counts; its output is sh
   fi
 }
 
+TOOLS=(inkscape rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck)
+PACKAGES=(inkscape librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck)
 get_tools() {
   local tool
-  for tool in inkscape rsvg-convert xmllint; do
+  for tool in "${TOOLS[@]}"; do
     command -v "$tool" >/dev/null && continue
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
       apt-get update -qq
-      DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends inkscape librsvg2-bin libxml2-utils
+      DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${PACKAGES[@]}"
       return
     fi
-    echo "$tool is missing; install inkscape, librsvg2-bin and libxml2-utils" >&2
+    echo "$tool is missing; install ${PACKAGES[*]}" >&2
     exit 2
   done
 }
@@ -150,8 +153,11 @@ check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
   check "rsvg-convert renders it" rsvg-convert --dpi-x $DPI --dpi-y $DPI -b white "$page" -o "$out/$name.rsvg.png"
   check "rsvg-convert's sheet has its true size" has_pixels "$out/$name.rsvg.png" "$3" "$4" $DPI
   check "resvg and rsvg-convert render it alike" renders_alike
+  check_pdf "$@"
+  check_png "$@"
 }
 
+. tests/clients/prints.sh
 get_tools
 cargo build --quiet --bin tactograph --example render
 program=target/debug/tactograph
@@ -159,6 +165,7 @@ render=target/debug/examples/render
 out=${KEEP:-$(mktemp -d)}
 mkdir -p "$out"
 : >"$out/differences"
+: >"$out/print-differences"
 [ -n "${KEEP:-}" ] || trap 'rm -rf "$out"' EXIT
 
 for sample in samples/*.{png,jpg,svg}; do
@@ -167,8 +174,12 @@ done
 check_page samples/coffee.png swell-a3 297 420
 check_page samples/coffee.png swell-letter 215.9 279.4
 
-sort -k2,2nr "$out/differences" | awk '
-  NR == 1 { mean = $2 " % (" $1 ")" } $3 >= far { far = $3; at = $1 }
-  END { if (NR) print "largest differences of the renderings: mean " mean ", over a quarter " far " % (" at ")" }'
+largest() { # largest FILE WHAT
+  sort -k2,2nr "$out/$1" | awk -v what="$2" '
+    NR == 1 { mean = $2 " % (" $1 ")" } $3 >= far { far = $3; at = $1 }
+    END { if (NR) print "largest differences of the " what ": mean " mean ", over a quarter " far " % (" at ")" }'
+}
+largest differences "renderings of the SVG"
+largest print-differences "renderings of the PDF"
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -40,6 +40,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "reading", "touch",
         ],
     ),
+    // Samples on sheets: from a profile straight to pages.
+    ("calibration", &["units", "raster", "classes", "lines", "textures", "page", "profile"]),
     (
         "pipeline",
         &[

@@ -97,9 +97,9 @@ fn a_derived_name_does_not_cost_the_user_a_drawing() {
 #[test]
 fn an_ending_that_is_not_written_is_refused() {
     let place = Place::with_picture("a.png");
-    for ending in ["pdf", "png", "svgz"] {
+    for ending in ["ps", "jpg", "svgz"] {
         let page = format!("page.{ending}");
-        let line = format!("{page}: a page is not written as .{ending}, only as .svg; name it page.svg");
+        let line = format!("{page}: a page is not written as .{ending}, only as .svg, .pdf or .png; name it page.svg");
         place.refuses(&["convert", "a.png", "-o", &page], 2, &[&line]);
     }
     assert_eq!(place.names(), ["a.png"]);

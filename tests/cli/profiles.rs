@@ -60,9 +60,9 @@ fn all_faults_are_told_at_once_with_their_places() {
     let place = Place::with_picture("a.png");
     place.put("bad.toml", b"inherits = \"swell-a4\"\n\n[lines]\nwidth_maxx = 1.0\nwidth_min = \"thin\"\n");
     let sets = ["--set", "nonsense", "--set", "=1", "--set", "lines.width_max=wide", "--set", "frame.colour=red"];
-    let run = place.run(&[&["convert", "a.png", "-o", "a.pdf", "--profile", "bad.toml"], &sets[..]].concat());
+    let run = place.run(&[&["convert", "a.png", "-o", "a.jpg", "--profile", "bad.toml"], &sets[..]].concat());
     let places = run.err.lines().map(|line| line.split(": ").nth(1).unwrap_or("")).collect::<Vec<_>>();
-    let expected = ["a.pdf", "bad.toml, line 4", "bad.toml, line 5", "--set nonsense", "--set =1"];
+    let expected = ["a.jpg", "bad.toml, line 4", "bad.toml, line 5", "--set nonsense", "--set =1"];
     assert_eq!(places[..5], expected, "{}", run.err);
     assert_eq!(places.len(), 7, "{}", run.err);
     assert!(

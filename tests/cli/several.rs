@@ -39,8 +39,7 @@ fn several_pictures_do_not_fit_into_one_page() {
     let place = Place::with_picture("a.png");
     let line = "-o names one page, but there are 2 pictures; use --out-dir DIR for several";
     place.refuses(&["convert", "a.png", "b.png", "-o", "p.svg"], 2, &[line]);
-    let line =
-        "the argument '--output <PAGE.svg>' cannot be used with '--out-dir <DIR>'; see tactograph convert --help";
+    let line = "the argument '--output <PAGE>' cannot be used with '--out-dir <DIR>'; see tactograph convert --help";
     place.refuses(&["convert", "a.png", "-o", "p.svg", "--out-dir", "d"], 2, &[line]);
     assert_eq!(place.names(), ["a.png"]);
 }

@@ -82,8 +82,12 @@ fn help_teaches_every_option() {
     let limits = tactograph::raster::decode::Limits::default();
     let (megapixels, memory) = (limits.megapixels.to_string(), limits.memory_mb.to_string());
     let defaults = [
-        ("-o, --output <PAGE.svg>", "the picture's name with .svg, beside the picture"),
+        ("-o, --output <PAGE>", "the picture's name with the ending of the format, beside the picture"),
         ("--out-dir <DIR>", "each page lies beside its picture"),
+        ("--format <FORMAT>", "svg"),
+        ("--dpi <N>", "300"),
+        ("--title <TEXT>", "the picture's file name"),
+        ("--alt <TEXT>", "sizes, number of contours and shares of the colours, in English"),
         ("--profile <NAME|FILE.toml>", "swell-a4"),
         ("--max-megapixels <N>", &megapixels),
         ("--max-memory <MB>", &memory),
@@ -135,7 +139,7 @@ fn wrong_usage_is_one_line_and_nothing_is_done() {
         ),
         (
             &["convert", "a.png", "-o", "b.svg", "-o", "c.svg"],
-            "the argument '--output <PAGE.svg>' cannot be used multiple times; see tactograph convert --help",
+            "the argument '--output <PAGE>' cannot be used multiple times; see tactograph convert --help",
         ),
         (
             &["profiles", "show"],

@@ -104,18 +104,13 @@ fn mark_of_svg(path: Node<'_, '_>) -> Mark {
     }
 }
 
-/// Whether a subpath of the PDF is the one of the SVG, give or take one unit: a disc has other points on it there.
+/// Whether a subpath of the PDF is the one of the SVG: a disc has other points on it there.
 fn is_same(pdf: &[[i64; 2]], svg: &[[i64; 2]]) -> bool {
-    let near = |a: [i64; 2], b: [i64; 2]| (a[0] - b[0]).abs() <= 1 && (a[1] - b[1]).abs() <= 1;
     match (pdf, svg) {
         (&[right, bottom, left, top, end], &[svg_left, svg_right]) => {
             let radius = (svg_right[0] - svg_left[0]) / 2;
-            let middle = [svg_left[0] + radius, svg_left[1]];
-            let at = |x, y| [middle[0] + radius * x, middle[1] + radius * y];
-            end == right
-                && [(right, at(1, 0)), (bottom, at(0, 1)), (left, at(-1, 0)), (top, at(0, -1))]
-                    .iter()
-                    .all(|(a, b)| near(*a, *b))
+            let at = |x, y| [svg_left[0] + radius + radius * x, svg_left[1] + radius * y];
+            [right, bottom, left, top, end] == [at(1, 0), at(0, 1), at(-1, 0), at(0, -1), at(1, 0)]
         }
         _ => pdf == svg,
     }

@@ -149,9 +149,11 @@ impl Writer<'_> {
         }
     }
 
+    /// A disc with its radius and its place rounded as in the SVG.
     fn disc(&mut self, at: MmPoint, diameter: f32) {
-        let radius = 0.5 * diameter;
-        let on = |x: f32, y: f32| [units(at.x + radius * x), units(at.y + radius * y)];
+        let radius = units(0.5 * diameter);
+        let (left, middle) = (units(at.x - radius / UNITS), units(at.y));
+        let on = |x: f32, y: f32| [(left + radius + radius * x).round(), (middle + radius * y).round()];
         let [x, y] = on(1.0, 0.0);
         self.content.move_to(x, y);
         // A quarter from (a, b) to (-b, a).

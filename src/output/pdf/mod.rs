@@ -66,7 +66,10 @@ pub fn is_as_written(bytes: &[u8]) -> bool {
     let Some(at) = find_last(tail, b"startxref\n") else { return false };
     let digits = tail[at + b"startxref\n".len()..].split(|&byte| byte == b'\n').next().unwrap_or_default();
     let Some(end) = std::str::from_utf8(digits).ok().and_then(|text| text.parse::<usize>().ok()) else { return false };
-    let Some(sealed) = bytes.get(..end) else { return false };
+    let Some(sealed) = bytes.get(..end).filter(|_| tail.ends_with(format!("startxref\n{end}\n%%EOF").as_bytes()))
+    else {
+        return false; // something follows
+    };
     let seal = seal::of(sealed);
     find_last(tail, format!("/ID[({seal})({seal})]").as_bytes()).is_some()
 }

@@ -1,0 +1,206 @@
+//! The calibration sheet: what a workshop prints once to choose its own numbers.
+//!
+//! ```text
+//!  a  | | | ...          lines, from the thinnest that a profile can ask for to 3 mm
+//!  b  || | | ...         pairs of lines, 1 to 8 mm apart
+//!  c  braille in dots of several sizes
+//!  d  frames             as the profile has it, finer and coarser
+//!  e  the smallest glyphs
+//!  f..j  textures        one table a class: three densities down, five boldnesses across
+//! ```
+//!
+//! The marks come from the same code as those of a page, with the profile's numbers wherever a sample does not vary them.
+//!
+//! Labels are braille: a letter for each section, a number for each sample. Counted dots were the other choice. They need no
+//! braille, but a finger has to count up to eleven of them one by one, and at the 2.5 mm that dots need they grow wider than
+//! the samples; a number in braille has its known size and is read at once by those for whom the pages are made. Whoever does
+//! not read braille finds the same key in the description of the sheet.
+
+mod braille;
+mod flow;
+mod samples;
+
+use flow::{Block, Marks, Sheet};
+
+use crate::Error;
+use crate::classes::Class;
+use crate::page::layout::FrameParams;
+use crate::page::{Dots, Figure, LANGUAGE, Page, Parts};
+use crate::profile::{Plan, Profile};
+use crate::textures;
+use crate::units::{MmPoint, MmRect, MmVector, Size};
+
+/// Widths of single lines, mm: from the least that a profile takes (`lines.width_min`) to the thick pens for swell paper; the
+/// profile's own come in between.
+const WIDTHS: [f32; 11] = [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0];
+/// Gaps between the edges of two lines, mm: around the 3.2 and 6.4 mm of the guidelines.
+const GAPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
+/// Diameters of braille dots, mm: from well below what fonts for swell paper print (1.3) to the raised dot itself (1.6).
+const BRAILLE_DOTS: [f32; 5] = [1.0, 1.15, 1.3, 1.45, 1.6];
+/// Distances of a frame's dots as shares of the profile's.
+const FRAME_PITCHES: [f32; 3] = [0.75, 1.0, 1.5];
+/// Thicknesses of the smallest glyph, mm: around the 0.5 that hatching notes give as the least for anything printed.
+const GLYPHS: [f32; 6] = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
+/// Lightness of the samples of a texture as shares of that from which there is none: from the boldest glyphs to the lightest.
+const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.99];
+/// How much further apart the glyphs of the middle density stand than those of the dense one: between dense, and sparse with
+/// half the rows.
+const WIDER: f32 = 1.25;
+
+/// A group of samples and what they are, in words.
+struct Section {
+    blocks: Vec<Block>,
+    key: String,
+}
+
+/// The calibration sheets for a profile, as many as the samples take; one page each.
+///
+/// # Errors
+/// [`Error::NoRoom`] if the profile's sheet is too small for a sample.
+pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
+    let profile = plan.profile();
+    let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
+    let room = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);
+    let sections = sections(plan);
+    let blocks = sections.iter().enumerate().flat_map(|(number, section)| {
+        section.blocks.iter().map(move |block| Block { section: number, ..block.clone() })
+    });
+    let sheets = flow::place(blocks.collect(), room).map_err(|flow::TooLarge(size)| Error::NoRoom {
+        sample: format!("{:.0} x {:.0} mm", size.x.ceil(), size.y.ceil()),
+        sheet: format!("{width} x {height} mm"),
+    })?;
+    let count = sheets.len();
+    let pages = sheets.iter().enumerate().map(|(index, sheet)| page(sheet, index + 1, count, &sections, plan));
+    pages.collect()
+}
+
+fn sections(plan: &Plan) -> Vec<Section> {
+    let profile = plan.profile();
+    let textures = plan.textures();
+    let mut sections = vec![single_lines(profile), pairs(profile), braille_dots(), frames(profile), glyphs(&textures)];
+    for class in Class::ALL {
+        let number = sections.len();
+        sections.push(textured(class, number, &textures));
+    }
+    sections
+}
+
+/// Numbered samples in rows, the first with the section's letter.
+fn row(section: usize, samples: impl IntoIterator<Item = Block>) -> Vec<Block> {
+    let numbered = samples.into_iter().enumerate().map(|(i, sample)| samples::numbered(i + 1, &sample));
+    let lettered = numbered.enumerate().map(|(i, block)| match i {
+        0 => Block { starts_row: true, ..samples::lettered(section, &block) },
+        _ => block,
+    });
+    lettered.collect()
+}
+
+fn single_lines(profile: &Profile) -> Section {
+    let own = [profile.lines.width_min, profile.lines.width_max];
+    let mut widths: Vec<f32> = WIDTHS.into_iter().chain(own.into_iter().filter(|width| *width <= 3.0)).collect();
+    widths.sort_by(f32::total_cmp);
+    widths.dedup_by(|a, b| (*a - *b).abs() < 0.005);
+    let strength = profile.lines.full_strength;
+    let key = format!("lines {} mm wide", listed(&widths));
+    Section { blocks: row(0, widths.iter().map(|&width| samples::lines(&[width], 0.0, strength))), key }
+}
+
+fn pairs(profile: &Profile) -> Section {
+    let width = profile.lines.width_max;
+    let key = format!("pairs of lines {width} mm wide with gaps of {} mm", listed(&GAPS));
+    let pair = |gap| samples::lines(&[width; 2], gap, profile.lines.full_strength);
+    Section { blocks: row(1, GAPS.map(pair)), key }
+}
+
+fn braille_dots() -> Section {
+    let key = format!("a full braille cell and the word dot, in dots of {} mm", listed(&BRAILLE_DOTS));
+    Section { blocks: row(2, BRAILLE_DOTS.map(samples::braille_trial)), key }
+}
+
+fn frames(profile: &Profile) -> Section {
+    let frame = &profile.frame;
+    let pitches = FRAME_PITCHES.map(|share| (100.0 * share * frame.pitch).round() / 100.0);
+    let key = format!("frames of dots of {} mm, {} mm from dot to dot", frame.dot, listed(&pitches));
+    let sample = |pitch| samples::frame(&FrameParams { width: frame.width, dot: frame.dot, pitch, gap: 0.0 });
+    Section { blocks: row(3, pitches.map(sample)), key }
+}
+
+fn glyphs(params: &textures::Params) -> Section {
+    let lightest = 0.99 * params.white_from;
+    let key = format!("the smallest rhombuses, above, and dots, {} mm thick", listed(&GLYPHS));
+    let sample = |min_glyph| {
+        let params = textures::Params { dense_from: 0.0, min_glyph, dot: min_glyph, ..*params };
+        let of = |class| samples::texture(class, lightest, &params);
+        samples::stacked(&of(Class::Blue), &of(Class::Grey))
+    };
+    Section { blocks: row(4, GLYPHS.map(sample)), key }
+}
+
+/// The table of one class. The middle density has no place on pages: it shows what a profile with wider textures would do.
+fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
+    let dense = textures::Params { dense_from: 0.0, ..*params };
+    let wider = textures::Params {
+        along: WIDER * params.along,
+        across: WIDER * params.across,
+        dot_pitch: WIDER * params.dot_pitch,
+        ..dense
+    };
+    // No density reaches this.
+    let sparse = textures::Params { dense_from: f32::INFINITY, ..*params };
+    let sample = |params: &textures::Params, share: f32| samples::texture(class, share * params.white_from, params);
+    let rows = [dense, wider, sparse].map(|params| LIGHTNESS.map(|share| sample(&params, share)).to_vec());
+    let lightness = LIGHTNESS.map(|share| (100.0 * share * params.white_from).round() / 100.0);
+    let key = format!(
+        "the texture of {}; down 1 dense, 2 the same {WIDER} times as far apart, 3 sparse; across for colours of lightness {}",
+        class.name(),
+        listed(&lightness)
+    );
+    let table = samples::table(number, &rows);
+    Section { blocks: vec![Block { starts_row: class == Class::ALL[0], ..table }], key }
+}
+
+fn listed(values: &[f32]) -> String {
+    values.iter().map(f32::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// One sheet as a page. Like a figure that fills it; as there is no picture, its pixels are square millimetres.
+fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: &Plan) -> Result<Page, Error> {
+    let profile = plan.profile();
+    let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
+    let place = MmRect::new(MmPoint::new(margin, margin), MmPoint::new(width - margin, height - margin));
+    let mut marks = Marks::default();
+    for (block, corner) in sheet {
+        marks.add(&block.marks, *corner + place.min.to_vector());
+    }
+    marks.textures.sort_by_key(|texture| texture.class);
+    let on_sheet = |section: usize| sheet.iter().any(|(block, _)| block.section == section);
+    let keys = sections.iter().enumerate().filter(|(section, _)| on_sheet(*section));
+    let keys = keys.map(|(section, Section { key, .. })| format!(" {}: {key}.", char::from(b'a' + section as u8)));
+    let title = match count {
+        1 => format!("Calibration sheet for {}", profile.name),
+        _ => format!("Calibration sheet for {}, {number} of {count}", profile.name),
+    };
+    let mut origin = vec![
+        ("program".into(), concat!("tactograph ", env!("CARGO_PKG_VERSION")).into()),
+        ("calibration sheet".into(), format!("{number} of {count}")),
+        ("profile".into(), profile.name.clone()),
+    ];
+    origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
+    let parts = Parts {
+        sheet: [width, height],
+        description: format!("{title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
+        title,
+        language: LANGUAGE.into(),
+        origin,
+        frame: Dots { diameter: profile.frame.dot, at: marks.frame },
+        figure: Figure {
+            place,
+            source: Size::new(place.width().round().max(1.0) as u32, place.height().round().max(1.0) as u32),
+            textures: marks.textures,
+            lines: marks.lines,
+        },
+        overview: None,
+        labels: marks.labels,
+    };
+    Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))
+}

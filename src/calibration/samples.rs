@@ -1,0 +1,133 @@
+//! The samples themselves, each with its label.
+
+use super::braille;
+use super::flow::{Block, Marks};
+use crate::classes::{Class, Classes, Region};
+use crate::lines::{Line, Run};
+use crate::page::Dots;
+use crate::page::frame_dots;
+use crate::page::layout::FrameParams;
+use crate::raster::plane::Plane;
+use crate::textures;
+use crate::units::{MmPoint, MmRect, MmVector, Size};
+
+/// Length of a sample of lines, mm. Chosen by us: twice the 12.5 mm that BANA is quoted with for main lines.
+const LENGTH: f32 = 25.0;
+/// Blank around a label, mm: what other tools leave around braille on graphics.
+const LABEL_GAP: f32 = 3.0;
+/// Least side of a texture's sample, mm: the least area whose texture can be identified is quoted as 13 x 13 mm.
+const SIDE: f32 = 13.0;
+/// Inner width and height of a frame's sample, mm.
+const FRAMED: [f32; 2] = [20.0, 10.0];
+
+/// Dots of some cells as a block.
+fn label(cells: &[u8], diameter: f32) -> Block {
+    let labels = vec![Dots { diameter, at: braille::dots(cells, diameter) }];
+    Block { size: braille::size(cells, diameter), marks: Marks { labels, ..Marks::default() }, ..Block::default() }
+}
+
+/// A sample above its number, both in the middle.
+pub(super) fn numbered(number: usize, sample: &Block) -> Block {
+    let label = label(&braille::number(number), braille::PRINTED);
+    let width = label.size.x.max(sample.size.x);
+    let mut block = Block { size: MmVector::new(width, sample.size.y + LABEL_GAP + label.size.y), ..Block::default() };
+    block.marks.add(&sample.marks, MmVector::new(0.5 * (width - sample.size.x), 0.0));
+    block.marks.add(&label.marks, MmVector::new(0.5 * (width - label.size.x), sample.size.y + LABEL_GAP));
+    block
+}
+
+/// A section's letter to the left of its first sample.
+pub(super) fn lettered(section: usize, sample: &Block) -> Block {
+    let letter = label(&braille::letter(section), braille::PRINTED);
+    let left = letter.size.x + LABEL_GAP;
+    let size = MmVector::new(left + sample.size.x, letter.size.y.max(sample.size.y));
+    let mut block = Block { size, ..Block::default() };
+    block.marks.add(&letter.marks, MmVector::zero());
+    block.marks.add(&sample.marks, MmVector::new(left, 0.0));
+    block
+}
+
+/// Upright lines of these widths side by side, with `gap` between their edges.
+pub(super) fn lines(widths: &[f32], gap: f32, strength: f32) -> Block {
+    let widest = widths.iter().copied().fold(0.0, f32::max);
+    let mut block = Block::default();
+    let mut left = 0.0;
+    for &width in widths {
+        let x = left + 0.5 * width;
+        // Round ends reach half a width further.
+        let points = [0.0, LENGTH].map(|y| MmPoint::new(x, 0.5 * widest + y)).to_vec();
+        block.marks.lines.push(Line { strength, runs: vec![Run { width, points }] });
+        left += width + gap;
+    }
+    block.size = MmVector::new(left - gap, LENGTH + widest);
+    block
+}
+
+/// A few braille cells in dots of this diameter.
+pub(super) fn braille_trial(diameter: f32) -> Block {
+    label(&braille::TRIAL, diameter)
+}
+
+/// An empty frame.
+pub(super) fn frame(params: &FrameParams) -> Block {
+    let corner = MmPoint::new(params.width, params.width);
+    let inner = MmRect::new(corner, corner + MmVector::from(FRAMED));
+    let at = frame_dots::around(inner, &FrameParams { gap: 0.0, ..*params }).at;
+    let size = MmVector::from(FRAMED) + MmVector::splat(2.0 * params.width);
+    Block { size, marks: Marks { frame: at, ..Marks::default() }, ..Block::default() }
+}
+
+/// Side of a texture's sample, mm: room for some glyphs of the sparse texture.
+pub(super) fn side(params: &textures::Params) -> f32 {
+    SIDE.max(4.0 * params.along.max(params.across).max(params.dot_pitch))
+}
+
+/// A square of the texture that a page has where a colour of this class and lightness is, far from any line.
+pub(super) fn texture(class: Class, lightness: f32, params: &textures::Params) -> Block {
+    let side = side(params);
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(side, side));
+    let cells = Size::new(side.ceil() as u32, side.ceil() as u32);
+    let classes = Classes {
+        size: cells,
+        region: vec![Some(0); cells.area() as usize],
+        regions: vec![Region { class, cells: cells.area() as u32 }],
+        lightness: Plane::filled(cells, lightness),
+    };
+    let textures = textures::fill(&classes, area, &[], params);
+    Block { size: area.size().to_vector(), marks: Marks { textures, ..Marks::default() }, ..Block::default() }
+}
+
+/// Two samples, one above the other.
+pub(super) fn stacked(above: &Block, below: &Block) -> Block {
+    let top = above.size.y + LABEL_GAP;
+    let size = MmVector::new(above.size.x.max(below.size.x), top + below.size.y);
+    let mut block = Block { size, ..Block::default() };
+    block.marks.add(&above.marks, MmVector::zero());
+    block.marks.add(&below.marks, MmVector::new(0.0, top));
+    block
+}
+
+/// A table of samples of one size with a letter in its corner, the numbers of the columns above and of the rows to the left.
+pub(super) fn table(section: usize, rows: &[Vec<Block>]) -> Block {
+    let number = |n: usize| label(&braille::number(n + 1), braille::PRINTED);
+    let cell = rows.iter().flatten().fold(MmVector::zero(), |size, block| size.max(block.size));
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let (left, top) = (number(0).size.x + LABEL_GAP, number(0).size.y + LABEL_GAP);
+    let at = |column: usize, row: usize| {
+        MmVector::new(left + column as f32 * (cell.x + LABEL_GAP), top + row as f32 * (cell.y + LABEL_GAP))
+    };
+    let mut block = Block { size: at(columns, rows.len()) - MmVector::splat(LABEL_GAP), ..Block::default() };
+    block.marks.add(&label(&braille::letter(section), braille::PRINTED).marks, MmVector::zero());
+    for column in 0..columns {
+        let number = number(column);
+        block.marks.add(&number.marks, MmVector::new(at(column, 0).x + 0.5 * (cell.x - number.size.x), 0.0));
+    }
+    for (i, row) in rows.iter().enumerate() {
+        let number = number(i);
+        block.marks.add(&number.marks, MmVector::new(0.0, at(0, i).y + 0.5 * (cell.y - number.size.y)));
+        for (column, sample) in row.iter().enumerate() {
+            block.marks.add(&sample.marks, at(column, i));
+        }
+    }
+    block
+}
