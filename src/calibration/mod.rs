@@ -41,6 +41,8 @@ const BRAILLE_DOTS: [f32; 5] = [1.0, 1.15, 1.3, 1.45, 1.6];
 const FRAME_PITCHES: [f32; 3] = [0.75, 1.0, 1.5];
 /// Thicknesses of the smallest glyph, mm: around the 0.5 that hatching notes give as the least for anything printed.
 const GLYPHS: [f32; 6] = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
+/// Lightness of the smallest glyphs as a share of that from which there are none: as near as rounding lets it.
+const LIGHTEST: f32 = 0.9999;
 /// Lightness of the samples of a texture as shares of that from which there is none: from the boldest glyphs to the lightest.
 const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.99];
 /// How much further apart the glyphs of the middle density stand than those of the dense one: between dense, and sparse with
@@ -126,11 +128,11 @@ fn frames(profile: &Profile) -> Section {
 }
 
 fn glyphs(params: &textures::Params) -> Section {
-    let lightest = 0.99 * params.white_from;
+    let (lightest, side) = (LIGHTEST * params.white_from, samples::side(params));
     let key = format!("the smallest rhombuses, above, and dots, {} mm thick", listed(&GLYPHS));
     let sample = |min_glyph| {
         let params = textures::Params { dense_from: 0.0, min_glyph, dot: min_glyph, ..*params };
-        let of = |class| samples::texture(class, lightest, &params);
+        let of = |class| samples::texture(class, lightest, side, &params);
         samples::stacked(&of(Class::Blue), &of(Class::Grey))
     };
     Section { blocks: row(4, GLYPHS.map(sample)), key }
@@ -147,7 +149,9 @@ fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
     };
     // No density reaches this.
     let sparse = textures::Params { dense_from: f32::INFINITY, ..*params };
-    let sample = |params: &textures::Params, share: f32| samples::texture(class, share * params.white_from, params);
+    let side = samples::side(params);
+    let sample =
+        |params: &textures::Params, share: f32| samples::texture(class, share * params.white_from, side, params);
     let rows = [dense, wider, sparse].map(|params| LIGHTNESS.map(|share| sample(&params, share)).to_vec());
     let lightness = LIGHTNESS.map(|share| (100.0 * share * params.white_from).round() / 100.0);
     let key = format!(

@@ -1,5 +1,6 @@
 //! What may be said on the command line, and the help that teaches it.
 
+mod calibrate;
 mod shared;
 mod trace;
 mod writing;
@@ -10,6 +11,7 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 
+pub(super) use self::calibrate::Calibrate;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 pub(super) use self::writing::{Chosen, Writing};
@@ -96,6 +98,10 @@ pub(super) enum Command {
     #[command(long_about = trace::LONG_ABOUT, after_long_help = trace::AFTER_LONG_HELP)]
     #[command(after_help = "Format, unit, examples and exit codes: tactograph trace --help")]
     Trace(Trace),
+    /// Makes a sheet of samples, to choose widths, gaps and textures for your paper by touch
+    #[command(long_about = calibrate::LONG_ABOUT, after_long_help = calibrate::AFTER_LONG_HELP)]
+    #[command(after_help = "What is on it, examples and exit codes: tactograph calibrate --help")]
+    Calibrate(Calibrate),
     /// Lists the profiles (papers and their settings) that come with the program, or shows one
     #[command(long_about = "Lists the profiles that come with the program, one a line: name and description.\n\n\
         A profile is a paper with all settings that a page for it needs: sizes, line widths, textures. The first in \
@@ -230,8 +236,9 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command =
-                ["convert", "trace", "profiles"].iter().find(|name| args.get(1).is_some_and(|arg| arg == *name));
+            let command = ["convert", "trace", "calibrate", "profiles"]
+                .iter()
+                .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
             let what = natural_mistake(&args, error.kind()).unwrap_or_else(|| in_one_line(&error.to_string()));
             Report::plain().usage(&format!("{what}; see tactograph {help}"));

@@ -2,6 +2,7 @@
 
 mod args;
 mod batch;
+mod calibrate;
 mod convert;
 mod fonts;
 mod input;
@@ -11,6 +12,7 @@ mod product;
 mod profiles;
 mod report;
 mod settings;
+mod sheets;
 mod side_by_side;
 mod timings;
 mod trace;
@@ -36,6 +38,7 @@ pub(crate) fn run() -> ExitCode {
     let exit = match args::parse(std::env::args_os()) {
         Parsed::Command(Command::Convert(convert)) => convert::run(&convert),
         Parsed::Command(Command::Trace(trace)) => trace::run(&trace),
+        Parsed::Command(Command::Calibrate(calibrate)) => calibrate::run(&calibrate),
         Parsed::Command(Command::Profiles(profiles)) => match profiles.command {
             None => profiles::list(&Report::plain()),
             Some(ProfilesCommand::Show { name }) => profiles::show(&name, &Report::plain()),

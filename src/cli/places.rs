@@ -128,7 +128,7 @@ pub(super) fn ends_in(path: &Path, wanted: &str) -> bool {
 }
 
 /// A name such as `page.jpg` would promise what is not written.
-fn wrong_ending(path: &Path, product: Product) -> Option<String> {
+pub(super) fn wrong_ending(path: &Path, product: Product) -> Option<String> {
     let ending = path.extension()?;
     let (noun, own) = (product.noun(), product.ending());
     if ends_in(path, own) {

@@ -1,0 +1,41 @@
+//! `tactograph calibrate`: a profile in, sheets of samples out.
+
+use tactograph::calibration;
+
+use super::args::Calibrate;
+use super::product::Product;
+use super::report::Report;
+use super::{Exit, places, settings, sheets};
+
+/// Makes the sheets and tells what is on them.
+pub(super) fn run(args: &Calibrate) -> Exit {
+    let report = Report::of_pictures(1, args.quiet);
+    let (chosen, mut faults) = args.writing.choose(Some(&args.output));
+    faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
+    faults.iter().for_each(|what| report.usage(what));
+    let plan = match settings::plan(&args.profile, &args.set) {
+        Ok(plan) if faults.is_empty() => plan,
+        plan => {
+            plan.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
+            return Exit::Usage;
+        }
+    };
+    let pages = match calibration::sheets(&plan) {
+        Ok(pages) => pages,
+        Err(error) => {
+            report.error(&args.profile, &error.to_string());
+            return Exit::Failed;
+        }
+    };
+    match sheets::write(&pages, chosen, &args.output) {
+        Ok(names) => {
+            pages.iter().for_each(|page| report.done(&page.description));
+            names.iter().for_each(|name| report.done(&format!("wrote {name}")));
+            Exit::Done
+        }
+        Err((file, what)) => {
+            report.error(&file, &what);
+            Exit::Failed
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Several pages that belong together: one PDF, or files with numbers.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use tactograph::Page;
+use tactograph::output::pdf;
+
+use super::args::Chosen;
+use super::product::{Format, Product};
+use super::{convert, output, places};
+
+/// A file and the bytes that go there.
+struct File {
+    /// None is standard output.
+    path: Option<PathBuf>,
+    /// Whether the program made up the name.
+    made_up: bool,
+    bytes: Vec<u8>,
+}
+
+/// Writes pages to the file that the user named, or to as many files as the format takes. Returns the names.
+///
+/// # Errors
+/// What is in the way, with the file that it is about. All files are looked at before the first is written.
+pub(super) fn write(pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<String>, (String, String)> {
+    let product = Product::Page(chosen.format);
+    let files = files(pages, chosen, to)?;
+    let name =
+        |file: &File| file.path.as_ref().map_or_else(|| "standard output".into(), |path| path.display().to_string());
+    let about = |file: &File, error: anyhow::Error| (name(file), format!("{error:#}"));
+    for file in &files {
+        if let Some(path) = &file.path {
+            output::check(path, product, file.made_up).map_err(|error| about(file, error))?;
+        }
+    }
+    for file in &files {
+        match &file.path {
+            Some(path) => output::to_file(path, &file.bytes, product.noun()),
+            None => output::to_stdout(&file.bytes, product.noun()),
+        }
+        .map_err(|error| about(file, error))?;
+    }
+    Ok(files.iter().map(name).collect())
+}
+
+fn files(pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<File>, (String, String)> {
+    let path = (!places::is_std(to)).then(|| to.to_path_buf());
+    let one = |bytes| vec![File { path: path.clone(), made_up: false, bytes }];
+    let bytes = |page| convert::write(page, chosen).map_err(|error| (to.display().to_string(), error.to_string()));
+    match (pages, &path) {
+        (_, _) if chosen.format == Format::Pdf => Ok(one(pdf::write(pages))),
+        ([page], _) => Ok(one(bytes(page)?)),
+        (_, None) => {
+            let what = format!(
+                "{} sheets do not go into one file of this format; add --format pdf, or name a file",
+                pages.len()
+            );
+            Err(("standard output".into(), what))
+        }
+        (_, Some(path)) => {
+            let numbered = pages.iter().enumerate().map(|(index, page)| {
+                Ok(File { path: Some(numbered(path, index + 1)), made_up: true, bytes: bytes(page)? })
+            });
+            numbered.collect()
+        }
+    }
+}
+
+/// `sheet.svg` gives `sheet-2.svg`.
+fn numbered(path: &Path, number: usize) -> PathBuf {
+    let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
+    name.push(format!("-{number}"));
+    if let Some(ending) = path.extension() {
+        name.push(".");
+        name.push(ending);
+    }
+    path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_stand_before_the_ending() {
+        for (name, want) in [("a.svg", "a-2.svg"), ("d/a.b.png", "d/a.b-2.png"), ("a", "a-2")] {
+            assert_eq!(numbered(Path::new(name), 2), Path::new(want));
+        }
+    }
+}

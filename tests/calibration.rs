@@ -1,0 +1,158 @@
+//! The calibration sheet has what it says, where fingers can part it.
+
+use tactograph::calibration::sheets;
+use tactograph::page::{Class, Glyph, Page, Shape};
+use tactograph::profile::{Plan, Profile, built_in};
+use tactograph::units::MmPoint;
+use tactograph::{Error, output};
+
+fn plan(profile: &str, settings: &[(&str, &str)]) -> Plan {
+    let mut profile = Profile::named(profile).expect("it is built in");
+    for (key, value) in settings {
+        profile.set(key, value).expect("the test sets what there is");
+    }
+    Plan::new(&profile).expect("the settings make sense together")
+}
+
+/// Everything on a page as discs: centre and radius. What is long is many discs.
+fn discs(page: &Page) -> Vec<(MmPoint, f32)> {
+    let mut discs: Vec<(MmPoint, f32)> = page.frame.at.iter().map(|&at| (at, 0.5 * page.frame.diameter)).collect();
+    for run in page.figure.lines.iter().flat_map(|line| &line.runs) {
+        let (from, to) = (run.points[0], run.points[run.points.len() - 1]);
+        discs.extend((0..=50).map(|k| (from.lerp(to, k as f32 / 50.0), 0.5 * run.width)));
+    }
+    for glyph in glyphs(page) {
+        match glyph.shape {
+            Shape::Rhombus { .. } => discs.extend(glyph.corners().map(|corner| (corner, 0.0))),
+            Shape::Dot { diameter } => discs.push((glyph.at, 0.5 * diameter)),
+        }
+    }
+    discs
+}
+
+fn glyphs(page: &Page) -> impl Iterator<Item = &Glyph> {
+    page.figure.textures.iter().flat_map(|texture| &texture.glyphs)
+}
+
+fn labels(page: &Page) -> Vec<(MmPoint, f32)> {
+    page.labels.iter().flat_map(|dots| dots.at.iter().map(|&at| (at, 0.5 * dots.diameter))).collect()
+}
+
+#[test]
+fn every_profile_has_its_sheets_within_their_margins() {
+    for profile in built_in() {
+        let plan = plan(profile.name, &[]);
+        let pages = sheets(&plan).expect("the samples have room");
+        assert!((1..=3).contains(&pages.len()), "{}: {} sheets", profile.name, pages.len());
+        let margin = plan.profile().page.margin;
+        for page in &pages {
+            assert!(!page.labels.is_empty() && page.description.contains(profile.name), "{}", page.description);
+            for (at, radius) in discs(page).into_iter().chain(labels(page)) {
+                let (right, bottom) = (page.sheet[0] - margin, page.sheet[1] - margin);
+                let inside = at.x - radius >= margin - 0.01 && at.x + radius <= right + 0.01;
+                assert!(inside && at.y - radius >= margin - 0.01 && at.y + radius <= bottom + 0.01, "{at:?} off");
+            }
+        }
+        assert!(pages == sheets(&plan).expect("the same"), "not the same sheets again");
+    }
+}
+
+#[test]
+fn labels_stand_clear_of_all_samples() {
+    for page in sheets(&plan("swell-a4", &[])).expect("the samples have room") {
+        let marks = discs(&page);
+        for (dot, radius) in labels(&page) {
+            let gaps = marks.iter().map(|(at, other)| (*at - dot).length() - radius - other);
+            let least = gaps.fold(f32::MAX, f32::min);
+            assert!(least >= 2.99, "a label at {dot:?} is {least} mm from a mark");
+        }
+    }
+}
+
+#[test]
+fn lines_have_all_widths_and_pairs_all_gaps() {
+    let page = &sheets(&plan("swell-a4", &[("lines.width_max", "1.6")])).expect("the samples have room")[0];
+    let mut lines: Vec<_> = page.figure.lines.iter().map(|line| &line.runs[0]).collect();
+    assert!(lines.iter().all(|run| run.points.len() == 2 && (run.points[0].x - run.points[1].x).abs() < 1e-4));
+    let pairs = lines.split_off(12); // the eleven and the profile's own
+    let widths: Vec<f32> = lines.iter().map(|run| run.width).collect();
+    assert_eq!(widths, [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0]);
+    assert_eq!(pairs.len(), 16);
+    for (gap, pair) in (1..=8_u8).zip(pairs.chunks(2)) {
+        let between = pair[1].points[0].x - pair[0].points[0].x - 0.5 * (pair[0].width + pair[1].width);
+        assert!((between - f32::from(gap)).abs() < 0.001 && (pair[0].width - 1.6).abs() < 1e-6, "{between}, not {gap}");
+    }
+    assert!(page.description.contains(" a: lines 0.3, 0.4, 0.5, 0.6, 0.75, 1, 1.25, 1.5, 1.6, 2, 2.5, 3 mm wide."));
+}
+
+#[test]
+fn every_class_has_three_densities_of_five_boldnesses() {
+    let pages = sheets(&plan("swell-a4", &[])).expect("the samples have room");
+    for class in Class::ALL {
+        let textures = pages.iter().flat_map(|page| &page.figure.textures).filter(|texture| texture.class == class);
+        // Blue and grey have six samples more among the smallest glyphs, which come first.
+        let samples: Vec<_> = textures.collect();
+        let table = &samples[samples.len() - 15..];
+        assert_eq!(samples.len(), if [Class::Blue, Class::Grey].contains(&class) { 21 } else { 15 }, "{class:?}");
+        let counts: Vec<[usize; 5]> =
+            table.chunks(5).map(|row| [0, 1, 2, 3, 4].map(|column| row[column].glyphs.len())).collect();
+        for row in &counts {
+            // Smaller glyphs find room nearer to the edge of the sample.
+            assert!(row.is_sorted() && row[4] <= 2 * row[0], "{class:?}: boldness changes how many there are: {row:?}");
+        }
+        assert!(
+            counts[0][0] > counts[1][0] && counts[1][0] > counts[2][0] && counts[2][0] >= 6,
+            "{class:?}: {counts:?}"
+        );
+        let inks: Vec<Vec<f32>> =
+            table.chunks(5).map(|row| row.iter().map(|texture| texture.glyphs[0].area()).collect()).collect();
+        for row in inks {
+            assert!(row.windows(2).all(|pair| pair[0] > pair[1]), "{class:?}: not ever lighter: {row:?}");
+        }
+    }
+}
+
+#[test]
+fn smallest_glyphs_are_as_thin_as_told() {
+    let page = &sheets(&plan("swell-a4", &[])).expect("the samples have room")[0];
+    let thickness = |class: Class| -> Vec<f32> {
+        let of_class = page.figure.textures.iter().filter(|texture| texture.class == class).take(6);
+        of_class
+            .map(|texture| match texture.glyphs[0].shape {
+                Shape::Rhombus { thickness, .. } => thickness,
+                Shape::Dot { diameter } => diameter,
+            })
+            .collect()
+    };
+    for class in [Class::Blue, Class::Grey] {
+        let found = thickness(class);
+        assert!(
+            found.iter().zip([0.3, 0.4, 0.5, 0.6, 0.8, 1.0]).all(|(a, b): (&f32, f32)| (a - b).abs() < 0.001),
+            "{class:?}: {found:?}"
+        );
+    }
+    assert!(page.description.contains("0.3, 0.4, 0.5, 0.6, 0.8, 1 mm thick"));
+}
+
+#[test]
+fn a_sheet_too_small_for_a_sample_is_refused() {
+    let settings = [("page.width", "100"), ("page.height", "150")];
+    let error = sheets(&plan("swell-a4", &settings)).expect_err("a table of textures is wider");
+    assert!(matches!(&error, Error::NoRoom { sheet, .. } if sheet == "100 x 150 mm"), "{error}");
+}
+
+#[test]
+fn sheets_are_one_document_or_one_drawing_each() {
+    let pages = sheets(&plan("swell-a4", &[])).expect("the samples have room");
+    let pdf = String::from_utf8_lossy(&output::pdf::write(&pages)).into_owned();
+    assert!(pdf.contains(&format!("/Type/Pages/Count {}", pages.len())), "not one document of all sheets");
+    for page in &pages {
+        let svg = output::svg::write(page);
+        let document = roxmltree::Document::parse(&svg).expect("XML");
+        let labels =
+            document.descendants().find(|node| node.attribute("id") == Some("labels")).expect("a layer of labels");
+        let discs: usize =
+            labels.children().filter_map(|path| path.attribute("d")).map(|d| d.matches('M').count()).sum();
+        assert_eq!(discs, page.labels.iter().map(|dots| dots.at.len()).sum::<usize>());
+    }
+}
