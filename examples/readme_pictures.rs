@@ -1,5 +1,5 @@
 //! Makes the pictures of the README, `docs/readme/*.png`: a sample on the left, the page that the library makes of it on
-//! the right.
+//! the right; and the calibration sheet.
 //!
 //! ```text
 //! cargo run --release --example readme_pictures
@@ -34,13 +34,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         let stem = Path::new(name).file_stem().unwrap_or_default();
         side_by_side(&picture, &page)?.save_png(out.join(stem).with_extension("png"))?;
     }
+    let sheets = tactograph::calibration::sheets(&plan()?)?;
+    let first = sheets.first().ok_or("no calibration sheet")?;
+    let first = Tree::from_str(&svg::write(first), &Options::default())?;
+    on_grey(&first)?.save_png(out.join("calibration.png"))?;
     Ok(())
+}
+
+fn plan() -> Result<Plan, Box<dyn Error>> {
+    let profile = Profile::named("swell-a4").map_err(|faults| format!("{faults:?}"))?;
+    Ok(Plan::new(&profile).map_err(|faults| format!("{faults:?}"))?)
 }
 
 /// The page of a sample, as `tactograph convert` makes it.
 fn page_of(file: &Path, title: &str) -> Result<String, Box<dyn Error>> {
-    let profile = Profile::named("swell-a4").map_err(|faults| format!("{faults:?}"))?;
-    let plan = Plan::new(&profile).map_err(|faults| format!("{faults:?}"))?;
+    let plan = plan()?;
     // None of these samples has text.
     let request = Request { plan: &plan, limits: Limits::default(), fonts: &Arc::default, title };
     Ok(svg::write(&convert(&std::fs::read(file)?, &request, &mut |_| ())?.page))
@@ -55,6 +63,20 @@ fn picture(folder: &Path, name: &str, [width, height]: [f32; 2]) -> Result<Tree,
            </svg>"#
     );
     Ok(Tree::from_str(&text, &options)?)
+}
+
+/// A sheet alone, on grey as in [`side_by_side`].
+fn on_grey(page: &Tree) -> Result<Pixmap, Box<dyn Error>> {
+    let scale = PX_PER_MM * 25.4 / 96.0;
+    let [width, height] = [page.size().width(), page.size().height()].map(|side| (side * scale + 2.0 * MARGIN).ceil());
+    let mut all = Pixmap::new(width as u32, height as u32).ok_or("too large")?;
+    all.fill(Color::from_rgba8(0xd8, 0xd8, 0xd8, 0xff));
+    let mut sheet = Pixmap::new((width - 2.0 * MARGIN) as u32, (height - 2.0 * MARGIN) as u32).ok_or("too large")?;
+    sheet.fill(Color::WHITE);
+    resvg::render(page, Transform::from_scale(scale, scale), &mut sheet.as_mut());
+    let (at, paint) = (MARGIN as i32, Default::default());
+    all.draw_pixmap(at, at, sheet.as_ref(), &paint, Transform::identity(), None);
+    Ok(all)
 }
 
 /// Both on grey, so that the white sheet is seen to its edge.

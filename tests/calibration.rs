@@ -144,7 +144,7 @@ fn a_sheet_too_small_for_a_sample_is_refused() {
 #[test]
 fn sheets_are_one_document_or_one_drawing_each() {
     let pages = sheets(&plan("swell-a4", &[])).expect("the samples have room");
-    let pdf = String::from_utf8_lossy(&output::pdf::write(&pages)).into_owned();
+    let pdf = String::from_utf8_lossy(&output::pdf::write("Calibration", &pages)).into_owned();
     assert!(pdf.contains(&format!("/Type/Pages/Count {}", pages.len())), "not one document of all sheets");
     for page in &pages {
         let svg = output::svg::write(page);

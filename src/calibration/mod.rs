@@ -76,6 +76,11 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     pages.collect()
 }
 
+/// What all sheets for a profile are called together.
+pub fn title(plan: &Plan) -> String {
+    format!("Calibration sheet for {}", plan.profile().name)
+}
+
 fn sections(plan: &Plan) -> Vec<Section> {
     let profile = plan.profile();
     let textures = plan.textures();
@@ -180,9 +185,9 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
     let on_sheet = |section: usize| sheet.iter().any(|(block, _)| block.section == section);
     let keys = sections.iter().enumerate().filter(|(section, _)| on_sheet(*section));
     let keys = keys.map(|(section, Section { key, .. })| format!(" {}: {key}.", char::from(b'a' + section as u8)));
-    let title = match count {
-        1 => format!("Calibration sheet for {}", profile.name),
-        _ => format!("Calibration sheet for {}, {number} of {count}", profile.name),
+    let own_title = match count {
+        1 => title(plan),
+        _ => format!("{}, {number} of {count}", title(plan)),
     };
     let mut origin = vec![
         ("program".into(), concat!("tactograph ", env!("CARGO_PKG_VERSION")).into()),
@@ -192,8 +197,8 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
     origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
     let parts = Parts {
         sheet: [width, height],
-        description: format!("{title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
-        title,
+        description: format!("{own_title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
+        title: own_title,
         language: LANGUAGE.into(),
         origin,
         frame: Dots { diameter: profile.frame.dot, at: marks.frame },

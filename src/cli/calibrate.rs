@@ -27,7 +27,7 @@ pub(super) fn run(args: &Calibrate) -> Exit {
             return Exit::Failed;
         }
     };
-    match sheets::write(&pages, chosen, &args.output) {
+    match sheets::write(&calibration::title(&plan), &pages, chosen, &args.output) {
         Ok(names) => {
             pages.iter().for_each(|page| report.done(&page.description));
             names.iter().for_each(|name| report.done(&format!("wrote {name}")));

@@ -38,7 +38,7 @@ pub(super) fn run(args: &Convert) -> Exit {
 pub(super) fn write(page: &Page, chosen: Chosen) -> Result<Vec<u8>, Error> {
     Ok(match chosen.format {
         Format::Svg => svg::write(page).into_bytes(),
-        Format::Pdf => pdf::write(std::slice::from_ref(page)),
+        Format::Pdf => pdf::write(&page.title, std::slice::from_ref(page)),
         Format::Png => png::write(page, chosen.dpi, chosen.depth)?,
     })
 }

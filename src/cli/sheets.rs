@@ -19,13 +19,13 @@ struct File {
     bytes: Vec<u8>,
 }
 
-/// Writes pages to the file that the user named, or to as many files as the format takes. Returns the names.
+/// Writes pages that are called `title` together to the file that the user named, or to as many files as the format takes. Returns the names.
 ///
 /// # Errors
 /// What is in the way, with the file that it is about. All files are looked at before the first is written.
-pub(super) fn write(pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<String>, (String, String)> {
+pub(super) fn write(title: &str, pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<String>, (String, String)> {
     let product = Product::Page(chosen.format);
-    let files = files(pages, chosen, to)?;
+    let files = files(title, pages, chosen, to)?;
     let name =
         |file: &File| file.path.as_ref().map_or_else(|| "standard output".into(), |path| path.display().to_string());
     let about = |file: &File, error: anyhow::Error| (name(file), format!("{error:#}"));
@@ -44,12 +44,12 @@ pub(super) fn write(pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<Str
     Ok(files.iter().map(name).collect())
 }
 
-fn files(pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<File>, (String, String)> {
+fn files(title: &str, pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<File>, (String, String)> {
     let path = (!places::is_std(to)).then(|| to.to_path_buf());
     let one = |bytes| vec![File { path: path.clone(), made_up: false, bytes }];
     let bytes = |page| convert::write(page, chosen).map_err(|error| (to.display().to_string(), error.to_string()));
     match (pages, &path) {
-        (_, _) if chosen.format == Format::Pdf => Ok(one(pdf::write(pages))),
+        (_, _) if chosen.format == Format::Pdf => Ok(one(pdf::write(title, pages))),
         ([page], _) => Ok(one(bytes(page)?)),
         (_, None) => {
             let what = format!(

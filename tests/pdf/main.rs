@@ -21,6 +21,11 @@ fn sample(name: &str, settings: &[(&str, &str)]) -> Page {
     page::page_of(&bytes, name, settings, &mut |_| ()).page
 }
 
+/// A document of one page.
+fn written(page: &Page) -> Vec<u8> {
+    pdf::write(&page.title, std::slice::from_ref(page))
+}
+
 /// Pages with everything, with nothing, and without some of the layers.
 fn pages() -> Vec<Page> {
     vec![
@@ -43,7 +48,7 @@ fn boxes(dict: &str, key: &str) -> Vec<f32> {
 #[test]
 fn a_sheet_has_its_true_size_and_no_other_box() {
     for page in pages() {
-        let bytes = pdf::write(std::slice::from_ref(&page));
+        let bytes = written(&page);
         let reader = Reader::new(&bytes);
         let leaf = reader.only("/Type/Page/");
         let want = [0.0, 0.0, page.sheet[0] * POINTS_PER_MM, page.sheet[1] * POINTS_PER_MM];
@@ -120,7 +125,7 @@ fn is_same(pdf: &[[i64; 2]], svg: &[[i64; 2]]) -> bool {
 fn marks_are_those_of_the_svg_in_the_same_layers() {
     let mut compared = 0;
     for page in pages() {
-        let bytes = pdf::write(std::slice::from_ref(&page));
+        let bytes = written(&page);
         let reader = Reader::new(&bytes);
         let (here, there) = (reader.marks(reader.only("/Type/Page/")), marks_of_svg(&page));
         assert_eq!(here.len(), there.len(), "{}", page.title);
@@ -144,7 +149,7 @@ fn marks_are_those_of_the_svg_in_the_same_layers() {
 #[test]
 fn layers_have_the_names_of_the_svg_and_lie_in_one_another_alike() {
     for page in pages() {
-        let bytes = pdf::write(std::slice::from_ref(&page));
+        let bytes = written(&page);
         let reader = Reader::new(&bytes);
         let text = svg::write(&page);
         let document = Document::parse(&text).expect("XML");
@@ -179,7 +184,7 @@ fn words_are_where_a_screen_reader_looks_for_them() {
     let plain = sample("empty.png", &[]);
     let odd = plain.clone().called(Some("Tee (grün) \\ \u{1F375}"), Some(("Ein <Becher> & ein Löffel", "de-AT")));
     for (page, language) in [(plain, "en"), (odd, "de-AT")] {
-        let bytes = pdf::write(std::slice::from_ref(&page));
+        let bytes = written(&page);
         let reader = Reader::new(&bytes);
         let catalog = reader.only("/Type/Catalog");
         assert_eq!(string_of(catalog, "Lang"), language);
@@ -220,11 +225,12 @@ fn words_are_where_a_screen_reader_looks_for_them() {
 #[test]
 fn several_pages_are_one_document_with_one_set_of_layers() {
     let pages = pages();
-    let bytes = pdf::write(&pages);
+    let bytes = pdf::write("Three pages", &pages);
     let reader = Reader::new(&bytes);
     let leaves = reader.with("/Type/Page/");
     assert_eq!(leaves.len(), pages.len());
     assert!(reader.only("/Type/Pages").contains("/Count 3"));
+    assert_eq!(string_of(&reader.objects[&reader.follow(&reader.trailer, "Info")], "Title"), "Three pages");
     let mut names: Vec<String> = reader.with("/Type/OCG").iter().map(|(_, layer)| string_of(layer, "Name")).collect();
     assert_eq!(names.len(), 11, "{names:?}");
     names.dedup();
@@ -232,7 +238,7 @@ fn several_pages_are_one_document_with_one_set_of_layers() {
     let root = reader.only("/Type/StructTreeRoot");
     for (number, ((own, leaf), page)) in leaves.iter().zip(&pages).enumerate() {
         // Each page is the same as if it were alone.
-        let alone = pdf::write(std::slice::from_ref(page));
+        let alone = written(page);
         let alone = Reader::new(&alone);
         assert!(reader.marks(leaf) == alone.marks(alone.only("/Type/Page/")), "page {number}");
         assert!((boxes(leaf, "MediaBox")[2] - page.sheet[0] * POINTS_PER_MM).abs() < 0.001);
@@ -246,15 +252,15 @@ fn several_pages_are_one_document_with_one_set_of_layers() {
 #[test]
 fn the_same_page_gives_the_same_bytes_and_no_date() {
     let page = sample("coffee.png", &[]);
-    let bytes = pdf::write(std::slice::from_ref(&page));
-    assert!(bytes == pdf::write(&[page]));
+    let bytes = written(&page);
+    assert!(bytes == written(&page));
     let text = String::from_utf8_lossy(&bytes);
     assert!(!text.contains("Date"), "a clock was asked");
 }
 
 #[test]
 fn a_change_by_anybody_is_seen() {
-    let bytes = pdf::write(&[sample("empty.png", &[])]);
+    let bytes = written(&sample("empty.png", &[]));
     assert!(pdf::is_as_written(&bytes));
     for at in (0..Reader::new(&bytes).table).step_by(97) {
         let mut changed = bytes.clone();
@@ -281,7 +287,7 @@ fn a_change_by_anybody_is_seen() {
 #[test]
 fn marks_have_layers_that_the_reader_of_this_test_tells_apart() {
     let page = sample("landscape.svg", &[]);
-    let bytes = pdf::write(&[page]);
+    let bytes = written(&page);
     let reader = Reader::new(&bytes);
     let marks = reader.marks(reader.only("/Type/Page/"));
     for layer in ["Frame", "Texture blue", "Texture green", "Lines", "Overview frame", "Overview"] {

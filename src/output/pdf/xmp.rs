@@ -6,10 +6,10 @@ use super::super::{origin_lines, plain};
 use super::PROGRAM;
 use crate::page::Page;
 
-/// The packet. The number of PDF/UA says that the file keeps the rules of ISO 14289-1 (accessible PDF); `tactograph:made`
+/// The packet for a document whose first page is this. The number of PDF/UA says that the file keeps the rules of ISO 14289-1 (accessible PDF); `tactograph:made`
 /// says how the page was made, as the SVG does in its `metadata`.
-pub(super) fn packet(page: &Page) -> String {
-    let (title, description) = (escaped(&page.title), escaped(&page.description));
+pub(super) fn packet(title: &str, page: &Page) -> String {
+    let (title, description) = (escaped(title), escaped(&page.description));
     let language = escaped(&page.language);
     let mut made = String::new();
     for line in origin_lines(&page.origin) {
