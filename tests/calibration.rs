@@ -78,6 +78,10 @@ fn lines_have_all_widths_and_pairs_all_gaps() {
     let widths: Vec<f32> = lines.iter().map(|run| run.width).collect();
     assert_eq!(widths, [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0]);
     assert_eq!(pairs.len(), 16);
+    for pair in pairs.windows(2).skip(1).step_by(2) {
+        let apart = pair[1].points[0].x - pair[0].points[0].x - 1.6;
+        assert!(apart > 8.5, "{apart} mm between two pairs: they are taken for one");
+    }
     for (gap, pair) in (1..=8_u8).zip(pairs.chunks(2)) {
         let between = pair[1].points[0].x - pair[0].points[0].x - 0.5 * (pair[0].width + pair[1].width);
         assert!((between - f32::from(gap)).abs() < 0.001 && (pair[0].width - 1.6).abs() < 1e-6, "{between}, not {gap}");

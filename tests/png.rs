@@ -54,7 +54,7 @@ fn sizes_are_true_to_one_pixel() {
         let page = page_on(&settings);
         for n in [Dpi::LEAST, 96, 300, 301] {
             let picture = read(&write(&page, dpi(n), Depth::Bilevel).expect("a PNG"));
-            let pixels = [picture.info.width, picture.info.height].map(|side| f64::from(side));
+            let pixels = [picture.info.width, picture.info.height].map(f64::from);
             let dims = picture.info.pixel_dims.expect("a size of its own");
             assert_eq!(dims.unit, png::Unit::Meter);
             for (per_metre, (pixels, mm)) in [dims.xppu, dims.yppu].into_iter().zip(pixels.into_iter().zip(sheet)) {

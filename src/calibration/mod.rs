@@ -37,6 +37,10 @@ const WIDTHS: [f32; 11] = [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3
 const GAPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 /// Diameters of braille dots, mm: from well below what fonts for swell paper print (1.3) to the raised dot itself (1.6).
 const BRAILLE_DOTS: [f32; 5] = [1.0, 1.15, 1.3, 1.45, 1.6];
+/// Blank after a pair of lines beside that between any two samples, mm: together well over the widest gap in a pair.
+const PAIR_GAP: f32 = 6.0;
+/// Blank after a word of braille beside that between any two samples, mm: a cell.
+const WORD_GAP: f32 = 6.0;
 /// Distances of a frame's dots as shares of the profile's.
 const FRAME_PITCHES: [f32; 3] = [0.75, 1.0, 1.5];
 /// Thicknesses of the smallest glyph, mm: around the 0.5 that hatching notes give as the least for anything printed.
@@ -116,12 +120,14 @@ fn pairs(profile: &Profile) -> Section {
     let width = profile.lines.width_max;
     let key = format!("pairs of lines {width} mm wide with gaps of {} mm", listed(&GAPS));
     let pair = |gap| samples::lines(&[width; 2], gap, profile.lines.full_strength);
-    Section { blocks: row(1, GAPS.map(pair)), key }
+    let blocks = row(1, GAPS.map(pair)).into_iter().map(|block| samples::apart(PAIR_GAP, block));
+    Section { blocks: blocks.collect(), key }
 }
 
 fn braille_dots() -> Section {
     let key = format!("a full braille cell and the word dot, in dots of {} mm", listed(&BRAILLE_DOTS));
-    Section { blocks: row(2, BRAILLE_DOTS.map(samples::braille_trial)), key }
+    let blocks = row(2, BRAILLE_DOTS.map(samples::braille_trial)).into_iter();
+    Section { blocks: blocks.map(|block| samples::apart(WORD_GAP, block)).collect(), key }
 }
 
 fn frames(profile: &Profile) -> Section {

@@ -16,6 +16,9 @@ use crate::units::{MmPoint, MmRect, MmVector, Size};
 const LENGTH: f32 = 25.0;
 /// Blank around a label, mm: what other tools leave around braille on graphics.
 const LABEL_GAP: f32 = 3.0;
+/// Blank between a section's letter and its first sample, mm. Chosen by us: more than the 6 mm from one braille cell to the
+/// next, so that the letter is not read as part of a sample.
+const LETTER_GAP: f32 = 8.0;
 /// Blank between the samples of a table, mm. A study of guide maps found 5 mm easiest between a texture and its neighbour.
 const CELL_GAP: f32 = 5.0;
 /// Least side of a texture's sample, mm: the least area whose texture can be identified is quoted as 13 x 13 mm.
@@ -39,10 +42,15 @@ pub(super) fn numbered(number: usize, sample: &Block) -> Block {
     block
 }
 
+/// A sample with so much more blank after it, for one that might be taken for a part of the next.
+pub(super) fn apart(blank: f32, block: Block) -> Block {
+    Block { size: block.size + MmVector::new(blank, 0.0), ..block }
+}
+
 /// A section's letter to the left of its first sample.
 pub(super) fn lettered(section: usize, sample: &Block) -> Block {
     let letter = label(&braille::letter(section), braille::PRINTED);
-    let left = letter.size.x + LABEL_GAP;
+    let left = letter.size.x + LETTER_GAP;
     let size = MmVector::new(left + sample.size.x, letter.size.y.max(sample.size.y));
     let mut block = Block { size, ..Block::default() };
     block.marks.add(&letter.marks, MmVector::zero());

@@ -214,7 +214,7 @@ pub(super) enum ProfilesCommand {
 #[derive(Debug)]
 pub(super) enum Parsed {
     /// It is right: this is to be done.
-    Command(Command),
+    Command(Box<Command>),
     /// It was answered already, with help, the version or an error.
     Shown(Exit),
 }
@@ -223,7 +223,7 @@ pub(super) enum Parsed {
 pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
     let args = args.into_iter().collect::<Vec<_>>();
     let error = match Cli::try_parse_from(&args) {
-        Ok(cli) => return Parsed::Command(cli.command),
+        Ok(cli) => return Parsed::Command(Box::new(cli.command)),
         Err(error) => error,
     };
     match error.kind() {

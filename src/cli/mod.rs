@@ -35,15 +35,18 @@ enum Exit {
 
 /// Runs the program with the arguments it was started with.
 pub(crate) fn run() -> ExitCode {
-    let exit = match args::parse(std::env::args_os()) {
-        Parsed::Command(Command::Convert(convert)) => convert::run(&convert),
-        Parsed::Command(Command::Trace(trace)) => trace::run(&trace),
-        Parsed::Command(Command::Calibrate(calibrate)) => calibrate::run(&calibrate),
-        Parsed::Command(Command::Profiles(profiles)) => match profiles.command {
+    let command = match args::parse(std::env::args_os()) {
+        Parsed::Command(command) => *command,
+        Parsed::Shown(exit) => return ExitCode::from(exit as u8),
+    };
+    let exit = match command {
+        Command::Convert(convert) => convert::run(&convert),
+        Command::Trace(trace) => trace::run(&trace),
+        Command::Calibrate(calibrate) => calibrate::run(&calibrate),
+        Command::Profiles(profiles) => match profiles.command {
             None => profiles::list(&Report::plain()),
             Some(ProfilesCommand::Show { name }) => profiles::show(&name, &Report::plain()),
         },
-        Parsed::Shown(exit) => exit,
     };
     ExitCode::from(exit as u8)
 }
