@@ -43,8 +43,19 @@ pub(super) struct Meeting {
     pub(super) arc: f32,
     pub(super) at: MmPoint,
     pub(super) line: u32,
-    /// If it is an end of the line that lies here: how far along the line that is.
-    end: Option<f32>,
+    /// How far along the line.
+    there: f32,
+    /// Whether it is an end of the line that lies here.
+    tip: bool,
+}
+
+impl Meeting {
+    /// The meeting of a trail that ends at a place with the line of a segment, if it ends on that.
+    fn of_end(at: MmPoint, arc: f32, segment: &Segment) -> Option<Self> {
+        let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
+        let there = segment.arc + (touched - segment.a).length();
+        (distance <= TOUCH).then_some(Self { arc, at, line: segment.line, there, tip: false })
+    }
 }
 
 /// How near a vertex is to lines.
@@ -75,8 +86,8 @@ pub(super) struct Field<'a> {
     segments: Nearby,
     /// Their ends, as segments without length; `index` is 1 at the end, 0 at the start.
     tips: Nearby,
-    /// Way to the last vertex of each, mm.
-    lengths: Vec<f32>,
+    /// Vertices of each, with the way to them, mm.
+    lines: Vec<Vec<(f32, MmPoint)>>,
     closed: Vec<bool>,
     /// For each cell whether a line may be nearer to a place in it than two lines may be.
     map: Vec<bool>,
@@ -112,7 +123,7 @@ impl<'a> Field<'a> {
             area,
             segments: Nearby::new(area, reach),
             tips: Nearby::new(area, reach),
-            lengths: Vec::new(),
+            lines: Vec::new(),
             closed: Vec::new(),
             map: vec![false; columns * rows],
             columns,
@@ -148,8 +159,8 @@ impl<'a> Field<'a> {
 
     /// Begins to draw a line. Returns its number. Nothing meets its ends until [`Field::finish`].
     pub(super) fn begin(&mut self, trail: &Trail) -> u32 {
-        let line = self.lengths.len() as u32;
-        self.lengths.push(0.0);
+        let line = self.lines.len() as u32;
+        self.lines.push(Vec::new());
         self.closed.push(trail.closed);
         self.go_on(trail, 0, line);
         line
@@ -167,7 +178,7 @@ impl<'a> Field<'a> {
                 self.mark(pair[1].at);
             }
         }
-        self.lengths[line as usize] = arcs.last().copied().unwrap_or(0.0);
+        self.lines[line as usize] = arcs.into_iter().zip(trail.vertices.iter().map(|vertex| vertex.at)).collect();
     }
 
     /// A line is complete: others may meet its ends.
@@ -175,7 +186,8 @@ impl<'a> Field<'a> {
         let (Some(first), Some(last), false) = (trail.vertices.first(), trail.vertices.last(), trail.closed) else {
             return;
         };
-        for (at, index, arc) in [(first.at, 0, 0.0), (last.at, 1, self.lengths[line as usize])] {
+        let length = self.lines[line as usize].last().map_or(0.0, |(arc, _)| *arc);
+        for (at, index, arc) in [(first.at, 0, 0.0), (last.at, 1, length)] {
             self.tips.insert(Segment { a: at, b: at, half_width: 0.0, line, index, arc });
         }
     }
@@ -219,23 +231,28 @@ impl<'a> Field<'a> {
                 if let Some(at) = crossing((a, b), (segment.a, segment.b))
                     && self.tips.nearest(at, TOUCH, |tip| tip.line == segment.line).is_none()
                 {
-                    meetings.push(Meeting { arc: arcs[i] + (at - a).length(), at, line: segment.line, end: None });
+                    let there = segment.arc + (at - segment.a).length();
+                    meetings.push(Meeting {
+                        arc: arcs[i] + (at - a).length(),
+                        at,
+                        line: segment.line,
+                        there,
+                        tip: false,
+                    });
                 }
             });
             self.tips.around(low, high, TOUCH, |tip| {
                 let (distance, at) = nearest_on_segment(tip.a, a, b);
                 if distance <= TOUCH {
                     let arc = arcs[i] + (at - a).length();
-                    meetings.push(Meeting { arc, at: tip.a, line: tip.line, end: Some(tip.arc) });
+                    meetings.push(Meeting { arc, at: tip.a, line: tip.line, there: tip.arc, tip: true });
                 }
             });
         }
         if !closed && let (Some(first), Some(last)) = (vertices.first(), vertices.last()) {
             for (at, arc) in [(first.at, 0.0), (last.at, arc)] {
                 self.segments.around(at, at, TOUCH, |segment| {
-                    if nearest_on_segment(at, segment.a, segment.b).0 <= TOUCH {
-                        meetings.push(Meeting { arc, at, line: segment.line, end: None });
-                    }
+                    meetings.extend(Meeting::of_end(at, arc, segment));
                 });
             }
         }
@@ -246,19 +263,28 @@ impl<'a> Field<'a> {
         places
     }
 
-    /// Whether a trail that meets a line does so again before it has been apart from it: the two wind round one another.
+    /// Whether a trail that meets a line does so again before it has been apart from it, or the line from the trail: the two
+    /// wind round one another.
     fn winds(&self, meeting: &Meeting, vertices: &[Vertex], places: &Places) -> bool {
+        let stretch = |from: f32, to: f32| {
+            let (from, to) = (from.min(to), from.max(to));
+            places.arcs.partition_point(|&arc| arc < from)..places.arcs.partition_point(|&arc| arc < to)
+        };
+        let line = &self.lines[meeting.line as usize];
         places.meetings.iter().any(|other| {
-            let (from, to) = (meeting.arc.min(other.arc), meeting.arc.max(other.arc));
-            if other.line != meeting.line || to - from <= 1.0 {
+            if other.line != meeting.line || (other.arc - meeting.arc).abs() <= 1.0 {
                 return false;
             }
-            let (first, last) =
-                (places.arcs.partition_point(|&arc| arc < from), places.arcs.partition_point(|&arc| arc < to));
-            vertices[first..last].iter().all(|vertex| {
+            let trail = &vertices[stretch(meeting.arc, other.arc)];
+            let hugs = |vertex: &Vertex| {
                 let reach = self.clearance(0.5 * vertex.width);
                 self.segments.nearest(vertex.at, reach, |segment| segment.line == meeting.line).is_some()
-            })
+            };
+            let (from, to) = (meeting.there.min(other.there), meeting.there.max(other.there));
+            let along = || line.iter().filter(|(arc, _)| (from..to).contains(arc));
+            // all the trail is looked at, as it may be near the line beyond the two
+            let is_hugged = |at: MmPoint| vertices.iter().any(|v| (v.at - at).length() < self.clearance(0.5 * v.width));
+            trail.iter().all(hugs) || (to - from > 1.0 && along().all(|(_, at)| is_hugged(*at)))
         })
     }
 
@@ -296,7 +322,7 @@ impl<'a> Field<'a> {
             let there = segment.arc + (at - segment.a).length();
             // it is the line that ends there, or either of two that cross, that must have come from far enough
             let joins = places.meetings.iter().any(|meeting| {
-                let way = meeting.end.map_or_else(|| places.way(meeting.arc, arc), |end| (end - there).abs());
+                let way = if meeting.tip { (meeting.there - there).abs() } else { places.way(meeting.arc, arc) };
                 meeting.line == segment.line && way <= limit
             });
             on = visit(&Near { segment, distance, missing: clearance - distance }, vertex.at - at, joins);
@@ -313,9 +339,7 @@ impl<'a> Field<'a> {
         let mut places = Places { arcs: arcs(path), round: None, meetings: Vec::new() };
         if let (Some(&arc), Some(tip)) = (places.arcs.last(), path.last()) {
             self.segments.around(tip.at, tip.at, TOUCH, |segment| {
-                if nearest_on_segment(tip.at, segment.a, segment.b).0 <= TOUCH {
-                    places.meetings.push(Meeting { arc, at: tip.at, line: segment.line, end: None });
-                }
+                places.meetings.extend(Meeting::of_end(tip.at, arc, segment));
             });
         }
         places
