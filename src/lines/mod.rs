@@ -10,8 +10,6 @@ mod bars;
 mod clear;
 mod join;
 mod meet;
-mod near;
-mod nudge;
 mod saliency;
 mod trail;
 mod weight;

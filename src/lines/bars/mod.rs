@@ -28,7 +28,7 @@ const MOST: f32 = 0.5;
 /// A ring of which less than this share is a bar's side is no bar but a thing near another, ...
 const LESSER: f32 = 0.3;
 /// ... or less than [`MOST`] where the bar is wider than clearance less this, mm: a ring gives way by as much.
-const GIVES_WAY: f32 = super::nudge::RING_FARTHEST;
+const GIVES_WAY: f32 = super::clear::RING_FARTHEST;
 
 /// A stretch of one trail along which it has opposites on one other.
 struct Stretch {

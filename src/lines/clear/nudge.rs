@@ -1,14 +1,14 @@
 //! A line that is a little too near to others gives way instead of being cut: a ring stays a ring. It moves by less than a
 //! finger notices, and swings back to its place on both sides.
 
-use super::near::Field;
-use super::trail::Trail;
+use super::field::Field;
+use crate::lines::trail::Trail;
 use crate::units::MmVector;
 
 /// The farthest that a line gives way, mm: the index finger tells places from about 0.94 mm (Van Boven and Johnson 1994).
 const FARTHEST: f32 = 0.8;
 /// A ring may give way by more, mm: that it closes says more than where exactly its side runs.
-pub(super) const RING_FARTHEST: f32 = 1.6;
+pub(in crate::lines) const RING_FARTHEST: f32 = 1.6;
 /// It swings back within this length, mm, so that no corner is felt.
 const FADE: f32 = 6.0;
 /// A little more than it must, mm, so that it need not do so again.

@@ -9,25 +9,19 @@
 //!             |  <- at most 1.7 clearances      --´                  where it comes near
 //! ```
 
-use std::ops::Range;
-
-use super::trail::{Trail, Vertex};
 use super::{Params, weight};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::{crossing, nearest_on_segment};
+use crate::lines::trail::{Trail, Vertex};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
-/// [`super::clear`], which gives the other a vertex there), and far less than a finger notices.
+/// [`super::pin`], which gives the other a vertex there), and far less than a finger notices.
 pub(super) const TOUCH: f32 = 0.1;
 /// The longest way from a meeting until two lines are apart, in clearances: at 36 degrees a straight line needs as much.
-const APPROACH: f32 = 1.7;
+pub(super) const APPROACH: f32 = 1.7;
 /// ... less this, mm: a line may be drawn by a step of width thinner than its vertices say.
-const LESS: f32 = 0.2;
-/// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
-/// and by this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
-const BEND: f32 = 3.5;
-const BEND_LEAST: f32 = 1.5;
+pub(super) const LESS: f32 = 0.2;
 /// What rounding and the vertices where lines meet may take from a distance, mm.
 const ROUNDING: f32 = 0.08;
 
@@ -80,7 +74,7 @@ pub(super) struct Near<'a> {
 
 /// Lines that are drawn.
 pub(super) struct Field<'a> {
-    params: &'a Params,
+    pub(super) params: &'a Params,
     area: MmRect,
     /// All their segments.
     segments: Nearby,
@@ -153,7 +147,7 @@ impl<'a> Field<'a> {
             .is_some_and(|(distance, _, segment)| distance < self.clearance(0.5 * vertex.width + segment.half_width))
     }
 
-    fn farthest(&self) -> f32 {
+    pub(super) fn farthest(&self) -> f32 {
         self.clearance(self.params.width_max)
     }
 
@@ -351,70 +345,8 @@ impl<'a> Field<'a> {
     }
 }
 
-/// The first vertices of a trail that come back too near to an earlier part of it. `own` is an empty grid, and empty again
-/// afterwards.
-pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Option<Range<usize>> {
-    let arcs = arcs(&trail.vertices);
-    let total = arcs.last().copied().unwrap_or(0.0);
-    if total <= BEND_LEAST {
-        return None;
-    }
-    let apart = |s: f32, t: f32| if trail.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
-    // its own ends may lie on it
-    let tips: Vec<f32> = if trail.closed { Vec::new() } else { own_meetings(trail, &arcs, field.longest_stub(), own) };
-    let mut found: Option<Range<usize>> = None;
-    for (i, vertex) in trail.vertices.iter().enumerate() {
-        let half = 0.5 * vertex.width;
-        let mut near = false;
-        own.around(vertex.at, vertex.at, field.farthest(), |segment| {
-            if near || apart(arcs[i], segment.arc) <= BEND_LEAST {
-                return;
-            }
-            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
-            let there = segment.arc + (at - segment.a).length();
-            let way = apart(arcs[i], there);
-            if distance >= field.clearance(half + segment.half_width) || is_bend(way, distance) {
-                return;
-            }
-            let limit = APPROACH * (field.params.min_gap + half + segment.half_width) - LESS;
-            near = !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - there).abs() <= limit);
-        });
-        if near {
-            found.get_or_insert(i..i).end = i + 1;
-        } else if found.is_some() {
-            break;
-        } else if i > 0 {
-            own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1]));
-        }
-    }
-    own.clear();
-    found
-}
-
-/// Which ends of an open trail, as places along it, lie on the trail itself, at the end of a loop that is longer than `knot`.
-fn own_meetings(trail: &Trail, arcs: &[f32], knot: f32, own: &mut Nearby) -> Vec<f32> {
-    let (Some(first), Some(last), Some(&total)) = (trail.vertices.first(), trail.vertices.last(), arcs.last()) else {
-        return Vec::new();
-    };
-    for (i, pair) in trail.vertices.windows(2).enumerate() {
-        own.insert(segment(pair, i, 0, arcs[i]));
-    }
-    let mut tips = Vec::new();
-    for (at, arc) in [(first.at, 0.0), (last.at, total)] {
-        own.around(at, at, TOUCH, |segment| {
-            let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
-            let there = segment.arc + (touched - segment.a).length();
-            if distance <= TOUCH && (there - arc).abs() > knot {
-                tips.push(arc);
-            }
-        });
-    }
-    own.clear();
-    tips
-}
-
 /// Way to each vertex, mm.
-fn arcs(vertices: &[Vertex]) -> Vec<f32> {
+pub(super) fn arcs(vertices: &[Vertex]) -> Vec<f32> {
     let mut arc = 0.0;
     let mut last: Option<MmPoint> = None;
     vertices
@@ -427,12 +359,8 @@ fn arcs(vertices: &[Vertex]) -> Vec<f32> {
         .collect()
 }
 
-/// Whether two places of one line are near one another only because it bends there.
-pub(super) fn is_bend(way: f32, distance: f32) -> bool {
-    way <= BEND * distance + BEND_LEAST
-}
-
-fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32) -> Segment {
+/// The segment of a line between two vertices.
+pub(super) fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32) -> Segment {
     let half_width = 0.5 * weight::between(&pair[0], &pair[1]);
     Segment { a: pair[0].at, b: pair[1].at, half_width, line, index: i as u32, arc }
 }
