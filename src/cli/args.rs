@@ -240,7 +240,8 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
                 .iter()
                 .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
-            let what = natural_mistake(&args, error.kind()).unwrap_or_else(|| in_one_line(&error.to_string()));
+            let told = error.to_string();
+            let what = natural_mistake(&args, error.kind(), &told).unwrap_or_else(|| in_one_line(&told));
             Report::plain().usage(&format!("{what}; see tactograph {help}"));
             Parsed::Shown(Exit::Usage)
         }
@@ -249,11 +250,14 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
 
 /// Plain words for what people do most often: a picture without a command, a command without a picture, a profile's name
 /// without `show`.
-fn natural_mistake(args: &[OsString], kind: ErrorKind) -> Option<String> {
+fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<String> {
     let first = args.get(1)?.to_string_lossy();
     let second = args.get(2).map(|arg| arg.to_string_lossy());
     match (kind, &*first, second) {
-        (ErrorKind::MissingRequiredArgument, verb @ ("convert" | "trace"), _) => {
+        // The usage, which is told after the error itself, names it always.
+        (ErrorKind::MissingRequiredArgument, verb @ ("convert" | "trace"), _)
+            if in_one_line(told).contains("<PICTURE>") =>
+        {
             Some(format!("name a picture to {verb}"))
         }
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))

@@ -90,6 +90,8 @@ fn what_does_not_go_together_is_told_at_once() {
         let line = format!("invalid value '{value}' for '{option} <{unit}>': {what}; {see}");
         place.refuses(&["convert", "a.jpeg", "--alt", "x", option, value], 2, &[&line]);
     }
+    let line = format!("the following required arguments were not provided: --alt <TEXT>; {see}");
+    place.refuses(&["convert", "a.jpeg", "--lang", "de"], 2, &[&line]);
     assert_eq!(place.names(), ["a.jpeg", "b.jpeg"]);
 }
 
