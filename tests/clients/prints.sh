@@ -103,6 +103,33 @@ check_pdf_file() { # check_pdf_file WIDTH_MM HEIGHT_MM PAGES TITLE: the file $pd
   check "Inkscape measures the PDF and the SVG alike" inkscape_measures_alike
 }
 
+# Ghostscript prints less with a layer switched off, each of them; without the figure, less than without any part of it.
+layers_can_be_switched_off() {
+  local page_text=$out/$name.qdf.pdf whole less layers number label fault=0 figure='' least=1
+  black() { gs -q -o - -sDEVICE=inkcov "$1" | awk '{ print $4 }'; }
+  is_less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
+  whole=$(black "$page_text")
+  layers=$(LC_ALL=C awk '/^[0-9]+ 0 obj/ { number = $1 } /^  \/Name \(/ { name = $0; sub(/.*\(/, "", name); sub(/\).*/, "", name) }
+    /^  \/Type \/OCG/ { print number, name }' "$page_text")
+  [ "$(printf '%s\n' "$layers" | wc -l)" = "$1" ] || { printf 'not %s layers:\n%s\n' "$1" "$layers"; return 1; }
+  while read -r number label; do
+    sed "s#^      /Name (Layers)#& /OFF [ $number 0 R ]#" "$page_text" | fix-qdf >"$out/$name.off.pdf"
+    less=$(black "$out/$name.off.pdf")
+    is_less "$less" "$whole" || { echo "without the layer $label there is $less of black, with it $whole"; fault=1; }
+    case $label in
+    Figure) figure=$less ;;
+    Texture* | Lines) is_less "$least" "$less" || least=$less ;;
+    esac
+  done <<<"$layers"
+  is_less "$figure" "$least" || { echo "without the figure there is $figure of black, without its parts $least"; fault=1; }
+  return $fault
+}
+
+check_layers() { # check_layers PICTURE LAYERS: on the PDF that check_page made of it
+  name=$(basename "$1").swell-a4
+  check "Ghostscript can switch off each layer" layers_can_be_switched_off "$2"
+}
+
 check_calibration() { # the sheets of samples, which are several pages of one PDF
   # poppler moves upright lines to whole pixels, and this sheet has little else. Measured: 0.139.
   local PRINT_FAR=0.20
