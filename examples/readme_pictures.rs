@@ -50,7 +50,8 @@ fn plan() -> Result<Plan, Box<dyn Error>> {
 fn page_of(file: &Path, title: &str) -> Result<String, Box<dyn Error>> {
     let plan = plan()?;
     // None of these samples has text.
-    let request = Request { plan: &plan, limits: Limits::default(), fonts: &Arc::default, title };
+    let request =
+        Request { plan: &plan, limits: Limits::default(), fonts: &Arc::default, title, fit: Default::default() };
     Ok(svg::write(&convert(&std::fs::read(file)?, &request, &mut |_| ())?.page))
 }
 

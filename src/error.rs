@@ -4,7 +4,7 @@
 use crate::units::Size;
 
 /// Why no page could be made.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// There are no bytes at all.
@@ -62,6 +62,24 @@ pub enum Error {
         size: Size,
         /// What would do.
         why: String,
+    },
+    /// The part of the picture that is asked for is not in it.
+    #[error("the part {part} reaches beyond the picture, which has {size} pixels; give a part that lies in it")]
+    NotInPicture {
+        /// The part, as it was asked for.
+        part: String,
+        /// The whole picture.
+        size: Size,
+    },
+    /// The figure would be wider than the sheet has room for.
+    #[error(
+        "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, so take that or a larger sheet"
+    )]
+    TooWide {
+        /// Width that was asked for, mm.
+        wanted: f32,
+        /// The most there is room for, mm.
+        most: f32,
     },
     /// A mark would lie off the sheet.
     #[error("the page does not fit its sheet: {0}; give more margin or thinner lines")]

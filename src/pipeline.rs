@@ -2,13 +2,16 @@
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+mod fit;
 pub mod trace;
+
+pub use fit::Fit;
 
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
 use crate::frame::Frame;
 use crate::lines::{self, Drawn, Line};
-use crate::page::layout::{self, Layout};
+use crate::page::layout::Layout;
 use crate::page::{self, Dots, Figure, Overview, Page, Parts, Texture, frame_dots};
 use crate::profile::Plan;
 use crate::raster::Raster;
@@ -83,6 +86,8 @@ pub struct Request<'a> {
     pub fonts: &'a Fonts<'a>,
     /// What the page is called, such as the picture's file name.
     pub title: &'a str,
+    /// Which part of the picture is drawn, how large, and whether for the back of the sheet.
+    pub fit: Fit,
 }
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
@@ -98,10 +103,11 @@ const CROWDED: f32 = 0.35;
 /// When no page can be made at all; see [`Error`].
 pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let working_size = |source: Source| working_size(source, plan);
-    let options = Options { limits: request.limits, fonts: request.fonts, working_size: &working_size };
+    let fit = &request.fit;
+    let working_size = |source: Source| working_size(source, fit, plan);
+    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
-    let layout = layout(picture.source.size, plan);
+    let layout = fit.layout(picture.source.size, plan)?;
     let mut notes = picture.notes;
 
     let is_flat = picture.raster.is_flat();
@@ -117,13 +123,14 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
 
     let page = run(watch, Stage::Page, || {
         let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-        assemble(figure, overview, classes.as_ref(), request)
+        assemble(figure, overview, classes.as_ref(), &layout, request)
     })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
+    notes.extend(too_black(&page, plan));
     Ok(Drawing { page, notes })
 }
 
@@ -134,24 +141,24 @@ fn run<T>(watch: &mut dyn FnMut(Event), stage: Stage, work: impl FnOnce() -> T) 
     result
 }
 
-/// Where the picture lies on the sheet.
-fn layout(source: Size, plan: &Plan) -> Layout {
-    layout::fit(source.width as f32 / source.height as f32, &plan.layout())
-}
-
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never more
 /// than there are.
-fn working_size(source: Source, plan: &Plan) -> Result<Size, Error> {
+fn working_size(source: Source, fit: &Fit, plan: &Plan) -> Result<Size, Error> {
     let Source { size, is_drawing } = source;
     enough_pixels(size)?;
-    let place = layout(size, plan).figure;
+    let place = fit.layout(size, plan)?.figure;
     let figure = &plan.profile().figure;
     let side = place.width().min(place.height());
     if side < figure.min_side {
-        let why = format!(
-            "so long and narrow a picture would be only {side:.1} mm wide on the sheet, and {} mm is the least; crop it",
-            figure.min_side
-        );
+        let least = figure.min_side;
+        let why = match fit.width {
+            None => format!(
+                "so long and narrow a picture would be only {side:.1} mm wide on the sheet, and {least} mm is the least; crop it"
+            ),
+            Some(_) => format!(
+                "at the width asked for, its shorter side would be only {side:.1} mm, and {least} mm is the least; ask for more"
+            ),
+        };
         return Err(Error::TooSmall { size, why });
     }
     let pixels = |mm: f32, own: u32| {
@@ -262,23 +269,35 @@ fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
     classes: Option<&Classes>,
+    layout: &Layout,
     request: &Request<'_>,
 ) -> Result<Page, Error> {
-    let layout = request.plan.layout();
-    let frame = |place| layout.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
+    let params = request.plan.layout();
+    let frame = |place| params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
     let overview = overview.map(|(place, lines)| Overview { place, frame: frame(place), lines });
-    let parts = Parts {
+    let mut parts = Parts {
         sheet: layout.sheet,
         title: request.title.to_owned(),
         description: page::describe(&figure, overview.as_ref(), classes.map(Classes::shares)),
         language: page::LANGUAGE.into(),
         origin: origin(request, figure.source),
         frame: frame(figure.place),
+        orientation_mark: layout.mark.clone(),
         figure,
         overview,
         labels: Vec::new(),
     };
-    Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))
+    // Up to here every mark has the size that fingers meet.
+    parts.narrowed(request.plan.profile().print.swell);
+    let page = Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))?;
+    Ok(if request.fit.mirrored { page.mirrored() } else { page })
+}
+
+/// What the maker is told when more of the figure is black than the profile allows.
+fn too_black(page: &Page, plan: &Plan) -> Option<Note> {
+    let (share, most) = (page.black_share(), plan.profile().print.max_black);
+    let percent = |share: f32| (100.0 * share).round() as u32;
+    (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
 }
 
 /// How the page was made, so that it can be made again.
@@ -291,6 +310,7 @@ fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String)> {
         own("source size in pixels", source.to_string()),
         own("profile", profile.name.clone()),
     ];
+    origin.extend(request.fit.origin());
     origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
     origin
 }

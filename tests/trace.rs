@@ -194,7 +194,13 @@ fn the_lines_are_those_of_the_page() {
         let picture = std::fs::read(format!("{}/samples/{name}", env!("CARGO_MANIFEST_DIR"))).expect("a sample");
         let fonts = || Arc::new(usvg::fontdb::Database::new());
         let plan = plan();
-        let request = pipeline::Request { plan: &plan, limits: Limits::default(), fonts: &fonts, title: name };
+        let request = pipeline::Request {
+            plan: &plan,
+            limits: Limits::default(),
+            fonts: &fonts,
+            title: name,
+            fit: Default::default(),
+        };
         let figure = tactograph::convert(&picture, &request, &mut |_| ()).expect("a page").page.figure.clone();
         let trace = traced(&picture, Subject::Lines);
         assert_eq!(trace.size, figure.source);

@@ -208,6 +208,7 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
         language: LANGUAGE.into(),
         origin,
         frame: Dots { diameter: profile.frame.dot, at: marks.frame },
+        orientation_mark: None, // letters tell which way up it is
         figure: Figure {
             place,
             source: Size::new(place.width().round().max(1.0) as u32, place.height().round().max(1.0) as u32),

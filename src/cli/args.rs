@@ -1,6 +1,7 @@
 //! What may be said on the command line, and the help that teaches it.
 
 mod calibrate;
+mod fitting;
 mod shared;
 mod trace;
 mod writing;
@@ -12,6 +13,7 @@ use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 
 pub(super) use self::calibrate::Calibrate;
+pub(super) use self::fitting::Fitting;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 pub(super) use self::writing::{Chosen, Writing};
@@ -65,6 +67,10 @@ Examples:
         makes pages/NAME.pdf of every photo
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
+  tactograph convert coffee.png --crop 20%,10%,50%,70% --width-mm 120
+        draws a part of the picture, 120 mm wide
+  tactograph convert coffee.png --outlines --set page.orientation=landscape
+        draws lines without textures on a sheet that lies across
   tactograph convert coffee.png --set lines.width_max=1.2 --set overview=false
         changes two values of the profile
   curl https://example.org/cat.jpg | tactograph convert - > cat.svg
@@ -107,7 +113,8 @@ pub(super) enum Command {
         A profile is a paper with all settings that a page for it needs: sizes, line widths, textures. The first in \
         the list is used unless --profile names another.")]
     #[command(after_help = "Examples:\n  tactograph profiles\n  tactograph profiles show swell-a4\n  \
-        tactograph profiles show swell-a4 > my.toml    a start for your own")]
+        tactograph profiles show swell-a4 > my.toml    a start for your own\n  \
+        tactograph profiles keys > keys.md             every key there is")]
     Profiles(Profiles),
 }
 
@@ -136,6 +143,9 @@ pub(super) struct Convert {
     /// [default: each page lies beside its picture]
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) fitting: Fitting,
 
     #[command(flatten)]
     pub(super) writing: Writing,
@@ -203,6 +213,8 @@ pub(super) struct Profiles {
 /// What `tactograph profiles` can do beside listing.
 #[derive(Debug, Subcommand)]
 pub(super) enum ProfilesCommand {
+    /// Prints every key of a profile with its unit, range, default and reason, as a Markdown page
+    Keys,
     /// Prints a profile as TOML, with the unit, range and reason of every value as comments
     Show {
         /// Name of the profile, as "tactograph profiles" lists it

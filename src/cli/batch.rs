@@ -27,6 +27,8 @@ pub(super) struct Order<'a> {
     pub(super) out_dir: Option<&'a Path>,
     /// What was found wrong with the command line before.
     pub(super) faults: Vec<String>,
+    /// What the command's own options change in the profile, as `KEY=VALUE`; counts after everything else.
+    pub(super) changes: Vec<String>,
     /// Everything else.
     pub(super) shared: &'a Shared,
 }
@@ -67,10 +69,11 @@ pub(super) fn run(
     order: &Order<'_>,
     make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error> + Sync,
 ) -> Exit {
-    let &Order { product, pictures, output, out_dir, shared, ref faults } = order;
+    let &Order { product, pictures, output, out_dir, shared, ref faults, ref changes } = order;
+    let changes = [&shared.changes()[..], changes].concat();
     let report = Report::plain();
     let names = Names { product, pictures, output, out_dir };
-    let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &shared.changes())) {
+    let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &changes)) {
         (Ok(jobs), Ok(plan)) if faults.is_empty() => (jobs, plan),
         (jobs, plan) => {
             faults.iter().for_each(|what| report.usage(what));

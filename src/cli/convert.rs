@@ -19,11 +19,13 @@ pub(super) fn run(args: &Convert) -> Exit {
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
         faults,
+        changes: args.fitting.changes().collect(),
         shared: &args.shared,
     };
     batch::run(&order, |picture, title, common, timings| {
         let fonts = || common.fonts.get();
-        let request = Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title };
+        let request =
+            Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title, fit: args.fitting.fit() };
         let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
         let page = drawing.page.called(args.title.as_deref(), args.description());
         let file = timings.step("write", || write(&page, chosen))?;

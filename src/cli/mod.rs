@@ -45,6 +45,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
         Command::Profiles(profiles) => match profiles.command {
             None => profiles::list(&Report::plain()),
+            Some(ProfilesCommand::Keys) => profiles::keys(&Report::plain()),
             Some(ProfilesCommand::Show { name }) => profiles::show(&name, &Report::plain()),
         },
     };

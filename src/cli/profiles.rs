@@ -1,6 +1,6 @@
 //! `tactograph profiles`: which there are, and what is in them.
 
-use tactograph::profile::{BuiltIn, Profile, built_in};
+use tactograph::profile::{BuiltIn, Profile, built_in, manual};
 
 use super::Exit;
 use super::output;
@@ -19,6 +19,11 @@ fn listing(profiles: &[BuiltIn]) -> String {
         text += &format!("{:width$}  {}{default}\n", profile.name, profile.description());
     }
     text
+}
+
+/// Prints what there is to know of every key on standard output, as Markdown.
+pub(super) fn keys(report: &Report) -> Exit {
+    print(&manual::write(), report)
 }
 
 /// Prints a built-in profile on standard output as it was written, comments and all, with the range of every key.

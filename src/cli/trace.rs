@@ -24,6 +24,7 @@ pub(super) fn run(args: &Trace) -> Exit {
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
         faults: Vec::new(),
+        changes: Vec::new(),
         shared: &args.shared,
     };
     batch::run(&order, |picture, _, common, timings| {

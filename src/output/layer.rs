@@ -5,6 +5,7 @@ use crate::page::Class;
 /// A layer. Those with a parent lie in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Layer {
+    OrientationMark,
     Frame,
     Figure,
     Textures,
@@ -24,6 +25,7 @@ impl Layer {
     /// Its name, for people.
     pub(super) fn label(self) -> String {
         match self {
+            Self::OrientationMark => "Orientation mark".into(),
             Self::Frame => "Frame".into(),
             Self::Figure => "Figure".into(),
             Self::Textures => "Textures".into(),

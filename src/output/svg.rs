@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! svg > title, desc, metadata (lines "name = value")
+//!   g#orientation-mark > path (stroke-width in mm)
 //!   g#frame
 //!   g#figure  data-box="x y w h" (mm)  data-source="w h" (px)
 //!     g#textures > g#texture-blue ... (one path a connected region)
@@ -20,7 +21,7 @@ use svg::{Document, Node};
 
 use super::layer::Layer;
 use super::{origin_lines, plain};
-use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Shape};
+use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Run, Shape};
 use crate::units::{MmPoint, MmRect};
 
 /// The page as an SVG document. The same page gives the same bytes.
@@ -39,6 +40,9 @@ pub fn write(page: &Page) -> String {
                 .add(svg::node::Text::new(plain(&page.description))),
         )
         .add(metadata(&page.origin));
+    if let Some(mark) = &page.orientation_mark {
+        document = document.add(with_strokes(layer(Layer::OrientationMark)).add(stroke(mark)));
+    }
     if !page.frame.at.is_empty() {
         document = document.add(layer(Layer::Frame).add(dots(&page.frame)));
     }
@@ -91,28 +95,28 @@ fn figure(figure: &Figure) -> Group {
         }
         group = group.add(textures);
     }
-    if figure.lines.is_empty() { group } else { group.add(lines(layer(Layer::Lines), &figure.lines)) }
+    if figure.lines.is_empty() { group } else { group.add(lines(with_strokes(layer(Layer::Lines)), &figure.lines)) }
 }
 
 fn overview_layer(overview: &Overview) -> Group {
-    lines(layer(Layer::Overview).set("data-box", data_box(overview.place)), &overview.lines)
+    let group = layer(Layer::Overview).set("data-box", data_box(overview.place));
+    lines(with_strokes(group), &overview.lines)
 }
 
 /// Lines as strokes: an editor can change their width and bend them.
 fn lines(layer: Group, lines: &[Line]) -> Group {
-    let layer = layer
-        .set("fill", "none")
-        .set("stroke", "#000000")
-        .set("stroke-linecap", "round")
-        .set("stroke-linejoin", "round");
     lines.iter().fold(layer, |layer, line| {
         let contour = Group::new().set("data-strength", format!("{:.1}", line.strength));
-        layer.add(line.runs.iter().fold(contour, |contour, run| {
-            contour.add(
-                Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed())),
-            )
-        }))
+        layer.add(line.runs.iter().fold(contour, |contour, run| contour.add(stroke(run))))
     })
+}
+
+fn with_strokes(group: Group) -> Group {
+    group.set("fill", "none").set("stroke", "#000000").set("stroke-linecap", "round").set("stroke-linejoin", "round")
+}
+
+fn stroke(run: &Run) -> Path {
+    Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed()))
 }
 
 /// `d` of a polyline, in whole steps of 0.01 mm. Written by hand: these strings are most of the document.

@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use super::{Dots, Line, Page, Shape};
+use super::{Dots, Line, Page, Run, Shape};
 
 impl Display for Page {
     /// Writes all marks, one a row, in millimetres with two decimals.
@@ -11,6 +11,10 @@ impl Display for Page {
         writeln!(f, "title {}", self.title)?;
         writeln!(f, "description {}", self.description)?;
         dots(f, "frame", &self.frame)?;
+        if let Some(mark) = &self.orientation_mark {
+            write!(f, "orientation mark")?;
+            write_run(f, mark)?;
+        }
         let place = self.figure.place;
         writeln!(f, "figure {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
         for texture in &self.figure.textures {
@@ -49,11 +53,15 @@ fn dots(f: &mut Formatter<'_>, name: &str, dots: &Dots) -> Result {
 fn write_line(f: &mut Formatter<'_>, line: &Line) -> Result {
     writeln!(f, "line of strength {:.1}, length {:.1}", line.strength, line.length())?;
     for run in &line.runs {
-        write!(f, "  {:.2} wide:", run.width)?;
-        for at in &run.points {
-            write!(f, " {:.2},{:.2}", at.x, at.y)?;
-        }
-        writeln!(f)?;
+        write_run(f, run)?;
     }
     Ok(())
+}
+
+fn write_run(f: &mut Formatter<'_>, run: &Run) -> Result {
+    write!(f, "  {:.2} wide:", run.width)?;
+    for at in &run.points {
+        write!(f, " {:.2},{:.2}", at.x, at.y)?;
+    }
+    writeln!(f)
 }

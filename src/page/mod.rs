@@ -5,7 +5,9 @@
 mod describe;
 mod dump;
 pub mod frame_dots;
+mod ink;
 pub mod layout;
+mod mirror;
 
 pub use crate::classes::Class;
 pub use crate::lines::{Line, Run};
@@ -35,6 +37,8 @@ pub struct Parts {
     pub origin: Vec<(String, String)>,
     /// The band of fine dots around the figure; empty if there is none.
     pub frame: Dots,
+    /// The short bar across the top right corner that tells which way up the sheet lies, if there is one.
+    pub orientation_mark: Option<Run>,
     /// The textured figure.
     pub figure: Figure,
     /// The smaller picture of lines only, if there is one.
@@ -109,10 +113,10 @@ impl Page {
         for (what, dots) in frames.map(|dots| ("a dot of a frame", dots)).chain(labels) {
             dots.at.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * dots.diameter))?;
         }
-        for line in parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines)) {
-            for run in &line.runs {
-                run.points.iter().try_for_each(|&at| on_sheet("a line", at, 0.5 * run.width))?;
-            }
+        let lines = parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines));
+        let runs = lines.flat_map(|line| &line.runs).map(|run| ("a line", run));
+        for (what, run) in runs.chain(parts.orientation_mark.iter().map(|run| ("the orientation mark", run))) {
+            run.points.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * run.width))?;
         }
         for texture in &parts.figure.textures {
             texture.glyphs.iter().try_for_each(|glyph| on_sheet("a glyph", glyph.at, glyph.radius()))?;

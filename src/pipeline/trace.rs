@@ -1,6 +1,6 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::{Event, Stage, crowded, draw_lines, enough_pixels, run, working_size};
+use super::{Event, Fit, Stage, crowded, draw_lines, enough_pixels, run, working_size};
 use crate::contours::Trace;
 use crate::edges;
 use crate::frame::Frame;
@@ -88,14 +88,15 @@ pub struct Request<'a> {
 pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Traced, Error> {
     let &Request { subject, thresholds, plan, limits, fonts } = request;
     let in_full = matches!(subject, Subject::Edges { full_resolution: true });
+    let fit = Fit::default();
     let working_size = |source: Source| {
-        if in_full { enough_pixels(source.size).map(|()| source.size) } else { working_size(source, plan) }
+        if in_full { enough_pixels(source.size).map(|()| source.size) } else { working_size(source, &fit, plan) }
     };
-    let options = Options { limits, fonts, working_size: &working_size };
+    let options = Options { limits, fonts, crop: None, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
     let (raster, source, mut notes) = (picture.raster, picture.source.size, picture.notes);
 
-    let layout = super::layout(source, plan);
+    let layout = fit.layout(source, plan)?;
     let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
     let mut params = if in_full { edges::Params::default() } else { plan.edges(px_per_mm) };
     if let Some(Thresholds { low, high }) = thresholds {

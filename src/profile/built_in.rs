@@ -22,6 +22,9 @@ pub fn built_in() -> &'static [BuiltIn] {
         BuiltIn { name: "swell-a4", text: include_str!("../../profiles/swell-a4.toml") },
         BuiltIn { name: "swell-a3", text: include_str!("../../profiles/swell-a3.toml") },
         BuiltIn { name: "swell-letter", text: include_str!("../../profiles/swell-letter.toml") },
+        BuiltIn { name: "swell-11x11.5", text: include_str!("../../profiles/swell-11x11.5.toml") },
+        BuiltIn { name: "swell-11x17", text: include_str!("../../profiles/swell-11x17.toml") },
+        BuiltIn { name: "plain-print", text: include_str!("../../profiles/plain-print.toml") },
     ]
 }
 

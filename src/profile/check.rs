@@ -2,6 +2,7 @@
 
 use super::keys::KEYS;
 use super::{Fault, Profile, Value};
+use crate::page::layout::{self, Orientation};
 
 /// A key whose value must stay below another's.
 struct Order {
@@ -35,6 +36,13 @@ const ORDERS: &[Order] = &[
         large: "frame.width",
         when: &["frame.on"],
         why: "or no dot fits into the frame",
+    },
+    Order {
+        small: "mark.width",
+        relation: Below,
+        large: "mark.length",
+        when: &["mark.on"],
+        why: "or the bar is a dot, which does not show which corner it cuts",
     },
     Order {
         small: "edges.low",
@@ -105,6 +113,7 @@ const ORDERS: &[Order] = &[
 const ROOM: &[&str] = &[
     "page.width",
     "page.height",
+    "page.orientation",
     "page.margin",
     "frame.on",
     "frame.width",
@@ -112,8 +121,26 @@ const ROOM: &[&str] = &[
     "overview.on",
     "overview.scale",
     "overview.gap",
+    "mark.on",
+    "mark.length",
+    "mark.width",
+    "mark.gap",
     "figure.min_side",
 ];
+
+/// The keys of marks that may be the narrowest ones printed, each with the switches that must all be on for it to be drawn
+/// and how many times what swelling adds is taken from it. A rhombus loses more than it gains in width at its sides, at
+/// most the square root of 2 times as much, for a square.
+const NARROW: &[(&str, &[&str], f32)] = &[
+    ("lines.width_min", &[], 1.0),
+    ("frame.dot", &["frame.on"], 1.0),
+    ("mark.width", &["mark.on"], 1.0),
+    ("textures.min_glyph", &["figure.textures"], std::f32::consts::SQRT_2),
+];
+
+/// The narrowest that anything is printed, mm. Chosen by us, because two dots of a printer of 300 dpi (0.085 mm each) are
+/// the least that surely comes out black.
+const LEAST_PRINTED: f32 = 0.17;
 
 /// The keys that decide whether anything is drawn.
 const DRAWN: &[&str] = &["figure.lines", "figure.textures", "overview.on"];
@@ -132,11 +159,15 @@ impl Profile {
     }
 
     /// The largest width and height in mm that a figure can have on the sheet, beside its frame and above its
-    /// overview; 0 where there is no room at all.
+    /// overview, when nothing is taken by the orientation mark; 0 where there is no room at all. Of a sheet that is turned
+    /// to the picture's shape, when it lies upright.
     pub fn figure_room(&self) -> (f32, f32) {
         let band = if self.frame.on { 2.0 * (self.frame.width + self.frame.gap) } else { 0.0 };
-        let width = self.page.width - 2.0 * self.page.margin - band;
-        let height = self.page.height - 2.0 * self.page.margin - band;
+        let (short, long) = (self.page.width.min(self.page.height), self.page.width.max(self.page.height));
+        let (across, down) =
+            if self.page.orientation == Orientation::Landscape { (long, short) } else { (short, long) };
+        let width = across - 2.0 * self.page.margin - band;
+        let height = down - 2.0 * self.page.margin - band;
         let height =
             if self.overview.on { (height - self.overview.gap - band) / (1.0 + self.overview.scale) } else { height };
         (width.max(0.0), height.max(0.0))
@@ -148,14 +179,23 @@ impl Profile {
         if self.sound(ROOM) {
             let (width, height) = self.figure_room();
             let least = self.figure.min_side;
-            if width < least || height < least {
-                let what = format!(
-                    "the sheet leaves {width:.1} mm by {height:.1} mm for the figure, but figure.min_side asks for \
-                     {least} mm, enlarge page.width or page.height or lessen margin, frame, overview or their gaps"
-                );
+            let square = layout::fit(1.0, f32::MAX, &self.layout()).figure.width();
+            if square < least {
+                let what = if width >= least && height >= least {
+                    format!(
+                        "the orientation mark leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} \
+                         mm, lessen mark.length or mark.gap, or enlarge the sheet"
+                    )
+                } else {
+                    format!(
+                        "the sheet leaves {width:.1} mm by {height:.1} mm for the figure, but figure.min_side asks for {least} \
+                         mm, enlarge page.width or page.height or lessen margin, frame, overview or their gaps"
+                    )
+                };
                 faults.push(Fault { place: self.place(ROOM), what });
             }
         }
+        faults.extend(self.swell_fault());
         if self.sound(DRAWN) && !self.figure.lines && !self.figure.textures && !self.overview.on {
             let what = "figure.lines, figure.textures and overview.on are all false, so nothing would be drawn, set \
                         one of them to true";
@@ -185,6 +225,25 @@ impl Profile {
         Some(Fault { place: self.place(&keys), what })
     }
 
+    /// The fault of a swelling that leaves too little to print of some mark: of the one that has least.
+    fn swell_fault(&self) -> Option<Fault> {
+        let left = |(path, when, times): &(&'static str, &[&str], f32)| {
+            let drawn = when.iter().all(|&path| self.get(path) == Some(Value::Switch(true)));
+            let Some(Value::Number(width)) = self.get(path) else { return None };
+            (drawn && self.sound(&[path, "print.swell"])).then(|| (*path, width, width - times * self.print.swell))
+        };
+        let (path, width, left) = NARROW.iter().filter_map(left).min_by(|a, b| a.2.total_cmp(&b.2))?;
+        let swell = self.print.swell;
+        if left >= LEAST_PRINTED || swell <= 0.0 {
+            return None;
+        }
+        let what = format!(
+            "print.swell is {swell} mm, which leaves too little to print of {path}, which is {width} mm, lessen the one or \
+             enlarge the other"
+        );
+        Some(Fault { place: self.place(&[path, "print.swell"]), what })
+    }
+
     /// Are all these values given and in range?
     fn sound(&self, paths: &[&str]) -> bool {
         let mut keys = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
@@ -212,5 +271,6 @@ mod tests {
             assert!(order.when.iter().all(known), "{:?}", order.when);
         }
         assert!(ROOM.iter().chain(DRAWN).all(known));
+        assert!(NARROW.iter().all(|(path, when, _)| known(path) && when.iter().all(known)));
     }
 }

@@ -1,6 +1,8 @@
 //! What a key of a profile is: its path, its kind, and how a value gets in and out.
 
 use super::Profile;
+use super::suggest::list;
+use crate::page::layout::Orientation;
 
 /// One key of a profile, such as `lines.width_max`.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +22,8 @@ pub struct Key {
 pub enum Kind {
     /// `true` or `false`.
     Switch,
+    /// One of these words.
+    Choice(&'static [&'static str]),
     /// A number from `low` to `high`, both included.
     Number {
         /// The smallest value taken.
@@ -36,6 +40,8 @@ pub enum Kind {
 pub enum Value {
     /// `true` or `false`.
     Switch(bool),
+    /// One of the key's words.
+    Choice(&'static str),
     /// A number in the key's unit.
     Number(f32),
 }
@@ -43,6 +49,7 @@ pub enum Value {
 /// A field of a profile, to be written to.
 pub(super) enum Slot<'a> {
     Switch(&'a mut bool),
+    Orientation(&'a mut Orientation),
     Number(&'a mut f32),
 }
 
@@ -66,6 +73,10 @@ impl Key {
     pub fn range(&self) -> String {
         match self.kind {
             Kind::Switch => "true or false".to_owned(),
+            Kind::Choice(words) => {
+                let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+                list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+            }
             Kind::Number { low, high, unit: "" } => format!("a number from {low} to {high}"),
             Kind::Number { low, high, unit } => format!("a number from {low} to {high} {unit}"),
         }
@@ -75,6 +86,7 @@ impl Key {
     pub fn takes(&self, value: Value) -> bool {
         match (self.kind, value) {
             (Kind::Switch, Value::Switch(_)) => true,
+            (Kind::Choice(words), Value::Choice(word)) => words.contains(&word),
             (Kind::Number { low, high, .. }, Value::Number(number)) => (low..=high).contains(&number),
             _ => false,
         }
@@ -84,6 +96,9 @@ impl Key {
     pub(super) fn put(&self, profile: &mut Profile, value: Value) {
         match ((self.slot)(profile), value) {
             (Slot::Switch(field), Value::Switch(value)) => *field = value,
+            (Slot::Orientation(field), Value::Choice(word)) => {
+                *field = Orientation::ALL.into_iter().find(|way| way.name() == word).unwrap_or(*field);
+            }
             // Adding nothing turns minus zero, which is written oddly, into zero.
             (Slot::Number(field), Value::Number(value)) => *field = value + 0.0,
             _ => {}
@@ -94,26 +109,34 @@ impl Key {
     pub(super) fn read(&self, text: &str) -> Option<Value> {
         match self.kind {
             Kind::Switch => text.parse().ok().map(Value::Switch),
+            Kind::Choice(_) => self.word(text.trim_matches('"')),
             Kind::Number { .. } => text.parse().ok().map(Value::Number),
         }
+    }
+
+    /// The value that one of the key's words stands for.
+    pub(super) fn word(&self, text: &str) -> Option<Value> {
+        let Kind::Choice(words) = self.kind else { return None };
+        words.iter().find(|word| **word == text).map(|word| Value::Choice(word))
     }
 
     /// The fault of a value out of range or of the wrong kind; `got` names it.
     pub(super) fn refuse(&self, got: &str) -> String {
         let with_unit = match self.kind {
             Kind::Number { unit, .. } => !unit.is_empty() && got.trim_end_matches('"').ends_with(unit),
-            Kind::Switch => false,
+            Kind::Switch | Kind::Choice(_) => false,
         };
         let advice = if with_unit { ", write it without the unit" } else { "" };
         format!("{} must be {}, not {got}{advice}", self.path, self.range())
     }
 }
 
-/// `true`, `false` or the shortest decimal that reads back as the same number.
+/// As TOML has it: `true`, `false`, a word in quotes, or the shortest decimal that reads back as the same number.
 impl std::fmt::Display for Value {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Switch(switch) => switch.fmt(f),
+            Self::Choice(word) => write!(f, "\"{word}\""),
             Self::Number(number) => number.fmt(f),
         }
     }
@@ -122,6 +145,12 @@ impl std::fmt::Display for Value {
 impl From<bool> for Value {
     fn from(switch: bool) -> Self {
         Self::Switch(switch)
+    }
+}
+
+impl From<Orientation> for Value {
+    fn from(orientation: Orientation) -> Self {
+        Self::Choice(orientation.name())
     }
 }
 
@@ -134,6 +163,12 @@ impl From<f32> for Value {
 impl<'a> From<&'a mut bool> for Slot<'a> {
     fn from(field: &'a mut bool) -> Self {
         Self::Switch(field)
+    }
+}
+
+impl<'a> From<&'a mut Orientation> for Slot<'a> {
+    fn from(field: &'a mut Orientation) -> Self {
+        Self::Orientation(field)
     }
 }
 

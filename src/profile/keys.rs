@@ -4,10 +4,14 @@
 
 use super::Origin;
 use super::key::{Key, Kind};
+use crate::page::layout::Orientation;
 
 macro_rules! field {
     (switch) => {
         bool
+    };
+    (orientation) => {
+        Orientation
     };
     (number) => {
         f32
@@ -18,6 +22,9 @@ macro_rules! blank {
     (switch) => {
         false
     };
+    (orientation) => {
+        Orientation::Auto
+    };
     (number) => {
         f32::NAN
     };
@@ -27,6 +34,9 @@ macro_rules! kind {
     (switch) => {
         Kind::Switch
     };
+    (orientation) => {
+        Kind::Choice(&Orientation::NAMES)
+    };
     (number $low:literal $high:literal $unit:literal) => {
         Kind::Number { low: $low, high: $high, unit: $unit }
     };
@@ -34,6 +44,9 @@ macro_rules! kind {
 
 macro_rules! in_words {
     (switch) => {
+        ""
+    };
+    (orientation) => {
         ""
     };
     (number $low:literal $high:literal "") => {
@@ -92,6 +105,11 @@ macro_rules! table {
         /// Every section, in the order of the table.
         pub(super) const SECTIONS: &[&str] = &[$(stringify!($section)),+];
 
+        /// Every section with what it is about, in the order of the table.
+        pub(super) fn section_docs() -> impl Iterator<Item = (&'static str, &'static str)> {
+            [$((stringify!($section), $section_doc.trim_ascii())),+].into_iter()
+        }
+
         /// Every key, in the order of the table.
         pub(super) const KEYS: &[Key] = &[$($(Key {
             path: concat!(stringify!($section), ".", stringify!($key)),
@@ -106,10 +124,12 @@ macro_rules! table {
 table! {
     /// The sheet of paper.
     page: PageSettings {
-        /// Width of the sheet.
+        /// Width of the sheet, which is turned as the orientation says.
         width: number(60.0 to 1200.0, "mm");
-        /// Height of the sheet.
+        /// Height of the sheet, which is turned as the orientation says.
         height: number(60.0 to 1200.0, "mm");
+        /// Which way up the sheet lies; "auto" is the way in which the picture becomes larger.
+        orientation: orientation;
         /// Blank margin on all four sides.
         margin: number(0.0 to 100.0, "mm");
     }
@@ -124,6 +144,17 @@ table! {
         /// Distance from the centre of a dot to the centre of the next.
         pitch: number(0.6 to 10.0, "mm");
         /// Blank between the frame and the picture.
+        gap: number(0.0 to 50.0, "mm");
+    }
+    /// The short bar across the top right corner of the sheet, by which fingers find the right way up.
+    mark: MarkSettings {
+        /// Whether there is one.
+        on: switch;
+        /// Length of the bar.
+        length: number(3.0 to 50.0, "mm");
+        /// Width of the bar.
+        width: number(0.3 to 10.0, "mm");
+        /// Least blank between the bar and the frame.
         gap: number(0.0 to 50.0, "mm");
     }
     /// The large picture, with lines and textures.
@@ -213,5 +244,12 @@ table! {
         density_blur: number(0.5 to 50.0, "mm");
         /// Density of lines from which the texture is dense; 1 is a lone straight line on itself.
         dense_from: number(0.0 to 1.0, "");
+    }
+    /// Printing and swelling.
+    print: PrintSettings {
+        /// How much wider a mark is once it has risen than it was printed: marks are printed narrower by this.
+        swell: number(0.0 to 2.0, "mm");
+        /// Share of the figure that may be black; the maker of a page with more is told so.
+        max_black: number(0.0 to 1.0, "");
     }
 }

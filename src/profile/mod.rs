@@ -9,6 +9,7 @@ mod check;
 mod inherit;
 mod key;
 mod keys;
+pub mod manual;
 mod parse;
 mod plan;
 mod suggest;
@@ -17,8 +18,8 @@ mod syntax;
 pub use built_in::{BuiltIn, built_in};
 pub use key::{Key, Kind, Value};
 pub use keys::{
-    ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, LinesSettings, OverviewSettings, PageSettings,
-    Profile, TexturesSettings,
+    ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, LinesSettings, MarkSettings, OverviewSettings,
+    PageSettings, PrintSettings, Profile, TexturesSettings,
 };
 pub use plan::Plan;
 

@@ -133,7 +133,7 @@ impl Reader<'_> {
 
     fn key(&mut self, index: usize, name: &Name<'_>, value: &Spanned<DeValue<'_>>) {
         let (key, line) = (&KEYS[index], self.line(name));
-        let value = match number_or_switch(value.get_ref()) {
+        let value = match given(key, value.get_ref()) {
             Some(given) if key.takes(given) => Some(given),
             _ => {
                 self.fault(line, key.refuse(&self.said(value)));
@@ -175,8 +175,10 @@ impl Reader<'_> {
 
 fn wrong_kind(key: &Key, value: &DeValue<'_>) -> bool {
     !matches!(
-        (key.kind, number_or_switch(value)),
-        (Kind::Switch, Some(Value::Switch(_))) | (Kind::Number { .. }, Some(Value::Number(_)))
+        (key.kind, given(key, value)),
+        (Kind::Switch, Some(Value::Switch(_)))
+            | (Kind::Number { .. }, Some(Value::Number(_)))
+            | (Kind::Choice(_), Some(Value::Choice(_)))
     )
 }
 
@@ -190,8 +192,10 @@ pub(super) fn switch_of(section: &str) -> Option<usize> {
     position(section, "on")
 }
 
-fn number_or_switch(value: &DeValue<'_>) -> Option<Value> {
+/// What a value stands for; a text only for a key that has it as one of its words.
+fn given(key: &Key, value: &DeValue<'_>) -> Option<Value> {
     match value {
+        DeValue::String(text) => key.word(text),
         DeValue::Boolean(switch) => Some(Value::Switch(*switch)),
         DeValue::Float(number) => number.as_str().parse().ok().map(Value::Number),
         DeValue::Integer(number) if number.radix() == 10 => number.as_str().parse().ok().map(Value::Number),

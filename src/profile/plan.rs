@@ -17,6 +17,26 @@ const STRENGTH_WINDOW: f32 = 1.0;
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;
 
+impl Profile {
+    /// What the layout of a page needs.
+    pub(super) fn layout(&self) -> layout::Params {
+        let Self { page, frame, overview, mark, .. } = self;
+        layout::Params {
+            sheet: [page.width, page.height],
+            orientation: page.orientation,
+            margin: page.margin,
+            frame: frame.on.then_some(layout::FrameParams {
+                width: frame.width,
+                dot: frame.dot,
+                pitch: frame.pitch,
+                gap: frame.gap,
+            }),
+            overview: overview.on.then_some(layout::OverviewParams { scale: overview.scale, gap: overview.gap }),
+            mark: mark.on.then_some(layout::MarkParams { length: mark.length, width: mark.width, gap: mark.gap }),
+        }
+    }
+}
+
 /// A profile that has been found to make sense. Everything after trusts its numbers.
 #[derive(Debug, Clone)]
 pub struct Plan {
@@ -39,18 +59,7 @@ impl Plan {
     }
 
     pub(crate) fn layout(&self) -> layout::Params {
-        let Profile { page, frame, overview, .. } = &self.profile;
-        layout::Params {
-            sheet: [page.width, page.height],
-            margin: page.margin,
-            frame: frame.on.then_some(layout::FrameParams {
-                width: frame.width,
-                dot: frame.dot,
-                pitch: frame.pitch,
-                gap: frame.gap,
-            }),
-            overview: overview.on.then_some(layout::OverviewParams { scale: overview.scale, gap: overview.gap }),
-        }
+        self.profile.layout()
     }
 
     pub(crate) fn edges(&self, px_per_mm: f32) -> edges::Params {

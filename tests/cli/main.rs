@@ -2,6 +2,7 @@
 
 mod calibrate;
 mod common;
+mod fitting;
 mod formats;
 mod pictures;
 mod places;

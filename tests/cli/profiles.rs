@@ -8,8 +8,9 @@ fn profiles_are_listed_and_shown() {
     let run = place.run(&["profiles"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let names = run.out.lines().map(|line| line.split_whitespace().next().unwrap_or(""));
-    assert_eq!(names.collect::<Vec<_>>(), ["swell-a4", "swell-a3", "swell-letter"]);
-    let descriptions = run.out.lines().map(|line| line[12..].trim_start().len());
+    let expected = ["swell-a4", "swell-a3", "swell-letter", "swell-11x11.5", "swell-11x17", "plain-print"];
+    assert_eq!(names.collect::<Vec<_>>(), expected);
+    let descriptions = run.out.lines().map(|line| line[13..].trim_start().len());
     assert!(descriptions.min() > Some(10), "a profile without description:\n{}", run.out);
     assert_eq!(run.out.matches("(default)").count(), 1);
     for profile in tactograph::profile::built_in() {
@@ -21,6 +22,13 @@ fn profiles_are_listed_and_shown() {
             assert!(shown.starts_with(written), "{written} is shown as {shown}");
         }
     }
+}
+
+#[test]
+fn every_key_is_told_on_one_page() {
+    let run = Place::new().run(&["profiles", "keys"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert_eq!(run.out, tactograph::profile::manual::write());
 }
 
 #[test]
@@ -40,7 +48,7 @@ fn a_profile_can_be_named_or_a_file() {
     let place = Place::with_picture("a.png");
     place.put("my.toml", b"inherits = \"swell-a4\"\n[lines]\nwidth_max = 1.3\n");
     place.put("d/mine", b"inherits = \"swell-a4\"\n");
-    for profile in ["my.toml", "./my.toml", "d/mine", "swell-a3", "swell-letter"] {
+    for profile in ["my.toml", "./my.toml", "d/mine", "swell-a3", "swell-11x11.5", "plain-print"] {
         let run = place.run(&["convert", "a.png", "-o", "p.svg", "--profile", profile]);
         assert_eq!((run.code, run.err.as_str()), (0, "wrote p.svg\n"), "{profile}");
         place.has_page("p.svg");

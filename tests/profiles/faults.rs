@@ -27,16 +27,16 @@ fn unknown_names_get_a_suggestion() {
         ("lines.width-max = 1", "there is no key lines.width-max, did you mean lines.width_max?"),
         ("lines.width = 1", "there is no key lines.width, did you mean lines.width_min or lines.width_max?"),
         ("lines.line_gap = 1", "there is no key lines.line_gap, did you mean textures.line_gap?"),
-        ("edges.gap = 1", "there is no key edges.gap, did you mean frame.gap or overview.gap?"),
-        ("page.colour = 1", "there is no key page.colour, the keys of page are width, height and margin"),
+        ("edges.gap = 1", "there is no key edges.gap, did you mean frame.gap, mark.gap or overview.gap?"),
+        ("page.colour = 1", "there is no key page.colour, the keys of page are width, height, orientation and margin"),
         ("colors.blur = 1", "there is no section colors, did you mean colours?"),
         ("overveiw = false", "there is no section overveiw, did you mean overview?"),
         ("descripton = \"x\"", "there is no section descripton, did you mean description?"),
         ("min_side = 13", "there is no section min_side, did you mean figure.min_side?"),
         (
             "\"two\\nlines\" = 13",
-            "there is no section \"two\\nlines\", the sections are page, frame, figure, overview, edges, \
-                                lines, colours and textures",
+            "there is no section \"two\\nlines\", the sections are page, frame, mark, figure, overview, edges, \
+                                lines, colours, textures and print",
         ),
     ] {
         check(&format!("{HEIR}{line}"), &format!("my.toml, line 2: {expected}"));
@@ -187,6 +187,11 @@ fn values_that_do_not_go_together_are_told_where_they_were_given() {
              thickness of the lightest glyph",
         ),
         (
+            "print.swell = 0.4",
+            "print.swell is 0.4 mm, which leaves too little to print of textures.min_glyph, which is 0.6 mm, lessen the one \
+             or enlarge the other",
+        ),
+        (
             "page.margin = 100",
             "the sheet leaves 0.0 mm by 37.9 mm for the figure, but figure.min_side asks for 12.7 mm, enlarge \
           page.width or page.height or lessen margin, frame, overview or their gaps",
@@ -197,10 +202,20 @@ fn values_that_do_not_go_together_are_told_where_they_were_given() {
           page.width or page.height or lessen margin, frame, overview or their gaps",
         ),
     ] {
-        let text = format!("{HEIR}{line}").replace("98", "98\nfigure.min_side = 25");
-        let at = if line.contains("98") { 3 } else { 2 };
+        let text = format!("{HEIR}{line}").replace("98", "98\npage.orientation = \"landscape\"\nfigure.min_side = 25");
+        let at = if line.contains("98") { 4 } else { 2 };
         check(&text, &format!("my.toml, line {at}: {expected}"));
     }
+    check(
+        &format!("{HEIR}mark.width = 10\nmark.length = 9"),
+        "my.toml, line 3: mark.width is 10 but must be below mark.length, which is 9, or the bar is a dot, which does not \
+         show which corner it cuts",
+    );
+    check(
+        &format!("{HEIR}mark = {{ length = 50, gap = 50 }}\noverview.scale = 1\nfigure.min_side = 100"),
+        "my.toml, line 4: the orientation mark leaves 84.8 mm for a square figure, but figure.min_side asks for 100 mm, \
+         lessen mark.length or mark.gap, or enlarge the sheet",
+    );
     let nothing = format!("{HEIR}overview = false\nfigure = {{ lines = false, textures = false }}");
     check(
         &nothing,
@@ -214,10 +229,14 @@ fn values_that_do_not_go_together_are_told_where_they_were_given() {
 fn rules_rest_where_a_switch_is_off() {
     check(&format!("{HEIR}frame = {{ on = false, dot = 2 }}"), "none");
     check(&format!("{HEIR}figure.textures = false\ntextures.along = 1"), "none");
-    check(&format!("{HEIR}page.height = 90\noverview = false"), "none");
-    assert!(Profile::from_toml(&format!("{HEIR}page.height = 90"), "my.toml").is_ok());
-    check(&format!("{HEIR}page.height = 70\noverview = false"), "none");
-    assert!(Profile::from_toml(&format!("{HEIR}page.height = 70"), "my.toml").is_err());
+    let across = format!("{HEIR}page.orientation = \"landscape\"\nmark = false\n");
+    check(&format!("{across}page.height = 90\noverview = false"), "none");
+    assert!(Profile::from_toml(&format!("{across}page.height = 90"), "my.toml").is_ok());
+    check(&format!("{across}page.height = 70\noverview = false"), "none");
+    assert!(Profile::from_toml(&format!("{across}page.height = 70"), "my.toml").is_err());
+    // a sheet that may be turned has room upright
+    assert!(Profile::from_toml(&format!("{HEIR}page.height = 70"), "my.toml").is_ok());
+    check(&format!("{HEIR}textures.min_glyph = 0.2\nfigure.textures = false\nprint.swell = 0.2"), "none");
 }
 
 #[test]
@@ -226,7 +245,7 @@ fn all_faults_come_at_once() {
         "inherits = \"swel-a4\"\n[lines]\nwidth_max = 0.1\nwidth_min = 2\nsmoothing 1\ngap = 3\n\n\
          [edges]\nlow = 20\nhigh = 10\n[pages]\n",
         "my.toml, line 1: inherits cannot be followed, there is no built-in profile swel-a4 (the built-in profiles are \
-         swell-a4, swell-a3 and swell-letter), did you mean swell-a4?\n\
+         swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17 and plain-print), did you mean swell-a4?\n\
          my.toml, line 3: lines.width_max must be a number from 0.3 to 10 mm, not 0.1\n\
          my.toml, line 5: \"smoothing 1\" cannot be read as TOML: key with no value, expected \"=\"\n\
          my.toml, line 6: there is no key lines.gap, did you mean lines.min_gap or lines.join_gap?\n\
@@ -238,8 +257,8 @@ fn all_faults_come_at_once() {
 
 #[test]
 fn without_inherits_every_key_must_be_given() {
-    let most = "my.toml: without inherits every key must be given, page.width, page.height, page.margin, frame.on, \
-                frame.width, frame.dot and 37 more are missing, write inherits = \"swell-a4\" at the top to take what \
+    let most = "my.toml: without inherits every key must be given, page.width, page.height, page.orientation, \
+                page.margin, frame.on, frame.width and 44 more are missing, write inherits = \"swell-a4\" at the top to take what \
                 is missing from there";
     check("", most);
     check(

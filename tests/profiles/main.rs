@@ -3,7 +3,8 @@
 mod any;
 mod faults;
 
-use tactograph::profile::{Fault, Kind, Profile, Value, built_in};
+use tactograph::page::layout::Orientation;
+use tactograph::profile::{Fault, Kind, Profile, Value, built_in, manual};
 
 fn in_lines(faults: &[Fault]) -> String {
     faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("\n")
@@ -37,6 +38,32 @@ fn every_key_is_documented_and_in_range() {
                 assert!(!key.takes(Value::Number(high * 1.001)) && !key.takes(Value::Number(f32::NAN)), "{}", key.path);
             }
         }
+    }
+}
+
+/// Few printers reach the edge of a sheet, and fingers need to hold it.
+#[test]
+fn built_in_profiles_have_margins() {
+    for file in built_in() {
+        assert!(named(file.name).page.margin >= 10.0, "{}", file.name);
+    }
+}
+
+/// The page about all keys is what the program says of them. `UPDATE=1` writes it anew.
+#[test]
+fn the_page_about_keys_is_up_to_date() {
+    let (path, page) = (concat!(env!("CARGO_MANIFEST_DIR"), "/docs/profiles.md"), manual::write());
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, &page).expect("the page can be written");
+    }
+    let found = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(found == page, "docs/profiles.md is not up to date: cargo run -- profiles keys > docs/profiles.md");
+    for key in Profile::keys() {
+        let row = format!("| `{}` | ", key.name());
+        assert!(page.lines().any(|line| line.starts_with(&row) && line.contains(key.doc)), "{}", key.path);
+        let reason = format!("* `{}` - ", key.name());
+        let is_switch = key.kind == Kind::Switch;
+        assert!(is_switch || page.lines().any(|line| line.starts_with(&reason)), "no reason for {}", key.path);
     }
 }
 
@@ -87,6 +114,9 @@ fn inherits_key_by_key() {
     };
     assert_eq!(differing(&a3), "page.width=297 page.height=420");
     assert_eq!(differing(&letter), "page.width=215.9 page.height=279.4");
+    assert_eq!(differing(&named("swell-11x11.5")), "page.width=279.4 page.height=292.1");
+    assert_eq!(differing(&named("swell-11x17")), "page.width=279.4 page.height=431.8");
+    assert_eq!(differing(&named("plain-print")), "print.max_black=1");
 
     let mine = "inherits = \"swell-letter\"\ndescription = \"Mine\"\noverview = false\n\
                 lines.width_max = 2\n[page]\nmargin = 1e1";
@@ -108,6 +138,7 @@ fn parameters_read_back_the_same() {
     let mut profile = named("swell-a4");
     profile.set("lines.width_max", "1.2345678").expect("in range");
     profile.set("colours.blur", "-0").expect("in range");
+    profile.set("page.orientation", "landscape").expect("a word of it");
     let text: Vec<_> = profile.parameters().iter().map(|(path, value)| format!("{path} = {value}")).collect();
     assert!(text.contains(&"lines.width_max = 1.2345678".to_owned()) && text.contains(&"colours.blur = 0".to_owned()));
     let again = Profile::from_toml(&text.join("\n"), "again.toml").expect("sound");
@@ -118,7 +149,8 @@ fn parameters_read_back_the_same() {
 #[test]
 fn unknown_profile_is_told_with_the_known_ones() {
     let told = |name| in_lines(&Profile::named(name).expect_err("unknown"));
-    let known = "(the built-in profiles are swell-a4, swell-a3 and swell-letter)";
+    let known =
+        "(the built-in profiles are swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17 and plain-print)";
     assert_eq!(
         told("swell_letter"),
         format!("profile swell_letter: there is no built-in profile swell_letter {known}, did you mean swell-letter?")
@@ -132,14 +164,21 @@ fn unknown_profile_is_told_with_the_known_ones() {
 #[test]
 fn set_changes_one_value() {
     let mut profile = named("swell-a4");
-    for (key, value) in
-        [("lines.width_max", "1.2"), (" page.width ", " 3e2 "), ("overview", "false"), ("frame.on", "false")]
-    {
+    for (key, value) in [
+        ("lines.width_max", "1.2"),
+        (" page.width ", " 3e2 "),
+        ("overview", "false"),
+        ("frame.on", "false"),
+        ("page.orientation", "landscape"),
+    ] {
         profile.set(key, value).expect("a good value");
     }
     assert_eq!(profile.get("lines.width_max"), Some(Value::Number(1.2)));
     assert_eq!(profile.get("page.width"), Some(Value::Number(300.0)));
     assert!(!profile.overview.on && !profile.frame.on);
+    assert_eq!(profile.get("page.orientation"), Some(Value::Choice("landscape")));
+    profile.set("page.orientation", "\"portrait\"").expect("as TOML has it");
+    assert_eq!(profile.page.orientation, Orientation::Portrait);
     assert_eq!(profile.check(), []);
 }
 
@@ -163,6 +202,11 @@ fn set_refuses_what_it_cannot_take() {
             "",
             "--set lines.width_max=\"\": lines.width_max must be a number from 0.3 to 10 mm, not \"\"",
         ),
+        (
+            "page.orientation",
+            "sideways",
+            "--set page.orientation=sideways: page.orientation must be \"auto\", \"portrait\" or \"landscape\", not sideways",
+        ),
         ("overview", "no", "--set overview=no: overview.on must be true or false, not no"),
         ("line.width_max", "1", "--set line.width_max=1: there is no section line, did you mean lines?"),
         (
@@ -170,9 +214,17 @@ fn set_refuses_what_it_cannot_take() {
             "1",
             "--set lines.widthmax=1: there is no key lines.widthmax, did you mean lines.width_max?",
         ),
-        ("gap", "1", "--set gap=1: there is no section gap, did you mean frame.gap or overview.gap?"),
-        ("page", "1", "--set page=1: page is a section, name one of its keys: page.width, page.height or page.margin"),
-        ("page.", "1", "--set page.=1: there is no key page.\"\", the keys of page are width, height and margin"),
+        ("gap", "1", "--set gap=1: there is no section gap, did you mean frame.gap, mark.gap or overview.gap?"),
+        (
+            "page",
+            "1",
+            "--set page=1: page is a section, name one of its keys: page.width, page.height, page.orientation or page.margin",
+        ),
+        (
+            "page.",
+            "1",
+            "--set page.=1: there is no key page.\"\", the keys of page are width, height, orientation and margin",
+        ),
     ] {
         assert_eq!(profile.set(key, value).expect_err(key).to_string(), expected);
     }

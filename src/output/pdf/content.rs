@@ -9,7 +9,7 @@ use pdf_writer::{Content, Name, Settings};
 
 use super::super::layer::Layer;
 use super::POINTS_PER_MM;
-use crate::page::{Class, Dots, Glyph, Line, Page, Shape};
+use crate::page::{Class, Dots, Glyph, Line, Page, Run, Shape};
 use crate::units::MmPoint;
 
 /// Units of user space in a millimetre.
@@ -38,6 +38,7 @@ pub(super) fn layers(page: &Page) -> Vec<Layer> {
     let mut layers = Vec::new();
     let mut add = |layer, is_there: bool| layers.extend(is_there.then_some(layer));
     let has = |class| page.figure.textures.iter().any(|texture| texture.class == class);
+    add(Layer::OrientationMark, page.orientation_mark.is_some());
     add(Layer::Frame, !page.frame.at.is_empty());
     add(Layer::Figure, true);
     add(Layer::Textures, !page.figure.textures.is_empty());
@@ -60,6 +61,9 @@ impl Writer<'_> {
     fn page(&mut self, page: &Page) {
         for layer in layers(page) {
             match layer {
+                Layer::OrientationMark => {
+                    self.layer(layer, |out| page.orientation_mark.iter().for_each(|run| out.run(run)));
+                }
                 Layer::Frame => self.layer(layer, |out| out.dots(&page.frame)),
                 Layer::Figure => self.layer(layer, |out| out.figure(page)),
                 Layer::OverviewFrame => {
@@ -103,19 +107,21 @@ impl Writer<'_> {
 
     /// Lines stay strokes: an editor can change their width and bend them.
     fn lines(&mut self, lines: &[Line]) {
-        for run in lines.iter().flat_map(|line| &line.runs) {
-            let width = units(run.width);
-            if width.total_cmp(&self.width).is_ne() {
-                self.content.set_line_width(width);
-                self.width = width;
-            }
-            let shown = if run.is_closed() { &run.points[..run.points.len() - 1] } else { &run.points[..] };
-            self.polyline(shown);
-            if run.is_closed() {
-                self.content.close_and_stroke();
-            } else {
-                self.content.stroke();
-            }
+        lines.iter().flat_map(|line| &line.runs).for_each(|run| self.run(run));
+    }
+
+    fn run(&mut self, run: &Run) {
+        let width = units(run.width);
+        if width.total_cmp(&self.width).is_ne() {
+            self.content.set_line_width(width);
+            self.width = width;
+        }
+        let shown = if run.is_closed() { &run.points[..run.points.len() - 1] } else { &run.points[..] };
+        self.polyline(shown);
+        if run.is_closed() {
+            self.content.close_and_stroke();
+        } else {
+            self.content.stroke();
         }
     }
 

@@ -16,6 +16,7 @@ use super::burden;
 use super::colour::{Kind, Meaning, one_line};
 use super::rows::{Depth, Layout, Rows};
 use super::{Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, undecodable, working_bytes};
+use crate::raster::crop::Part;
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -57,7 +58,9 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let parsed = guarded(|| Tree::from_xmltree(&document, &parsing))?;
     let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
     drop((parsing, document));
-    let source = Source { size: nominal_size(tree.size())?, is_drawing: true };
+    let whole = nominal_size(tree.size())?;
+    let part = super::part(whole, options)?;
+    let source = Source { size: part.size, is_drawing: true };
     let target = (options.working_size)(source)?;
     if target.area() == 0 {
         return Err(undecodable(FORMAT, format!("it cannot be drawn at {target} pixels")));
@@ -71,7 +74,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let canvases = 1 + canvases(tree.root());
     let bytes = canvases.saturating_mul(target.area().saturating_mul(4)).saturating_add(working_bytes(target));
     check_memory(FORMAT, target, bytes, limits)?;
-    let raster = guarded(|| render(&tree, target))??;
+    let raster = guarded(|| render(&tree, whole, part, target))??;
     Ok(Picture { raster, source, notes: left_out.notes() })
 }
 
@@ -83,14 +86,23 @@ fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
     caught.map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
 }
 
-fn render(tree: &Tree, target: Size) -> Result<crate::raster::Raster, Error> {
+/// Renders a part of a drawing whose size counts as `whole` pixels.
+fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<crate::raster::Raster, Error> {
     let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
     let mut canvas = tiny_skia::Pixmap::new(target.width, target.height).ok_or_else(room)?;
     canvas.fill(tiny_skia::Color::WHITE);
-    let (across, down) = (target.width as f32 / tree.size().width(), target.height as f32 / tree.size().height());
-    resvg::render(tree, tiny_skia::Transform::from_scale(across, down), &mut canvas.as_mut());
+    // Pixels that the canvas would have for all of the drawing.
+    let whole_canvas = |target: u32, part: u32, whole: u32| f64::from(target) * (f64::from(whole) / f64::from(part));
+    let width = whole_canvas(target.width, part.size.width, whole.width);
+    let height = whole_canvas(target.height, part.size.height, whole.height);
+    let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
+    let left = width * f64::from(part.left) / f64::from(whole.width);
+    let top = height * f64::from(part.top) / f64::from(whole.height);
+    let transform = tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32);
+    resvg::render(tree, transform, &mut canvas.as_mut());
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
-    let mut rows = Rows::whole(layout, Meaning::Srgb, target, target, Orientation::NoTransforms);
+    let mut rows =
+        Rows::whole(layout, Meaning::Srgb, (target.width, Part::whole(target)), target, Orientation::NoTransforms);
     for row in canvas.data().chunks_exact(layout.row_bytes(target.width)) {
         rows.push(row);
     }

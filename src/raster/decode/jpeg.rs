@@ -46,7 +46,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         decoder.set_color_transform(ColorTransform::RGB);
     }
 
-    let eighths = eighths(size, job.stored_target());
+    let eighths = eighths(job.part.size, job.stored_target());
     let scaled = Size::new((size.width * eighths).div_ceil(8), (size.height * eighths).div_ceil(8));
     // The planes before and after colours are made of them; a progressive picture also has all its coefficients, of two
     // bytes each.
@@ -70,7 +70,9 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         }
     }
     let meaning = job.meaning(icc.as_deref(), kind);
-    let extents = (scaled.width, Extent::scaled(size.width, eighths), Extent::scaled(size.height, eighths));
+    let part = job.part;
+    let across = Extent::scaled(part.left, part.size.width, eighths);
+    let extents = (scaled.width, across, Extent::scaled(part.top, part.size.height, eighths));
     let mut rows = Rows::new(layout, meaning, extents, job.target, job.orientation);
     for row in pixels.chunks_exact(layout.row_bytes(scaled.width)) {
         rows.push(row);

@@ -24,6 +24,7 @@ use image::metadata::Orientation;
 use self::colour::{Kind, Meaning};
 use self::sniff::Format;
 use crate::raster::Raster;
+use crate::raster::crop::{Crop, Part};
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -48,7 +49,8 @@ pub type Fonts<'a> = dyn Fn() -> Arc<usvg::fontdb::Database> + Sync + 'a;
 /// What a file's header says of its picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Source {
-    /// Pixels after the turn that EXIF asks for; for an SVG drawing its size in CSS pixels, rounded.
+    /// Pixels after the turn that EXIF asks for; for an SVG drawing its size in CSS pixels, rounded. Of the part that is
+    /// used, where there is a [`Crop`].
     pub size: Size,
     /// Whether it is a vector drawing, which can be rendered at any size.
     pub is_drawing: bool,
@@ -60,6 +62,8 @@ pub struct Options<'a> {
     pub limits: Limits,
     /// Fonts for drawings.
     pub fonts: &'a Fonts<'a>,
+    /// The part of the upright picture that is used; all of it without one.
+    pub crop: Option<Crop>,
     /// The working size for a source: never larger than the source unless it is a drawing.
     pub working_size: &'a dyn Fn(Source) -> Result<Size, Error>,
 }
@@ -104,6 +108,10 @@ struct Job {
     format: &'static str,
     limits: Limits,
     orientation: Orientation,
+    /// The whole picture as stored.
+    stored: Size,
+    /// The part of it that is used, as stored.
+    part: Part,
     source: Source,
     /// Upright working size; not larger than the source.
     target: Size,
@@ -126,11 +134,13 @@ impl Job {
             let limit_megapixels = limits.megapixels;
             return Err(Error::TooManyPixels { size: stored, limit_megapixels, remedy: OVER_LIMIT });
         }
-        let source = Source { size: orient::turned(stored, orientation), is_drawing: false };
+        let upright = part(orient::turned(stored, orientation), options)?;
+        let source = Source { size: upright.size, is_drawing: false };
         let target = (options.working_size)(source)?;
         let target = Size::new(target.width.clamp(1, source.size.width), target.height.clamp(1, source.size.height));
         check_memory(format, stored, working_bytes(target), limits)?;
-        Ok(Self { format, limits, orientation, source, target, notes: Vec::new() })
+        let part = orient::part_as_stored(upright, stored, orientation);
+        Ok(Self { format, limits, orientation, stored, part, source, target, notes: Vec::new() })
     }
 
     /// The working size before the turn.
@@ -140,7 +150,7 @@ impl Job {
 
     /// Stops when decoding would take more than the limit.
     fn check_memory(&self, needed_bytes: u64) -> Result<(), Error> {
-        check_memory(self.format, self.source.size, needed_bytes, self.limits)
+        check_memory(self.format, orient::turned(self.stored, self.orientation), needed_bytes, self.limits)
     }
 
     /// What the samples mean; a profile that cannot be used leaves a note.
@@ -157,6 +167,11 @@ impl Job {
         let raster = raster.ok_or_else(|| ends_early(self.format))?;
         Ok(Picture { raster, source: self.source, notes: self.notes })
     }
+}
+
+/// The part of an upright picture that is used.
+fn part(upright: Size, options: &Options<'_>) -> Result<Part, Error> {
+    options.crop.map_or_else(|| Ok(Part::whole(upright)), |crop| crop.part(upright))
 }
 
 /// Memory that a page takes for a working picture of this size: three planes in linear light and three in the space where

@@ -2,6 +2,7 @@
 
 use image::metadata::Orientation;
 
+use crate::raster::crop::Part;
 use crate::units::Size;
 
 /// Whether width and height change places.
@@ -13,6 +14,26 @@ pub(super) fn swaps(orientation: Orientation) -> bool {
 /// `size` after the turn, or before it (it is the same rule both ways).
 pub(super) fn turned(size: Size, orientation: Orientation) -> Size {
     if swaps(orientation) { size.turned() } else { size }
+}
+
+/// A part of the upright picture as it lies in the stored one, which has `stored` pixels.
+pub(super) fn part_as_stored(part: Part, stored: Size, orientation: Orientation) -> Part {
+    let size = turned(part.size, orientation);
+    let upright = turned(stored, orientation);
+    // What is left of the part, above it, to its right and below it, in the upright picture.
+    let (left, top) = (part.left, part.top);
+    let (right, bottom) = (upright.width - left - part.size.width, upright.height - top - part.size.height);
+    let (left, top) = match orientation {
+        Orientation::NoTransforms => (left, top),
+        Orientation::FlipHorizontal => (right, top),
+        Orientation::Rotate180 => (right, bottom),
+        Orientation::FlipVertical => (left, bottom),
+        Orientation::Rotate90FlipH => (top, left),
+        Orientation::Rotate90 => (top, right),
+        Orientation::Rotate270FlipH => (bottom, right),
+        Orientation::Rotate270 => (bottom, left),
+    };
+    Part { left, top, size }
 }
 
 /// A plane of `size` as stored, turned upright.
@@ -73,6 +94,26 @@ mod tests {
                 .map(|row| row.iter().map(|&v| if v < 0.5 { '#' } else { '.' }).collect())
                 .collect();
             assert_eq!(text.join("\n"), upright_f, "orientation {exif}");
+        }
+    }
+
+    /// Cutting a part out of the stored picture and turning it is the same as turning the picture and cutting.
+    #[test]
+    fn parts_are_found_in_all_eight_orientations() {
+        for exif in 1..=8 {
+            let orientation = Orientation::from_exif(exif).unwrap();
+            let stored = Size::new(7, 5);
+            let plane: Vec<f32> = (0..35).map(|i| i as f32).collect();
+            let cut = |plane: &[f32], width: u32, part: Part| -> Vec<f32> {
+                let rows = plane.chunks(width as usize).skip(part.top as usize).take(part.size.height as usize);
+                rows.flat_map(|row| row[part.left as usize..][..part.size.width as usize].to_vec()).collect()
+            };
+            let part = Part { left: 1, top: 2, size: Size::new(3, 2) };
+            let turned_first =
+                cut(&upright(plane.clone(), stored, orientation), turned(stored, orientation).width, part);
+            let as_stored = part_as_stored(part, stored, orientation);
+            let cut_first = upright(cut(&plane, 7, as_stored), as_stored.size, orientation);
+            assert_eq!(turned_first, cut_first, "orientation {exif}");
         }
     }
 }

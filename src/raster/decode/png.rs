@@ -25,7 +25,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let mut reader = decoder.read_info().map_err(fault)?;
     let layout = layout(&reader)?;
     let meaning = meaning(&mut job, &reader, layout.kind);
-    let mut rows = Rows::whole(layout, meaning, size, job.target, job.orientation);
+    let mut rows = Rows::whole(layout, meaning, (size.width, job.part), job.target, job.orientation);
     if reader.info().interlaced {
         let length = layout.row_bytes(size.width) as u64 * u64::from(size.height);
         job.check_memory(length)?;

@@ -9,6 +9,7 @@ use super::colour::{Kind, Matrix, Meaning, Table, apply_matrix, curve_table, srg
 use super::orient::{turned, upright};
 use super::shrink::{Extent, Shrink};
 use crate::raster::Raster;
+use crate::raster::crop::Part;
 use crate::units::Size;
 
 /// How the samples of a pixel follow one another.
@@ -67,7 +68,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// For rows of `width` pixels that show a picture of the two extents; `target` is the upright working size.
+    /// For rows of `width` pixels of which the two extents are used; `target` is the upright working size.
     pub(super) fn new(
         layout: Layout,
         meaning: Meaning,
@@ -81,10 +82,17 @@ impl Rows {
         Self { light, shrink, stored, orientation }
     }
 
-    /// For rows that hold exactly the pixels of a picture of `size`.
-    pub(super) fn whole(layout: Layout, meaning: Meaning, size: Size, target: Size, orientation: Orientation) -> Self {
-        let extents = (size.width, Extent::pixels(size.width), Extent::pixels(size.height));
-        Self::new(layout, meaning, extents, target, orientation)
+    /// For rows that hold exactly the pixels of a picture of `width` pixels across, of which `part` is used.
+    pub(super) fn whole(
+        layout: Layout,
+        meaning: Meaning,
+        (width, part): (u32, Part),
+        target: Size,
+        orientation: Orientation,
+    ) -> Self {
+        let across = Extent::pixels(part.left, part.size.width);
+        let down = Extent::pixels(part.top, part.size.height);
+        Self::new(layout, meaning, (width, across, down), target, orientation)
     }
 
     /// Takes the next row as the layout says, [`Layout::row_bytes`] long.

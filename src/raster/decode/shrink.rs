@@ -37,40 +37,49 @@ impl Span {
     }
 }
 
-/// How far the picture reaches along one axis of the rows that come. A JPEG of 4001 pixels decoded at 1/8 comes as 501
-/// pixels of which the picture fills only 500 and one eighth.
+/// How far the picture, or the part of it that is used, reaches along one axis of the rows that come. A JPEG of 4001 pixels
+/// decoded at 1/8 comes as 501 pixels of which the picture fills only 500 and one eighth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Extent {
-    /// Length in parts of a pixel.
+    /// Where it begins, in parts of a pixel.
+    start: u64,
+    /// Its length, in parts of a pixel.
     length: u64,
     /// How many parts make a pixel.
     parts: u64,
 }
 
 impl Extent {
-    /// Whole pixels.
-    pub(super) fn pixels(count: u32) -> Self {
-        Self { length: u64::from(count), parts: 1 }
+    /// `count` whole pixels after `start` others.
+    pub(super) fn pixels(start: u32, count: u32) -> Self {
+        Self { start: u64::from(start), length: u64::from(count), parts: 1 }
     }
 
-    /// `count` pixels, each scaled by `eighths` / 8.
-    pub(super) fn scaled(count: u32, eighths: u32) -> Self {
-        Self { length: u64::from(count) * u64::from(eighths), parts: 8 }
+    /// `count` pixels after `start` others, each scaled by `eighths` / 8.
+    pub(super) fn scaled(start: u32, count: u32, eighths: u32) -> Self {
+        let scaled = |pixels: u32| u64::from(pixels) * u64::from(eighths);
+        Self { start: scaled(start), length: scaled(count), parts: 8 }
     }
 
     /// The spans of `target` pixels of equal width that fill the extent.
     fn spans(self, target: u32) -> Vec<Span> {
         let unit = self.parts * u64::from(target);
         let part = |units: u64| units as f64 / unit as f64;
+        let before = self.start * u64::from(target);
         (0..u64::from(target))
             .map(|i| {
-                let (from, to) = (i * self.length, (i + 1) * self.length);
+                let (from, to) = (before + i * self.length, before + (i + 1) * self.length);
                 let (start, end) = (from / unit, to.div_ceil(unit));
                 let first = part(to.min((start + 1) * unit) - from);
                 let last = part(to - (end - 1) * unit);
                 Span { start: start as usize, end: end as usize, first, last }
             })
             .collect()
+    }
+
+    /// Where the pixels begin that become `target` pixels just as they are.
+    fn is_copied_to(self, target: u32) -> Option<usize> {
+        (self.parts == 1 && self.length == u64::from(target)).then_some(self.start as usize)
     }
 
     /// Source pixels for one target pixel.
@@ -85,8 +94,8 @@ pub(super) struct Shrink {
     down: Vec<Span>,
     /// One over the source area of a target pixel.
     share: f64,
-    /// Whether the source is copied as it is.
-    same: bool,
+    /// Where the part begins across and down that is copied as it is, if nothing is to be averaged.
+    same: Option<(usize, usize)>,
     /// The source row that comes next.
     row: usize,
     /// Sums for the target row in work, plane after plane. In f64: a narrow strip may have 65 thousand rows to a target
@@ -105,7 +114,7 @@ impl Shrink {
             across: width.spans(target.width),
             down: height.spans(target.height),
             share: 1.0 / (width.ratio(target.width) * height.ratio(target.height)),
-            same: width == Extent::pixels(target.width) && height == Extent::pixels(target.height),
+            same: width.is_copied_to(target.width).zip(height.is_copied_to(target.height)),
             row: 0,
             sums: vec![0.0; row],
             narrow: vec![0.0; row],
@@ -123,11 +132,14 @@ impl Shrink {
         if target >= height {
             return;
         }
-        if self.same {
-            for (plane, row) in self.planes.iter_mut().zip(planes) {
-                plane.extend_from_slice(&row[..width]);
+        if let Some((left, top)) = self.same {
+            for (plane, row) in self.planes.iter_mut().zip(planes).filter(|_| row >= top) {
+                plane.extend_from_slice(&row[left..left + width]);
             }
             return;
+        }
+        if self.down[target].start > row {
+            return; // above the part that is used
         }
         for (narrow, row) in self.narrow.chunks_exact_mut(width).zip(planes) {
             shrink_across(&self.across, row, narrow);
@@ -175,7 +187,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn shrunk(source: Size, target: Size, plane: &[f32]) -> Vec<f32> {
-        let (width, height) = (Extent::pixels(source.width), Extent::pixels(source.height));
+        let (width, height) = (Extent::pixels(0, source.width), Extent::pixels(0, source.height));
         let mut shrink = Shrink::new(width, height, target, 1);
         for row in plane.chunks_exact(source.width as usize) {
             shrink.push(&[row.to_vec()]);
@@ -235,7 +247,7 @@ mod tests {
     #[test]
     fn a_part_of_a_pixel_beyond_the_picture_counts_as_little_as_there_is_of_it() {
         // 9 px at 1/8: one pixel and an eighth, of which the second is seen by its eighth only.
-        let mut shrink = Shrink::new(Extent::scaled(9, 1), Extent::pixels(1), Size::new(1, 1), 1);
+        let mut shrink = Shrink::new(Extent::scaled(0, 9, 1), Extent::pixels(0, 1), Size::new(1, 1), 1);
         shrink.push(&[vec![0.0, 1.0]]);
         assert_eq!(shrink.finish().unwrap(), [[(0.125 / 1.125) as f32]]);
     }
@@ -249,7 +261,7 @@ mod tests {
 
     #[test]
     fn missing_rows_are_seen() {
-        let mut shrink = Shrink::new(Extent::pixels(2), Extent::pixels(2), Size::new(1, 1), 1);
+        let mut shrink = Shrink::new(Extent::pixels(0, 2), Extent::pixels(0, 2), Size::new(1, 1), 1);
         shrink.push(&[vec![0.0, 1.0]]);
         assert!(shrink.finish().is_none());
     }

@@ -1,0 +1,61 @@
+//! Options that say which part of a picture is drawn, how large, and what of it.
+
+use clap::Args;
+use tactograph::pipeline::Fit;
+use tactograph::raster::crop::Crop;
+
+/// Options of `tactograph convert` that are chosen anew for each picture.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Fitting {
+    /// Draws a part of the picture only, as if the rest were not there
+    ///
+    /// Where it begins from the left and from the top, its width and its height, each in pixels of the picture as it is seen
+    /// or in percent, such as 10%,0,80%,50% or 320,200,640,480. With several pictures, the same part of each.
+    #[arg(long, value_name = "X,Y,W,H")]
+    crop: Option<Crop>,
+
+    /// Width of the figure on the sheet, in millimetres
+    ///
+    /// The height follows. More than there is room for is refused, with what there is room for. Range: 3 to 1200.
+    ///
+    /// [default: as wide as the sheet has room for]
+    #[arg(long, value_name = "MM", value_parser = width)]
+    width_mm: Option<f32>,
+
+    /// Draws contours only, no textures
+    ///
+    /// Short for --set figure.textures=false.
+    #[arg(long, conflicts_with = "textures_only")]
+    outlines: bool,
+
+    /// Draws textures only: no contours, and so no overview
+    ///
+    /// Short for --set figure.lines=false --set overview=false.
+    #[arg(long)]
+    textures_only: bool,
+
+    /// Exchanges left and right, marks and frames included
+    ///
+    /// For machines that press a page up from its back. Not for swell paper.
+    #[arg(long)]
+    mirror: bool,
+}
+
+impl Fitting {
+    /// What these options say of the picture on its sheet.
+    pub(in crate::cli) fn fit(&self) -> Fit {
+        Fit { crop: self.crop, width: self.width_mm, mirrored: self.mirror }
+    }
+
+    /// What they change in the profile, as `KEY=VALUE`.
+    pub(in crate::cli) fn changes(&self) -> impl Iterator<Item = String> {
+        let outlines = self.outlines.then_some("figure.textures=false");
+        let textures = self.textures_only.then_some(["figure.lines=false", "overview.on=false"]);
+        outlines.into_iter().chain(textures.into_iter().flatten()).map(str::to_owned)
+    }
+}
+
+fn width(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok().filter(|number| (3.0..=1200.0).contains(number));
+    number.ok_or_else(|| "give a number of millimetres from 3 to 1200, with a point as in 120.5".into())
+}

@@ -1,0 +1,46 @@
+//! How one picture is put on the sheet: what its maker chooses anew for each picture, beside the profile.
+
+use crate::Error;
+use crate::page::layout::{self, Layout};
+use crate::profile::Plan;
+use crate::raster::crop::Crop;
+use crate::units::Size;
+
+/// Which part of a picture is drawn, and how. The default is all of it, as large as the sheet allows, for the front.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Fit {
+    /// The part that is drawn.
+    pub crop: Option<Crop>,
+    /// Width of the figure, mm; without it, as much as there is room for.
+    pub width: Option<f32>,
+    /// Whether left and right are exchanged, for a machine that presses dots up from the back of the sheet.
+    pub mirrored: bool,
+}
+
+/// How much wider than there is room for a figure may be asked for, mm: less than is printed exactly. Widths that the program
+/// tells have one digit after the point.
+const SLACK: f32 = 0.06;
+
+impl Fit {
+    /// Where the drawn part of a picture, of `size` pixels, lies on the sheet.
+    ///
+    /// # Errors
+    /// If it is asked for wider than there is room for.
+    pub(super) fn layout(&self, size: Size, plan: &Plan) -> Result<Layout, Error> {
+        let aspect = size.width as f32 / size.height as f32;
+        let layout = layout::fit(aspect, self.width.unwrap_or(f32::MAX), &plan.layout());
+        let most = layout.figure.width();
+        match self.width {
+            Some(wanted) if wanted > most + SLACK => Err(Error::TooWide { wanted, most }),
+            _ => Ok(layout),
+        }
+    }
+
+    /// As lines of a page's origin; nothing where it is the default.
+    pub(super) fn origin(&self) -> impl Iterator<Item = (String, String)> {
+        let part = self.crop.map(|crop| ("part of the picture", crop.to_string()));
+        let width = self.width.map(|width| ("width asked for in mm", width.to_string()));
+        let mirrored = self.mirrored.then(|| ("mirrored", "true".to_owned()));
+        [part, width, mirrored].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
+    }
+}

@@ -1,0 +1,77 @@
+//! Parts of a picture, sizes on the sheet, and pages with less or the other way round.
+
+use crate::common::*;
+
+fn page(place: &Place, words: &[&str]) -> String {
+    let run = place.run(&[&["convert", "a.png", "-q", "-o", "-"], words].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""), "{words:?}");
+    run.out
+}
+
+/// Where the figure lies: x, y, width and height.
+fn figure(page: &str) -> Vec<f32> {
+    let (_, rest) = page.split_once("data-box=\"").expect("a figure");
+    rest.split('"').next().unwrap_or_default().split(' ').map(|n| n.parse().expect("a number")).collect()
+}
+
+#[test]
+fn a_part_is_drawn_as_if_it_were_all() {
+    let place = Place::with_picture("a.png");
+    let part = page(&place, &["--crop", "0,0,50%,100%"]);
+    assert!(part.contains("part of the picture = 0,0,50%,100%"), "the page does not say which part");
+    let (all, part) = (figure(&page(&place, &[])), figure(&part));
+    assert!((all[2] / all[3] / (part[2] / part[3]) - 2.0).abs() < 0.05, "{all:?} {part:?}");
+    for wrong in ["1,2,3", "0,0,0,1", "a,b,c,d"] {
+        let run = place.run(&["convert", "a.png", "--crop", wrong]);
+        assert_eq!(run.code, 2);
+        assert!(run.err.contains("four numbers x,y,width,height") && run.err.lines().count() == 1, "{}", run.err);
+    }
+    let run = place.run(&["convert", "a.png", "--crop", "0,0,100000,10"]);
+    assert_eq!(run.code, 1);
+    assert!(run.err.contains("a.png: the part 0,0,100000,10 reaches beyond the picture"), "{}", run.err);
+}
+
+#[test]
+fn a_figure_is_as_wide_as_asked() {
+    let place = Place::with_picture("a.png");
+    let wide = figure(&page(&place, &["--width-mm", "90.5"]));
+    assert!((wide[2] - 90.5).abs() < 0.01, "{wide:?}");
+    let most = figure(&page(&place, &[]))[2];
+    let run = place.run(&["convert", "a.png", "--width-mm", "900"]);
+    let what = format!("a figure 900 mm wide does not fit; {most:.1} mm is the most for this picture on this sheet");
+    assert_eq!(run.code, 1);
+    assert!(run.err.contains(&what), "{}", run.err);
+    // the width that is told can be asked for
+    page(&place, &["--width-mm", &format!("{most:.1}")]);
+    for wrong in ["0", "wide", "-5", "120,5"] {
+        let run = place.run(&["convert", "a.png", &format!("--width-mm={wrong}")]);
+        assert_eq!(run.code, 2);
+        assert!(run.err.contains("give a number of millimetres from 3 to 1200"), "{}", run.err);
+    }
+}
+
+#[test]
+fn lines_or_textures_can_be_had_alone() {
+    let place = Place::with_picture("a.png");
+    let has = |page: &str| ["id=\"lines\"", "id=\"textures\"", "id=\"overview\""].map(|id| page.contains(id));
+    assert_eq!(has(&page(&place, &[])), [true, true, true]);
+    assert_eq!(has(&page(&place, &["--outlines"])), [true, false, true]);
+    assert_eq!(has(&page(&place, &["--textures-only"])), [false, true, false]);
+    assert_eq!(page(&place, &["--outlines"]), page(&place, &["--set", "figure.textures=false"]));
+    let run = place.run(&["convert", "a.png", "--outlines", "--textures-only"]);
+    assert_eq!(run.code, 2);
+}
+
+#[test]
+fn a_mirrored_page_has_its_marks_on_the_other_side() {
+    let place = Place::with_picture("a.png");
+    let (front, back) = (page(&place, &[]), page(&place, &["--mirror"]));
+    let mark = |page: &str| {
+        let (_, rest) = page.split_once("id=\"orientation-mark\"").expect("there is a mark");
+        let (_, rest) = rest.split_once("d=\"M").expect("a path");
+        rest.split(',').next().and_then(|x| x.parse::<f32>().ok()).expect("a number")
+    };
+    assert!((mark(&front) + mark(&back) - 210.0).abs() < 0.011, "{} {}", mark(&front), mark(&back));
+    assert!(back.contains("mirrored = true") && !front.contains("mirrored = true"));
+    assert!(!page(&place, &["--set", "mark=false"]).contains("orientation-mark"));
+}
