@@ -182,13 +182,17 @@ table! {
     colours: ColoursSettings {
         /// Sigma of the blur before colours are sorted.
         blur: number(0.0 to 20.0, "mm");
-        /// HSV saturation below which a colour counts as grey.
+        /// Whether the blur stops at contours, so that no area is stained by its neighbour.
+        stop_at_lines: switch;
+        /// Sigma of the smoothing of the borders between areas of different colours.
+        smoothing: number(0.0 to 20.0, "mm");
+        /// HSV saturation below which a colour counts as grey; dark colours need more, light ones less.
         min_saturation: number(0.0 to 1.0, "");
         /// HSV value below which a colour counts as black, which is drawn as grey.
         min_value: number(0.0 to 1.0, "");
         /// HSL lightness above which a colour counts as white, which has no texture.
         white_from: number(0.3 to 1.0, "");
-        /// Areas of one colour that are smaller than this go to a neighbour.
+        /// Areas of one colour that are smaller than this go to the neighbour that suits them best.
         min_area: number(0.0 to 5000.0, "square mm");
     }
     /// Drawing colours as textures of rhombuses, and grey as dots.
@@ -213,5 +217,7 @@ table! {
         density_blur: number(0.5 to 50.0, "mm");
         /// Density of lines from which the texture is dense; 1 is a lone straight line on itself.
         dense_from: number(0.0 to 1.0, "");
+        /// Whether colours between two classes are told: their rhombuses point in the neighbouring class's direction.
+        fringe: switch;
     }
 }

@@ -17,6 +17,10 @@ const STRENGTH_WINDOW: f32 = 1.0;
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;
 
+/// Pixels this near to a contour do not count for the colour of an area, mm: what lies there is a mixture of both sides, or
+/// a drawn outline. XXX
+const BESIDE: f32 = 0.6;
+
 /// A profile that has been found to make sense. Everything after trusts its numbers.
 #[derive(Debug, Clone)]
 pub struct Plan {
@@ -90,10 +94,13 @@ impl Plan {
         classes::Params {
             cell: COLOUR_CELL * px_per_mm,
             blur: colours.blur * px_per_mm,
+            beside: BESIDE * px_per_mm,
+            smoothing: colours.smoothing * px_per_mm,
             min_saturation: colours.min_saturation,
             min_value: colours.min_value,
             white_from: colours.white_from,
             min_area: colours.min_area * px_per_mm * px_per_mm,
+            fringe: self.profile.textures.fringe,
         }
     }
 
