@@ -13,9 +13,12 @@ const SHUT_BORDER: f32 = 0.5;
 /// What a neighbour of a wholly different colour counts, beside 1 for the very same.
 const STRANGER: f32 = 0.25;
 
-/// An area wavers if it is of the neighbour's class to at least this share. One half would be the neighbour's own; 0.3 is a
-/// quarter of a hue passage, or a saturation of 0.83 of the bound.
+/// An area of the least readable size wavers if it is of the neighbour's class to at least this share. One half would be
+/// the neighbour's own; 0.3 is 5 degrees of hue, or a saturation of 0.83 of the bound.
 const WAVERS_FROM: f32 = 0.3;
+/// What is asked for rises to one half at this many times the least readable size: a large area is a colour of its own even
+/// if only by a hair (the table in `samples/coffee.png`, a little more yellow than the saucer).
+const FIRM_AREAS: f32 = 16.0;
 /// It joins the neighbour only if at least this share of their common border is without a contour: one thing, not two.
 const OPEN_BORDER: f32 = 0.6;
 
@@ -56,16 +59,18 @@ pub(super) fn join_small(labels: Vec<Label>, shades: &[Shade], grid: &Cells, min
 
 /// Gives areas that are nearly of a larger neighbour's class, and not parted from it by a contour, to that neighbour: a sky that
 /// passes from blue to grey, or flips to and fro in haze, keeps to one class as long as it is not clearly another.
-pub(super) fn join_wavering(labels: Vec<Label>, shades: &[Shade], grid: &Cells) -> Vec<Label> {
+pub(super) fn join_wavering(labels: Vec<Label>, shades: &[Shade], grid: &Cells, min_cells: f32) -> Vec<Label> {
     join(
         labels,
         grid.size,
-        |_| true,
+        |area| (area.len() as f32) < FIRM_AREAS * min_cells,
         |area, label, border| {
             let share = mean_shade(area, shades, grid).share(label);
             let open = border.iter().filter(|&&(cell, other)| grid.borders.is_open(cell, other)).count();
             let one_thing = open as f32 >= OPEN_BORDER * border.len() as f32;
-            (one_thing && share >= WAVERS_FROM).then_some(share * border.len() as f32)
+            let firm = (area.len() as f32 / min_cells).ln() / FIRM_AREAS.ln();
+            let asked = WAVERS_FROM + (0.5 - WAVERS_FROM) * firm.clamp(0.0, 1.0);
+            (one_thing && share >= asked).then_some(share * border.len() as f32)
         },
     )
 }

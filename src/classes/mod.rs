@@ -145,7 +145,7 @@ pub fn sort(raster: &Raster, contours: &[Vec<PxPoint>], params: &Params) -> Clas
     let min_cells = params.min_area * cells_per_px * cells_per_px;
     let labels = clean::smooth(&shades, &grid, sigma);
     let labels = clean::join_small(labels, &shades, &grid, min_cells);
-    let labels = clean::join_wavering(labels, &shades, &grid);
+    let labels = clean::join_wavering(labels, &shades, &grid, min_cells);
     let (region, regions) = clean::regions(&labels, &grid);
     let lightness = clean::lightness(&colours, &region, &grid);
     let fringe = match params.fringe {
