@@ -200,7 +200,8 @@ fn colours_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let labels = |raster: &Raster| -> (Size, Vec<Option<Class>>) {
             let edges = edges::find(raster, &EDGES);
-            let contours: Vec<Vec<PxPoint>> = edges.chains().map(|c| c.iter().map(|point| point.at).collect()).collect();
+            let contours: Vec<Vec<PxPoint>> =
+                edges.chains().map(|c| c.iter().map(|point| point.at).collect()).collect();
             let classes = classes::sort(raster, &contours, &CLASSES);
             let label = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
             (classes.size, classes.region.iter().map(label).collect())

@@ -51,7 +51,9 @@ fn paint(classes: &Classes) -> Option<Pixmap> {
         let light = classes.lightness.values[cell].clamp(0.0, 1.0);
         let border = (x % CELL == CELL - 1 && region(column + 1, row) != Some(number))
             || (y % CELL == CELL - 1 && region(column, row + 1) != Some(number));
-        let shade = |channel: u8| if border { 0 } else { (255.0 - (255.0 - f32::from(channel)) * (1.3 - light).min(1.0)) as u8 };
+        let shade = |channel: u8| {
+            if border { 0 } else { (255.0 - (255.0 - f32::from(channel)) * (1.3 - light).min(1.0)) as u8 }
+        };
         *pixel = PremultipliedColorU8::from_rgba(shade(r), shade(g), shade(b), 255)?;
     }
     Some(map)

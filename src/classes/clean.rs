@@ -205,9 +205,8 @@ pub(super) fn fringe(
     };
     let labels = (0..size.len()).map(smoothed).collect();
     let small = |area: &[usize]| (area.len() as f32) < min_cells;
-    let joined = join(labels, size, small, |area, (other, _), border| {
-        (region[area[0]] == other).then_some(border.len() as f32)
-    });
+    let joined =
+        join(labels, size, small, |area, (other, _), border| (region[area[0]] == other).then_some(border.len() as f32));
     joined.into_iter().map(|(_, leaning)| leaning).collect()
 }
 

@@ -2,6 +2,7 @@
 
 use super::keys::KEYS;
 use super::{Fault, Profile, Value};
+use crate::textures::{LEAST_ANGLE, Sign};
 
 /// A key whose value must stay below another's.
 struct Order {
@@ -145,6 +146,7 @@ impl Profile {
     /// The faults of values that do not go together; a rule about a value that is out of range anyway is left aside.
     pub(super) fn rule_faults(&self) -> Vec<Fault> {
         let mut faults: Vec<_> = ORDERS.iter().filter_map(|order| self.order_fault(order)).collect();
+        faults.append(&mut self.palette_faults());
         if self.sound(ROOM) {
             let (width, height) = self.figure_room();
             let least = self.figure.min_side;
@@ -160,6 +162,34 @@ impl Profile {
             let what = "figure.lines, figure.textures and overview.on are all false, so nothing would be drawn, set \
                         one of them to true";
             faults.push(Fault { place: self.place(DRAWN), what: what.to_owned() });
+        }
+        faults
+    }
+
+    /// The faults of signs that a finger cannot tell apart, one for each pair.
+    fn palette_faults(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        if !self.figure.textures {
+            return faults;
+        }
+        let signs: Vec<(&str, Sign)> = KEYS
+            .iter()
+            .filter_map(|key| match key.value(self) {
+                Value::Sign(sign) => Some((key.path, sign)),
+                _ => None,
+            })
+            .collect();
+        for (i, &(second, sign)) in signs.iter().enumerate() {
+            for &(first, other) in signs[..i].iter().filter(|(_, other)| !sign.differs_from(*other)) {
+                let keys = [first, second];
+                if self.sound(&keys) {
+                    let what = format!(
+                        "{first} is \"{other}\" and {second} is \"{sign}\", which fingers cannot tell apart, give one of \
+                         them a direction that is {LEAST_ANGLE} degrees or more from all others"
+                    );
+                    faults.push(Fault { place: self.place(&keys), what });
+                }
+            }
         }
         faults
     }

@@ -1,6 +1,7 @@
 //! What a key of a profile is: its path, its kind, and how a value gets in and out.
 
 use super::Profile;
+use crate::textures::Sign;
 
 /// One key of a profile, such as `lines.width_max`.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +21,8 @@ pub struct Key {
 pub enum Kind {
     /// `true` or `false`.
     Switch,
+    /// A texture's sign: rows of rhombuses in a direction, or dots.
+    Sign,
     /// A number from `low` to `high`, both included.
     Number {
         /// The smallest value taken.
@@ -36,6 +39,8 @@ pub enum Kind {
 pub enum Value {
     /// `true` or `false`.
     Switch(bool),
+    /// A texture's sign.
+    Sign(Sign),
     /// A number in the key's unit.
     Number(f32),
 }
@@ -43,18 +48,19 @@ pub enum Value {
 /// A field of a profile, to be written to.
 pub(super) enum Slot<'a> {
     Switch(&'a mut bool),
+    Sign(&'a mut Sign),
     Number(&'a mut f32),
 }
 
 impl Key {
-    /// The section before the point.
+    /// The section before the last point.
     pub fn section(&self) -> &'static str {
-        self.path.split_once('.').map_or("", |(section, _)| section)
+        self.path.rsplit_once('.').map_or("", |(section, _)| section)
     }
 
-    /// The name after the point.
+    /// The name after the last point.
     pub fn name(&self) -> &'static str {
-        self.path.split_once('.').map_or(self.path, |(_, name)| name)
+        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
     }
 
     /// What the profile holds under this key.
@@ -66,6 +72,7 @@ impl Key {
     pub fn range(&self) -> String {
         match self.kind {
             Kind::Switch => "true or false".to_owned(),
+            Kind::Sign => r#""dot" or "rhombus D" with D from 0 to below 180 degrees"#.to_owned(),
             Kind::Number { low, high, unit: "" } => format!("a number from {low} to {high}"),
             Kind::Number { low, high, unit } => format!("a number from {low} to {high} {unit}"),
         }
@@ -74,7 +81,7 @@ impl Key {
     /// Is the value of the right kind and within the range?
     pub fn takes(&self, value: Value) -> bool {
         match (self.kind, value) {
-            (Kind::Switch, Value::Switch(_)) => true,
+            (Kind::Switch, Value::Switch(_)) | (Kind::Sign, Value::Sign(_)) => true,
             (Kind::Number { low, high, .. }, Value::Number(number)) => (low..=high).contains(&number),
             _ => false,
         }
@@ -84,6 +91,7 @@ impl Key {
     pub(super) fn put(&self, profile: &mut Profile, value: Value) {
         match ((self.slot)(profile), value) {
             (Slot::Switch(field), Value::Switch(value)) => *field = value,
+            (Slot::Sign(field), Value::Sign(value)) => *field = value,
             // Adding nothing turns minus zero, which is written oddly, into zero.
             (Slot::Number(field), Value::Number(value)) => *field = value + 0.0,
             _ => {}
@@ -94,6 +102,7 @@ impl Key {
     pub(super) fn read(&self, text: &str) -> Option<Value> {
         match self.kind {
             Kind::Switch => text.parse().ok().map(Value::Switch),
+            Kind::Sign => text.trim_matches('"').parse().ok().map(Value::Sign),
             Kind::Number { .. } => text.parse().ok().map(Value::Number),
         }
     }
@@ -102,18 +111,19 @@ impl Key {
     pub(super) fn refuse(&self, got: &str) -> String {
         let with_unit = match self.kind {
             Kind::Number { unit, .. } => !unit.is_empty() && got.trim_end_matches('"').ends_with(unit),
-            Kind::Switch => false,
+            Kind::Switch | Kind::Sign => false,
         };
         let advice = if with_unit { ", write it without the unit" } else { "" };
         format!("{} must be {}, not {got}{advice}", self.path, self.range())
     }
 }
 
-/// `true`, `false` or the shortest decimal that reads back as the same number.
+/// As TOML has it: `true`, `false`, a sign in quotes, or the shortest decimal that reads back as the same number.
 impl std::fmt::Display for Value {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Switch(switch) => switch.fmt(f),
+            Self::Sign(sign) => write!(f, "\"{sign}\""),
             Self::Number(number) => number.fmt(f),
         }
     }
@@ -131,9 +141,21 @@ impl From<f32> for Value {
     }
 }
 
+impl From<Sign> for Value {
+    fn from(sign: Sign) -> Self {
+        Self::Sign(sign)
+    }
+}
+
 impl<'a> From<&'a mut bool> for Slot<'a> {
     fn from(field: &'a mut bool) -> Self {
         Self::Switch(field)
+    }
+}
+
+impl<'a> From<&'a mut Sign> for Slot<'a> {
+    fn from(field: &'a mut Sign) -> Self {
+        Self::Sign(field)
     }
 }
 

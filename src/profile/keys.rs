@@ -4,10 +4,14 @@
 
 use super::Origin;
 use super::key::{Key, Kind};
+use crate::textures::Sign;
 
 macro_rules! field {
     (switch) => {
         bool
+    };
+    (sign) => {
+        Sign
     };
     (number) => {
         f32
@@ -18,6 +22,9 @@ macro_rules! blank {
     (switch) => {
         false
     };
+    (sign) => {
+        Sign::Dot
+    };
     (number) => {
         f32::NAN
     };
@@ -26,6 +33,9 @@ macro_rules! blank {
 macro_rules! kind {
     (switch) => {
         Kind::Switch
+    };
+    (sign) => {
+        Kind::Sign
     };
     (number $low:literal $high:literal $unit:literal) => {
         Kind::Number { low: $low, high: $high, unit: $unit }
@@ -36,11 +46,24 @@ macro_rules! in_words {
     (switch) => {
         ""
     };
+    (sign) => {
+        ""
+    };
     (number $low:literal $high:literal "") => {
         concat!(" From ", $low, " to ", $high, ".")
     };
     (number $low:literal $high:literal $unit:literal) => {
         concat!(" From ", $low, " to ", $high, " ", $unit, ".")
+    };
+}
+
+/// How a section is written in a profile: the palette is a part of the textures.
+macro_rules! section_path {
+    (palette) => {
+        "textures.palette"
+    };
+    ($section:ident) => {
+        stringify!($section)
     };
 }
 
@@ -90,11 +113,11 @@ macro_rules! table {
         }
 
         /// Every section, in the order of the table.
-        pub(super) const SECTIONS: &[&str] = &[$(stringify!($section)),+];
+        pub(super) const SECTIONS: &[&str] = &[$(section_path!($section)),+];
 
         /// Every key, in the order of the table.
         pub(super) const KEYS: &[Key] = &[$($(Key {
-            path: concat!(stringify!($section), ".", stringify!($key)),
+            path: concat!(section_path!($section), ".", stringify!($key)),
             doc: $doc.trim_ascii(),
             kind: kind!($kind $($low $high $unit)?),
             get: |profile| profile.$section.$key.into(),
@@ -219,5 +242,18 @@ table! {
         dense_from: number(0.0 to 1.0, "");
         /// Whether colours between two classes are told: their rhombuses point in the neighbouring class's direction.
         fringe: switch;
+    }
+    /// Which class is told by which sign.
+    palette: PaletteSettings {
+        /// The sign of blue, cyan and violet.
+        blue: sign;
+        /// The sign of green and olive.
+        green: sign;
+        /// The sign of yellow, light orange and light brown.
+        yellow: sign;
+        /// The sign of red, pink and purple.
+        red: sign;
+        /// The sign of black, greys and weakly saturated colours.
+        grey: sign;
     }
 }

@@ -7,8 +7,10 @@
 mod density;
 mod glyph;
 mod lattice;
+mod palette;
 
 pub use glyph::{Glyph, Shape};
+pub use palette::{LEAST_ANGLE, Palette, Sign};
 
 use crate::classes::{Class, Classes};
 use crate::geom::nearby::{Nearby, Segment};

@@ -36,7 +36,7 @@ fn unknown_names_get_a_suggestion() {
         (
             "\"two\\nlines\" = 13",
             "there is no section \"two\\nlines\", the sections are page, frame, figure, overview, edges, \
-                                lines, colours and textures",
+                                lines, colours, textures and textures.palette",
         ),
     ] {
         check(&format!("{HEIR}{line}"), &format!("my.toml, line 2: {expected}"));
@@ -239,7 +239,7 @@ fn all_faults_come_at_once() {
 #[test]
 fn without_inherits_every_key_must_be_given() {
     let most = "my.toml: without inherits every key must be given, page.width, page.height, page.margin, frame.on, \
-                frame.width, frame.dot and 37 more are missing, write inherits = \"swell-a4\" at the top to take what \
+                frame.width, frame.dot and 45 more are missing, write inherits = \"swell-a4\" at the top to take what \
                 is missing from there";
     check("", most);
     check(
