@@ -104,7 +104,8 @@ impl Plan {
         }
     }
 
-    pub(crate) fn textures(&self) -> textures::Params {
+    /// How textures are drawn.
+    pub fn textures(&self) -> textures::Params {
         let Profile { colours, textures, .. } = &self.profile;
         textures::Params {
             line_gap: textures.line_gap,

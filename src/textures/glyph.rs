@@ -41,6 +41,11 @@ const LIGHTEST_LENGTH: f32 = 0.75;
 /// Diameter of the lightest dot as a share of the boldest one's.
 const LIGHTEST_DOT: f32 = 0.6;
 
+/// Below this boldness glyphs do not shrink further (they are the smallest already) but go, one after the other. At the
+/// profile's `white_from` of 0.92 that is lightness 0.88 to 0.92: lighter than any colour that must be told, and wide enough
+/// that an eighth of the glyphs goes with each step or more of 256 (4 % of full ink).
+const FADING: f32 = 0.06;
+
 /// Direction of a class's rows, degrees counter-clockwise as a reader sees the page; grey has none. The paper's reasons:
 /// water lies flat; `/` is the sweep of the right hand, calm as green; then on round the colour wheel.
 pub(super) fn degrees(class: Class) -> Option<f32> {
@@ -59,13 +64,15 @@ pub(super) fn unit(degrees: f32) -> MmVector {
     MmVector::new(cos, -sin)
 }
 
-/// The glyph of a class at a place of the given lightness; none where it is too light for one.
-pub(super) fn bold(class: Class, at: MmPoint, lightness: f32, params: &Params) -> Option<Glyph> {
-    if lightness > params.white_from {
-        return None;
-    }
+/// How bold a colour of this lightness is: 0 at white, 1 from [`BOLDEST_AT`] down.
+pub(super) fn boldness(lightness: f32, params: &Params) -> f32 {
     let range = (params.white_from - BOLDEST_AT).max(f32::EPSILON);
-    let boldness = ((params.white_from - lightness) / range).clamp(0.0, 1.0);
+    ((params.white_from - lightness) / range).clamp(0.0, 1.0)
+}
+
+/// The glyph of a class at a place of this boldness. It never is smaller than the least that can be felt; where a colour
+/// fades away, [`is_left`] leaves out one after the other instead.
+pub(super) fn bold(class: Class, at: MmPoint, boldness: f32, params: &Params) -> Glyph {
     let between = |least: f32, most: f32| least + (most - least) * boldness;
     let shape = match degrees(class) {
         Some(degrees) => Shape::Rhombus {
@@ -73,9 +80,14 @@ pub(super) fn bold(class: Class, at: MmPoint, lightness: f32, params: &Params) -
             thickness: between(params.min_glyph, params.thickness),
             degrees,
         },
-        None => Shape::Dot { diameter: (params.dot * between(LIGHTEST_DOT, 1.0)).max(params.min_glyph) },
+        None => Shape::Dot { diameter: between((LIGHTEST_DOT * params.dot).max(params.min_glyph), params.dot) },
     };
-    Some(Glyph { at, shape })
+    Glyph { at, shape }
+}
+
+/// Whether a glyph that needs `from_boldness` (0..1 of [`FADING`]) is there at this boldness.
+pub(super) fn is_left(from_boldness: f32, boldness: f32) -> bool {
+    boldness > FADING * from_boldness
 }
 
 impl Glyph {
