@@ -9,7 +9,7 @@ pub mod layout;
 
 pub use crate::classes::Class;
 pub use crate::lines::{Line, Run};
-pub use crate::textures::{Glyph, Shape, Texture};
+pub use crate::textures::{Glyph, Shape, Sign, Texture};
 pub use describe::describe;
 
 use crate::units::{MmPoint, MmRect, Size};

@@ -3,6 +3,7 @@
 
 use super::{Fault, Profile};
 use crate::page::layout;
+use crate::textures::Palette;
 use crate::{classes, edges, lines, textures};
 
 /// Windows on both sides of an edge, mm: sigma, and distance from the edge. Windows of 3.5 pixels at 6 pixels scored best
@@ -106,7 +107,7 @@ impl Plan {
 
     /// How textures are drawn.
     pub fn textures(&self) -> textures::Params {
-        let Profile { colours, textures, .. } = &self.profile;
+        let Profile { colours, textures, palette, .. } = &self.profile;
         textures::Params {
             line_gap: textures.line_gap,
             along: textures.along,
@@ -119,6 +120,7 @@ impl Plan {
             density_blur: textures.density_blur,
             dense_from: textures.dense_from,
             white_from: colours.white_from,
+            palette: Palette { signs: [palette.blue, palette.green, palette.yellow, palette.red, palette.grey] },
         }
     }
 }

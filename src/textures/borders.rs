@@ -1,7 +1,7 @@
 //! Where regions end, and whether a glyph keeps inside its own.
 
 use super::glyph::{Glyph, Shape};
-use crate::classes::Classes;
+use crate::classes::{Class, Classes};
 use crate::geom::segment_distance;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -34,6 +34,15 @@ impl<'a> Borders<'a> {
     pub(super) fn region_at(&self, at: MmPoint) -> Option<u32> {
         let (x, y) = self.in_cells(at);
         self.region_of(x.floor() as i64, y.floor() as i64)
+    }
+
+    /// The neighbouring class that the colour at a place leans to.
+    pub(super) fn fringe_at(&self, at: MmPoint) -> Option<Class> {
+        let (x, y) = self.in_cells(at);
+        let size = self.classes.size;
+        let inside = x >= 0.0 && y >= 0.0 && x < size.width as f32 && y < size.height as f32;
+        let cell = || y as usize * size.width as usize + x as usize;
+        if inside { self.classes.fringe.get(cell()).copied().flatten() } else { None }
     }
 
     /// The colour's lightness at a place.
@@ -99,8 +108,8 @@ mod tests {
     fn halves() -> Classes {
         let size = Size::new(10, 10);
         let region = (0..100).map(|i| Some(u32::from(i % 10 >= 5))).collect();
-        let regions = [Class::Blue, Class::Red].map(|class| Region { class, cells: 50 }).into();
-        Classes { size, region, regions, lightness: Plane::filled(size, 0.5) }
+        let regions = [Class::Blue, Class::Red].map(|class| Region { class, colour: [0; 3], cells: 50 }).into();
+        Classes { size, region, regions, lightness: Plane::filled(size, 0.5), fringe: Vec::new() }
     }
 
     #[test]

@@ -46,18 +46,6 @@ const LIGHTEST_DOT: f32 = 0.6;
 /// that an eighth of the glyphs goes with each step or more of 256 (4 % of full ink).
 const FADING: f32 = 0.06;
 
-/// Direction of a class's rows, degrees counter-clockwise as a reader sees the page; grey has none. The paper's reasons:
-/// water lies flat; `/` is the sweep of the right hand, calm as green; then on round the colour wheel.
-pub(super) fn degrees(class: Class) -> Option<f32> {
-    match class {
-        Class::Blue => Some(0.0),
-        Class::Green => Some(45.0),
-        Class::Yellow => Some(90.0),
-        Class::Red => Some(135.0),
-        Class::Grey => None,
-    }
-}
-
 /// The unit vector on the sheet (y down) that points along `degrees` as a reader sees it (y up).
 pub(super) fn unit(degrees: f32) -> MmVector {
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -74,7 +62,7 @@ pub(super) fn boldness(lightness: f32, params: &Params) -> f32 {
 /// fades away, [`is_left`] leaves out one after the other instead.
 pub(super) fn bold(class: Class, at: MmPoint, boldness: f32, params: &Params) -> Glyph {
     let between = |least: f32, most: f32| least + (most - least) * boldness;
-    let shape = match degrees(class) {
+    let shape = match params.palette.degrees(class) {
         Some(degrees) => Shape::Rhombus {
             length: params.length * between(LIGHTEST_LENGTH, 1.0),
             thickness: between(params.min_glyph, params.thickness),
@@ -96,6 +84,16 @@ impl Glyph {
         match self.shape {
             Shape::Rhombus { length, thickness, .. } => 0.5 * length.max(thickness),
             Shape::Dot { diameter } => 0.5 * diameter,
+        }
+    }
+
+    /// A rhombus turned to another direction; a dot stays as it is.
+    pub(super) fn turned(self, to: f32) -> Self {
+        match self.shape {
+            Shape::Rhombus { length, thickness, .. } => {
+                Self { at: self.at, shape: Shape::Rhombus { length, thickness, degrees: to } }
+            }
+            Shape::Dot { .. } => self,
         }
     }
 

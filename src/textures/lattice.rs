@@ -24,7 +24,7 @@
 //! than in the sparser texture and none narrower than in the denser one.
 
 use super::Params;
-use super::glyph::{degrees, unit};
+use super::glyph::unit;
 use crate::classes::Class;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -45,10 +45,11 @@ const FADING_STEPS: i32 = 8;
 /// mirrored picture are the mirrored rows. (Not so the order in which dots are filled: with threefold symmetry it has a
 /// left and a right.)
 pub(super) fn each_place(class: Class, area: MmRect, params: &Params, mut visit: impl FnMut(Place)) {
-    let (along, across, step, row) = match degrees(class) {
+    let (along, across, step, row) = match params.palette.degrees(class) {
         Some(degrees) => (unit(degrees), unit(degrees + 90.0), params.along, params.across),
         None => (unit(0.0), unit(90.0), params.dot_pitch, params.dot_pitch * 0.75_f32.sqrt()),
     };
+    let dots = params.palette.degrees(class).is_none();
     let centre = area.center();
     let half = MmVector::new(0.5 * area.width(), 0.5 * area.height());
     let reach = |direction: MmVector| half.x * direction.x.abs() + half.y * direction.y.abs();
@@ -59,7 +60,7 @@ pub(super) fn each_place(class: Class, area: MmRect, params: &Params, mut visit:
         for i in -columns..=columns {
             let at = centre + along * ((i as f32 + stagger) * step) + across * (j as f32 * row);
             if area.contains_inclusive(at) {
-                let from_density = if class == Class::Grey { of_dot(i, j) } else { of_row(j) };
+                let from_density = if dots { of_dot(i, j) } else { of_row(j) };
                 visit(Place { at, from_density, from_boldness: fading(i, j) });
             }
         }

@@ -16,7 +16,7 @@ pub use palette::{LEAST_ANGLE, Palette, Sign};
 use borders::Borders;
 use lattice::Place;
 
-use crate::classes::{Class, Classes};
+use crate::classes::{Class, Classes, Region};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::Line;
 use crate::units::{MmPoint, MmRect};
@@ -46,6 +46,8 @@ pub struct Params {
     pub dense_from: f32,
     /// Lightness from which there is no texture; glyphs grow from here on.
     pub white_from: f32,
+    /// Which class is told by which sign.
+    pub palette: Palette,
 }
 
 /// The texture of one region.
@@ -53,6 +55,12 @@ pub struct Params {
 pub struct Texture {
     /// What colour it says.
     pub class: Class,
+    /// By which sign.
+    pub sign: Sign,
+    /// The region's mean colour as sRGB red, green and blue.
+    pub colour: [u8; 3],
+    /// The region's area, gaps and all, mm^2.
+    pub area: f32,
     /// Its glyphs, row by row.
     pub glyphs: Vec<Glyph>,
 }
@@ -69,8 +77,12 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) ->
     let reach = params.line_gap + 0.5 * widest;
     let density = density::map(lines, area, params.density_blur);
     let borders = Borders::new(classes, area);
-    let mut textures: Vec<Texture> =
-        classes.regions.iter().map(|region| Texture { class: region.class, glyphs: Vec::new() }).collect();
+    let cell = area.area() / classes.size.area() as f32;
+    let empty = |region: &Region| {
+        let Region { class, colour, cells } = *region;
+        Texture { class, sign: params.palette.sign(class), colour, area: cells as f32 * cell, glyphs: Vec::new() }
+    };
+    let mut textures: Vec<Texture> = classes.regions.iter().map(empty).collect();
     for class in Class::ALL {
         if !classes.regions.iter().any(|region| region.class == class) {
             continue;
@@ -84,6 +96,8 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) ->
             else {
                 return;
             };
+            let leaning = borders.fringe_at(place.at).and_then(|class| params.palette.degrees(class));
+            let glyph = leaning.map_or(glyph, |degrees| glyph.turned(degrees));
             let corners = glyph.corners();
             // Two neighbours that each keep half of the gap from their common border keep all of it from one another.
             if borders.keeps_inside(&glyph, &corners, region, 0.5 * params.min_glyph)
@@ -108,7 +122,8 @@ pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, params: 
             corners.iter().all(|corner| area.contains_inclusive(*corner))
         }));
     });
-    Texture { class, glyphs }
+    let colour = [(255.0 * lightness).round() as u8; 3];
+    Texture { class, sign: params.palette.sign(class), colour, area: area.area(), glyphs }
 }
 
 /// The glyph at a place where lines have this density and the colour this lightness, if there is one.
@@ -167,5 +182,6 @@ mod tests_support {
         density_blur: 8.0,
         dense_from: 0.85,
         white_from: 0.92,
+        palette: super::Palette::PAPER,
     };
 }
