@@ -52,7 +52,15 @@ fn main() {
                 let felt = ink.felt(finger).expect("a finger");
                 let tally = judge::judge(&scene, &page, &felt);
                 sums[kind][f].add(&tally);
-                for c in 0..6 { let (n, ok) = tally.share(c..c + 1); if n > 0 && ok < 0.95 { println!("   {} {seed} finger {finger} class {c}: {n} {ok:.3} {:?}", KINDS[kind], tally.felt[c]); } }
+                for c in 0..6 {
+                    let (n, ok) = tally.share(c..c + 1);
+                    if n > 0 && ok < 0.95 {
+                        println!(
+                            "   {} {seed} finger {finger} class {c}: {n} {ok:.3} {:?}",
+                            KINDS[kind], tally.felt[c]
+                        );
+                    }
+                }
                 sums[KINDS.len()][f].add(&tally);
             }
         }

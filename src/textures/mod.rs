@@ -9,6 +9,7 @@ mod density;
 mod glyph;
 mod lattice;
 mod palette;
+mod strays;
 
 pub use glyph::{Glyph, Shape};
 pub use palette::{LEAST_ANGLE, Palette, Sign};
@@ -65,11 +66,8 @@ pub struct Texture {
     pub glyphs: Vec<Glyph>,
 }
 
-/// A region with room for fewer glyphs than this stays empty: a stray mark has no direction, it is only felt as dirt.
-const MIN_GLYPHS: usize = 4;
-
-/// Fills the regions of `classes`, whose cells cover `area` of the sheet, clear of `lines`. Regions without room for a few
-/// glyphs give no texture.
+/// Fills the regions of `classes`, whose cells cover `area` of the sheet, clear of `lines`. Where there is room for single
+/// glyphs only, none are set; a region without room for a few gives no texture.
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
     let runs = lines.iter().flat_map(|line| &line.runs);
     let widest = runs.map(|run| run.width).fold(0.0, f32::max);
@@ -107,7 +105,10 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) ->
             }
         });
     }
-    textures.retain(|texture| texture.glyphs.len() >= MIN_GLYPHS);
+    for texture in &mut textures {
+        strays::leave_out(&mut texture.glyphs, params);
+    }
+    textures.retain(|texture| !texture.glyphs.is_empty());
     textures.sort_by_key(|texture| texture.class);
     textures
 }

@@ -68,7 +68,7 @@ const SHADES: [(Class, u32); 15] = [
     (Class::Grey, 0x202020),
 ];
 
-/// A map of `count` cells around random places, 100 by 80 mm, of which no two neighbours have the same class by chance only.
+/// A map of `count` areas around random places, 100 by 80 mm, each in a random shade.
 pub(crate) fn voronoi(seed: u64, count: usize, style: Style) -> Scene {
     let mut dice = Dice::new(seed);
     let size = Size::new((100.0 * PX_PER_MM) as u32, (80.0 * PX_PER_MM) as u32);
@@ -104,6 +104,14 @@ pub(crate) fn voronoi(seed: u64, count: usize, style: Style) -> Scene {
 /// sRGB to linear light.
 pub(crate) fn decoded(value: f32) -> f32 {
     if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The sRGB values of a colour given as HSV, hue in degrees.
+pub(crate) fn rgb_of(hue: f32, saturation: f32, value: f32) -> [f32; 3] {
+    [5.0, 3.0, 1.0].map(|n| {
+        let k = (n + hue / 60.0) % 6.0;
+        value - value * saturation * k.min(4.0 - k).clamp(0.0, 1.0)
+    })
 }
 
 /// The numbers of the default profile.
