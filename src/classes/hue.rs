@@ -5,7 +5,7 @@
 //!    a light tint beside white paper is seen as a colour sooner; below [`BRIGHT`] it rises to 1 at `min_value`, where even a
 //!    pure hue is black. With the default numbers that rising part is a constant chroma (saturation times value) of 0.15.
 //! 3. **The hue is corrected** before it is cut into sectors, as in the paper (Rataj 2004): darkening turns yellow to green
-//!    and orange to yellow. `hue + 70 (1 - value)^1.5 * w(hue) * min(1, saturation / 0.4)` degrees, where `w` is 1 from 45
+//!    and orange to yellow. `hue + 70 min(0.5, 1 - value)^1.5 * w(hue) * min(1, saturation / 0.4)` degrees, where `w` is 1 from 45
 //!    to 75 degrees and falls to 0 at 15 and at 160; a drab, weakly saturated brown is not seen as olive, so it turns
 //!    less.
 //!
@@ -42,6 +42,8 @@ const SECTORS: [Sector; 4] = [
 const DARK_TURN: f32 = 70.0;
 /// Power of the lost value: a little less than full brightness (the shaded side of a lemon) hardly turns.
 const DARK_POWER: f32 = 1.5;
+/// Lost value from which colours do not turn further: darker than half, a brown stays brown (dark blond hair is not olive).
+const DARK_FULL: f32 = 0.5;
 /// HSV saturation from which dark colours turn fully.
 const FULL_TURN: f32 = 0.4;
 /// Value from which upwards colours are bright.
@@ -217,7 +219,7 @@ fn hue([r, g, b]: [f32; 3], least: f32, most: f32) -> f32 {
 /// The hue as people see it: step 3 of the module's list.
 fn corrected(hue: f32, saturation: f32, value: f32) -> f32 {
     let weight = ((hue - 15.0) / 30.0).min((160.0 - hue) / 85.0).clamp(0.0, 1.0);
-    let dark = (1.0 - value).max(0.0).powf(DARK_POWER);
+    let dark = (1.0 - value).clamp(0.0, DARK_FULL).powf(DARK_POWER);
     hue + DARK_TURN * dark * weight * (saturation / FULL_TURN).min(1.0)
 }
 
