@@ -1,6 +1,7 @@
 //! Can a fingertip tell the colours apart? Scenes whose colours are known become pages, and the pages are felt.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
+mod density;
 mod judge;
 mod rng;
 mod scenes;
@@ -31,6 +32,35 @@ fn main() {
     for pair in args.windows(2).filter(|p| p[0] == "--set") {
         let (k, v) = pair[1].split_once('=').expect("key=value");
         profile.set(k, v).expect("a key");
+    }
+    if args.iter().any(|a| a == "--density") {
+        let mut dense = profile.clone();
+        dense.set("textures.dense_from", "0.0001").expect("a key");
+        let (plan, dense) = (Plan::new(&profile).expect("ok"), Plan::new(&dense).expect("ok"));
+        let mut all = [const { Vec::new() }; 5];
+        for kind in [1, 2, 3, 5] {
+            for seed in from..from + count {
+                let scene = scenes::scene(kind, seed);
+                let (page, full) = (page_of(&scene.picture, &plan), page_of(&scene.picture, &dense));
+                for (pairs, class) in all.iter_mut().zip(tactograph::page::Class::ALL) {
+                    pairs.extend(density::pairs(&page, &full, class));
+                }
+            }
+        }
+        for (pairs, class) in all.iter().zip(tactograph::page::Class::ALL) {
+            println!("{} {} pairs, correlation {:.4}", class.name(), pairs.len(), density::correlation(pairs));
+            for b in 0..10 {
+                let v: Vec<f32> = pairs.iter().filter(|p| ((p.0 * 10.0) as i32).min(9) == b).map(|p| p.1).collect();
+                if !v.is_empty() {
+                    let m = v.iter().sum::<f32>() / v.len() as f32;
+                    let s = (v.iter().map(|x| (x - m).powi(2)).sum::<f32>() / v.len() as f32).sqrt();
+                    print!(" [{b} n{} {m:.2}±{s:.2}]", v.len());
+                }
+            }
+            println!();
+        }
+        println!("all {:.4}", density::correlation(&all.concat()));
+        return;
     }
     let only = args.windows(2).find(|p| p[0] == "--kind").map(|p| p[1].clone());
     let dir = args.windows(2).find(|p| p[0] == "--keep").map(|p| p[1].clone());

@@ -102,6 +102,15 @@ const ORDERS: &[Order] = &[
     },
 ];
 
+/// Glyphs and how far apart they stand: between two there must be a blank that is felt.
+const SPACED: &[(&str, &str)] = &[
+    ("textures.length", "textures.along"),
+    ("textures.thickness", "textures.across"),
+    ("textures.dot", "textures.dot_pitch"),
+];
+/// The least blank between two glyphs.
+const BLANK: &str = "textures.min_glyph";
+
 /// The keys that decide how large a figure can be.
 const ROOM: &[&str] = &[
     "page.width",
@@ -147,6 +156,7 @@ impl Profile {
     pub(super) fn rule_faults(&self) -> Vec<Fault> {
         let mut faults: Vec<_> = ORDERS.iter().filter_map(|order| self.order_fault(order)).collect();
         faults.append(&mut self.palette_faults());
+        faults.extend(SPACED.iter().filter_map(|(glyph, pitch)| self.spacing_fault(glyph, pitch)));
         if self.sound(ROOM) {
             let (width, height) = self.figure_room();
             let least = self.figure.min_side;
@@ -211,6 +221,27 @@ impl Profile {
         let what = format!(
             "{} is {small} but must be {relation} {}, which is {large}, {}",
             order.small, order.large, order.why
+        );
+        Some(Fault { place: self.place(&keys), what })
+    }
+
+    /// A glyph that fits its place but leaves too little blank to the next.
+    fn spacing_fault(&self, glyph: &str, pitch: &str) -> Option<Fault> {
+        let keys = [glyph, pitch, BLANK];
+        let [Some(Value::Number(size)), Some(Value::Number(step)), Some(Value::Number(blank))] =
+            keys.map(|path| self.get(path))
+        else {
+            return None;
+        };
+        // Sums of decimal numbers are a little off in f32.
+        let holds = size + blank <= step + 1e-4;
+        if holds || size >= step || !self.figure.textures || !self.sound(&keys) {
+            return None;
+        }
+        let least = ((size + blank) * 1000.0).round() / 1000.0;
+        let what = format!(
+            "{pitch} is {step} but must be at least {least}, which is {glyph} and {BLANK} together, or the blank \
+             between two glyphs is not felt"
         );
         Some(Fault { place: self.place(&keys), what })
     }

@@ -174,14 +174,14 @@ mod tests_support {
     pub(super) const PARAMS: super::Params = super::Params {
         line_gap: 3.0,
         along: 2.8,
-        across: 4.2,
+        across: 4.0,
         length: 2.2,
         thickness: 1.2,
         dot: 1.5,
-        dot_pitch: 3.4,
+        dot_pitch: 3.2,
         min_glyph: 0.6,
         density_blur: 8.0,
-        dense_from: 0.85,
+        dense_from: 0.5,
         white_from: 0.92,
         palette: super::Palette::PAPER,
     };

@@ -14,6 +14,8 @@
 mod count;
 mod distance;
 mod ink;
+mod letters;
+pub mod map;
 pub mod measure;
 pub mod report;
 

@@ -2,6 +2,7 @@
 
 mod areas;
 mod calm;
+mod fringe;
 mod named;
 #[path = "../common/page.rs"]
 mod page;
