@@ -11,8 +11,19 @@
 //!   blue bl..|..ll yell      . pixels beside it: weight near 0, so these cells get their colour from their own side
 //! ```
 //!
-//! All of it is on cells of a millimetre, six steps for the default blur, whatever the size of the picture. Measured in
-//! `tests/colours.rs`.
+//! All of it is on cells of a millimetre, six steps for the default blur, whatever the size of the picture. Share of the
+//! picture that keeps its own area's class, on drawn maps of twelve areas (`tests/colours/stains.rs`, which prints more):
+//!
+//! | borders of the areas | Gaussian | this | this, borders smoothed |
+//! |---|---|---|---|
+//! | bare | 0.951 | 0.989 | 0.987 |
+//! | black line, 0.6 mm | 0.969 | 0.996 | 0.996 |
+//! | black line, 1.5 mm | 0.988 | 0.990 | 0.999 |
+//! | white line, 1.0 mm | 0.953 | 0.983 | 0.999 |
+//! | soft | 0.950 | 0.986 | 0.985 |
+//! | grainy | 0.949 | 0.988 | 0.986 |
+//!
+//! What is left comes from the cells themselves: one that lies across a border can have one class only.
 
 use pulp::Arch;
 
