@@ -85,3 +85,15 @@ fn true_colours_stay() {
     let names: Vec<&str> = patch.regions.iter().map(|region| region.class.name()).collect();
     assert_eq!(names, ["grey", "blue"]);
 }
+
+#[test]
+fn a_grey_picture_has_no_hue() {
+    let size = Size::new(300, 200);
+    let ramp: Vec<f32> = (0..size.area()).map(|i| (i % 300) as f32 / 300.0).collect();
+    let params = classes::Params { fringe: true, min_saturation: 0.0, min_value: 0.0, ..scenes::params() };
+    for raster in [Raster::grey(size, ramp.clone()), Raster::colour(size, [ramp.clone(), ramp.clone(), ramp])] {
+        let sorted = classes::sort(&raster, &[], &params);
+        assert!(sorted.regions.iter().all(|region| region.class == Class::Grey), "{:?}", sorted.regions);
+        assert!(sorted.fringe.iter().all(Option::is_none));
+    }
+}
