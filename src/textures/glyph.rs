@@ -42,9 +42,9 @@ const LIGHTEST_LENGTH: f32 = 0.75;
 const LIGHTEST_DOT: f32 = 0.6;
 
 /// Below this boldness glyphs do not shrink further (they are the smallest already) but go, row after row. At the profile's
-/// `white_from` of 0.92 that is lightness 0.896 to 0.92: just wide enough that no step of 256 takes more than 8 % of full
+/// `white_from` of 0.92 that is lightness 0.892 to 0.92: just wide enough that no step of 256 takes more than 8 % of full
 /// ink, so that pale skies keep their rows as long as can be.
-const FADING: f32 = 0.036;
+const FADING: f32 = 0.042;
 
 /// Direction of a class's rows, degrees counter-clockwise as a reader sees the page; grey has none. The paper's reasons:
 /// water lies flat; `/` is the sweep of the right hand, calm as green; then on round the colour wheel.
