@@ -8,7 +8,7 @@ use tactograph::units::MmPoint;
 
 /// Sigma of the map of lines, mm: the profile's.
 const BLUR: f32 = 8.0;
-/// Sigma of the window in which glyphs are counted, mm: more than half of the distance of the sparsest rows.
+/// Sigma of the window in which glyphs are counted, mm: that of the map, for what changes faster cannot be felt as a density.
 const WINDOW: f32 = 8.0;
 /// Places are looked at this far from one another, mm.
 const EVERY: f32 = 4.0;

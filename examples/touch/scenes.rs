@@ -10,8 +10,12 @@ use tactograph::page::Class;
 
 use crate::rng::Rng;
 
-/// Side of a scene, px: 3 px for a millimetre of the 166 mm that a square has on the A4 profile.
-pub(crate) const SIDE: usize = 498;
+/// Side of a square picture on the A4 profile, mm.
+const SIDE_MM: usize = 166;
+/// Pixels of a scene for a millimetre.
+pub(crate) const FINE_PX: usize = 3;
+/// Pixels of a quick scene for a millimetre.
+pub(crate) const QUICK_PX: usize = 1;
 /// Points of a pixel that are averaged along each side.
 const FINE: usize = 2;
 
@@ -32,6 +36,8 @@ pub(crate) enum Truth {
 /// A picture and what is on it.
 #[derive(Debug, Clone)]
 pub(crate) struct Scene {
+    /// Width and height, px.
+    pub(crate) side: usize,
     /// The picture as a PPM file.
     pub(crate) picture: Vec<u8>,
     /// The colour in the middle of each pixel, row by row.
@@ -40,17 +46,17 @@ pub(crate) struct Scene {
     pub(crate) truth: Vec<Truth>,
 }
 
-/// The scene of a kind and a seed. Seed 0 stands upright, all others are turned.
-pub(crate) fn scene(kind: usize, seed: u64) -> Scene {
+/// The scene of a kind and a seed, so many pixels a millimetre. Seed 0 stands upright, all others are turned.
+pub(crate) fn scene(kind: usize, seed: u64, px_per_mm: usize) -> Scene {
     let mut rng = Rng::new(seed * 8 + kind as u64);
     let turn = if seed == 0 { 0.0 } else { rng.between(0.0, TAU) };
     match kind {
-        0 => paint(turn, bars()),
-        1 => paint(turn, ramps(&mut rng)),
-        2 => paint(turn, map(&mut rng)),
-        3 => paint(turn, stripes(&mut rng)),
-        4 => paint(turn, discs(&mut rng)),
-        _ => paint(turn, wheel(&mut rng)),
+        0 => paint(px_per_mm, turn, bars()),
+        1 => paint(px_per_mm, turn, ramps(&mut rng)),
+        2 => paint(px_per_mm, turn, map(&mut rng)),
+        3 => paint(px_per_mm, turn, stripes(&mut rng)),
+        4 => paint(px_per_mm, turn, discs(&mut rng)),
+        _ => paint(px_per_mm, turn, wheel(&mut rng)),
     }
 }
 
@@ -182,16 +188,18 @@ fn wheel(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
 }
 
 /// Paints a scene whose places are in millimetres from its middle, turned by `turn`.
-fn paint(turn: f32, spot: impl Fn(f32, f32) -> Spot) -> Scene {
+fn paint(px_per_mm: usize, turn: f32, spot: impl Fn(f32, f32) -> Spot) -> Scene {
     let (sin, cos) = turn.sin_cos();
+    let side = SIDE_MM * px_per_mm;
     let at = |x: f32, y: f32| {
-        let (x, y) = ((x - 0.5 * SIDE as f32) / 3.0, (y - 0.5 * SIDE as f32) / 3.0);
+        let mm = |px: f32| (px - 0.5 * side as f32) / px_per_mm as f32;
+        let (x, y) = (mm(x), mm(y));
         spot(x * cos + y * sin, y * cos - x * sin)
     };
-    let mut picture = format!("P6 {SIDE} {SIDE} 255\n").into_bytes();
-    let (mut colours, mut truth) = (Vec::with_capacity(SIDE * SIDE), Vec::with_capacity(SIDE * SIDE));
-    for y in 0..SIDE {
-        for x in 0..SIDE {
+    let mut picture = format!("P6 {side} {side} 255\n").into_bytes();
+    let (mut colours, mut truth) = (Vec::with_capacity(side * side), Vec::with_capacity(side * side));
+    for y in 0..side {
+        for x in 0..side {
             let mut sum = [0.0; 3];
             for (i, j) in (0..FINE * FINE).map(|k| (k % FINE, k / FINE)) {
                 let part = |k: usize| (k as f32 + 0.5) / FINE as f32;
@@ -204,5 +212,5 @@ fn paint(turn: f32, spot: impl Fn(f32, f32) -> Spot) -> Scene {
             truth.push(known);
         }
     }
-    Scene { picture, colours, truth }
+    Scene { side, picture, colours, truth }
 }

@@ -1,5 +1,6 @@
 //! What may be said on the command line, and the help that teaches it.
 
+mod feel;
 mod shared;
 mod trace;
 
@@ -9,6 +10,7 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 
+pub(super) use self::feel::Feel;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 use super::Exit;
@@ -31,6 +33,7 @@ const AFTER_HELP: &str = "\
 Examples:
   tactograph convert coffee.png             makes coffee.svg beside the picture
   tactograph convert coffee.png -o page.svg
+  tactograph feel coffee.svg                what a fingertip would feel of it
   tactograph profiles                       which papers there are
 
 Exit codes: 0 done, 1 a picture could not be converted, 2 wrong usage.
@@ -92,6 +95,10 @@ pub(super) enum Command {
     #[command(long_about = trace::LONG_ABOUT, after_long_help = trace::AFTER_LONG_HELP)]
     #[command(after_help = "Format, unit, examples and exit codes: tactograph trace --help")]
     Trace(Trace),
+    /// Tells what a fingertip would feel of a page's textures
+    #[command(long_about = feel::LONG_ABOUT, after_long_help = feel::AFTER_LONG_HELP)]
+    #[command(after_help = "What the report says, examples and exit codes: tactograph feel --help")]
+    Feel(Feel),
     /// Lists the profiles (papers and their settings) that come with the program, or shows one
     #[command(long_about = "Lists the profiles that come with the program, one a line: name and description.\n\n\
         A profile is a paper with all settings that a page for it needs: sizes, line widths, textures. The first in \
@@ -174,8 +181,9 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command =
-                ["convert", "trace", "profiles"].iter().find(|name| args.get(1).is_some_and(|arg| arg == *name));
+            let command = ["convert", "trace", "feel", "profiles"]
+                .iter()
+                .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
             let what = natural_mistake(&args, error.kind()).unwrap_or_else(|| in_one_line(&error.to_string()));
             Report::plain().usage(&format!("{what}; see tactograph {help}"));
@@ -193,6 +201,7 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind) -> Option<String> {
         (ErrorKind::MissingRequiredArgument, verb @ ("convert" | "trace"), _) => {
             Some(format!("name a picture to {verb}"))
         }
+        (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
             if !name.starts_with('-') =>
         {

@@ -3,6 +3,7 @@
 mod args;
 mod batch;
 mod convert;
+mod feel;
 mod fonts;
 mod input;
 mod output;
@@ -36,6 +37,7 @@ pub(crate) fn run() -> ExitCode {
     let exit = match args::parse(std::env::args_os()) {
         Parsed::Command(Command::Convert(convert)) => convert::run(&convert),
         Parsed::Command(Command::Trace(trace)) => trace::run(&trace),
+        Parsed::Command(Command::Feel(feel)) => feel::run(&feel),
         Parsed::Command(Command::Profiles(profiles)) => match profiles.command {
             None => profiles::list(&Report::plain()),
             Some(ProfilesCommand::Show { name }) => profiles::show(&name, &Report::plain()),

@@ -41,10 +41,10 @@ const LIGHTEST_LENGTH: f32 = 0.75;
 /// Diameter of the lightest dot as a share of the boldest one's.
 const LIGHTEST_DOT: f32 = 0.6;
 
-/// Below this boldness glyphs do not shrink further (they are the smallest already) but go, one after the other. At the
-/// profile's `white_from` of 0.92 that is lightness 0.88 to 0.92: lighter than any colour that must be told, and wide enough
-/// that an eighth of the glyphs goes with each step or more of 256 (4 % of full ink).
-const FADING: f32 = 0.06;
+/// Below this boldness glyphs do not shrink further (they are the smallest already) but go, row after row. At the profile's
+/// `white_from` of 0.92 that is lightness 0.892 to 0.92: just wide enough that no step of 256 takes more than 8 % of full
+/// ink, so that pale skies keep their rows as long as can be.
+const FADING: f32 = 0.042;
 
 /// The unit vector on the sheet (y down) that points along `degrees` as a reader sees it (y up).
 pub(super) fn unit(degrees: f32) -> MmVector {

@@ -47,8 +47,8 @@ pub(super) struct Place {
     pub(super) from_boldness: f32,
 }
 
-/// Fading places go in this many steps, each an eighth of all.
-const FADING_STEPS: i32 = 8;
+/// Fading places go in this many steps, with as many places each.
+const FADING_STEPS: i32 = 16;
 
 /// Visits the places of a class's lattice in `area`, row by row. The lattice is centred in the area, so that the rows of a
 /// mirrored picture are the mirrored rows. (Not so the order in which dots are filled: with threefold symmetry it has a
@@ -70,7 +70,7 @@ pub(super) fn each_place(class: Class, area: MmRect, params: &Params, mut visit:
             let at = centre + along * ((i as f32 + stagger) * step) + across * (j as f32 * row);
             if area.contains_inclusive(at) {
                 let from_density = if dots { of_dot(i, j) } else { of_row(j) };
-                visit(Place { at, from_density, from_boldness: fading(i, j) });
+                visit(Place { at, from_density, from_boldness: fading(dots, i, j) });
             }
         }
     }
@@ -97,12 +97,17 @@ fn of_dot(i: i32, j: i32) -> f32 {
     }
 }
 
-/// An order in which neighbours are far apart: 1 and 3 have no divisor in common with 8, so each row and each of the nine
-/// lattices has all steps alike.
-fn fading(i: i32, j: i32) -> f32 {
-    const ORDER: [i32; FADING_STEPS as usize] = [0, 4, 2, 6, 1, 5, 3, 7];
-    let step = ORDER[(i + 3 * j).rem_euclid(FADING_STEPS) as usize];
-    (step as f32 + 0.5) / FADING_STEPS as f32
+/// In which order places go: rows as a whole, dots one of sixteen at a time. Neighbours are far apart in it.
+fn fading(dots: bool, i: i32, j: i32) -> f32 {
+    const ORDER: [i32; FADING_STEPS as usize] = [0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15];
+    let place = if dots {
+        // 1 and 5 have no divisor in common with 16, nor has 3, the number of lattices: each has all steps alike
+        i - j.div_euclid(2) + 5 * j
+    } else {
+        // filled rows and those between them, each by themselves, and above the middle as below
+        j.abs() / 2 + if j % 2 == 0 { FADING_STEPS / 2 } else { 0 }
+    };
+    (ORDER[place.rem_euclid(FADING_STEPS) as usize] as f32 + 0.5) / FADING_STEPS as f32
 }
 
 #[cfg(test)]
@@ -175,14 +180,20 @@ mod tests {
     }
 
     #[test]
-    fn fading_takes_an_eighth_of_all_at_a_time() {
-        for class in [Class::Blue, Class::Grey] {
+    fn fading_takes_equal_shares_and_whole_rows() {
+        for class in [Class::Yellow, Class::Grey] {
             let base: Vec<Place> = places(class).into_iter().filter(|place| place.from_density < 0.0).collect();
-            for eighth in 1..8 {
-                let left = base.iter().filter(|place| place.from_boldness <= eighth as f32 / 8.0).count() as f32;
+            for quarter in 1..4 {
+                let left = base.iter().filter(|place| place.from_boldness <= quarter as f32 / 4.0).count() as f32;
                 let share = left / base.len() as f32;
-                assert!((share - eighth as f32 / 8.0).abs() < 0.02, "{class:?}: {share} at {eighth} eighths");
+                assert!((share - quarter as f32 / 4.0).abs() < 0.08, "{class:?}: {share} at {quarter} quarters");
             }
+        }
+        for row in places(Class::Yellow).chunk_by(|a, b| (a.at.x - b.at.x).abs() < 0.01) {
+            assert!(
+                row.iter().all(|place| place.from_boldness == row[0].from_boldness),
+                "a row of yellow is thinned out"
+            );
         }
     }
 }

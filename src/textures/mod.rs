@@ -2,7 +2,10 @@
 //!
 //! Three things vary and nothing else: the *direction* of the lattice by class, the *boldness* of the glyph by lightness,
 //! the *density* of the lattice by how many lines are near. Around every line the page stays white, and no
-//! glyph crosses a border between classes or the edge of the picture.
+//! glyph crosses a border between classes or the edge of the picture. No glyph is smaller, and no two are nearer to one another,
+//! than the least that is felt: where a colour fades into white its glyphs shrink to that size, and then rows are left out.
+//!
+//! `lattice` says what was learned about lattices that fingers read right; [`crate::touch`] is the measure.
 
 mod borders;
 mod density;
@@ -10,6 +13,9 @@ mod glyph;
 mod lattice;
 mod palette;
 mod strays;
+
+#[cfg(test)]
+mod tests;
 
 pub use glyph::{Glyph, Shape};
 pub use palette::{LEAST_ANGLE, Palette, Sign};

@@ -25,6 +25,7 @@ const COLUMN: u32 = 190;
 const ROW: u32 = 44;
 
 /// All words that a map may have.
+#[cfg(test)]
 pub(super) const WORDS: [&str; 10] =
     ["BLUE", "GREEN", "YELLOW", "RED", "GREY", "BLANK", "WRONG", "UNCLEAR", "NOT JUDGED", "NOT"];
 

@@ -16,7 +16,7 @@ pub struct Report {
 }
 
 /// What was felt of one class's textures.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OfClass {
     /// The class that is meant.
     pub class: Class,
