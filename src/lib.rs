@@ -15,6 +15,7 @@ pub mod pipeline;
 pub mod profile;
 pub mod raster;
 pub mod textures;
+pub mod touch;
 pub mod units;
 
 pub use contours::Trace;

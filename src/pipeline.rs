@@ -2,6 +2,7 @@
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+pub mod colours;
 mod fit;
 pub mod trace;
 
@@ -16,7 +17,7 @@ use crate::page::{self, Dots, Figure, Overview, Page, Parts, Texture, frame_dots
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Fonts, Limits, Options, Source};
-use crate::units::{MmRect, Size};
+use crate::units::{MmRect, PxPoint, Size};
 use crate::{Error, Note, textures};
 
 /// A page and what its maker should know.
@@ -116,8 +117,8 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
     notes.extend(crowded(&drawn));
     let lines = drawn.lines;
     let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
+    let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
     drop(edges);
-    let classes = sort_colours(&picture.raster, &layout, plan, watch);
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
 
@@ -233,7 +234,13 @@ fn draw_overview(
     None
 }
 
-fn sort_colours(raster: &Raster, layout: &Layout, plan: &Plan, watch: &mut dyn FnMut(Event)) -> Option<Classes> {
+fn sort_colours(
+    raster: &Raster,
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut dyn FnMut(Event),
+) -> Option<Classes> {
     if !plan.profile().figure.textures {
         watch(Event::Skip(Stage::Classes, "figure.textures is off"));
         return None;
@@ -242,7 +249,12 @@ fn sort_colours(raster: &Raster, layout: &Layout, plan: &Plan, watch: &mut dyn F
         watch(Event::Skip(Stage::Hues, "the picture is grey"));
     }
     let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
-    Some(run(watch, Stage::Classes, || classes::sort(raster, &plan.classes(px_per_mm))))
+    Some(run(watch, Stage::Classes, || {
+        let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
+        let chains = edges.into_iter().flat_map(Edges::chains);
+        let contours: Vec<Vec<PxPoint>> = chains.map(|chain| chain.iter().map(|point| point.at).collect()).collect();
+        classes::sort(raster, &contours, &plan.classes(px_per_mm))
+    }))
 }
 
 fn draw_textures(

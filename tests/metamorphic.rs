@@ -41,8 +41,17 @@ const LINES: lines::Params = lines::Params {
     detail: 0.5,
 };
 
-const CLASSES: classes::Params =
-    classes::Params { cell: 3.0, blur: 4.5, min_saturation: 0.18, min_value: 0.15, white_from: 0.92, min_area: 600.0 };
+const CLASSES: classes::Params = classes::Params {
+    cell: 3.0,
+    blur: 4.5,
+    beside: 1.8,
+    smoothing: 6.0,
+    min_saturation: 0.2,
+    min_value: 0.15,
+    white_from: 0.92,
+    min_area: 600.0,
+    fringe: false,
+};
 
 /// x and y, or width and height.
 type Place = (f32, f32);
@@ -190,7 +199,10 @@ fn lines_follow_every_flip_and_turn() {
 fn colours_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let labels = |raster: &Raster| -> (Size, Vec<Option<Class>>) {
-            let classes = classes::sort(raster, &CLASSES);
+            let edges = edges::find(raster, &EDGES);
+            let contours: Vec<Vec<PxPoint>> =
+                edges.chains().map(|c| c.iter().map(|point| point.at).collect()).collect();
+            let classes = classes::sort(raster, &contours, &CLASSES);
             let label = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
             (classes.size, classes.region.iter().map(label).collect())
         };

@@ -166,7 +166,7 @@ fn glyphs_hold(page: &Page, profile: &Profile, name: &str) {
         }
     }
     let reach = textures.line_gap + 0.5 * (profile.lines.width_max + textures.length);
-    for Texture { glyphs, class } in &page.figure.textures {
+    for Texture { glyphs, class, .. } in &page.figure.textures {
         for glyph in glyphs {
             let corners = glyph.corners();
             assert!(

@@ -23,6 +23,26 @@ fn numbers(node: Node<'_, '_>, name: &str) -> Vec<f32> {
     text.split(' ').map(|number| number.parse().expect("a number")).collect()
 }
 
+/// Every region is one path that can be found, deleted and changed as one object, glyphs and all.
+fn regions_say_what_they_are(document: &Document<'_>, page: &tactograph::Page, name: &str) {
+    let paths = document.descendants().filter(|node| node.attribute("data-class").is_some());
+    let paths: Vec<_> = paths.collect();
+    assert_eq!(paths.len(), page.figure.textures.len(), "{name}");
+    for (number, (path, texture)) in paths.into_iter().zip(&page.figure.textures).enumerate() {
+        let class = texture.class.name();
+        assert_eq!(path.attribute("id"), Some(format!("region-{}", number + 1).as_str()), "{name}");
+        assert_eq!(path.attribute("data-class"), Some(class), "{name}");
+        let layer = path.parent_element().expect("it lies in a layer");
+        assert_eq!(layer.attribute("id"), Some(format!("texture-{class}").as_str()), "{name}");
+        assert_eq!(layer.attribute("data-sign"), Some(texture.sign.to_string().as_str()), "{name}");
+        let glyphs = path.attribute("d").unwrap_or_default().matches('M').count();
+        assert_eq!(glyphs, texture.glyphs.len(), "{name}: all of a region's glyphs are in its path");
+        assert_eq!(numbers(path, "data-colour"), texture.colour.map(f32::from), "{name}");
+        let area = numbers(path, "data-area")[0];
+        assert!((area - texture.area).abs() <= 0.005 && area <= page.figure.place.area(), "{name}: {area} mm2");
+    }
+}
+
 #[test]
 fn pages_have_the_structure_that_others_rely_on() {
     for sample in samples::samples() {
@@ -52,6 +72,7 @@ fn pages_have_the_structure_that_others_rely_on() {
             let white = layer.attribute("id") == Some("figure") && page.is_empty();
             assert!(white || layer.has_children(), "{name}: an empty group");
         }
+        regions_say_what_they_are(&document, &page, &name);
         if let Some(lines) = by_id(&document, "lines") {
             let contours: Vec<_> = lines.children().filter(Node::is_element).collect();
             assert_eq!(contours.len(), page.figure.lines.len(), "{name}");

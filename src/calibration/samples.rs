@@ -98,8 +98,9 @@ pub(super) fn texture(class: Class, lightness: f32, side: f32, params: &textures
     let classes = Classes {
         size: cells,
         region: vec![Some(0); cells.area() as usize],
-        regions: vec![Region { class, cells: cells.area() as u32 }],
+        regions: vec![Region { class, colour: [0; 3], cells: cells.area() as u32 }],
         lightness: Plane::filled(cells, lightness),
+        fringe: Vec::new(),
     };
     let textures = textures::fill(&classes, area, &[], params);
     Block { size: area.size().to_vector(), marks: Marks { textures, ..Marks::default() }, ..Block::default() }

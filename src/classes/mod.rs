@@ -1,17 +1,23 @@
 //! The picture's colours, averaged as the eye does and sorted into the five that have a texture.
 //!
 //! ```text
-//! Raster -> shrink -> blur (linear light) -> hue (class of a colour) -> vote -> clean (small areas) -> Classes
+//! Raster, contours -> blur (linear light, not across contours) -> hue (shade of every cell) -> smooth borders
+//!   -> clean (small areas, wavering areas) -> Classes
 //! ```
 //!
 //! All of it is done on cells of about a millimetre: a texture cannot show finer detail.
 
+mod blur;
 mod clean;
 mod hue;
 
+use hue::Shade;
+
 use crate::raster::Raster;
-use crate::raster::plane::{Plane, shrink};
-use crate::units::Size;
+use crate::raster::plane::Plane;
+use crate::units::{PxPoint, Size};
+
+pub use hue::{class_of, leaning};
 
 /// A colour that has a texture. White has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -51,14 +57,36 @@ pub struct Params {
     pub cell: f32,
     /// Sigma of the blur, px.
     pub blur: f32,
-    /// Colours less saturated than this (HSV, 0..=1) are grey.
+    /// Pixels nearer to a contour than this hardly count for the colour of an area, px.
+    pub beside: f32,
+    /// Sigma of the smoothing of the borders between areas, px.
+    pub smoothing: f32,
+    /// Colours less saturated than this (HSV, 0..=1) are grey; of dark colours more is asked, of light ones less.
     pub min_saturation: f32,
     /// Colours darker than this (HSV value, 0..=1) are grey.
     pub min_value: f32,
     /// Colours lighter than this (HSL lightness, 0..=1) are white: no texture.
     pub white_from: f32,
-    /// An area smaller than this joins the neighbour that surrounds it most, px^2.
+    /// An area smaller than this joins the neighbour that suits it best, px^2.
     pub min_area: f32,
+    /// Whether to look for the parts of areas that lean to a neighbouring class.
+    pub fringe: bool,
+}
+
+#[cfg(test)]
+impl Params {
+    /// The numbers of `swell-a4`, one pixel a cell, and no spatial work at all.
+    const TEST: Self = Self {
+        cell: 1.0,
+        blur: 0.0,
+        beside: 0.0,
+        smoothing: 0.0,
+        min_saturation: 0.2,
+        min_value: 0.15,
+        white_from: 0.92,
+        min_area: 0.0,
+        fringe: false,
+    };
 }
 
 /// The picture in classes, on a grid of cells.
@@ -72,13 +100,18 @@ pub struct Classes {
     pub regions: Vec<Region>,
     /// HSL lightness (max + min) / 2 of the blurred colour, 0..=1: what decides how bold a texture is.
     pub lightness: Plane,
+    /// For each cell the neighbouring class that its part of the region leans to; empty unless asked for
+    /// ([`Params::fringe`]).
+    pub fringe: Vec<Option<Class>>,
 }
 
 /// A connected area of one class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Region {
-    /// Its colour.
+    /// Its class.
     pub class: Class,
+    /// Its mean colour (averaged in linear light) as sRGB red, green and blue.
+    pub colour: [u8; 3],
     /// How many cells it has.
     pub cells: u32,
 }
@@ -94,18 +127,30 @@ impl Classes {
     }
 }
 
-/// Sorts the colours of a picture.
-pub fn sort(raster: &Raster, params: &Params) -> Classes {
+/// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary one.
+pub fn sort(raster: &Raster, contours: &[Vec<PxPoint>], params: &Params) -> Classes {
     let cells = |pixels: u32| ((pixels as f32 / params.cell.max(1.0)).round() as u32).clamp(1, pixels);
     let from = raster.size();
     let size = Size::new(cells(from.width), cells(from.height));
     let cells_per_px = (size.area() as f32 / from.area() as f32).sqrt();
-    let sigma = params.blur * cells_per_px;
-    let planes: Vec<Plane> = raster.planes().iter().map(|plane| shrink(plane, from, size).blurred(sigma)).collect();
-    let (labels, lightness) = hue::classify(&planes, params);
-    let labels = if labels.iter().all(|label| *label == labels[0]) { labels } else { clean::vote(labels, size, sigma) };
+    let grid = blur::average(raster, contours, size, params.blur * cells_per_px, params.beside);
+    let colours: Vec<[f32; 3]> = (0..size.len()).map(|cell| grid.colour(cell)).collect();
+    let shades: Vec<Shade> = if raster.is_grey() {
+        colours.iter().map(|rgb| hue::shade_of_grey(rgb[0], params)).collect()
+    } else {
+        colours.iter().map(|rgb| hue::shade(*rgb, params)).collect()
+    };
+
+    let sigma = params.smoothing * cells_per_px;
     let min_cells = params.min_area * cells_per_px * cells_per_px;
-    let labels = clean::clean(labels, size, min_cells);
-    let (region, regions) = clean::regions(&labels, size);
-    Classes { size, region, regions, lightness }
+    let labels = clean::smooth(&shades, &grid, sigma);
+    let labels = clean::join_small(labels, &shades, &grid, min_cells);
+    let labels = clean::join_wavering(labels, &shades, &grid, min_cells);
+    let (region, regions) = clean::regions(&labels, &grid);
+    let lightness = clean::lightness(&colours, &region, &grid);
+    let fringe = match params.fringe {
+        true => clean::fringe(&colours, &region, &regions, size, sigma, min_cells),
+        false => Vec::new(),
+    };
+    Classes { size, region, regions, lightness, fringe }
 }

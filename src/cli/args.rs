@@ -1,6 +1,7 @@
 //! What may be said on the command line, and the help that teaches it.
 
 mod calibrate;
+mod feel;
 mod fitting;
 mod shared;
 mod trace;
@@ -13,6 +14,7 @@ use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 
 pub(super) use self::calibrate::Calibrate;
+pub(super) use self::feel::Feel;
 pub(super) use self::fitting::Fitting;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
@@ -37,6 +39,7 @@ const AFTER_HELP: &str = "\
 Examples:
   tactograph convert coffee.png             makes coffee.svg beside the picture
   tactograph convert coffee.png -o page.pdf
+  tactograph feel coffee.svg                what a fingertip would feel of it
   tactograph profiles                       which papers there are
 
 Exit codes: 0 done, 1 a picture could not be converted, 2 wrong usage.
@@ -108,6 +111,10 @@ pub(super) enum Command {
     #[command(long_about = calibrate::LONG_ABOUT, after_long_help = calibrate::AFTER_LONG_HELP)]
     #[command(after_help = "What is on it, examples and exit codes: tactograph calibrate --help")]
     Calibrate(Calibrate),
+    /// Tells what a fingertip would feel of a page's textures
+    #[command(long_about = feel::LONG_ABOUT, after_long_help = feel::AFTER_LONG_HELP)]
+    #[command(after_help = "What the report says, examples and exit codes: tactograph feel --help")]
+    Feel(Feel),
     /// Lists the profiles (papers and their settings) that come with the program, or shows one
     #[command(long_about = "Lists the profiles that come with the program, one a line: name and description.\n\n\
         A profile is a paper with all settings that a page for it needs: sizes, line widths, textures. The first in \
@@ -248,7 +255,7 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command = ["convert", "trace", "calibrate", "profiles"]
+            let command = ["convert", "trace", "calibrate", "feel", "profiles"]
                 .iter()
                 .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
@@ -272,6 +279,7 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
         {
             Some(format!("name a picture to {verb}"))
         }
+        (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
             if !name.starts_with('-') =>
         {

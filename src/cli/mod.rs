@@ -4,6 +4,7 @@ mod args;
 mod batch;
 mod calibrate;
 mod convert;
+mod feel;
 mod fonts;
 mod input;
 mod output;
@@ -43,6 +44,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Convert(convert) => convert::run(&convert),
         Command::Trace(trace) => trace::run(&trace),
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
+        Command::Feel(feel) => feel::run(&feel),
         Command::Profiles(profiles) => match profiles.command {
             None => profiles::list(&Report::plain()),
             Some(ProfilesCommand::Keys) => profiles::keys(&Report::plain()),

@@ -5,7 +5,8 @@
 //!   g#orientation-mark > path (stroke-width in mm)
 //!   g#frame
 //!   g#figure  data-box="x y w h" (mm)  data-source="w h" (px)
-//!     g#textures > g#texture-blue ... (one path a connected region)
+//!     g#textures > g#texture-blue ...  data-sign="rhombus 0" (degrees counter-clockwise) or "dot"
+//!       path  id="region-1"  data-class  data-colour="r g b" (0..255)  data-area (mm2)   (one a connected region)
 //!     g#lines > g (one a contour; data-strength) > path (stroke-width in mm)
 //!   g#overview-frame
 //!   g#overview  data-box > g > path
@@ -21,7 +22,7 @@ use svg::{Document, Node};
 
 use super::layer::Layer;
 use super::{origin_lines, plain};
-use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Run, Shape};
+use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Run, Shape, Texture};
 use crate::units::{MmPoint, MmRect};
 
 /// The page as an SVG document. The same page gives the same bytes.
@@ -84,18 +85,31 @@ fn figure(figure: &Figure) -> Group {
         .set("data-source", format!("{} {}", figure.source.width, figure.source.height));
     if !figure.textures.is_empty() {
         let mut textures = layer(Layer::Textures);
+        let numbered = || (1..).zip(&figure.textures);
         for class in Class::ALL {
-            let mut paths = figure.textures.iter().filter(|texture| texture.class == class).peekable();
-            if paths.peek().is_some() {
-                let of_class = layer(Layer::Texture(class));
-                textures = textures.add(
-                    paths.fold(of_class, |group, texture| group.add(Path::new().set("d", glyph_path(&texture.glyphs)))),
-                );
+            let mut paths = numbered().filter(|(_, texture)| texture.class == class).peekable();
+            if let Some((_, first)) = paths.peek() {
+                let of_class = layer(Layer::Texture(class)).set("data-sign", first.sign.to_string());
+                textures =
+                    textures.add(paths.fold(of_class, |group, (number, texture)| group.add(region(number, texture))));
             }
         }
         group = group.add(textures);
     }
     if figure.lines.is_empty() { group } else { group.add(lines(with_strokes(layer(Layer::Lines)), &figure.lines)) }
+}
+
+/// All glyphs of a region as one object, so that a person can delete, move or change it as a whole; what it stands for is
+/// said beside it.
+fn region(number: usize, texture: &Texture) -> Path {
+    let (name, area) = (texture.class.name(), texture.area.round());
+    Path::new()
+        .set("id", format!("region-{number}"))
+        .set("inkscape:label", format!("Region {number}, {name}, {area} mm2"))
+        .set("data-class", name)
+        .set("data-colour", texture.colour.map(|channel| channel.to_string()).join(" "))
+        .set("data-area", self::number(texture.area))
+        .set("d", glyph_path(&texture.glyphs))
 }
 
 fn overview_layer(overview: &Overview) -> Group {

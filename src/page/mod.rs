@@ -11,7 +11,7 @@ mod mirror;
 
 pub use crate::classes::Class;
 pub use crate::lines::{Line, Run};
-pub use crate::textures::{Glyph, Shape, Texture};
+pub use crate::textures::{Glyph, Shape, Sign, Texture};
 pub use describe::{LANGUAGE, describe};
 
 use crate::units::{MmPoint, MmRect, Size};

@@ -3,6 +3,7 @@
 use super::keys::KEYS;
 use super::{Fault, Profile, Value};
 use crate::page::layout::{self, Orientation};
+use crate::textures::{LEAST_ANGLE, Sign};
 
 /// A key whose value must stay below another's.
 struct Order {
@@ -109,6 +110,15 @@ const ORDERS: &[Order] = &[
     },
 ];
 
+/// Glyphs and how far apart they stand: between two there must be a blank that is felt.
+const SPACED: &[(&str, &str)] = &[
+    ("textures.length", "textures.along"),
+    ("textures.thickness", "textures.across"),
+    ("textures.dot", "textures.dot_pitch"),
+];
+/// The least blank between two glyphs.
+const BLANK: &str = "textures.min_glyph";
+
 /// The keys that decide how large a figure can be.
 const ROOM: &[&str] = &[
     "page.width",
@@ -176,6 +186,8 @@ impl Profile {
     /// The faults of values that do not go together; a rule about a value that is out of range anyway is left aside.
     pub(super) fn rule_faults(&self) -> Vec<Fault> {
         let mut faults: Vec<_> = ORDERS.iter().filter_map(|order| self.order_fault(order)).collect();
+        faults.append(&mut self.palette_faults());
+        faults.extend(SPACED.iter().filter_map(|(glyph, pitch)| self.spacing_fault(glyph, pitch)));
         if self.sound(ROOM) {
             let (width, height) = self.figure_room();
             let least = self.figure.min_side;
@@ -200,6 +212,34 @@ impl Profile {
             let what = "figure.lines, figure.textures and overview.on are all false, so nothing would be drawn, set \
                         one of them to true";
             faults.push(Fault { place: self.place(DRAWN), what: what.to_owned() });
+        }
+        faults
+    }
+
+    /// The faults of signs that a finger cannot tell apart, one for each pair.
+    fn palette_faults(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        if !self.figure.textures {
+            return faults;
+        }
+        let signs: Vec<(&str, Sign)> = KEYS
+            .iter()
+            .filter_map(|key| match key.value(self) {
+                Value::Sign(sign) => Some((key.path, sign)),
+                _ => None,
+            })
+            .collect();
+        for (i, &(second, sign)) in signs.iter().enumerate() {
+            for &(first, other) in signs[..i].iter().filter(|(_, other)| !sign.differs_from(*other)) {
+                let keys = [first, second];
+                if self.sound(&keys) {
+                    let what = format!(
+                        "{first} is \"{other}\" and {second} is \"{sign}\", which fingers cannot tell apart, give one of \
+                         them a direction that is {LEAST_ANGLE} degrees or more from all others"
+                    );
+                    faults.push(Fault { place: self.place(&keys), what });
+                }
+            }
         }
         faults
     }
@@ -242,6 +282,27 @@ impl Profile {
              enlarge the other"
         );
         Some(Fault { place: self.place(&[path, "print.swell"]), what })
+    }
+
+    /// A glyph that fits its place but leaves too little blank to the next.
+    fn spacing_fault(&self, glyph: &str, pitch: &str) -> Option<Fault> {
+        let keys = [glyph, pitch, BLANK];
+        let [Some(Value::Number(size)), Some(Value::Number(step)), Some(Value::Number(blank))] =
+            keys.map(|path| self.get(path))
+        else {
+            return None;
+        };
+        // Sums of decimal numbers are a little off in f32.
+        let holds = size + blank <= step + 1e-4;
+        if holds || size >= step || !self.figure.textures || !self.sound(&keys) {
+            return None;
+        }
+        let least = ((size + blank) * 1000.0).round() / 1000.0;
+        let what = format!(
+            "{pitch} is {step} but must be at least {least}, which is {glyph} and {BLANK} together, or the blank \
+             between two glyphs is not felt"
+        );
+        Some(Fault { place: self.place(&keys), what })
     }
 
     /// Are all these values given and in range?

@@ -3,6 +3,7 @@
 use super::Profile;
 use super::suggest::list;
 use crate::page::layout::Orientation;
+use crate::textures::Sign;
 
 /// One key of a profile, such as `lines.width_max`.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +25,8 @@ pub enum Kind {
     Switch,
     /// One of these words.
     Choice(&'static [&'static str]),
+    /// A texture's sign: rows of rhombuses in a direction, or dots.
+    Sign,
     /// A number from `low` to `high`, both included.
     Number {
         /// The smallest value taken.
@@ -42,6 +45,8 @@ pub enum Value {
     Switch(bool),
     /// One of the key's words.
     Choice(&'static str),
+    /// A texture's sign.
+    Sign(Sign),
     /// A number in the key's unit.
     Number(f32),
 }
@@ -50,18 +55,19 @@ pub enum Value {
 pub(super) enum Slot<'a> {
     Switch(&'a mut bool),
     Orientation(&'a mut Orientation),
+    Sign(&'a mut Sign),
     Number(&'a mut f32),
 }
 
 impl Key {
-    /// The section before the point.
+    /// The section before the last point.
     pub fn section(&self) -> &'static str {
-        self.path.split_once('.').map_or("", |(section, _)| section)
+        self.path.rsplit_once('.').map_or("", |(section, _)| section)
     }
 
-    /// The name after the point.
+    /// The name after the last point.
     pub fn name(&self) -> &'static str {
-        self.path.split_once('.').map_or(self.path, |(_, name)| name)
+        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
     }
 
     /// What the profile holds under this key.
@@ -77,6 +83,7 @@ impl Key {
                 let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
                 list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
             }
+            Kind::Sign => r#""dot" or "rhombus D" with D from 0 to below 180 degrees"#.to_owned(),
             Kind::Number { low, high, unit: "" } => format!("a number from {low} to {high}"),
             Kind::Number { low, high, unit } => format!("a number from {low} to {high} {unit}"),
         }
@@ -85,7 +92,7 @@ impl Key {
     /// Is the value of the right kind and within the range?
     pub fn takes(&self, value: Value) -> bool {
         match (self.kind, value) {
-            (Kind::Switch, Value::Switch(_)) => true,
+            (Kind::Switch, Value::Switch(_)) | (Kind::Sign, Value::Sign(_)) => true,
             (Kind::Choice(words), Value::Choice(word)) => words.contains(&word),
             (Kind::Number { low, high, .. }, Value::Number(number)) => (low..=high).contains(&number),
             _ => false,
@@ -99,6 +106,7 @@ impl Key {
             (Slot::Orientation(field), Value::Choice(word)) => {
                 *field = Orientation::ALL.into_iter().find(|way| way.name() == word).unwrap_or(*field);
             }
+            (Slot::Sign(field), Value::Sign(value)) => *field = value,
             // Adding nothing turns minus zero, which is written oddly, into zero.
             (Slot::Number(field), Value::Number(value)) => *field = value + 0.0,
             _ => {}
@@ -110,6 +118,7 @@ impl Key {
         match self.kind {
             Kind::Switch => text.parse().ok().map(Value::Switch),
             Kind::Choice(_) => self.word(text.trim_matches('"')),
+            Kind::Sign => text.trim_matches('"').parse().ok().map(Value::Sign),
             Kind::Number { .. } => text.parse().ok().map(Value::Number),
         }
     }
@@ -124,19 +133,20 @@ impl Key {
     pub(super) fn refuse(&self, got: &str) -> String {
         let with_unit = match self.kind {
             Kind::Number { unit, .. } => !unit.is_empty() && got.trim_end_matches('"').ends_with(unit),
-            Kind::Switch | Kind::Choice(_) => false,
+            Kind::Switch | Kind::Choice(_) | Kind::Sign => false,
         };
         let advice = if with_unit { ", write it without the unit" } else { "" };
         format!("{} must be {}, not {got}{advice}", self.path, self.range())
     }
 }
 
-/// As TOML has it: `true`, `false`, a word in quotes, or the shortest decimal that reads back as the same number.
+/// As TOML has it: `true`, `false`, a word or a sign in quotes, or the shortest decimal that reads back as the same number.
 impl std::fmt::Display for Value {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Switch(switch) => switch.fmt(f),
             Self::Choice(word) => write!(f, "\"{word}\""),
+            Self::Sign(sign) => write!(f, "\"{sign}\""),
             Self::Number(number) => number.fmt(f),
         }
     }
@@ -160,6 +170,12 @@ impl From<f32> for Value {
     }
 }
 
+impl From<Sign> for Value {
+    fn from(sign: Sign) -> Self {
+        Self::Sign(sign)
+    }
+}
+
 impl<'a> From<&'a mut bool> for Slot<'a> {
     fn from(field: &'a mut bool) -> Self {
         Self::Switch(field)
@@ -169,6 +185,12 @@ impl<'a> From<&'a mut bool> for Slot<'a> {
 impl<'a> From<&'a mut Orientation> for Slot<'a> {
     fn from(field: &'a mut Orientation) -> Self {
         Self::Orientation(field)
+    }
+}
+
+impl<'a> From<&'a mut Sign> for Slot<'a> {
+    fn from(field: &'a mut Sign) -> Self {
+        Self::Sign(field)
     }
 }
 

@@ -5,6 +5,7 @@
 use super::Origin;
 use super::key::{Key, Kind};
 use crate::page::layout::Orientation;
+use crate::textures::Sign;
 
 macro_rules! field {
     (switch) => {
@@ -12,6 +13,9 @@ macro_rules! field {
     };
     (orientation) => {
         Orientation
+    };
+    (sign) => {
+        Sign
     };
     (number) => {
         f32
@@ -25,6 +29,9 @@ macro_rules! blank {
     (orientation) => {
         Orientation::Auto
     };
+    (sign) => {
+        Sign::Dot
+    };
     (number) => {
         f32::NAN
     };
@@ -36,6 +43,9 @@ macro_rules! kind {
     };
     (orientation) => {
         Kind::Choice(&Orientation::NAMES)
+    };
+    (sign) => {
+        Kind::Sign
     };
     (number $low:literal $high:literal $unit:literal) => {
         Kind::Number { low: $low, high: $high, unit: $unit }
@@ -49,11 +59,24 @@ macro_rules! in_words {
     (orientation) => {
         ""
     };
+    (sign) => {
+        ""
+    };
     (number $low:literal $high:literal "") => {
         concat!(" From ", $low, " to ", $high, ".")
     };
     (number $low:literal $high:literal $unit:literal) => {
         concat!(" From ", $low, " to ", $high, " ", $unit, ".")
+    };
+}
+
+/// How a section is written in a profile: the palette is a part of the textures.
+macro_rules! section_path {
+    (palette) => {
+        "textures.palette"
+    };
+    ($section:ident) => {
+        stringify!($section)
     };
 }
 
@@ -103,7 +126,7 @@ macro_rules! table {
         }
 
         /// Every section, in the order of the table.
-        pub(super) const SECTIONS: &[&str] = &[$(stringify!($section)),+];
+        pub(super) const SECTIONS: &[&str] = &[$(section_path!($section)),+];
 
         /// Every section with what it is about, in the order of the table.
         pub(super) fn section_docs() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -112,7 +135,7 @@ macro_rules! table {
 
         /// Every key, in the order of the table.
         pub(super) const KEYS: &[Key] = &[$($(Key {
-            path: concat!(stringify!($section), ".", stringify!($key)),
+            path: concat!(section_path!($section), ".", stringify!($key)),
             doc: $doc.trim_ascii(),
             kind: kind!($kind $($low $high $unit)?),
             get: |profile| profile.$section.$key.into(),
@@ -213,13 +236,17 @@ table! {
     colours: ColoursSettings {
         /// Sigma of the blur before colours are sorted.
         blur: number(0.0 to 20.0, "mm");
-        /// HSV saturation below which a colour counts as grey.
+        /// Whether the blur stops at contours, so that no area is stained by its neighbour.
+        stop_at_lines: switch;
+        /// Sigma of the smoothing of the borders between areas of different colours.
+        smoothing: number(0.0 to 20.0, "mm");
+        /// HSV saturation below which a colour counts as grey; dark colours need more, light ones less.
         min_saturation: number(0.0 to 1.0, "");
         /// HSV value below which a colour counts as black, which is drawn as grey.
         min_value: number(0.0 to 1.0, "");
         /// HSL lightness above which a colour counts as white, which has no texture.
         white_from: number(0.3 to 1.0, "");
-        /// Areas of one colour that are smaller than this go to a neighbour.
+        /// Areas of one colour that are smaller than this go to the neighbour that suits them best.
         min_area: number(0.0 to 5000.0, "square mm");
     }
     /// Drawing colours as textures of rhombuses, and grey as dots.
@@ -244,6 +271,21 @@ table! {
         density_blur: number(0.5 to 50.0, "mm");
         /// Density of lines from which the texture is dense; 1 is a lone straight line on itself.
         dense_from: number(0.0 to 1.0, "");
+        /// Whether colours between two classes are told: their rhombuses point in the neighbouring class's direction.
+        fringe: switch;
+    }
+    /// Which class is told by which sign.
+    palette: PaletteSettings {
+        /// The sign of blue, cyan and violet.
+        blue: sign;
+        /// The sign of green and olive.
+        green: sign;
+        /// The sign of yellow, light orange and light brown.
+        yellow: sign;
+        /// The sign of red, pink and purple.
+        red: sign;
+        /// The sign of black, greys and weakly saturated colours.
+        grey: sign;
     }
     /// Printing and swelling.
     print: PrintSettings {

@@ -68,7 +68,7 @@ fn without_unit(reason: &str, key: &Key) -> String {
 
 fn unit_and_range(key: &Key) -> (&'static str, String) {
     match key.kind {
-        Kind::Switch | Kind::Choice(_) => ("", key.range()),
+        Kind::Switch | Kind::Choice(_) | Kind::Sign => ("", key.range()),
         Kind::Number { low, high, unit } => (unit, format!("{low} to {high}")),
     }
 }

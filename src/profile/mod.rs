@@ -19,7 +19,7 @@ pub use built_in::{BuiltIn, built_in};
 pub use key::{Key, Kind, Value};
 pub use keys::{
     ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, LinesSettings, MarkSettings, OverviewSettings,
-    PageSettings, PrintSettings, Profile, TexturesSettings,
+    PageSettings, PaletteSettings, PrintSettings, Profile, TexturesSettings,
 };
 pub use plan::Plan;
 
@@ -108,7 +108,9 @@ impl Profile {
         let (key, value) = (key.trim(), value.trim());
         let place = format!("--set {}={}", suggest::quoted_path(&[key]), suggest::quoted_path(&[value]));
         let fail = |what| Err(Fault { place: place.clone(), what });
-        let found = match key.split_once('.') {
+        let known = |parts: &(&str, &str)| keys::SECTIONS.contains(&parts.0) && !keys::SECTIONS.contains(&key);
+        let found = match key.rsplit_once('.').filter(known).or_else(|| key.split_once('.')) {
+            _ if key.contains('.') && keys::SECTIONS.contains(&key) => Err(suggest::section_alone(key)),
             Some((section, name)) if keys::SECTIONS.contains(&section) => {
                 parse::position(section, name).ok_or_else(|| suggest::unknown_key(section, name))
             }

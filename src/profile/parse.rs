@@ -110,6 +110,11 @@ impl Reader<'_> {
         match (value.get_ref(), switch) {
             (DeValue::Table(table), _) => {
                 for (name, value) in table {
+                    let inner = format!("{section}.{}", name.get_ref());
+                    if SECTIONS.contains(&inner.as_str()) {
+                        self.section(&inner, name, value);
+                        continue;
+                    }
                     match position(section, name.get_ref()) {
                         Some(key) => self.key(key, name, value),
                         None => self.fault(self.line(name), unknown_key(section, name.get_ref())),
@@ -146,11 +151,19 @@ impl Reader<'_> {
     /// Finds keys with a value of the wrong kind in the lines with mistakes, for a better message: `1.2mm` is no
     /// number.
     fn damaged(&mut self, table: &DeTable<'_>, mistakes: &BTreeSet<usize>) {
-        let sections = table.iter().filter_map(|(section, value)| Some((section, value.get_ref().as_table()?)));
-        for (section, keys) in sections {
-            for (name, value) in keys {
+        for (section, keys) in table.iter().filter_map(|(section, value)| Some((section, value.get_ref().as_table()?)))
+        {
+            self.damaged_section(section.get_ref(), keys, mistakes);
+        }
+    }
+
+    fn damaged_section(&mut self, section: &str, keys: &DeTable<'_>, mistakes: &BTreeSet<usize>) {
+        for (name, value) in keys {
+            if let Some(keys) = value.get_ref().as_table() {
+                self.damaged_section(&format!("{section}.{}", name.get_ref()), keys, mistakes);
+            } else {
                 let line = self.line(name);
-                let Some(index) = position(section.get_ref(), name.get_ref()) else { continue };
+                let Some(index) = position(section, name.get_ref()) else { continue };
                 if wrong_kind(&KEYS[index], value.get_ref()) && mistakes.contains(&line) {
                     self.key(index, name, value);
                 }
@@ -179,6 +192,7 @@ fn wrong_kind(key: &Key, value: &DeValue<'_>) -> bool {
         (Kind::Switch, Some(Value::Switch(_)))
             | (Kind::Number { .. }, Some(Value::Number(_)))
             | (Kind::Choice(_), Some(Value::Choice(_)))
+            | (Kind::Sign, Some(Value::Sign(_)))
     )
 }
 
@@ -192,9 +206,10 @@ pub(super) fn switch_of(section: &str) -> Option<usize> {
     position(section, "on")
 }
 
-/// What a value stands for; a text only for a key that has it as one of its words.
+/// What a value stands for; a text only for a key that has it as one of its words, or that takes a sign.
 fn given(key: &Key, value: &DeValue<'_>) -> Option<Value> {
     match value {
+        DeValue::String(text) if matches!(key.kind, Kind::Sign) => text.parse().ok().map(Value::Sign),
         DeValue::String(text) => key.word(text),
         DeValue::Boolean(switch) => Some(Value::Switch(*switch)),
         DeValue::Float(number) => number.as_str().parse().ok().map(Value::Number),

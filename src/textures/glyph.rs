@@ -41,17 +41,10 @@ const LIGHTEST_LENGTH: f32 = 0.75;
 /// Diameter of the lightest dot as a share of the boldest one's.
 const LIGHTEST_DOT: f32 = 0.6;
 
-/// Direction of a class's rows, degrees counter-clockwise as a reader sees the page; grey has none. The paper's reasons:
-/// water lies flat; `/` is the sweep of the right hand, calm as green; then on round the colour wheel.
-pub(super) fn degrees(class: Class) -> Option<f32> {
-    match class {
-        Class::Blue => Some(0.0),
-        Class::Green => Some(45.0),
-        Class::Yellow => Some(90.0),
-        Class::Red => Some(135.0),
-        Class::Grey => None,
-    }
-}
+/// Below this boldness glyphs do not shrink further (they are the smallest already) but go, row after row. At the profile's
+/// `white_from` of 0.92 that is lightness 0.892 to 0.92: just wide enough that no step of 256 takes more than 8 % of full
+/// ink, so that pale skies keep their rows as long as can be.
+const FADING: f32 = 0.042;
 
 /// The unit vector on the sheet (y down) that points along `degrees` as a reader sees it (y up).
 pub(super) fn unit(degrees: f32) -> MmVector {
@@ -59,23 +52,30 @@ pub(super) fn unit(degrees: f32) -> MmVector {
     MmVector::new(cos, -sin)
 }
 
-/// The glyph of a class at a place of the given lightness; none where it is too light for one.
-pub(super) fn bold(class: Class, at: MmPoint, lightness: f32, params: &Params) -> Option<Glyph> {
-    if lightness > params.white_from {
-        return None;
-    }
+/// How bold a colour of this lightness is: 0 at white, 1 from [`BOLDEST_AT`] down.
+pub(super) fn boldness(lightness: f32, params: &Params) -> f32 {
     let range = (params.white_from - BOLDEST_AT).max(f32::EPSILON);
-    let boldness = ((params.white_from - lightness) / range).clamp(0.0, 1.0);
+    ((params.white_from - lightness) / range).clamp(0.0, 1.0)
+}
+
+/// The glyph of a class at a place of this boldness. It never is smaller than the least that can be felt; where a colour
+/// fades away, [`is_left`] leaves out one after the other instead.
+pub(super) fn bold(class: Class, at: MmPoint, boldness: f32, params: &Params) -> Glyph {
     let between = |least: f32, most: f32| least + (most - least) * boldness;
-    let shape = match degrees(class) {
+    let shape = match params.palette.degrees(class) {
         Some(degrees) => Shape::Rhombus {
             length: params.length * between(LIGHTEST_LENGTH, 1.0),
             thickness: between(params.min_glyph, params.thickness),
             degrees,
         },
-        None => Shape::Dot { diameter: (params.dot * between(LIGHTEST_DOT, 1.0)).max(params.min_glyph) },
+        None => Shape::Dot { diameter: between((LIGHTEST_DOT * params.dot).max(params.min_glyph), params.dot) },
     };
-    Some(Glyph { at, shape })
+    Glyph { at, shape }
+}
+
+/// Whether a glyph that needs `from_boldness` (0..1 of [`FADING`]) is there at this boldness.
+pub(super) fn is_left(from_boldness: f32, boldness: f32) -> bool {
+    boldness > FADING * from_boldness
 }
 
 impl Glyph {
@@ -84,6 +84,16 @@ impl Glyph {
         match self.shape {
             Shape::Rhombus { length, thickness, .. } => 0.5 * length.max(thickness),
             Shape::Dot { diameter } => 0.5 * diameter,
+        }
+    }
+
+    /// A rhombus turned to another direction; a dot stays as it is.
+    pub(super) fn turned(self, to: f32) -> Self {
+        match self.shape {
+            Shape::Rhombus { length, thickness, .. } => {
+                Self { at: self.at, shape: Shape::Rhombus { length, thickness, degrees: to } }
+            }
+            Shape::Dot { .. } => self,
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod any;
 mod faults;
+mod palette;
 
 use tactograph::page::layout::Orientation;
 use tactograph::profile::{Fault, Kind, Profile, Value, built_in, manual};

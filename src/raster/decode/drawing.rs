@@ -169,6 +169,14 @@ fn document(text: &str, most_levels: u32) -> Result<Document<'_>, String> {
     Ok(document)
 }
 
+/// The elements of a drawing that usvg can take without end or overflow, for others who give it to usvg.
+///
+/// # Errors
+/// In plain words: what is wrong, and where.
+pub(crate) fn checked_document(text: &str) -> Result<Document<'_>, String> {
+    document(text, burden::MOST_LEVELS)
+}
+
 fn fault_in(fault: &usvg::Error) -> String {
     match fault {
         usvg::Error::InvalidSize => "it has no size: neither a width and height above zero nor a viewBox".into(),

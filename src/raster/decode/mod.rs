@@ -22,6 +22,7 @@ use std::sync::Arc;
 use image::metadata::Orientation;
 
 use self::colour::{Kind, Meaning};
+pub(crate) use self::drawing::checked_document;
 use self::sniff::Format;
 use crate::raster::Raster;
 use crate::raster::crop::{Crop, Part};

@@ -1,0 +1,213 @@
+//! Can a fingertip tell the colours apart? Scenes whose colours are known become pages, and the pages are felt.
+//!
+//! ```text
+//! cargo run --release --example touch                     the table of targets (some minutes)
+//!   --seeds N                scenes of each kind (default 6); the same number again is of seeds never tuned to
+//!   --kinds                  also a table for each kind of scene
+//!   --set KEY=VALUE          another value of the profile
+//!   --chart FILE.svg         draw the chart of the textures instead (docs/textures/textures.svg)
+//! ```
+//!
+//! **Scenes** (`scenes.rs`): the paper's five bars, a ramp of each colour from dark to white, maps of twelve areas, stripes
+//! and discs of falling size, colour wheels; all but the first of a kind turned by any angle. **Read right** (`judge.rs`):
+//! the measure of `tactograph::touch` on the page's SVG, at every millimetre further than 7 mm from a border and not lighter
+//! than 0.88. **Samples**: one texture all over a page, at every density and three lightnesses. **Density** (`density.rs`):
+//! the share of glyphs in a window of 8 mm against the map of lines. **Boldness** (`boldness.rs`): ink at 256 lightnesses.
+//! **Gaps** (`gaps.rs`): every glyph of every sample picture and 200 random scenes. **Time**: the textures of a full
+//! A4 figure, the least of twenty runs.
+#![allow(clippy::print_stdout, reason = "this is a program")]
+
+mod boldness;
+mod chart;
+mod density;
+mod gaps;
+mod judge;
+mod rng;
+mod scenes;
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use judge::Tally;
+use scenes::{FINE_PX, KINDS, QUICK_PX};
+use tactograph::output::svg;
+use tactograph::page::Class;
+use tactograph::pipeline::{Event, Request, Stage};
+use tactograph::profile::{Plan, Profile};
+use tactograph::touch::Ink;
+use tactograph::units::{MmPoint, MmRect};
+use tactograph::{Page, textures};
+
+const FINGERS: [f32; 3] = [0.5, 1.0, 1.5];
+/// Wanted of areas, of grey and of white, for each fingertip.
+const WANTED: [[f32; 3]; 3] = [[0.99, 0.98, 0.95], [0.99, 0.98, 0.93], [1.0, 1.0, 1.0]];
+/// The textures were tuned on seeds from 0 to 25.
+const UNTUNED: u64 = 1000;
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let value = |name: &str| args.iter().position(|arg| arg == name).and_then(|at| args.get(at + 1));
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    for pair in args.windows(2).filter(|pair| pair[0] == "--set") {
+        let (key, value) = pair[1].split_once('=').expect("--set KEY=VALUE");
+        profile.set(key, value).expect("a key of the profile");
+    }
+    let plan = Plan::new(&profile).expect("the values make sense");
+    if let Some(file) = value("--chart") {
+        std::fs::write(file, chart::chart(&plan.textures())).expect("the chart can be written");
+        return;
+    }
+    let seeds = value("--seeds").map_or(6, |number| number.parse().expect("--seeds N"));
+    let kinds = args.iter().any(|arg| arg == "--kinds");
+    readability("seeds tuned to", 0..seeds, kinds, &plan);
+    readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &plan);
+    samples(&plan.textures());
+    follows_lines(&profile, UNTUNED..UNTUNED + seeds);
+    follows_lightness(&plan.textures());
+    distances(&plan);
+    time(&plan);
+}
+
+fn page_of(picture: &[u8], plan: &Plan, watch: &mut dyn FnMut(Event)) -> Page {
+    let fonts = || Arc::new(usvg::fontdb::Database::new());
+    let request = Request { plan, limits: Default::default(), fonts: &fonts, title: "scene", fit: Default::default() };
+    tactograph::convert(picture, &request, watch).expect("a scene can be converted").page
+}
+
+fn verdict(holds: bool) -> &'static str {
+    if holds { "holds" } else { "MISSED" }
+}
+
+fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, plan: &Plan) {
+    println!("Read right, {name} ({} to {})", seeds.start, seeds.end - 1);
+    let mut sums = [Tally::default(); 3];
+    for (kind, kind_name) in KINDS.iter().enumerate() {
+        let mut tallies = [Tally::default(); 3];
+        for seed in seeds.clone() {
+            let scene = scenes::scene(kind, seed, FINE_PX);
+            let page = page_of(&scene.picture, plan, &mut |_| ());
+            let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
+            for (tally, finger) in tallies.iter_mut().zip(FINGERS) {
+                tally.add(&judge::judge(&scene, &page, &ink.felt(finger).expect("there is such a finger")));
+            }
+        }
+        for (sum, tally) in sums.iter_mut().zip(&tallies) {
+            sum.add(tally);
+        }
+        if kinds {
+            let rights = tallies.map(|tally| format!("{:.4}", tally.share(0..5).1)).join(" ");
+            let greys = tallies.map(|tally| format!("{:.4}", tally.share(4..5).1)).join(" ");
+            println!("  {kind_name:<8} all {rights}   grey {greys}");
+        }
+    }
+    for (what, classes, wanted) in [("areas", 0..5, WANTED[0]), ("grey", 4..5, WANTED[1]), ("white", 5..6, WANTED[2])] {
+        let shares = sums.map(|sum| sum.share(classes.clone()));
+        let holds = shares.iter().zip(wanted).all(|((_, share), wanted)| *share >= wanted);
+        let told = shares.map(|(_, share)| format!("{share:.4}")).join(" ");
+        let wanted = wanted.map(|wanted| format!("{wanted}")).join(" ");
+        println!("  {what:<6} {told}   wanted {wanted}   {}   {} places", verdict(holds), shares[0].0);
+    }
+}
+
+fn samples(params: &textures::Params) {
+    println!("Read right, one texture at every density (0, 0.15, 0.3, 1) and lightness 0.88, 0.5, 0.1");
+    let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(80.0, 80.0));
+    for class in Class::ALL {
+        let mut least = [1.0_f32; 3];
+        for (density, lightness) in [0.0, 0.15, 0.3, 1.0].into_iter().flat_map(|d| [0.88, 0.5, 0.1].map(|l| (d, l))) {
+            let page = chart::page_of_sample(class, lightness, density, place, params);
+            let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
+            for (least, finger) in least.iter_mut().zip(FINGERS) {
+                let felt = ink.felt(finger).expect("there is such a finger");
+                *least = least.min(judge::share_of_sample(class, &felt, place));
+            }
+        }
+        let holds = least.iter().zip(WANTED[0]).all(|(share, wanted)| *share >= wanted);
+        println!("  {:<6} least {}   {}", class.name(), least.map(|s| format!("{s:.4}")).join(" "), verdict(holds));
+    }
+}
+
+fn follows_lines(profile: &Profile, seeds: std::ops::Range<u64>) {
+    let mut dense = profile.clone();
+    dense.set("textures.dense_from", "0").expect("a key of the profile");
+    let plans = [profile, &dense].map(|profile| Plan::new(profile).expect("the values make sense"));
+    let mut all = Vec::new();
+    for kind in [1, 2, 3, 5] {
+        for seed in seeds.clone() {
+            let scene = scenes::scene(kind, seed, FINE_PX);
+            let [page, full] = [0, 1].map(|k| page_of(&scene.picture, &plans[k], &mut |_| ()));
+            all.extend(Class::ALL.iter().flat_map(|&class| density::pairs(&page, &full, class)));
+        }
+    }
+    let full = profile.textures.dense_from.max(f32::MIN_POSITIVE);
+    let wanted: Vec<(f32, f32)> = all.iter().map(|(lines, glyphs)| ((lines / full).min(1.0), *glyphs)).collect();
+    let (plain, cut) = (density::correlation(&all), density::correlation(&wanted));
+    println!("Density of glyphs against the map of lines, {} places", all.len());
+    println!(
+        "  correlation {cut:.4} with the map up to dense_from, {plain:.4} with all of it   wanted 0.95   {}",
+        verdict(cut > 0.95)
+    );
+}
+
+fn follows_lightness(params: &textures::Params) {
+    println!("Boldness over 256 lightnesses");
+    for class in Class::ALL {
+        for density in [0.0, 1.0] {
+            let boldness::Boldness { rank, jump, monotone } = boldness::measure(class, density, params);
+            let holds = rank > 0.98 && jump < 0.08 && monotone;
+            println!(
+                "  {:<6} density {density}: rank correlation {rank:.4}, largest jump {:.1} % of full ink, never falls: {monotone}   {}",
+                class.name(),
+                100.0 * jump,
+                verdict(holds)
+            );
+        }
+    }
+}
+
+fn distances(plan: &Plan) {
+    let mut pages = 0;
+    let mut faults = Vec::new();
+    let mut look = |page: &Page| {
+        pages += 1;
+        faults.extend(gaps::faults(page, &plan.textures()));
+    };
+    for kind in 0..KINDS.len() {
+        for seed in 0..200_u64.div_ceil(KINDS.len() as u64) {
+            look(&page_of(&scenes::scene(kind, UNTUNED + seed, QUICK_PX).picture, plan, &mut |_| ()));
+        }
+    }
+    let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+    for entry in std::fs::read_dir(samples).expect("there are samples").flatten() {
+        if entry.path().extension().is_some_and(|ending| ending != "md") {
+            look(&page_of(&std::fs::read(entry.path()).expect("a sample can be read"), plan, &mut |_| ()));
+        }
+    }
+    println!("Gaps and minima: {} violations on {pages} pages   {}", faults.len(), verdict(faults.is_empty()));
+    faults.iter().take(5).for_each(|fault| println!("  {fault}"));
+}
+
+fn time(plan: &Plan) {
+    let mut profile = plan.profile().clone();
+    profile.set("overview", "false").expect("a key of the profile");
+    let plan = Plan::new(&profile).expect("the values make sense");
+    // as high as the sheet, so that the figure takes all of it
+    let scene = scenes::scene(2, 3, FINE_PX);
+    let head = format!("P6 {0} {0} 255\n", scene.side).len();
+    let pixels = &scene.picture[head..];
+    let mut picture = format!("P6 {} {} 255\n", scene.side, scene.side * 3 / 2).into_bytes();
+    picture.extend(pixels.iter().chain(&pixels[..pixels.len() / 2]));
+    let mut least = Duration::MAX;
+    let mut glyphs = 0;
+    for _ in 0..20 {
+        let mut start = Instant::now();
+        let page = page_of(&picture, &plan, &mut |event| match event {
+            Event::Begin(Stage::Textures) => start = Instant::now(),
+            Event::End(Stage::Textures) => least = least.min(start.elapsed()),
+            _ => (),
+        });
+        glyphs = page.figure.textures.iter().map(|texture| texture.glyphs.len()).sum();
+    }
+    let ms = least.as_secs_f64() * 1e3;
+    println!("Texture stage of a full A4 figure ({glyphs} glyphs): {ms:.2} ms   wanted 10   {}", verdict(ms < 10.0));
+}

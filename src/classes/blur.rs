@@ -1,0 +1,267 @@
+//! Averaging colours as the eye does, without staining: the blur stops at contours.
+//!
+//! On the grid of cells, heat-like diffusion does what a Gaussian does: after n steps that each exchange a share `k` over
+//! every border of two cells, a point has spread with sigma = sqrt(2 k n) cells. A border that a contour crosses between
+//! the two cells' centres is shut, so nothing is exchanged there. The cells along a contour are mixed
+//! already (and a drawn outline is itself a colour), so pixels beside contours hardly count: colours are carried as
+//! weighted sums.
+//!
+//! ```text
+//!   blue blue|yell yell      | contour: shut for the exchange
+//!   blue bl..|..ll yell      . pixels beside it: weight near 0, so these cells get their colour from their own side
+//! ```
+//!
+//! All of it is on cells of a millimetre, six steps for the default blur, whatever the size of the picture. Share of the
+//! picture that keeps its own area's class, on drawn maps of twelve areas (`tests/colours/stains.rs`, which prints more):
+//!
+//! | borders of the areas | Gaussian | this | this, borders smoothed |
+//! |---|---|---|---|
+//! | bare | 0.951 | 0.989 | 0.987 |
+//! | black line, 0.6 mm | 0.969 | 0.996 | 0.996 |
+//! | black line, 1.5 mm | 0.988 | 0.990 | 0.999 |
+//! | white line, 1.0 mm | 0.953 | 0.983 | 0.999 |
+//! | soft | 0.950 | 0.986 | 0.985 |
+//! | grainy | 0.949 | 0.988 | 0.986 |
+//!
+//! What is left comes from the cells themselves: one that lies across a border can have one class only.
+
+use pulp::Arch;
+
+use super::hue::encoded;
+use crate::raster::Raster;
+use crate::raster::plane::{Plane, shrink};
+use crate::units::{PxPoint, Size};
+
+/// Share that two cells exchange in a step, at most: above 0.25 a step overshoots.
+const MOST_EXCHANGE: f32 = 0.2;
+
+/// Weight of a pixel beside a contour: where there is nothing else (in a strip between two contours) it must do.
+const BESIDE_WEIGHT: f32 = 0.001;
+
+/// Which borders between cells are open.
+pub(super) struct Borders {
+    size: Size,
+    /// Of each cell to its right neighbour and to the one below, 0 or 1; 0 at the edge of the picture.
+    right: Vec<f32>,
+    below: Vec<f32>,
+}
+
+impl Borders {
+    /// All open.
+    pub(super) fn open(size: Size) -> Self {
+        Self::between(size, |_, _| true)
+    }
+
+    /// Open where `open` says so of two neighbouring cells.
+    pub(super) fn between(size: Size, open: impl Fn(usize, usize) -> bool) -> Self {
+        let (width, height) = (size.width as usize, size.height as usize);
+        let link = |inside: bool, cell: usize, other: usize| if inside && open(cell, other) { 1.0 } else { 0.0 };
+        let right = (0..size.len()).map(|cell| link(cell % width + 1 < width, cell, cell + 1)).collect();
+        let below = (0..size.len()).map(|cell| link(cell / width + 1 < height, cell, cell + width)).collect();
+        Self { size, right, below }
+    }
+
+    /// Shuts every border whose two cells have a contour between their centres. Points are in cells.
+    fn shut(&mut self, contour: impl Iterator<Item = (f32, f32)> + Clone) {
+        let (width, height) = (self.size.width as usize, self.size.height as usize);
+        for ((ax, ay), (bx, by)) in contour.clone().zip(contour.skip(1)) {
+            // A row of centres lies at y = row + 0.5; where the contour crosses it, it parts two cells of that row.
+            crossings(ay, by, |row, share| {
+                for column in between(ax + share * (bx - ax), width).filter(|_| row < height) {
+                    self.right[row * width + column] = 0.0;
+                }
+            });
+            crossings(ax, bx, |column, share| {
+                for row in between(ay + share * (by - ay), height).filter(|_| column < width) {
+                    self.below[row * width + column] = 0.0;
+                }
+            });
+        }
+    }
+
+    /// Whether two neighbouring cells exchange; false for cells that are none.
+    pub(super) fn is_open(&self, cell: usize, other: usize) -> bool {
+        let (first, second) = (cell.min(other), cell.max(other));
+        let links = if second - first == 1 { &self.right } else { &self.below };
+        links[first] > 0.0
+    }
+
+    /// Diffuses planes over the open borders as a Gaussian of `sigma` cells would.
+    pub(super) fn spread(&self, planes: &mut [Vec<f32>], sigma: f32) {
+        if sigma <= 0.0 {
+            return;
+        }
+        let steps = (0.5 * sigma * sigma / MOST_EXCHANGE).ceil();
+        let exchange = 0.5 * sigma * sigma / steps;
+        Arch::new().dispatch(
+            #[inline(always)]
+            || planes.iter_mut().for_each(|plane| (0..steps as usize).for_each(|_| self.step(plane, exchange))),
+        );
+    }
+
+    /// One exchange of all neighbours at once; rows are updated as soon as the row below knows what it gets from them.
+    #[inline(always)]
+    fn step(&self, plane: &mut [f32], exchange: f32) {
+        let width = self.size.width as usize;
+        // What flows in from the left of each cell, and out of the last one: nothing at both ends.
+        let mut along = vec![0.0; width + 1];
+        let (mut from_above, mut down) = (vec![0.0; width], vec![0.0; width]);
+        for start in (0..plane.len()).step_by(width) {
+            let (row, next) = plane[start..].split_at_mut(width);
+            let (right, below) = (&self.right[start..][..width], &self.below[start..][..width]);
+            for (i, flow) in along[1..width].iter_mut().enumerate() {
+                *flow = exchange * right[i] * (row[i + 1] - row[i]);
+            }
+            if next.is_empty() {
+                down.fill(0.0);
+            } else {
+                let next = &next[..width];
+                for i in 0..width {
+                    down[i] = exchange * below[i] * (next[i] - row[i]);
+                }
+            }
+            for i in 0..width {
+                row[i] += (along[i + 1] - along[i]) + (down[i] - from_above[i]);
+            }
+            std::mem::swap(&mut from_above, &mut down);
+        }
+    }
+}
+
+/// Calls `cross` for every centre line at a whole number and a half between two values, with the number and how far on the
+/// way from `a` to `b` it is.
+fn crossings(a: f32, b: f32, mut cross: impl FnMut(usize, f32)) {
+    let (low, high) = (a.min(b), a.max(b));
+    let mut line = (low - 0.5).ceil().max(0.0);
+    // Half open, so that a contour through two segments' common point crosses once.
+    while line + 0.5 < high {
+        cross(line as usize, (line + 0.5 - a) / (b - a));
+        line += 1.0;
+    }
+}
+
+/// The cell of `count` in a row that lies before a place, with its centre at a half, if there is one behind it as well. A
+/// place exactly on a centre is parted from both sides, so that a mirrored picture has the mirrored borders.
+fn between(at: f32, count: usize) -> impl Iterator<Item = usize> {
+    let (low, high) = ((at - 0.5).ceil() - 1.0, (at - 0.5).floor());
+    let inside = move |cell: &f32| *cell >= 0.0 && *cell + 1.0 < count as f32;
+    [Some(low), (high > low).then_some(high)].into_iter().flatten().filter(inside).map(|cell| cell as usize)
+}
+
+/// A picture on its grid of cells.
+pub(super) struct Cells {
+    pub(super) size: Size,
+    /// Blurred, in linear light, as the raster's planes.
+    pub(super) planes: Vec<Vec<f32>>,
+    /// Share of each cell that does not lie beside a contour; never 0.
+    pub(super) weight: Vec<f32>,
+    /// Shut where contours are.
+    pub(super) borders: Borders,
+}
+
+impl Cells {
+    /// The colour of a cell as sRGB values 0..=1, all three alike in a grey picture.
+    pub(super) fn colour(&self, cell: usize) -> [f32; 3] {
+        let value = |plane: &Vec<f32>| encoded(plane[cell]);
+        match &self.planes[..] {
+            [red, green, blue] => [red, green, blue].map(value),
+            planes => [value(&planes[0]); 3],
+        }
+    }
+}
+
+/// Averages the picture over cells and blurs it with `sigma` (cells), neither across `contours`. Pixels nearer to a contour than
+/// `beside` px hardly count.
+pub(super) fn average(raster: &Raster, contours: &[Vec<PxPoint>], size: Size, sigma: f32, beside: f32) -> Cells {
+    let from = raster.size();
+    let mut borders = Borders::open(size);
+    if contours.is_empty() {
+        let mut planes: Vec<_> = raster.planes().iter().map(|plane| shrink(plane, from, size).values).collect();
+        borders.spread(&mut planes, sigma);
+        return Cells { size, planes, weight: vec![1.0; size.len()], borders };
+    }
+    let (sx, sy) = (size.width as f32 / from.width as f32, size.height as f32 / from.height as f32);
+    for contour in contours {
+        borders.shut(contour.iter().map(|at| (at.x * sx, at.y * sy)));
+    }
+    let clear = clear_of(contours, from, beside);
+    let weight = shrink(&clear, from, size).values;
+    let weighted = |plane: &Vec<f32>| {
+        let values: Vec<f32> = plane.iter().zip(&clear).map(|(value, clear)| value * clear).collect();
+        shrink(&values, from, size).values
+    };
+    let mut planes: Vec<Vec<f32>> = raster.planes().iter().map(weighted).collect();
+    let mut total = [weight.clone()];
+    borders.spread(&mut planes, sigma);
+    borders.spread(&mut total, sigma);
+    for plane in &mut planes {
+        plane.iter_mut().zip(&total[0]).for_each(|(value, weight)| *value /= weight);
+    }
+    Cells { size, planes, weight, borders }
+}
+
+/// 1 for every pixel whose centre is `beside` px or more away from all contours' points, else [`BESIDE_WEIGHT`].
+fn clear_of(contours: &[Vec<PxPoint>], size: Size, beside: f32) -> Vec<f32> {
+    let mut clear = Plane::filled(size, 1.0).values;
+    let pixels = |at: f32, most: u32| {
+        let first = (at - beside - 0.5).ceil().max(0.0) as usize;
+        let last = (at + beside - 0.5).floor().min(most as f32 - 1.0);
+        first..(last + 1.0).max(0.0) as usize
+    };
+    for at in contours.iter().flatten() {
+        for y in pixels(at.y, size.height) {
+            let dy = y as f32 + 0.5 - at.y;
+            for x in pixels(at.x, size.width) {
+                let dx = x as f32 + 0.5 - at.x;
+                if dx * dx + dy * dy < beside * beside {
+                    clear[y * size.width as usize + x] = BESIDE_WEIGHT;
+                }
+            }
+        }
+    }
+    clear
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn open_diffusion_is_a_gaussian() {
+        let size = Size::new(41, 41);
+        let mut point = vec![0.0; size.len()];
+        point[20 * 41 + 20] = 1.0;
+        let gaussian = Plane { size, values: point.clone() }.blurred(1.5).values;
+        let mut planes = [point];
+        Borders::open(size).spread(&mut planes, 1.5);
+        let [spread] = planes;
+        assert!((spread.iter().sum::<f32>() - 1.0).abs() < 1e-4);
+        let variance: f32 = spread.iter().enumerate().map(|(i, v)| v * ((i % 41) as f32 - 20.0).powi(2)).sum();
+        assert!((variance - 2.25).abs() < 0.01, "{variance}");
+        let most = spread.iter().zip(&gaussian).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        assert!(most < 0.01, "{most} off, the peak is {}", gaussian[20 * 41 + 20]);
+    }
+
+    /// A slanted contour from edge to edge: what is poured in on one side stays there.
+    #[test]
+    fn nothing_leaks_through_a_contour() {
+        let size = Size::new(30, 20);
+        for (from, to) in [((7.3, -1.0), (21.9, 21.0)), ((-1.0, 6.0), (31.0, 11.7)), ((14.1, -1.0), (14.1, 21.0))] {
+            let mut borders = Borders::open(size);
+            let steps = 37;
+            let at = |i: i32| {
+                let share = i as f32 / steps as f32;
+                (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
+            };
+            borders.shut((0..=steps).map(at));
+            let side = |cell: usize| {
+                let (x, y) = ((cell % 30) as f32 + 0.5, (cell / 30) as f32 + 0.5);
+                (to.0 - from.0) * (y - from.1) - (to.1 - from.1) * (x - from.0) > 1e-3
+            };
+            let mut planes = [(0..size.len()).map(|cell| f32::from(u8::from(side(cell)))).collect::<Vec<f32>>()];
+            let before = planes[0].clone();
+            borders.spread(&mut planes, 6.0);
+            assert!(planes[0] == before, "{from:?} to {to:?}");
+        }
+    }
+}

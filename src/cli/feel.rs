@@ -1,0 +1,62 @@
+//! `tactograph feel`: a page in, what a fingertip feels of it out.
+
+use tactograph::touch::{self, Ink, Report as Felt};
+
+use super::args::Feel;
+use super::report::Report;
+use super::{Exit, input, output, places};
+
+/// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
+const MOST_BYTES: u64 = 100_000_000;
+
+/// Feels one page and tells what is felt.
+pub(super) fn run(args: &Feel) -> Exit {
+    let report = Report::plain();
+    if let Some(path) = &args.output {
+        let is_png = path.extension().is_none_or(|ending| ending.eq_ignore_ascii_case("png"));
+        if !is_png || places::is_std(path) {
+            let instead = if is_png { "felt.png".into() } else { path.with_extension("png").display().to_string() };
+            report.usage(&format!("{}: a map is written only to a .png file; name it {instead}", path.display()));
+            return Exit::Usage;
+        }
+    }
+    let page = places::picture_name(&args.page);
+    match feel(args) {
+        Ok((text, map)) => {
+            if let Err(error) = output::to_stdout(text.as_bytes(), "report") {
+                report.error("standard output", &format!("{error:#}"));
+                return Exit::Failed;
+            }
+            let Some((path, map)) = args.output.as_ref().zip(map) else { return Exit::Done };
+            match output::to_file(path, &map, "map") {
+                Ok(()) => {
+                    report.done(&format!("{page}: wrote {}", path.display()));
+                    Exit::Done
+                }
+                Err(error) => {
+                    report.error(&path.display().to_string(), &format!("{error:#}"));
+                    Exit::Failed
+                }
+            }
+        }
+        Err(error) => {
+            report.error(&page, &format!("{error:#}"));
+            Exit::Failed
+        }
+    }
+}
+
+/// The report, and the map if it is wanted.
+fn feel(args: &Feel) -> anyhow::Result<(String, Option<Vec<u8>>)> {
+    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
+    let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| touch::Error::NotSvg("it is not text in UTF-8, but perhaps a picture".to_owned()))?;
+    let ink = Ink::of(&text)?;
+    let felt = ink.felt(args.finger)?;
+    let map = match &args.output {
+        None => None,
+        Some(_) => Some(touch::map::png(&ink, &felt).ok_or_else(|| anyhow::anyhow!("there is no memory for the map"))?),
+    };
+    Ok((Felt::of(&ink, &felt).to_string(), map))
+}

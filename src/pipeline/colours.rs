@@ -1,0 +1,38 @@
+//! The way from bytes to sorted colours: as for a page, but no further.
+
+use super::{Event, Request, Stage, find_edges, run, sort_colours, working_size};
+use crate::Error;
+use crate::classes::{self, Classes};
+use crate::profile::Plan;
+use crate::raster::decode::{self, Options, Source};
+use crate::units::MmRect;
+
+/// The colours of a picture, sorted.
+#[derive(Debug, Clone)]
+pub struct Sorted {
+    /// The classes on their grid of cells; `None` if the profile wants no textures.
+    pub classes: Option<Classes>,
+    /// Where the grid lies on the sheet.
+    pub place: MmRect,
+}
+
+/// Sorts the colours of a picture as [`super::convert`] does for its textures.
+///
+/// # Errors
+/// As [`super::convert`]; see [`Error`].
+pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Sorted, Error> {
+    let plan = request.plan;
+    let fit = &request.fit;
+    let working_size = |source: Source| working_size(source, fit, plan);
+    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
+    let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
+    let layout = fit.layout(picture.source.size, plan)?;
+    let edges = find_edges(&picture.raster, picture.raster.is_flat(), &layout, plan, watch);
+    let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
+    Ok(Sorted { classes, place: layout.figure })
+}
+
+/// How a plan sorts single colours, for [`classes::class_of`]; lengths do not matter there.
+pub fn params(plan: &Plan) -> classes::Params {
+    plan.classes(plan.profile().figure.resolution)
+}

@@ -1,0 +1,125 @@
+//! Which class is told by which sign.
+
+use crate::classes::Class;
+
+/// Two rows of rhombuses whose directions are nearer than this, degrees, cannot be told apart. Chosen by us: the paper's four
+/// directions are 45 degrees apart; five classes of rhombuses, evenly spread, would be 36 apart.
+pub const LEAST_ANGLE: f32 = 30.0;
+
+/// What a class is told by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sign {
+    /// Rows of rhombuses that lie along the rows.
+    Rhombus {
+        /// Direction of the rows: degrees counter-clockwise from the x axis as a reader sees the page, from 0 to below 180.
+        degrees: f32,
+    },
+    /// Dots on a lattice without a direction.
+    Dot,
+}
+
+impl Sign {
+    /// Whether a finger can tell the two apart.
+    pub fn differs_from(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Rhombus { degrees: a }, Self::Rhombus { degrees: b }) => {
+                let apart = (a - b).rem_euclid(180.0);
+                apart.min(180.0 - apart) >= LEAST_ANGLE
+            }
+            (Self::Dot, Self::Dot) => false,
+            _ => true,
+        }
+    }
+}
+
+/// As profiles and pages write it: `rhombus 45`, `dot`.
+impl std::fmt::Display for Sign {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Rhombus { degrees } => write!(f, "rhombus {degrees}"),
+            Self::Dot => f.write_str("dot"),
+        }
+    }
+}
+
+impl std::str::FromStr for Sign {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let mut words = text.split_whitespace();
+        let sign = match (words.next(), words.next().map(str::parse::<f32>)) {
+            (Some("dot"), None) => Self::Dot,
+            // Adding nothing turns minus zero, which is written oddly, into zero.
+            (Some("rhombus"), Some(Ok(degrees))) if (0.0..180.0).contains(&degrees) => {
+                Self::Rhombus { degrees: degrees + 0.0 }
+            }
+            _ => return Err(()),
+        };
+        if words.next().is_none() { Ok(sign) } else { Err(()) }
+    }
+}
+
+/// The signs of all classes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Palette {
+    /// In the order of [`Class::ALL`].
+    pub signs: [Sign; 5],
+}
+
+impl Palette {
+    /// The paper's, with its reasons: water lies flat; `/` is the sweep of the right hand, calm as green; then on round the
+    /// colour wheel; grey has no direction, by contrast.
+    pub const PAPER: Self = Self {
+        signs: [
+            Sign::Rhombus { degrees: 0.0 },
+            Sign::Rhombus { degrees: 45.0 },
+            Sign::Rhombus { degrees: 90.0 },
+            Sign::Rhombus { degrees: 135.0 },
+            Sign::Dot,
+        ],
+    };
+
+    /// The sign of a class.
+    pub fn sign(&self, class: Class) -> Sign {
+        let [blue, green, yellow, red, grey] = self.signs;
+        match class {
+            Class::Blue => blue,
+            Class::Green => green,
+            Class::Yellow => yellow,
+            Class::Red => red,
+            Class::Grey => grey,
+        }
+    }
+
+    /// The direction of a class's rows, degrees; none for dots.
+    pub fn degrees(&self, class: Class) -> Option<f32> {
+        match self.sign(class) {
+            Sign::Rhombus { degrees } => Some(degrees),
+            Sign::Dot => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_read_back_as_they_are_written() {
+        for text in ["dot", "rhombus 0", "rhombus 22.5", "rhombus 135"] {
+            assert_eq!(text.parse::<Sign>().map(|sign| sign.to_string()), Ok(text.to_owned()));
+        }
+        for text in ["", "dots", "dot 1", "rhombus", "rhombus 180", "rhombus -1", "rhombus NaN", "rhombus 1 2", "45"] {
+            assert_eq!(text.parse::<Sign>(), Err(()), "{text}");
+        }
+    }
+
+    #[test]
+    fn near_directions_are_alike_across_the_horizontal() {
+        let rhombus = |degrees| Sign::Rhombus { degrees };
+        assert!(!rhombus(170.0).differs_from(rhombus(10.0)) && rhombus(170.0).differs_from(rhombus(20.0)));
+        assert!(!Sign::Dot.differs_from(Sign::Dot) && Sign::Dot.differs_from(rhombus(0.0)));
+        let signs = Palette::PAPER.signs;
+        assert!((0..5).all(|i| (0..i).all(|j| signs[i].differs_from(signs[j]))));
+    }
+}

@@ -1,0 +1,91 @@
+//! Glyphs keep inside their own region, and regions from one another, whatever the regions look like.
+
+use super::{Params, Shape, fill, tests_support::PARAMS};
+use crate::classes::{Class, Classes, Region};
+use crate::lines::{Line, Run};
+use crate::raster::plane::Plane;
+use crate::units::{MmPoint, MmRect, Size};
+use proptest::prelude::*;
+
+const CELLS: u32 = 60;
+
+/// Areas round `seats`, each of a class, or blank from 5 on.
+fn areas(seats: &[(f32, f32, u8)], lightness: f32) -> Classes {
+    let size = Size::new(CELLS, CELLS);
+    let nearest = |i: u32| {
+        let (x, y) = ((i % CELLS) as f32, (i / CELLS) as f32);
+        let far = |seat: &(f32, f32, u8)| (seat.0 - x).hypot(seat.1 - y);
+        (0..seats.len()).min_by(|a, b| far(&seats[*a]).total_cmp(&far(&seats[*b]))).unwrap_or(0)
+    };
+    let owners: Vec<usize> = (0..CELLS * CELLS).map(nearest).collect();
+    let with_texture: Vec<usize> = (0..seats.len()).filter(|&seat| seats[seat].2 < 5).collect();
+    let number = |seat: usize| with_texture.iter().position(|other| *other == seat).map(|number| number as u32);
+    let region: Vec<Option<u32>> = owners.iter().map(|&seat| number(seat)).collect();
+    let of = |seat: &usize| Region {
+        class: Class::ALL[usize::from(seats[*seat].2)],
+        colour: [0; 3],
+        cells: owners.iter().filter(|owner| *owner == seat).count() as u32,
+    };
+    let regions = with_texture.iter().map(of).collect();
+    Classes { size, region, regions, lightness: Plane::filled(size, lightness), fringe: Vec::new() }
+}
+
+/// Places on the outline of a glyph.
+fn outline(shape: Shape, corners: [MmPoint; 4], at: MmPoint) -> Vec<MmPoint> {
+    match shape {
+        Shape::Dot { diameter } => (0..24)
+            .map(|k| {
+                let (sin, cos) = (k as f32 / 24.0 * std::f32::consts::TAU).sin_cos();
+                MmPoint::new(at.x + 0.5 * diameter * cos, at.y + 0.5 * diameter * sin)
+            })
+            .collect(),
+        Shape::Rhombus { .. } => {
+            (0..24).map(|k| corners[k / 6].lerp(corners[(k / 6 + 1) % 4], (k % 6) as f32 / 6.0)).collect()
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn no_glyph_crosses_a_border(
+        seats in prop::collection::vec((0.0_f32..60.0, 0.0_f32..60.0, 0_u8..6), 2..12),
+        lightness in 0.1_f32..0.9,
+        side in 40.0_f32..150.0,
+        way in (0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0),
+    ) {
+        let classes = areas(&seats, lightness);
+        let area = MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(20.0 + side, 30.0 + side));
+        let place = |x: f32, y: f32| MmPoint::new(20.0 + x * side, 30.0 + y * side);
+        let points = vec![place(way.0, way.1), place(way.2, way.3)];
+        let line = Line { strength: 30.0, runs: vec![Run { width: 1.0, points }] };
+        let textures = fill(&classes, area, &[line], &PARAMS);
+        let region_at = |at: MmPoint| {
+            let cell = |value: f32| (value / side * CELLS as f32).floor() as usize;
+            classes.region[cell(at.y - 30.0).min(59) * CELLS as usize + cell(at.x - 20.0).min(59)]
+        };
+        let Params { min_glyph, .. } = PARAMS;
+        let mut all: Vec<(u32, Vec<MmPoint>)> = Vec::new();
+        for texture in &textures {
+            for glyph in &texture.glyphs {
+                let region = region_at(glyph.at);
+                let own = region.map(|number| classes.regions[number as usize].class);
+                prop_assert_eq!(own, Some(texture.class));
+                let outline = outline(glyph.shape, glyph.corners(), glyph.at);
+                for at in &outline {
+                    prop_assert!(area.contains_inclusive(*at), "{:?} leaves the picture", glyph);
+                    prop_assert_eq!(region_at(*at), region, "{:?} crosses a border", glyph);
+                }
+                for (other, places) in &all {
+                    if Some(*other) != region {
+                        let near = places.iter().flat_map(|p| outline.iter().map(move |q| (*p - *q).length()));
+                        let least = near.fold(f32::MAX, f32::min);
+                        prop_assert!(least >= min_glyph - 1e-3, "{:?} is {} mm from another region's", glyph, least);
+                    }
+                }
+                all.push((region.unwrap_or(u32::MAX), outline));
+            }
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The ink of a page, drawn by resvg from its SVG: textures class by class, and lines.
+//!
+//! Nothing is known of a page but what is drawn on it and the ids of its layers, so pages that somebody changed in an editor
+//! are felt as they are: what is hidden, moved or turned there is so here.
+
+use resvg::tiny_skia::{Color, Pixmap, Transform};
+use usvg::roxmltree::{Document, Node};
+use usvg::{ImageHrefResolver, Tree};
+
+use super::Error;
+use super::measure::PX_PER_MM;
+use crate::page::Class;
+use crate::raster::decode::checked_document;
+use crate::raster::plane::Plane;
+use crate::units::{MmPoint, MmRect, Size};
+
+/// Id of the figure's group and of its lines.
+const FIGURE: &str = "figure";
+const LINES: &str = "lines";
+
+/// Millimetres of a CSS pixel.
+const MM_PER_PX: f32 = 25.4 / 96.0;
+
+/// Blank around all ink, mm: wider than the fingertip and the window reach in earnest, so that the border is felt as one.
+const MARGIN: f32 = 8.0;
+
+/// Longest side that is felt, mm: a little more than A2. Ink takes 64 pixels a square millimetre.
+const LONGEST: f32 = 700.0;
+
+/// Elements that draw nothing where they stand but are used by what does.
+const RESOURCES: &[&str] =
+    &["defs", "style", "clipPath", "mask", "linearGradient", "radialGradient", "pattern", "symbol", "marker", "filter"];
+
+/// The ink of a page's figure.
+#[derive(Debug, Clone)]
+pub struct Ink {
+    /// The part of the sheet that is looked at: whole millimetres, with blank around all ink.
+    pub area: MmRect,
+    /// For each class with a texture on the page its ink, 0 white and 1 black, at [`PX_PER_MM`].
+    pub textures: Vec<(Class, Plane)>,
+    /// The ink of the figure's lines.
+    pub lines: Plane,
+}
+
+impl Ink {
+    /// Draws the figure of a page.
+    ///
+    /// # Errors
+    /// If the text is no SVG, or has no group with the id of a figure or a texture, or is too large.
+    pub fn of(svg: &str) -> Result<Self, Error> {
+        let document = checked_document(svg).map_err(Error::NotSvg)?;
+        let names: Vec<(Class, String)> = Class::ALL.map(|class| (class, format!("texture-{}", class.name()))).into();
+        let on_page = |id: &str| document.descendants().any(|node| node.attribute("id") == Some(id));
+        let present: Vec<&(Class, String)> = names.iter().filter(|(_, id)| on_page(id)).collect();
+        if present.is_empty() && !on_page(FIGURE) {
+            return Err(Error::NotAPage);
+        }
+        let lines = tree(&only(svg, &document, LINES))?;
+        let trees = present
+            .iter()
+            .map(|(class, id)| Ok((*class, tree(&only(svg, &document, id))?)))
+            .collect::<Result<Vec<_>, Error>>()?;
+        let area = area(trees.iter().map(|(_, tree)| tree).chain([&lines]))?;
+        let textures = trees.iter().map(|(class, tree)| Ok((*class, draw(tree, area)?)));
+        Ok(Self { area, textures: textures.collect::<Result<_, Error>>()?, lines: draw(&lines, area)? })
+    }
+
+    /// The ink of all textures together.
+    pub(super) fn all_textures(&self) -> Plane {
+        let mut all = Plane::filled(self.lines.size, 0.0);
+        for (_, plane) in &self.textures {
+            all.values.iter_mut().zip(&plane.values).for_each(|(sum, ink)| *sum = (*sum + ink).min(1.0));
+        }
+        all
+    }
+}
+
+/// The document without what is not in the group `id`. Groups around it stay, for they may move, hide or clip it.
+fn only(svg: &str, document: &Document<'_>, id: &str) -> String {
+    let is_kept = |node: &Node<'_, '_>| node.attribute("id") == Some(id);
+    let mut cuts = Vec::new();
+    let mut open = vec![document.root_element()];
+    while let Some(node) = open.pop() {
+        for child in node.children().filter(Node::is_element) {
+            if is_kept(&child) || RESOURCES.contains(&child.tag_name().name()) {
+                continue;
+            }
+            if child.descendants().any(|below| is_kept(&below)) {
+                open.push(child);
+            } else {
+                cuts.push(child.range());
+            }
+        }
+    }
+    cuts.sort_by_key(|cut| cut.start);
+    let mut text = String::with_capacity(svg.len());
+    let mut at = 0;
+    for cut in cuts {
+        text.push_str(&svg[at..cut.start]);
+        at = cut.end;
+    }
+    text.push_str(&svg[at..]);
+    text
+}
+
+fn tree(svg: &str) -> Result<Tree, Error> {
+    let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
+    let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
+    Tree::from_str(svg, &options).map_err(|fault| Error::NotSvg(fault.to_string().replace(['\n', '\r'], " ")))
+}
+
+/// All ink of the trees with blank around it; the sheet where there is none.
+fn area<'a>(trees: impl Iterator<Item = &'a Tree>) -> Result<MmRect, Error> {
+    let mut all: Option<MmRect> = None;
+    let mut sheet = MmRect::zero();
+    for tree in trees {
+        sheet = MmRect::new(MmPoint::zero(), MmPoint::new(tree.size().width(), tree.size().height()) * MM_PER_PX);
+        if tree.root().has_children() {
+            let ink = tree.root().abs_stroke_bounding_box();
+            let (low, high) = (MmPoint::new(ink.left(), ink.top()), MmPoint::new(ink.right(), ink.bottom()));
+            let ink = MmRect::new(low * MM_PER_PX, high * MM_PER_PX);
+            all = Some(all.map_or(ink, |all| all.union(&ink)));
+        }
+    }
+    let area = all.map_or(sheet, |all| all.inflate(MARGIN, MARGIN).round_out());
+    let sides = [area.width().ceil().max(1.0), area.height().ceil().max(1.0)];
+    if sides.iter().any(|side| !(side.is_finite() && *side <= LONGEST)) {
+        return Err(Error::TooLarge { width: sides[0], height: sides[1], longest: LONGEST });
+    }
+    Ok(MmRect::new(area.min, area.min + crate::units::MmVector::new(sides[0], sides[1])))
+}
+
+/// Darkness of what a tree draws in `area` over white.
+fn draw(tree: &Tree, area: MmRect) -> Result<Plane, Error> {
+    let pixels = |mm: f32| mm as u32 * PX_PER_MM;
+    let size = Size::new(pixels(area.width()), pixels(area.height()));
+    let mut plane = Plane::filled(size, 0.0);
+    if !tree.root().has_children() {
+        return Ok(plane);
+    }
+    let too_large = || Error::TooLarge { width: area.width(), height: area.height(), longest: LONGEST };
+    let mut canvas = Pixmap::new(size.width, size.height).ok_or_else(too_large)?;
+    canvas.fill(Color::WHITE);
+    let per_px = PX_PER_MM as f32 * MM_PER_PX;
+    let corner = area.min * PX_PER_MM as f32;
+    resvg::render(tree, Transform::from_row(per_px, 0.0, 0.0, per_px, -corner.x, -corner.y), &mut canvas.as_mut());
+    for (ink, pixel) in plane.values.iter_mut().zip(canvas.pixels()) {
+        let light = u16::from(pixel.red()) + u16::from(pixel.green()) + u16::from(pixel.blue());
+        *ink = 1.0 - f32::from(light) / 765.0;
+    }
+    Ok(plane)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="80mm" viewBox="0 0 100 80">
+        <rect id="background" width="100" height="80" fill="#000"/>
+        <g id="figure" transform="translate(10 0)">
+          <g id="textures"><g id="texture-red"><path d="M20,20h10v4h-10z"/></g>
+            <g id="texture-blue" style="display:none"><path d="M60,20h2v2h-2z"/></g></g>
+          <g id="lines" stroke="#000"><path d="M20,60h30" stroke-width="2"/></g>
+        </g></svg>"##;
+
+    #[test]
+    fn ink_is_where_the_page_has_it_with_all_that_an_editor_did() {
+        let ink = Ink::of(PAGE).expect("this is a page");
+        assert_eq!(ink.area, MmRect::new(MmPoint::new(22.0, 12.0), MmPoint::new(68.0, 69.0)));
+        let total = |plane: &Plane| plane.values.iter().sum::<f32>() / (PX_PER_MM * PX_PER_MM) as f32;
+        let of = |class| ink.textures.iter().find(|(c, _)| *c == class).map(|(_, plane)| total(plane));
+        assert!((of(Class::Red).expect("there is red") - 40.0).abs() < 0.1);
+        assert_eq!(of(Class::Blue), Some(0.0), "a hidden layer has no ink");
+        assert_eq!(of(Class::Grey), None);
+        assert!((total(&ink.lines) - 60.0).abs() < 0.1);
+        let at =
+            |x: f32, y: f32| ((y - 12.0) * 8.0) as usize * ink.lines.size.width as usize + ((x - 22.0) * 8.0) as usize;
+        assert!(ink.textures[0].1.values[at(35.0, 22.0)] > 0.99, "the group around the figure moves it");
+    }
+
+    #[test]
+    fn what_is_no_page_is_refused_in_one_line() {
+        for (text, want) in [
+            ("hello", "not an SVG"),
+            ("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>", "figure"),
+            (
+                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><g id='figure'><g id='lines'><path d='M0,0h9999' stroke='#000'/></g></g></svg>",
+                "mm",
+            ),
+        ] {
+            let told = Ink::of(text).expect_err("this is no page").to_string();
+            assert!(told.contains(want) && !told.contains('\n'), "{told}");
+        }
+    }
+}

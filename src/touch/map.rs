@@ -1,0 +1,229 @@
+//! What is felt, as a picture: the pattern and the name of the class that is felt, place by place.
+//!
+//! Colours help who sees them; the patterns and the words say the same without. Places that are too near to a border or a line to
+//! be judged are pale. Where something else is felt than is meant, crosses lie over the pattern and the name says what it
+//! should be; where it could be either, rings.
+
+use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
+
+use super::letters;
+use super::{CELLS_PER_MM, Felt, Ink, Place, distances};
+use crate::page::Class;
+use crate::units::Size;
+
+/// Resolution of the map.
+const PX_PER_MM: u32 = 4;
+/// Height of the letters, px.
+const LETTERS: f32 = 13.0;
+/// Period of the patterns, px: lines 3 mm apart.
+const PERIOD: f32 = 12.0;
+/// An area gets a name if a place in it is this far from its border, in cells of half a millimetre.
+const ROOM_FOR_NAME: f32 = 7.0;
+/// Samples of the legend, px.
+const SAMPLE: u32 = 30;
+const COLUMN: u32 = 190;
+const ROW: u32 = 44;
+
+/// All words that a map may have.
+#[cfg(test)]
+pub(super) const WORDS: [&str; 10] =
+    ["BLUE", "GREEN", "YELLOW", "RED", "GREY", "BLANK", "WRONG", "UNCLEAR", "NOT JUDGED", "NOT"];
+
+/// How a place looks on the map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Look {
+    felt: Option<Class>,
+    mark: Mark,
+    pale: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mark {
+    None,
+    Wrong,
+    Unclear,
+}
+
+/// Draws the map as a PNG file; `None` if there is no memory for it.
+pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
+    let cells = felt.size;
+    let per_cell = PX_PER_MM / CELLS_PER_MM;
+    let size = Size::new(cells.width * per_cell, cells.height * per_cell);
+    let legend = legend();
+    let columns = (size.width / COLUMN).clamp(1, legend.len() as u32);
+    let legend_rows = (legend.len() as u32).div_ceil(columns);
+    let width = size.width.max(COLUMN);
+    let mut canvas = Pixmap::new(width, size.height + legend_rows * ROW + 10)?;
+    canvas.fill(resvg::tiny_skia::Color::WHITE);
+
+    let lines = ink.lines.shrunk(size);
+    for y in 0..size.height {
+        for x in 0..size.width {
+            let place = &felt.places[(y / per_cell * cells.width + x / per_cell) as usize];
+            let line = lines.values[(y * size.width + x) as usize];
+            let shown = look(place).map_or([255.0; 3], |look| colour(look, x as f32 + 0.5, y as f32 + 0.5));
+            set(&mut canvas, x, y, shown.map(|value| value * (1.0 - line) + 40.0 * line));
+        }
+    }
+    for (name, x, y) in names(felt) {
+        let at = (x as f32 * per_cell as f32, y as f32 * per_cell as f32);
+        name.iter().enumerate().for_each(|(row, word)| {
+            let down = (row as f32 - 0.5 * (name.len() - 1) as f32) * 1.8 * LETTERS;
+            letters::write(&mut canvas, word, (at.0, at.1 + down), LETTERS);
+        });
+    }
+    for (number, (word, look)) in legend.into_iter().enumerate() {
+        let (left, top) = (number as u32 % columns * COLUMN + 8, size.height + 10 + number as u32 / columns * ROW);
+        for (x, y) in (0..SAMPLE * SAMPLE).map(|k| (left + k % SAMPLE, top + k / SAMPLE)) {
+            let edge = [left, left + SAMPLE - 1].contains(&x) || [top, top + SAMPLE - 1].contains(&y);
+            let shown = if edge { [40.0; 3] } else { colour(look, x as f32 + 0.5, y as f32 + 0.5) };
+            set(&mut canvas, x, y, shown);
+        }
+        let middle = (SAMPLE + 10) as f32 + 0.5 * letters::width(word, LETTERS);
+        letters::write(&mut canvas, word, (left as f32 + middle, (top + SAMPLE / 2) as f32), LETTERS);
+    }
+    canvas.encode_png().ok()
+}
+
+/// A place without texture is left blank.
+fn look(place: &Place) -> Option<Look> {
+    let meant = place.meant?;
+    let mark = match () {
+        () if !place.judged => Mark::None,
+        () if !place.clear => Mark::Unclear,
+        () if place.felt != Some(meant) => Mark::Wrong,
+        () => Mark::None,
+    };
+    Some(Look { felt: place.felt, mark, pale: !place.judged })
+}
+
+fn legend() -> Vec<(&'static str, Look)> {
+    let plain = |felt| Look { felt, mark: Mark::None, pale: false };
+    let mut legend: Vec<_> = Class::ALL.iter().map(|&class| (word(Some(class)), plain(Some(class)))).collect();
+    legend.push(("WRONG", Look { mark: Mark::Wrong, ..plain(None) }));
+    legend.push(("UNCLEAR", Look { mark: Mark::Unclear, ..plain(None) }));
+    legend.push(("NOT JUDGED", Look { pale: true, ..plain(Some(Class::Blue)) }));
+    legend
+}
+
+fn word(class: Option<Class>) -> &'static str {
+    match class {
+        Some(Class::Blue) => "BLUE",
+        Some(Class::Green) => "GREEN",
+        Some(Class::Yellow) => "YELLOW",
+        Some(Class::Red) => "RED",
+        Some(Class::Grey) => "GREY",
+        None => "BLANK",
+    }
+}
+
+/// The colour of a pixel, 0..=255: the class's own, darker where its pattern is.
+fn colour(look: Look, x: f32, y: f32) -> [f32; 3] {
+    // Colours that people with any kind of colour sight tell apart: M. Okabe and K. Ito, Color universal design, 2008.
+    let (own, across) = match look.felt {
+        Some(Class::Blue) => ([86.0, 180.0, 233.0], Some(y)),
+        Some(Class::Green) => ([0.0, 158.0, 115.0], Some((x + y) * std::f32::consts::FRAC_1_SQRT_2)),
+        Some(Class::Yellow) => ([240.0, 228.0, 66.0], Some(x)),
+        Some(Class::Red) => ([213.0, 94.0, 0.0], Some((x - y) * std::f32::consts::FRAC_1_SQRT_2)),
+        Some(Class::Grey) => ([190.0; 3], None),
+        None => ([255.0; 3], Some(f32::MAX)),
+    };
+    let off = |value: f32| (value.rem_euclid(PERIOD) - 0.5 * PERIOD).abs();
+    let from_dot = off(x).hypot(off(y));
+    let on_pattern = match across {
+        Some(f32::MAX) => false,
+        Some(across) => off(across) < 1.3,
+        None => from_dot < 2.2,
+    };
+    let own = if on_pattern { own.map(|value| 0.35 * value) } else { own.map(|value| 0.5 * value + 127.5) };
+    let own = if look.pale { own.map(|value| 0.35 * value + 0.65 * 255.0) } else { own };
+    let marked = match look.mark {
+        Mark::None => false,
+        Mark::Wrong => (off(x) - off(y)).abs() < 1.3 && off(x) < 4.5,
+        Mark::Unclear => (from_dot - 4.0).abs() < 1.0,
+    };
+    if marked { [0.0; 3] } else { own }
+}
+
+fn set(canvas: &mut Pixmap, x: u32, y: u32, colour: [f32; 3]) {
+    let [red, green, blue] = colour.map(|value| value.round().clamp(0.0, 255.0) as u8);
+    let at = (y * canvas.width() + x) as usize;
+    if let (Some(pixel), Some(colour)) =
+        (canvas.pixels_mut().get_mut(at), PremultipliedColorU8::from_rgba(red, green, blue, 255))
+    {
+        *pixel = colour;
+    }
+}
+
+/// The words on the areas, with the cell where they have most room.
+fn names(felt: &Felt) -> Vec<(Vec<&'static str>, usize, usize)> {
+    let (width, height) = (felt.size.width as usize, felt.size.height as usize);
+    let key = |at: usize| felt.places[at].meant.map(|meant| (meant, felt.places[at].felt));
+    let border: Vec<bool> = (0..width * height)
+        .map(|at| {
+            let (x, y) = (at % width, at / width);
+            (x + 1 < width && key(at + 1) != key(at)) || (y + 1 < height && key(at + width) != key(at))
+        })
+        .collect();
+    let room = distances(&border, felt.size);
+    let mut seen = vec![false; width * height];
+    let mut names = Vec::new();
+    let mut open = Vec::new();
+    for start in 0..width * height {
+        let Some((meant, felt_as)) = key(start).filter(|_| !seen[start]) else { continue };
+        let mut best = start;
+        seen[start] = true;
+        open.push(start);
+        while let Some(at) = open.pop() {
+            if room[at] > room[best] || (room[at] >= room[best] && at < best) {
+                best = at;
+            }
+            let (x, y) = (at % width, at / width);
+            let near = [
+                (x > 0).then(|| at - 1),
+                (x + 1 < width).then_some(at + 1),
+                (y > 0).then(|| at - width),
+                (y + 1 < height).then_some(at + width),
+            ];
+            for next in near.into_iter().flatten() {
+                if !seen[next] && key(next) == key(start) {
+                    seen[next] = true;
+                    open.push(next);
+                }
+            }
+        }
+        if room[best] >= ROOM_FOR_NAME {
+            let mut name = vec![word(felt_as)];
+            if felt_as != Some(meant) {
+                name.extend(["NOT", word(Some(meant))]);
+            }
+            names.push((name, best % width, best / width));
+        }
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_looks_are_alike_without_colour() {
+        let looks: Vec<Look> = legend().into_iter().map(|(_, look)| look).collect();
+        let patterns: Vec<Vec<bool>> = looks
+            .iter()
+            .map(|look| {
+                let dark = |k: u32| colour(*look, (k % 24) as f32 + 0.5, (k / 24) as f32 + 0.5)[1];
+                let lightest = (0..576).map(dark).fold(0.0, f32::max);
+                (0..576).map(|k| dark(k) < 0.8 * lightest).collect()
+            })
+            .collect();
+        for (a, pattern) in patterns.iter().enumerate() {
+            // what is not judged is its pattern, paler
+            for (b, other) in patterns.iter().enumerate().skip(a + 1).filter(|(b, _)| !looks[*b].pale) {
+                let differ = pattern.iter().zip(other).filter(|(p, q)| p != q).count();
+                assert!(differ > 50, "{:?} and {:?} differ in {differ} pixels", looks[a], looks[b]);
+            }
+        }
+    }
+}

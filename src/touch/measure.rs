@@ -1,0 +1,206 @@
+//! The measure: what a fingertip that slides over ink makes of it.
+//!
+//! ```text
+//! ink (8 px/mm) -> blur (fingertip) -> minus its own wide blur -> gradient -> structure tensor over a window -> Feel
+//! ```
+//!
+//! A fingertip of size f is a Gaussian of sigma f mm: what is finer is one lump under it. From the lumps their mean over the
+//! window is taken away, because a border or a fading texture is no texture. What is left is a landscape; the structure
+//! tensor of its slopes (gradients, per mm, averaged over the window) says whether they all run one way. Slopes that are
+//! small beside the ink are not felt at all: they are measured against [`FAINT`].
+
+use crate::page::Class;
+use crate::raster::plane::Plane;
+use crate::units::Size;
+
+/// Resolution of ink, px per mm: 0.125 mm is a fifth of the smallest glyph and a quarter of the finest fingertip.
+pub const PX_PER_MM: u32 = 8;
+/// Resolution of what is felt, cells per mm. The window is wider by far.
+pub const CELLS_PER_MM: u32 = 2;
+/// Sigma of the window over which a texture is felt, mm: about the pad of a finger.
+pub const WINDOW: f32 = 3.0;
+/// Less ink than this (share of the area, over the window) is felt as blank.
+pub const BLANK: f32 = 0.004;
+/// Slopes below this share of the ink, over the size of the fingertip, count as flat.
+const FAINT: f32 = 0.10;
+
+/// Coherence from which a direction is felt, by the size of the fingertip, mm. A fine fingertip feels the glyphs
+/// themselves, whose sides run many ways; a broad one feels only rows.
+const DIRECTED_FROM: [(f32, f32); 3] = [(0.5, 0.12), (1.0, 0.30), (1.5, 0.35)];
+
+/// What is felt at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Feel {
+    /// Ink over the window, 0..=1.
+    pub ink: f32,
+    /// How much the slopes run one way, 0..=1.
+    pub coherence: f32,
+    /// The way that rows run, degrees counter-clockwise from the x axis as a reader sees the page, 0..180.
+    pub degrees: f32,
+}
+
+/// What is felt all over an area: [`CELLS_PER_MM`] cells a millimetre, rows from the top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Feels {
+    /// Cells from left to right and from top to bottom.
+    pub size: Size,
+    /// What is felt in each cell.
+    pub cells: Vec<Feel>,
+}
+
+/// The coherence from which a fingertip of `finger` mm feels a direction; between the three measured sizes on a straight line.
+pub fn directed_from(finger: f32) -> f32 {
+    let [(first, least), .., (_, most)] = DIRECTED_FROM;
+    if finger <= first {
+        return least;
+    }
+    let pair = DIRECTED_FROM.windows(2).find(|pair| finger <= pair[1].0);
+    pair.map_or(most, |pair| pair[0].1 + (pair[1].1 - pair[0].1) * (finger - pair[0].0) / (pair[1].0 - pair[0].0))
+}
+
+/// What a direction says: the class whose rows run nearest to it.
+pub fn class_along(degrees: f32) -> Class {
+    match ((degrees + 22.5).rem_euclid(180.0) / 45.0) as u32 {
+        0 => Class::Blue,
+        1 => Class::Green,
+        2 => Class::Yellow,
+        _ => Class::Red,
+    }
+}
+
+impl Feel {
+    /// The class that it is read as by a fingertip of `finger` mm; `None` is blank.
+    pub fn class(&self, finger: f32) -> Option<Class> {
+        if self.ink < BLANK {
+            None
+        } else if self.coherence < directed_from(finger) {
+            Some(Class::Grey)
+        } else {
+            Some(class_along(self.degrees))
+        }
+    }
+}
+
+/// Feels `ink` ([`PX_PER_MM`], 0 white and 1 black, sides of whole millimetres) with a fingertip of `finger` mm. Beyond the
+/// border the nearest pixel counts, so leave some blank round the texture.
+pub fn feel(ink: &Plane, finger: f32) -> Feels {
+    let per_cell = PX_PER_MM / CELLS_PER_MM;
+    let size = Size::new(ink.size.width / per_cell, ink.size.height / per_cell);
+    let window = WINDOW * CELLS_PER_MM as f32;
+    let mut lumps = ink.clone().blurred(finger * PX_PER_MM as f32);
+    let wide = lumps.shrunk(size).blurred(window);
+    take_away(&mut lumps, &wide);
+    let [xx, xy, yy] = slopes(&lumps, size).map(|plane| plane.blurred(window));
+    let mean = ink.shrunk(size).blurred(window);
+    let cells = (0..size.len()).map(|i| {
+        let (xx, xy, yy, ink) = (xx.values[i], xy.values[i], yy.values[i], mean.values[i]);
+        let faint = FAINT * ink / finger;
+        let coherence = (xx - yy).hypot(2.0 * xy) / (xx + yy + faint * faint).max(f32::MIN_POSITIVE);
+        // rows run across the slope; y points down here and up for a reader
+        let degrees = (-90.0 - 0.5 * (2.0 * xy).atan2(xx - yy).to_degrees()).rem_euclid(180.0);
+        Feel { ink, coherence, degrees }
+    });
+    Feels { size, cells: cells.collect() }
+}
+
+/// Takes a coarse plane over the same area away from a fine one.
+fn take_away(fine: &mut Plane, coarse: &Plane) {
+    let width = fine.size.width as usize;
+    let scale = coarse.size.width as f32 / fine.size.width as f32;
+    for (y, row) in fine.values.chunks_exact_mut(width).enumerate() {
+        for (x, value) in row.iter_mut().enumerate() {
+            *value -= coarse.at((x as f32 + 0.5) * scale, (y as f32 + 0.5) * scale);
+        }
+    }
+}
+
+/// Products of the gradient (per mm), averaged over cells: along x, both, along y.
+fn slopes(plane: &Plane, size: Size) -> [Plane; 3] {
+    let (width, height) = (plane.size.width as usize, plane.size.height as usize);
+    let per_mm = 0.5 * PX_PER_MM as f32;
+    let mut products = [Plane::filled(size, 0.0), Plane::filled(size, 0.0), Plane::filled(size, 0.0)];
+    let (columns, rows) = (size.width as usize, size.height as usize);
+    let (across, down) = (width / columns, height / rows);
+    let share = 1.0 / (across * down) as f32;
+    for y in 0..rows * down {
+        let row = |y: usize| &plane.values[y * width..(y + 1) * width];
+        let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        for x in 0..columns * across {
+            let gx = per_mm * (here[(x + 1).min(width - 1)] - here[x.saturating_sub(1)]);
+            let gy = per_mm * (below[x] - above[x]);
+            let cell = y / down * columns + x / across;
+            products[0].values[cell] += share * gx * gx;
+            products[1].values[cell] += share * gx * gy;
+            products[2].values[cell] += share * gy * gy;
+        }
+    }
+    products
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Waves of a wavelength in mm whose crests run along `degrees`, ink 0 to 0.3.
+    fn waves(degrees: f32, wavelength: f32) -> Plane {
+        let side = 60 * PX_PER_MM;
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let value = |i: u32| {
+            let (x, y) = ((i % side) as f32 / PX_PER_MM as f32, (i / side) as f32 / PX_PER_MM as f32);
+            0.15 + 0.15 * (std::f32::consts::TAU * (x * sin + y * cos) / wavelength).cos()
+        };
+        Plane { size: Size::new(side, side), values: (0..side * side).map(value).collect() }
+    }
+
+    fn middle(feels: &Feels) -> Feel {
+        feels.cells[(feels.size.height / 2 * feels.size.width + feels.size.width / 2) as usize]
+    }
+
+    #[test]
+    fn the_way_of_waves_is_felt_as_a_reader_sees_it() {
+        for degrees in [0.0, 20.0, 45.0, 90.0, 110.0, 135.0, 170.0] {
+            for finger in [0.5, 1.0, 1.5] {
+                let felt = middle(&feel(&waves(degrees, 3.6), finger));
+                let off = (felt.degrees - degrees + 90.0).rem_euclid(180.0) - 90.0;
+                assert!(off.abs() < 1.0, "{degrees} degrees are felt as {}", felt.degrees);
+                assert!((felt.ink - 0.15).abs() < 0.002, "ink {}", felt.ink);
+            }
+        }
+    }
+
+    #[test]
+    fn coherence_is_what_the_formula_gives_for_a_wave() {
+        // slope a k / sqrt 2 of a wave of amplitude a, less by the blur and the window's own; exact for a single wave
+        let k = std::f32::consts::TAU / 3.6;
+        for finger in [0.5_f32, 1.0, 1.5] {
+            let amplitude = 0.15 * (-0.5 * (k * finger).powi(2)).exp() * (1.0 - (-0.5 * (k * WINDOW).powi(2)).exp());
+            let energy = 0.5 * (amplitude * k).powi(2);
+            let want = energy / (energy + (FAINT * 0.15 / finger).powi(2));
+            let got = middle(&feel(&waves(30.0, 3.6), finger)).coherence;
+            assert!((got - want).abs() < 0.02, "a fingertip of {finger}: {got}, not {want}");
+        }
+    }
+
+    #[test]
+    fn the_threshold_is_the_measured_one_at_the_measured_sizes() {
+        for (finger, want) in [(0.2, 0.12), (0.5, 0.12), (0.75, 0.21), (1.0, 0.30), (1.5, 0.35), (3.0, 0.35)] {
+            assert!((directed_from(finger) - want).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn directions_mean_the_nearest_class() {
+        for (degrees, class) in [
+            (0.0, Class::Blue),
+            (22.0, Class::Blue),
+            (23.0, Class::Green),
+            (90.0, Class::Yellow),
+            (135.0, Class::Red),
+            (157.0, Class::Red),
+            (158.0, Class::Blue),
+            (179.9, Class::Blue),
+        ] {
+            assert_eq!(class_along(degrees), class, "{degrees}");
+        }
+    }
+}
