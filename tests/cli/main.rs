@@ -2,6 +2,7 @@
 
 mod calibrate;
 mod common;
+mod feel;
 mod fitting;
 mod formats;
 mod pictures;

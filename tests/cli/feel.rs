@@ -1,0 +1,77 @@
+//! `tactograph feel`: what is said of a page, and of what is none.
+
+use crate::common::*;
+
+/// A place with a page of a drawing in it: half blue, half white.
+fn with_page() -> Place {
+    let place = Place::new();
+    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
+                   <rect width=\"300\" height=\"200\" fill=\"#fff\"/><rect width=\"150\" height=\"200\" fill=\"#24c\"/></svg>";
+    place.put("sea.svg", drawing.as_bytes());
+    let run = place.run(&["convert", "sea.svg", "-o", "page.svg", "-q"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    place
+}
+
+#[test]
+fn a_page_is_told_in_sentences() {
+    let place = with_page();
+    let run = place.run(&["feel", "page.svg"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let lines: Vec<&str> = run.out.lines().collect();
+    assert_eq!(lines[0], "What a fingertip of 1 mm feels, colour by colour:");
+    assert!(
+        lines[1].starts_with("blue: 100 % of the textured area. Felt right 100 %, unclear 0 %, wrong 0 %."),
+        "{}",
+        run.out
+    );
+    assert!(lines[3].ends_with("what lies 7 mm or more from lines and borders."), "{}", run.out);
+    assert!(lines.iter().all(|line| !line.contains(['|', '\t', '\u{1b}'])), "nothing for eyes only: {}", run.out);
+    assert_eq!(place.names(), ["page.svg", "sea.svg"], "nothing is written that was not asked for");
+}
+
+#[test]
+fn a_page_comes_from_standard_input_too_and_the_fingertip_is_chosen() {
+    let place = with_page();
+    let page = place.text("page.svg");
+    let run = place.run_with_input(&["feel", "-", "--finger", "1.5"], page.as_bytes());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.starts_with("What a fingertip of 1.5 mm feels"), "{}", run.out);
+}
+
+#[test]
+fn a_map_is_written_where_it_is_asked_for() {
+    let place = with_page();
+    let run = place.run(&["feel", "page.svg", "-o", "felt.png"]);
+    assert_eq!((run.code, run.err.as_str()), (0, "page.svg: wrote felt.png\n"));
+    let map = std::fs::read(place.path("felt.png")).expect("there is a map");
+    assert!(map.starts_with(b"\x89PNG"));
+    assert_eq!(place.names(), ["felt.png", "page.svg", "sea.svg"]);
+}
+
+#[test]
+fn what_cannot_be_felt_is_refused_in_one_line() {
+    let place = with_page();
+    place.put("photo.svg", b"\xff\xd8\xff\xe0");
+    let no_page = "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
+                   -grey); give a page that tactograph made";
+    place.refuses(&["feel", "sea.svg"], 1, &[&format!("sea.svg: {no_page}")]);
+    place.refuses(&["feel", "none.svg"], 1, &["none.svg: there is no such file; check the name"]);
+    place.refuses(
+        &["feel", "photo.svg"],
+        1,
+        &["photo.svg: this is not an SVG page that can be read: it is not text in UTF-8, but perhaps a picture; give a page that tactograph made"],
+    );
+    let see = "see tactograph feel --help";
+    place.refuses(&["feel"], 2, &[&format!("name a page to feel; {see}")]);
+    place.refuses(
+        &["feel", "page.svg", "--finger", "9"],
+        2,
+        &[&format!("invalid value '9' for '--finger <MM>': give a number of millimetres from 0.3 to 2.5; {see}")],
+    );
+    place.refuses(
+        &["feel", "page.svg", "-o", "page.svg"],
+        2,
+        &["page.svg: a map is written only to a .png file; name it page.png"],
+    );
+}
