@@ -81,6 +81,14 @@ pub enum Error {
         /// The most there is room for, mm.
         most: f32,
     },
+    /// The sheets that a picture is to be spread over have no room for it.
+    #[error(
+        "{grid} sheets of this size have no room for a picture; take a larger sheet, or lessen page.margin or sheets.overlap"
+    )]
+    NoRoomOnSheets {
+        /// How many sheets across and down.
+        grid: String,
+    },
     /// A mark would lie off the sheet.
     #[error("the page does not fit its sheet: {0}; give more margin or thinner lines")]
     OffSheet(String),

@@ -4,6 +4,7 @@
 
 pub mod colours;
 mod fit;
+pub mod sheets;
 pub mod trace;
 
 pub use fit::Fit;
@@ -104,11 +105,41 @@ const CROWDED: f32 = 0.35;
 /// When no page can be made at all; see [`Error`].
 pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let fit = &request.fit;
-    let working_size = |source: Source| working_size(source, fit, plan);
+    let Marks { figure, overview, shares, layout, is_flat, mut notes } =
+        draw(picture, request, &|size| request.fit.layout(size, plan), watch)?;
+    let page = run(watch, Stage::Page, || assemble(figure, overview, shares, &layout, request))?;
+    if page.is_empty() {
+        notes.push(Note::EmptyPage);
+    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
+        notes.push(Note::NoLines);
+    }
+    notes.extend(too_black(page.black_share(), plan));
+    Ok(Drawing { page, notes })
+}
+
+/// All marks of a picture, where its layout puts them.
+struct Marks {
+    figure: Figure,
+    overview: Option<(MmRect, Vec<Line>)>,
+    /// Of each class of colours, where they were looked at.
+    shares: Option<[f32; 5]>,
+    layout: Layout,
+    is_flat: bool,
+    notes: Vec<Note>,
+}
+
+/// Everything but the page: decodes a picture and draws it where `layout_of` its size says.
+fn draw(
+    picture: &[u8],
+    request: &Request<'_>,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    watch: &mut dyn FnMut(Event),
+) -> Result<Marks, Error> {
+    let (plan, fit) = (request.plan, &request.fit);
+    let working_size = |source: Source| working_size(source, layout_of, fit, plan);
     let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
-    let layout = fit.layout(picture.source.size, plan)?;
+    let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;
 
     let is_flat = picture.raster.is_flat();
@@ -121,18 +152,8 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
     drop(edges);
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
-
-    let page = run(watch, Stage::Page, || {
-        let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-        assemble(figure, overview, classes.as_ref(), &layout, request)
-    })?;
-    if page.is_empty() {
-        notes.push(Note::EmptyPage);
-    } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
-        notes.push(Note::NoLines);
-    }
-    notes.extend(too_black(&page, plan));
-    Ok(Drawing { page, notes })
+    let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
+    Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, notes })
 }
 
 fn run<T>(watch: &mut dyn FnMut(Event), stage: Stage, work: impl FnOnce() -> T) -> T {
@@ -144,10 +165,15 @@ fn run<T>(watch: &mut dyn FnMut(Event), stage: Stage, work: impl FnOnce() -> T) 
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never more
 /// than there are.
-fn working_size(source: Source, fit: &Fit, plan: &Plan) -> Result<Size, Error> {
+fn working_size(
+    source: Source,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    fit: &Fit,
+    plan: &Plan,
+) -> Result<Size, Error> {
     let Source { size, is_drawing } = source;
     enough_pixels(size)?;
-    let place = fit.layout(size, plan)?.figure;
+    let place = layout_of(size)?.figure;
     let figure = &plan.profile().figure;
     let side = place.width().min(place.height());
     if side < figure.min_side {
@@ -280,25 +306,31 @@ fn draw_textures(
 fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    classes: Option<&Classes>,
+    shares: Option<[f32; 5]>,
     layout: &Layout,
     request: &Request<'_>,
 ) -> Result<Page, Error> {
     let params = request.plan.layout();
     let frame = |place| params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
     let overview = overview.map(|(place, lines)| Overview { place, frame: frame(place), lines });
-    let mut parts = Parts {
+    let parts = Parts {
         sheet: layout.sheet,
         title: request.title.to_owned(),
-        description: page::describe(&figure, overview.as_ref(), classes.map(Classes::shares)),
+        description: page::describe(&figure, overview.as_ref(), shares),
         language: page::LANGUAGE.into(),
         origin: origin(request, figure.source),
         frame: frame(figure.place),
         orientation_mark: layout.mark.clone(),
+        registration: Vec::new(),
         figure,
         overview,
         labels: Vec::new(),
     };
+    finished(parts, request)
+}
+
+/// The page of these marks, as it is printed.
+fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, Error> {
     // Up to here every mark has the size that fingers meet.
     parts.narrowed(request.plan.profile().print.swell);
     let page = Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))?;
@@ -306,8 +338,8 @@ fn assemble(
 }
 
 /// What the maker is told when more of the figure is black than the profile allows.
-fn too_black(page: &Page, plan: &Plan) -> Option<Note> {
-    let (share, most) = (page.black_share(), plan.profile().print.max_black);
+fn too_black(share: f32, plan: &Plan) -> Option<Note> {
+    let most = plan.profile().print.max_black;
     let percent = |share: f32| (100.0 * share).round() as u32;
     (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
 }

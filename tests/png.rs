@@ -50,7 +50,13 @@ fn sizes_are_true_to_one_pixel() {
     let sheets = [[210.0, 297.0], [215.9, 279.4], [60.3, 61.7]];
     for sheet in sheets {
         let [width, height] = sheet.map(|side: f32| side.to_string());
-        let settings = [("page.width", &*width), ("page.height", &*height), ("frame", "false"), ("overview", "false")];
+        let settings = [
+            ("page.width", &*width),
+            ("page.height", &*height),
+            ("page.orientation", "portrait"),
+            ("frame", "false"),
+            ("overview", "false"),
+        ];
         let page = page_on(&settings);
         for n in [Dpi::LEAST, 96, 300, 301] {
             let picture = read(&write(&page, dpi(n), Depth::Bilevel).expect("a PNG"));

@@ -30,6 +30,7 @@ pub(crate) fn page_of_sample(class: Class, lightness: f32, density: f32, place: 
         origin: Vec::new(),
         frame: Dots::default(),
         orientation_mark: None,
+        registration: Vec::new(),
         figure,
         overview: None,
         labels: Vec::new(),

@@ -16,7 +16,6 @@
 //! the samples; a number in braille has its known size and is read at once by those for whom the pages are made. Whoever does
 //! not read braille finds the same key in the description of the sheet.
 
-mod braille;
 mod flow;
 mod samples;
 
@@ -208,6 +207,7 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
         language: LANGUAGE.into(),
         origin,
         frame: Dots { diameter: profile.frame.dot, at: marks.frame },
+        registration: Vec::new(),
         orientation_mark: None, // letters tell which way up it is
         figure: Figure {
             place,

@@ -1,10 +1,10 @@
 //! The samples themselves, each with its label.
 
-use super::braille;
 use super::flow::{Block, Marks};
 use crate::classes::{Class, Classes, Region};
 use crate::lines::{Line, Run};
 use crate::page::Dots;
+use crate::page::braille;
 use crate::page::frame_dots;
 use crate::page::layout::FrameParams;
 use crate::raster::plane::Plane;

@@ -13,7 +13,7 @@ use super::product::Product;
 use super::report::Report;
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{Exit, input, output, settings};
+use super::{Exit, input, output, settings, sheets};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {
@@ -43,16 +43,18 @@ pub(super) struct Common {
     pub(super) fonts: SystemFonts,
 }
 
-/// A file's contents, ready to be written.
+/// What was made of a picture, ready to be written.
 pub(super) struct Made {
-    /// The bytes of the file.
-    pub(super) file: Vec<u8>,
+    /// The bytes of the file; of several files with numbers, where one does not hold all.
+    pub(super) files: Vec<Vec<u8>>,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
 }
 
-/// A file was written.
+/// Everything was written.
 struct Done {
+    /// The names of the files.
+    wrote: String,
     notes: Vec<Note>,
     timings: Stopped,
 }
@@ -125,15 +127,45 @@ fn work(
     let bytes = timings
         .step("read", || input::read(&job.picture, memory_mb.saturating_mul(1_000_000), &too_long))
         .map_err(|error| about_picture(format!("{error:#}")))?;
-    let Made { file, notes } =
+    let Made { files, notes } =
         make(&bytes, &title(job), common, &mut timings).map_err(|error| about_picture(explain(&error)))?;
-    timings
-        .step("write", || match job.target.path() {
-            None => output::to_stdout(&file, product.noun()),
-            Some(path) => output::to_file(path, &file, product.noun()),
-        })
-        .map_err(about_target)?;
-    Ok(Done { notes, timings: timings.stop() })
+    let wrote = timings.step("write", || write(product, job, &files))?;
+    Ok(Done { wrote, notes, timings: timings.stop() })
+}
+
+/// Writes what was made of a picture: one file as it is called, several with numbers. Returns their names for a message.
+fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failure> {
+    let about = |target: &Target, error: anyhow::Error| Failure {
+        file: places::target_name(target),
+        what: format!("{error:#}"),
+    };
+    let noun = product.noun();
+    match (files, job.target.path()) {
+        ([file], None) => output::to_stdout(file, noun).map_err(|error| about(&job.target, error))?,
+        ([file], Some(path)) => output::to_file(path, file, noun).map_err(|error| about(&job.target, error))?,
+        (files, None) => {
+            let what = format!(
+                "{} sheets do not go into one file of this format; add --format pdf, or name a file",
+                files.len()
+            );
+            return Err(Failure { file: places::target_name(&job.target), what });
+        }
+        (files, Some(path)) => {
+            let targets: Vec<_> =
+                (1..=files.len()).map(|number| Target::Derived(sheets::numbered(path, number))).collect();
+            for target in &targets {
+                let path = target.path().unwrap_or(path);
+                output::check(path, product, true).map_err(|error| about(target, error))?;
+            }
+            for (target, file) in targets.iter().zip(files) {
+                let path = target.path().unwrap_or(path);
+                output::to_file(path, file, noun).map_err(|error| about(target, error))?;
+            }
+            let name = |target: Option<&Target>| target.map_or_else(String::new, places::target_name);
+            return Ok(format!("{} to {}", name(targets.first()), name(targets.last())));
+        }
+    }
+    Ok(places::target_name(&job.target))
 }
 
 /// The library does not know the options of this program: where it says that a limit can be raised, say with which.
@@ -165,7 +197,7 @@ fn tell(
     match outcome {
         Ok(Ok(done)) => {
             done.notes.iter().for_each(|note| report.note(&picture, &note.to_string()));
-            let wrote = format!("wrote {}", places::target_name(&job.target));
+            let wrote = format!("wrote {}", done.wrote);
             report.done(&match jobs.len() {
                 1 => wrote,
                 count => format!("{} of {count}: {picture}: {wrote}", index + 1),

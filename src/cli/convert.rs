@@ -1,7 +1,7 @@
 //! `tactograph convert`: pictures in, pages out.
 
 use tactograph::output::{pdf, png, svg};
-use tactograph::pipeline::{self, Request};
+use tactograph::pipeline::{self, Request, sheets};
 use tactograph::{Error, Page};
 
 use super::Exit;
@@ -26,10 +26,26 @@ pub(super) fn run(args: &Convert) -> Exit {
         let fonts = || common.fonts.get();
         let request =
             Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title, fit: args.fitting.fit() };
-        let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
-        let page = drawing.page.called(args.title.as_deref(), args.description());
-        let file = timings.step("write", || write(&page, chosen))?;
-        Ok(Made { file, notes: drawing.notes })
+        let (pages, notes) = match args.fitting.sheets {
+            None => {
+                let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
+                (vec![drawing.page.called(args.title.as_deref(), args.description())], drawing.notes)
+            }
+            Some(grid) => {
+                let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
+                let drawn = sheets::convert(picture, grid, &request, &mut |event| timings.watch(event))?;
+                // Words of the maker's own are about the picture, which all sheets show together.
+                let called = |page: Page| page.called(None, args.description());
+                (drawn.pages.into_iter().map(called).collect(), drawn.notes)
+            }
+        };
+        let title = args.title.as_deref().unwrap_or(title);
+        let files = timings.step("write", || match (&pages[..], chosen.format) {
+            ([page], _) => write(page, chosen).map(|file| vec![file]),
+            (pages, Format::Pdf) => Ok(vec![pdf::write(title, pages)]),
+            (pages, _) => pages.iter().map(|page| write(page, chosen)).collect(),
+        })?;
+        Ok(Made { files, notes })
     })
 }
 

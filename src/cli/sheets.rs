@@ -68,7 +68,7 @@ fn files(title: &str, pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<F
 }
 
 /// `sheet.svg` gives `sheet-2.svg`.
-fn numbered(path: &Path, number: usize) -> PathBuf {
+pub(super) fn numbered(path: &Path, number: usize) -> PathBuf {
     let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
     name.push(format!("-{number}"));
     if let Some(ending) = path.extension() {

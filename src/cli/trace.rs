@@ -33,6 +33,6 @@ pub(super) fn run(args: &Trace) -> Exit {
             Request { subject, thresholds: args.threshold, plan: &common.plan, limits: common.limits, fonts: &fonts };
         let traced = trace(picture, &request, &mut |event| timings.watch(event))?;
         let text = timings.step("write", || json::write(&traced.trace));
-        Ok(Made { file: text.into_bytes(), notes: traced.notes })
+        Ok(Made { files: vec![text.into_bytes()], notes: traced.notes })
     })
 }

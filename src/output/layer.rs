@@ -6,6 +6,7 @@ use crate::page::Class;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Layer {
     OrientationMark,
+    Registration,
     Frame,
     Figure,
     Textures,
@@ -26,6 +27,7 @@ impl Layer {
     pub(super) fn label(self) -> String {
         match self {
             Self::OrientationMark => "Orientation mark".into(),
+            Self::Registration => "Registration".into(),
             Self::Frame => "Frame".into(),
             Self::Figure => "Figure".into(),
             Self::Textures => "Textures".into(),

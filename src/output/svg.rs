@@ -3,6 +3,7 @@
 //! ```text
 //! svg > title, desc, metadata (lines "name = value")
 //!   g#orientation-mark > path (stroke-width in mm)
+//!   g#registration > path (only where several sheets belong together)
 //!   g#frame
 //!   g#figure  data-box="x y w h" (mm)  data-source="w h" (px)
 //!     g#textures > g#texture-blue ...  data-sign="rhombus 0" (degrees counter-clockwise) or "dot"
@@ -43,6 +44,10 @@ pub fn write(page: &Page) -> String {
         .add(metadata(&page.origin));
     if let Some(mark) = &page.orientation_mark {
         document = document.add(with_strokes(layer(Layer::OrientationMark)).add(stroke(mark)));
+    }
+    if !page.registration.is_empty() {
+        let group = with_strokes(layer(Layer::Registration));
+        document = document.add(page.registration.iter().fold(group, |group, run| group.add(stroke(run))));
     }
     if !page.frame.at.is_empty() {
         document = document.add(layer(Layer::Frame).add(dots(&page.frame)));

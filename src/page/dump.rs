@@ -15,6 +15,10 @@ impl Display for Page {
             write!(f, "orientation mark")?;
             write_run(f, mark)?;
         }
+        for tick in &self.registration {
+            write!(f, "tick")?;
+            write_run(f, tick)?;
+        }
         let place = self.figure.place;
         writeln!(f, "figure {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
         for texture in &self.figure.textures {

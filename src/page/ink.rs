@@ -9,7 +9,7 @@ impl Parts {
         if swell <= 0.0 {
             return;
         }
-        self.orientation_mark.iter_mut().for_each(|run| narrow_run(run, swell));
+        self.orientation_mark.iter_mut().chain(&mut self.registration).for_each(|run| narrow_run(run, swell));
         narrow_dots(&mut self.frame, swell);
         narrow_lines(&mut self.figure.lines, swell);
         for glyph in self.figure.textures.iter_mut().flat_map(|texture| &mut texture.glyphs) {

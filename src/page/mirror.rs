@@ -10,7 +10,7 @@ impl Page {
     pub fn mirrored(mut self) -> Self {
         let width = self.parts.sheet[0];
         let parts = &mut self.parts;
-        let runs = parts.orientation_mark.iter_mut();
+        let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration);
         runs.for_each(|run| mirror_run(run, width));
         parts.labels.iter_mut().for_each(|dots| mirror_dots(dots, width));
         mirror_dots(&mut parts.frame, width);

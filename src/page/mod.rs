@@ -2,12 +2,14 @@
 //!
 //! A page has no options, no references and no pixels. Its constructor checks it once; writers need not check again.
 
+pub(crate) mod braille;
 mod describe;
 mod dump;
 pub mod frame_dots;
 mod ink;
 pub mod layout;
 mod mirror;
+pub mod spread;
 
 pub use crate::classes::Class;
 pub use crate::lines::{Line, Run};
@@ -39,6 +41,8 @@ pub struct Parts {
     pub frame: Dots,
     /// The short bar across the top right corner that tells which way up the sheet lies, if there is one.
     pub orientation_mark: Option<Run>,
+    /// Ticks by which sheets that belong together are laid side by side; few pages have any.
+    pub registration: Vec<Run>,
     /// The textured figure.
     pub figure: Figure,
     /// The smaller picture of lines only, if there is one.
@@ -115,7 +119,9 @@ impl Page {
         }
         let lines = parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines));
         let runs = lines.flat_map(|line| &line.runs).map(|run| ("a line", run));
-        for (what, run) in runs.chain(parts.orientation_mark.iter().map(|run| ("the orientation mark", run))) {
+        for (what, run) in runs.chain(
+            parts.orientation_mark.iter().chain(&parts.registration).map(|run| ("a mark beside the picture", run)),
+        ) {
             run.points.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * run.width))?;
         }
         for texture in &parts.figure.textures {

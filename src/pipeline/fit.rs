@@ -19,7 +19,7 @@ pub struct Fit {
 
 /// How much wider than there is room for a figure may be asked for, mm: less than is printed exactly. Widths that the program
 /// tells have one digit after the point.
-const SLACK: f32 = 0.06;
+pub(super) const SLACK: f32 = 0.06;
 
 impl Fit {
     /// Where the drawn part of a picture, of `size` pixels, lies on the sheet.

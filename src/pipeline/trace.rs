@@ -90,7 +90,11 @@ pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)
     let in_full = matches!(subject, Subject::Edges { full_resolution: true });
     let fit = Fit::default();
     let working_size = |source: Source| {
-        if in_full { enough_pixels(source.size).map(|()| source.size) } else { working_size(source, &fit, plan) }
+        if in_full {
+            enough_pixels(source.size).map(|()| source.size)
+        } else {
+            working_size(source, &|size| fit.layout(size, plan), &fit, plan)
+        }
     };
     let options = Options { limits, fonts, crop: None, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;

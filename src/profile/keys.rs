@@ -180,6 +180,11 @@ table! {
         /// Least blank between the bar and the frame.
         gap: number(0.0 to 50.0, "mm");
     }
+    /// A picture that is spread over several sheets.
+    sheets: SheetsSettings {
+        /// How much of the picture is on two neighbouring sheets.
+        overlap: number(5.0 to 60.0, "mm");
+    }
     /// The large picture, with lines and textures.
     figure: FigureSettings {
         /// Whether contours are drawn.

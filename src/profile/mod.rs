@@ -19,7 +19,7 @@ pub use built_in::{BuiltIn, built_in};
 pub use key::{Key, Kind, Value};
 pub use keys::{
     ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, LinesSettings, MarkSettings, OverviewSettings,
-    PageSettings, PaletteSettings, PrintSettings, Profile, TexturesSettings,
+    PageSettings, PaletteSettings, PrintSettings, Profile, SheetsSettings, TexturesSettings,
 };
 pub use plan::Plan;
 

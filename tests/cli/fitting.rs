@@ -75,3 +75,28 @@ fn a_mirrored_page_has_its_marks_on_the_other_side() {
     assert!(back.contains("mirrored = true") && !front.contains("mirrored = true"));
     assert!(!page(&place, &["--set", "mark=false"]).contains("orientation-mark"));
 }
+
+#[test]
+fn several_sheets_are_one_pdf_or_files_with_numbers() {
+    let place = Place::with_picture("a.png");
+    let run = place.run(&["convert", "a.png", "--sheets", "2x1"]);
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a-1.svg to a-3.svg\n"));
+    assert_eq!(place.names(), ["a-1.svg", "a-2.svg", "a-3.svg", "a.png"]);
+    assert!(place.text("a-1.svg").contains("<title>") && place.text("a-1.svg").contains("a.png, overview"));
+    assert!(place.text("a-2.svg").contains("id=\"registration\"") && place.text("a-2.svg").contains("sheets = 2x1"));
+    let run = place.run(&["convert", "a.png", "--sheets", "2x1", "-o", "a.pdf"]);
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.pdf\n"));
+    let pdf = std::fs::read(place.path("a.pdf")).expect("a PDF");
+    assert!(pdf.windows(8).any(|part| part == b"/Count 3"), "not three pages");
+    let what = "3 sheets do not go into one file of this format; add --format pdf, or name a file";
+    place.refuses(&["convert", "a.png", "--sheets", "2x1", "-o", "-"], 1, &[&format!("standard output: {what}")]);
+    // a file of somebody else's is not replaced by a number
+    place.put("a-2.svg", b"<svg/>");
+    let run = place.run(&["convert", "a.png", "--sheets", "2x1"]);
+    assert_eq!((run.code, place.text("a-2.svg").as_str()), (1, "<svg/>"), "{}", run.err);
+    for wrong in ["2", "0x2", "1x1", "10x1"] {
+        let run = place.run(&["convert", "a.png", "--sheets", wrong]);
+        assert_eq!(run.code, 2);
+        assert!(run.err.contains("give how many sheets across and down"), "{}", run.err);
+    }
+}

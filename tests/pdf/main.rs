@@ -232,9 +232,9 @@ fn several_pages_are_one_document_with_one_set_of_layers() {
     assert!(reader.only("/Type/Pages").contains("/Count 3"));
     assert_eq!(string_of(&reader.objects[&reader.follow(&reader.trailer, "Info")], "Title"), "Three pages");
     let mut names: Vec<String> = reader.with("/Type/OCG").iter().map(|(_, layer)| string_of(layer, "Name")).collect();
-    assert_eq!(names.len(), 11, "{names:?}");
+    assert_eq!(names.len(), 12, "{names:?}");
     names.dedup();
-    assert_eq!(names.len(), 11, "a layer twice: {names:?}");
+    assert_eq!(names.len(), 12, "a layer twice: {names:?}");
     let root = reader.only("/Type/StructTreeRoot");
     for (number, ((own, leaf), page)) in leaves.iter().zip(&pages).enumerate() {
         // Each page is the same as if it were alone.

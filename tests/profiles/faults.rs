@@ -35,7 +35,7 @@ fn unknown_names_get_a_suggestion() {
         ("min_side = 13", "there is no section min_side, did you mean figure.min_side?"),
         (
             "\"two\\nlines\" = 13",
-            "there is no section \"two\\nlines\", the sections are page, frame, mark, figure, overview, edges, \
+            "there is no section \"two\\nlines\", the sections are page, frame, mark, sheets, figure, overview, edges, \
                                 lines, colours, textures, textures.palette and print",
         ),
     ] {
@@ -258,7 +258,7 @@ fn all_faults_come_at_once() {
 #[test]
 fn without_inherits_every_key_must_be_given() {
     let most = "my.toml: without inherits every key must be given, page.width, page.height, page.orientation, \
-                page.margin, frame.on, frame.width and 52 more are missing, write inherits = \"swell-a4\" at the top to take what \
+                page.margin, frame.on, frame.width and 53 more are missing, write inherits = \"swell-a4\" at the top to take what \
                 is missing from there";
     check("", most);
     check(

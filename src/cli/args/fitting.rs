@@ -1,6 +1,7 @@
 //! Options that say which part of a picture is drawn, how large, and what of it.
 
 use clap::Args;
+use tactograph::page::spread::Grid;
 use tactograph::pipeline::Fit;
 use tactograph::raster::crop::Crop;
 
@@ -21,6 +22,15 @@ pub(in crate::cli) struct Fitting {
     /// [default: as wide as the sheet has room for]
     #[arg(long, value_name = "MM", value_parser = width)]
     width_mm: Option<f32>,
+
+    /// Spreads the picture over several sheets, across by down
+    ///
+    /// Such as 2x2, up to 9x9. Neighbours overlap (sheets.overlap) and show the same lines and textures there; ticks beside the
+    /// picture meet where sheets lie right. Braille at the top left says the row (a letter) and the column (a number). The
+    /// overview has a sheet of its own, the first. A PDF has all sheets; SVG and PNG are files with numbers: page-1.svg,
+    /// page-2.svg.
+    #[arg(long, value_name = "CxR")]
+    pub(in crate::cli) sheets: Option<Grid>,
 
     /// Draws contours only, no textures
     ///

@@ -39,6 +39,7 @@ pub(super) fn layers(page: &Page) -> Vec<Layer> {
     let mut add = |layer, is_there: bool| layers.extend(is_there.then_some(layer));
     let has = |class| page.figure.textures.iter().any(|texture| texture.class == class);
     add(Layer::OrientationMark, page.orientation_mark.is_some());
+    add(Layer::Registration, !page.registration.is_empty());
     add(Layer::Frame, !page.frame.at.is_empty());
     add(Layer::Figure, true);
     add(Layer::Textures, !page.figure.textures.is_empty());
@@ -64,6 +65,7 @@ impl Writer<'_> {
                 Layer::OrientationMark => {
                     self.layer(layer, |out| page.orientation_mark.iter().for_each(|run| out.run(run)));
                 }
+                Layer::Registration => self.layer(layer, |out| page.registration.iter().for_each(|run| out.run(run))),
                 Layer::Frame => self.layer(layer, |out| out.dots(&page.frame)),
                 Layer::Figure => self.layer(layer, |out| out.figure(page)),
                 Layer::OverviewFrame => {

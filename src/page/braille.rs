@@ -8,7 +8,7 @@ const DOT: f32 = 2.5;
 const CELL: f32 = 6.0;
 /// Diameter that dots are printed with, mm. A dot of Marburg Medium has 1.6 mm; on swell paper it grows, which is why the
 /// fonts made for it are set at 24 points in place of 29 to come out the same: 1.6 x 24 / 29.
-pub(super) const PRINTED: f32 = 1.3;
+pub(crate) const PRINTED: f32 = 1.3;
 
 /// Says that digits follow; digits are the letters a to j.
 const NUMBER: u8 = dots_of(&[3, 4, 5, 6]);
@@ -25,7 +25,7 @@ const LETTERS: [u8; 10] = [
     dots_of(&[2, 4, 5]),
 ];
 /// A full cell and the letters of "dot": dots as near as they come, and a word to read.
-pub(super) const TRIAL: [u8; 4] =
+pub(crate) const TRIAL: [u8; 4] =
     [dots_of(&[1, 2, 3, 4, 5, 6]), dots_of(&[1, 4, 5]), dots_of(&[1, 3, 5]), dots_of(&[2, 3, 4, 5])];
 
 const fn dots_of(dots: &[u8]) -> u8 {
@@ -38,19 +38,19 @@ const fn dots_of(dots: &[u8]) -> u8 {
 }
 
 /// The letter of this number, from 0 for a.
-pub(super) fn letter(number: usize) -> Vec<u8> {
+pub(crate) fn letter(number: usize) -> Vec<u8> {
     vec![LETTERS[number % LETTERS.len()]]
 }
 
 /// A number, with its sign.
-pub(super) fn number(number: usize) -> Vec<u8> {
+pub(crate) fn number(number: usize) -> Vec<u8> {
     // In braille 1 is a, and 0 is j.
     let digit = |c: char| LETTERS[(c.to_digit(10).unwrap_or(0) as usize + 9) % 10];
     std::iter::once(NUMBER).chain(number.to_string().chars().map(digit)).collect()
 }
 
 /// Width and height of cells in a row with dots of this diameter, mm.
-pub(super) fn size(cells: &[u8], diameter: f32) -> MmVector {
+pub(crate) fn size(cells: &[u8], diameter: f32) -> MmVector {
     MmVector::new((cells.len() as f32 - 1.0).max(0.0) * CELL + DOT + diameter, 2.0 * DOT + diameter)
 }
 
@@ -61,7 +61,7 @@ pub(super) fn size(cells: &[u8], diameter: f32) -> MmVector {
 ///  2 5
 ///  3 6
 /// ```
-pub(super) fn dots(cells: &[u8], diameter: f32) -> Vec<MmPoint> {
+pub(crate) fn dots(cells: &[u8], diameter: f32) -> Vec<MmPoint> {
     let first = MmVector::new(0.5 * diameter, 0.5 * diameter);
     let of_cell = |(i, &cell): (usize, &u8)| {
         let raised = (0..6_u8).filter(move |dot| cell & (1 << dot) != 0);

@@ -1,0 +1,330 @@
+//! A picture that is spread over several sheets.
+//!
+//! ```text
+//!  +------------------+ +------------------+     The picture with its frame is drawn once, in the space of all sheets
+//!  | a1       |     \ | |  |  a2         \ |     together, and every sheet shows what is in its window. Windows overlap,
+//!  |  ::::::::::::::  | | :::::::::::::::  |     so what is in the overlap is the same on both sheets.
+//!  | -::  window     -| |-    window   :: -|
+//!  |  ::          |   | |  |           ::  |     Ticks lie beside the windows in the middle of each overlap: sheets lie
+//!  +------------------+ +------------------+     right when their ticks do.
+//! ```
+
+use std::str::FromStr;
+
+use super::layout::{self, MarkParams, Orientation};
+use super::{Dots, Figure, Glyph, Line, Run, Texture, braille, frame_dots};
+use crate::units::{MmPoint, MmRect, MmVector, Size};
+
+/// How many sheets there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Grid {
+    across: u32,
+    down: u32,
+}
+
+/// A text that says no number of sheets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("give how many sheets across and down, from 1x2 to 9x9, such as 2x2")]
+pub struct NotAGrid;
+
+impl Grid {
+    /// Most sheets across or down: the label of a row is a letter, that of a column a digit.
+    pub const MOST: u32 = 9;
+
+    /// `across` sheets by `down` sheets; none unless both are from 1 to [`Grid::MOST`] and there are at least two sheets.
+    pub fn new(across: u32, down: u32) -> Option<Self> {
+        let good = |count| (1..=Self::MOST).contains(&count);
+        (good(across) && good(down) && across * down > 1).then_some(Self { across, down })
+    }
+
+    /// Every sheet as (column, row), row by row from the top left.
+    pub fn sheets(self) -> impl Iterator<Item = (u32, u32)> {
+        (0..self.down).flat_map(move |row| (0..self.across).map(move |column| (column, row)))
+    }
+}
+
+impl FromStr for Grid {
+    type Err = NotAGrid;
+
+    fn from_str(text: &str) -> Result<Self, NotAGrid> {
+        let counts =
+            text.split_once(['x', 'X']).and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
+        counts.and_then(|(across, down)| Self::new(across, down)).ok_or(NotAGrid)
+    }
+}
+
+impl std::fmt::Display for Grid {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}x{}", self.across, self.down)
+    }
+}
+
+/// Length of a tick, mm. Chosen by us, because a fingertip covers it whole, so it is not followed as a line.
+const TICK: f32 = 5.0;
+/// Width of a tick, mm. Chosen by us, because it is that of most lines of a picture.
+const TICK_WIDTH: f32 = 1.5;
+/// Blank between ticks and the window, and between them and what lies above, mm: the 1/8 inch rule (L. Hasty), the least
+/// between any two things.
+const GAP: f32 = 3.2;
+/// What ticks take on each side of a window.
+const BAND: f32 = TICK + GAP;
+
+/// Where a picture lies on its sheets.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spread {
+    grid: Grid,
+    /// Width and height of every sheet as it lies.
+    pub sheet: [f32; 2],
+    /// The picture in the space of all sheets together.
+    pub figure: MmRect,
+    /// The orientation mark of every sheet.
+    pub mark: Option<Run>,
+    /// Size of a window.
+    window: MmVector,
+    /// The top left corner of a window on its sheet.
+    corner: MmPoint,
+    overlap: f32,
+}
+
+/// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not wider
+/// than `widest`, in their middle. None where the sheets have no room.
+pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &layout::Params) -> Option<Spread> {
+    let [a, b] = params.sheet;
+    let (short, long) = (a.min(b), a.max(b));
+    let upright = || over([short, long], aspect, widest, grid, overlap, params);
+    let across = || over([long, short], aspect, widest, grid, overlap, params);
+    match params.orientation {
+        Orientation::Portrait => upright(),
+        Orientation::Landscape => across(),
+        Orientation::Auto => {
+            let width = |spread: &Option<Spread>| spread.as_ref().map_or(0.0, |spread| spread.figure.width());
+            let (upright, across) = (upright(), across());
+            if width(&across) > width(&upright) { across } else { upright }
+        }
+    }
+}
+
+fn over(
+    sheet: [f32; 2],
+    aspect: f32,
+    widest: f32,
+    grid: Grid,
+    overlap: f32,
+    params: &layout::Params,
+) -> Option<Spread> {
+    let mark = |mark: MarkParams| (layout::reach(mark), mark.gap.max(GAP));
+    let (mark_height, gap) = params.mark.map_or((0.0, GAP), mark);
+    let row = mark_height.max(braille::size(&[0], braille::PRINTED).y);
+    let corner = MmPoint::new(params.margin + BAND, params.margin + row + gap + BAND);
+    let window = MmVector::new(sheet[0] - 2.0 * corner.x, sheet[1] - corner.y - params.margin - BAND);
+    // Windows that do not reach beyond their overlaps would show the same thing three times.
+    if window.x <= 2.0 * overlap || window.y <= 2.0 * overlap {
+        return None;
+    }
+    let all = |count: u32, window: f32| count as f32 * (window - overlap) + overlap;
+    let room = MmVector::new(all(grid.across, window.x), all(grid.down, window.y));
+    let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+    let width = (room.x - 2.0 * border).min((room.y - 2.0 * border) * aspect).min(widest);
+    if width <= 0.0 {
+        return None;
+    }
+    let half = MmVector::new(0.5 * width, 0.5 * width / aspect);
+    let middle = MmPoint::new(0.5 * room.x, 0.5 * room.y);
+    let figure = MmRect::new(middle - half, middle + half);
+    let mark = params.mark.map(|mark| layout::bar(MmPoint::new(sheet[0] - params.margin, params.margin), mark));
+    Some(Spread { grid, sheet, figure, mark, window, corner, overlap })
+}
+
+/// What one sheet shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cut {
+    /// The part of the figure in the window.
+    pub figure: Figure,
+    /// The part of its frame.
+    pub frame: Dots,
+    /// Ticks in the middle of each overlap.
+    pub ticks: Vec<Run>,
+    /// Which sheet it is, in braille: the row as a letter, the column as a number.
+    pub label: Dots,
+    /// The same for those who see: `a1`.
+    pub name: String,
+}
+
+impl Spread {
+    /// What every sheet shows of a figure, row by row. Sheets on which nothing of the picture lies are left out.
+    pub fn cut(&self, figure: &Figure, frame: Option<&layout::FrameParams>, margin: f32) -> Vec<Cut> {
+        let dots = frame.map_or_else(Dots::default, |frame| frame_dots::around(figure.place, frame));
+        let shown = self.grid.sheets().filter(|&(column, row)| self.window(column, row).intersects(&figure.place));
+        shown.map(|(column, row)| self.one(column, row, figure, &dots, margin)).collect()
+    }
+
+    /// A sheet's window in the space of all sheets.
+    fn window(&self, column: u32, row: u32) -> MmRect {
+        let step = |number: u32, side: f32| number as f32 * (side - self.overlap);
+        let from = MmPoint::new(step(column, self.window.x), step(row, self.window.y));
+        MmRect::new(from, from + self.window)
+    }
+
+    fn one(&self, column: u32, row: u32, figure: &Figure, frame: &Dots, margin: f32) -> Cut {
+        let window = self.window(column, row);
+        let onto_sheet = self.corner - window.min;
+        let inside = |at: MmPoint, radius: f32| window.inflate(-radius, -radius).contains_inclusive(at);
+        let place = window.intersection_unchecked(&figure.place);
+        let share = |part: f32, whole: f32, pixels: u32| ((part / whole * pixels as f32).round() as u32).max(1);
+        let source = Size::new(
+            share(place.width(), figure.place.width(), figure.source.width),
+            share(place.height(), figure.place.height(), figure.source.height),
+        );
+        let glyphs = |texture: &Texture| Texture {
+            class: texture.class,
+            glyphs: texture
+                .glyphs
+                .iter()
+                .filter(|glyph| inside(glyph.at, glyph.radius()))
+                .map(|glyph| Glyph { at: glyph.at + onto_sheet, ..*glyph })
+                .collect(),
+        };
+        let mut lines: Vec<Line> = figure.lines.iter().flat_map(|line| cut_line(line, window)).collect();
+        for at in lines.iter_mut().flat_map(|line| &mut line.runs).flat_map(|run| &mut run.points) {
+            *at += onto_sheet;
+        }
+        let radius = 0.5 * frame.diameter;
+        let at = frame.at.iter().filter(|&&at| inside(at, radius)).map(|&at| at + onto_sheet).collect();
+        let label = [braille::letter(row as usize), braille::number(column as usize + 1)].concat();
+        let from = MmVector::new(margin, margin);
+        Cut {
+            figure: Figure {
+                place: MmRect::new(place.min + onto_sheet, place.max + onto_sheet),
+                source,
+                textures: figure.textures.iter().map(glyphs).filter(|texture| !texture.glyphs.is_empty()).collect(),
+                lines,
+            },
+            frame: Dots { diameter: frame.diameter, at },
+            ticks: self.ticks(column, row),
+            label: Dots {
+                diameter: braille::PRINTED,
+                at: braille::dots(&label, braille::PRINTED).into_iter().map(|at| at + from).collect(),
+            },
+            name: format!("{}{}", char::from(b'a' + row as u8), column + 1),
+        }
+    }
+
+    /// The ticks of a sheet, each of which lies at the same place of the picture on the neighbour.
+    fn ticks(&self, column: u32, row: u32) -> Vec<Run> {
+        let (near, far) = (self.corner, self.corner + self.window);
+        let half = 0.5 * self.overlap;
+        let mut ticks = Vec::new();
+        // At one place along a side: from its start or its end, on both sides of the window.
+        let reach = |edge: f32, out: f32| [edge + out * GAP, edge + out * (GAP + TICK)];
+        let mut tick = |a: MmPoint, b: MmPoint| ticks.push(Run { width: TICK_WIDTH, points: vec![a, b] });
+        for (there, x) in [(column > 0, near.x + half), (column + 1 < self.grid.across, far.x - half)] {
+            for [a, b] in [reach(near.y, -1.0), reach(far.y, 1.0)] {
+                if there {
+                    tick(MmPoint::new(x, a), MmPoint::new(x, b));
+                }
+            }
+        }
+        for (there, y) in [(row > 0, near.y + half), (row + 1 < self.grid.down, far.y - half)] {
+            for [a, b] in [reach(near.x, -1.0), reach(far.x, 1.0)] {
+                if there {
+                    tick(MmPoint::new(a, y), MmPoint::new(b, y));
+                }
+            }
+        }
+        // round ends reach further by half a width
+        for run in &mut ticks {
+            let (a, b) = (run.points[0], run.points[1]);
+            let inwards = (b - a).normalize() * (0.5 * TICK_WIDTH);
+            run.points = vec![a + inwards, b - inwards];
+        }
+        ticks
+    }
+}
+
+/// The pieces of a line whose ink lies in a window.
+fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
+    let mut pieces: Vec<Line> = Vec::new();
+    for run in &line.runs {
+        let half = 0.5 * run.width;
+        for points in cut_polyline(&run.points, window.inflate(-half, -half)) {
+            let piece = Run { width: run.width, points };
+            let joins = |last: &Line| last.runs.last().and_then(|run| run.points.last()) == piece.points.first();
+            match pieces.last_mut() {
+                Some(last) if joins(last) => last.runs.push(piece),
+                _ => pieces.push(Line { strength: line.strength, runs: vec![piece] }),
+            }
+        }
+    }
+    pieces
+}
+
+/// The pieces of a polyline in a rectangle.
+fn cut_polyline(points: &[MmPoint], rect: MmRect) -> Vec<Vec<MmPoint>> {
+    let mut pieces: Vec<Vec<MmPoint>> = Vec::new();
+    for pair in points.windows(2) {
+        let Some((a, b)) = cut_segment(pair[0], pair[1], rect) else { continue };
+        match pieces.last_mut() {
+            Some(last) if last.last() == Some(&a) => last.push(b),
+            _ => pieces.push(vec![a, b]),
+        }
+    }
+    pieces
+}
+
+/// The part of a segment in a rectangle (Liang and Barsky, 1984); an end that lies within stays as it is, to the last bit.
+fn cut_segment(a: MmPoint, b: MmPoint, rect: MmRect) -> Option<(MmPoint, MmPoint)> {
+    let way = b - a;
+    let (mut from, mut to) = (0.0_f32, 1.0_f32);
+    for (along, room) in
+        [(-way.x, a.x - rect.min.x), (way.x, rect.max.x - a.x), (-way.y, a.y - rect.min.y), (way.y, rect.max.y - a.y)]
+    {
+        if along < 0.0 {
+            from = from.max(room / along);
+        } else if along > 0.0 {
+            to = to.min(room / along);
+        } else if room < 0.0 {
+            return None;
+        }
+    }
+    let at = |share: f32| {
+        if share <= 0.0 {
+            a
+        } else if share >= 1.0 {
+            b
+        } else {
+            a + way * share
+        }
+    };
+    (from < to).then(|| (at(from), at(to)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rect() -> MmRect {
+        MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(10.0, 10.0))
+    }
+
+    #[test]
+    fn a_line_is_cut_into_what_lies_in_the_window() {
+        let at = |x, y| MmPoint::new(x, y);
+        let zigzag = [at(-5.0, 5.0), at(5.0, 5.0), at(15.0, 5.0), at(15.0, 8.0), at(5.0, 8.0)];
+        let pieces = cut_polyline(&zigzag, rect());
+        assert_eq!(pieces, [vec![at(0.0, 5.0), at(5.0, 5.0), at(10.0, 5.0)], vec![at(10.0, 8.0), at(5.0, 8.0)]]);
+        assert!(cut_polyline(&[at(-1.0, 11.0), at(12.0, 10.5)], rect()).is_empty());
+        let ring = [at(2.0, 2.0), at(8.0, 2.0), at(8.0, 8.0), at(2.0, 2.0)];
+        assert_eq!(cut_polyline(&ring, rect()), [ring.to_vec()], "what lies within stays as it is");
+    }
+
+    #[test]
+    fn grids_are_read_and_written() {
+        for text in ["2x2", "1x9", "3X1", " 2 x 4 "] {
+            let grid: Grid = text.parse().expect(text);
+            assert_eq!(grid.to_string(), text.replace(' ', "").to_lowercase());
+        }
+        for text in ["1x1", "0x3", "10x2", "2", "x", "2x", "2x2x2", "-1x2"] {
+            assert_eq!(text.parse::<Grid>(), Err(NotAGrid), "{text}");
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The way from bytes to a picture on several sheets.
+
+use super::{Event, Marks, Request, Stage, draw, finished, origin, run, too_black};
+use crate::page::layout::{self, Layout};
+use crate::page::spread::{self, Cut, Grid, Spread};
+use crate::page::{self, Dots, Figure, Line, Page, Parts, frame_dots};
+use crate::units::{MmRect, Size};
+use crate::{Error, Note};
+
+/// The sheets of a picture and what their maker should know.
+#[derive(Debug, Clone)]
+pub struct Sheets {
+    /// The overview on a sheet of its own, if there is one; then the picture, row by row.
+    pub pages: Vec<Page>,
+    /// Remarks, in the order of the stages.
+    pub notes: Vec<Note>,
+}
+
+/// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two sheets both
+/// show is the same on both. `watch` is told of every stage.
+///
+/// # Errors
+/// When the picture cannot be read or drawn, or the sheets have no room for it; see [`Error`].
+pub fn convert(
+    picture: &[u8],
+    grid: Grid,
+    request: &Request<'_>,
+    watch: &mut dyn FnMut(Event),
+) -> Result<Sheets, Error> {
+    let Marks { figure, overview, shares, is_flat, mut notes, .. } =
+        draw(picture, request, &|size| places(size, grid, request), watch)?;
+    let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, grid, request))?;
+    if pages.iter().all(Page::is_empty) {
+        notes.push(Note::EmptyPage);
+    } else if request.plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
+        notes.push(Note::NoLines);
+    }
+    let blackest = pages.iter().map(Page::black_share).fold(0.0, f32::max);
+    notes.extend(too_black(blackest, request.plan));
+    Ok(Sheets { pages, notes })
+}
+
+/// The figure in the space of all sheets together, the overview on a sheet of its own.
+fn places(size: Size, grid: Grid, request: &Request<'_>) -> Result<Layout, Error> {
+    let spread = spread_of(size, grid, request)?;
+    let params = request.plan.layout();
+    let overview = params.overview.map(|_| overview_sheet(size, request).figure);
+    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark: spread.mark })
+}
+
+fn aspect(size: Size) -> f32 {
+    size.width as f32 / size.height as f32
+}
+
+fn spread_of(size: Size, grid: Grid, request: &Request<'_>) -> Result<Spread, Error> {
+    let overlap = request.plan.profile().sheets.overlap;
+    let fit = |widest| spread::fit(aspect(size), widest, grid, overlap, &request.plan.layout());
+    let largest = fit(f32::MAX).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() })?;
+    match request.fit.width {
+        None => Ok(largest),
+        Some(wanted) if wanted > largest.figure.width() + super::fit::SLACK => {
+            Err(Error::TooWide { wanted, most: largest.figure.width() })
+        }
+        Some(wanted) => fit(wanted).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() }),
+    }
+}
+
+/// The overview as large as one sheet allows.
+fn overview_sheet(size: Size, request: &Request<'_>) -> Layout {
+    layout::fit(aspect(size), f32::MAX, &layout::Params { overview: None, ..request.plan.layout() })
+}
+
+fn assemble(
+    figure: &Figure,
+    overview: Option<(MmRect, Vec<Line>)>,
+    shares: Option<[f32; 5]>,
+    grid: Grid,
+    request: &Request<'_>,
+) -> Result<Vec<Page>, Error> {
+    let params = request.plan.layout();
+    let spread = spread_of(figure.source, grid, request)?;
+    let cuts = spread.cut(figure, params.frame.as_ref(), params.margin);
+    let names: Vec<&str> = cuts.iter().map(|cut| cut.name.as_str()).collect();
+    let whole = format!(
+        "one of {} sheets ({}), a letter for each row from the top and a number for each column from the left",
+        names.len(),
+        names.join(", ")
+    );
+    let words = page::describe(figure, None, shares);
+    let mut pages = Vec::new();
+    if let Some((place, lines)) = overview {
+        let layout = overview_sheet(figure.source, request);
+        let own = Figure { place, source: figure.source, textures: Vec::new(), lines };
+        let description =
+            format!("Overview of a picture on {} sheets. {}", names.len(), page::describe(&own, None, None));
+        let frame = params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
+        let title = format!("{}, overview", request.title);
+        let parts = Parts {
+            sheet: layout.sheet,
+            orientation_mark: layout.mark,
+            frame,
+            ..parts(title, description, own, grid, request)
+        };
+        pages.push(finished(parts, request)?);
+    }
+    for cut in &cuts {
+        let Cut { figure, frame, ticks, label, name } = cut.clone();
+        let title = format!("{}, sheet {name}", request.title);
+        let description = format!("Sheet {name}, {whole}. The whole picture: {words}");
+        let parts = Parts {
+            sheet: spread.sheet,
+            orientation_mark: spread.mark.clone(),
+            frame,
+            registration: ticks,
+            labels: vec![label],
+            ..parts(title, description, figure, grid, request)
+        };
+        pages.push(finished(parts, request)?);
+    }
+    Ok(pages)
+}
+
+/// What all sheets have, with nothing beside the figure.
+fn parts(title: String, description: String, figure: Figure, grid: Grid, request: &Request<'_>) -> Parts {
+    let mut origin = origin(request, figure.source);
+    origin.push(("sheets".to_owned(), grid.to_string()));
+    Parts {
+        sheet: [0.0, 0.0],
+        title,
+        description,
+        language: page::LANGUAGE.into(),
+        origin,
+        frame: Dots::default(),
+        orientation_mark: None,
+        registration: Vec::new(),
+        figure,
+        overview: None,
+        labels: Vec::new(),
+    }
+}
