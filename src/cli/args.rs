@@ -72,6 +72,8 @@ Examples:
         draws the main outlines only
   tactograph convert coffee.png --crop 20%,10%,50%,70% --width-mm 120
         draws a part of the picture, 120 mm wide
+  tactograph convert coffee.png --sheets 2x2 -o large.pdf
+        spreads the picture over two by two sheets, and the overview on another
   tactograph convert coffee.png --outlines --set page.orientation=landscape
         draws lines without textures on a sheet that lies across
   tactograph convert coffee.png --set lines.width_max=1.2 --set overview=false

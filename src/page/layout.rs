@@ -317,7 +317,9 @@ mod tests {
             let [width, height] = with(Orientation::Auto, aspect, overview).sheet;
             width > height
         };
-        assert!(lies_across(1.5, false) && !lies_across(1.0, false) && !lies_across(0.7, true) && lies_across(2.5, true));
+        assert!(
+            lies_across(1.5, false) && !lies_across(1.0, false) && !lies_across(0.7, true) && lies_across(2.5, true)
+        );
         // the sides of the sheet can be given in any order
         let mut turned = Params { orientation: Orientation::Auto, ..params() };
         turned.sheet.reverse();

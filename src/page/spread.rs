@@ -175,14 +175,14 @@ impl Spread {
             share(place.width(), figure.place.width(), figure.source.width),
             share(place.height(), figure.place.height(), figure.source.height),
         );
+        let on_sheet = |glyph: &Glyph| Glyph { at: glyph.at + onto_sheet, ..*glyph };
+        // What is told of a region is told of all of it, also where a sheet shows a part.
         let glyphs = |texture: &Texture| Texture {
             class: texture.class,
-            glyphs: texture
-                .glyphs
-                .iter()
-                .filter(|glyph| inside(glyph.at, glyph.radius()))
-                .map(|glyph| Glyph { at: glyph.at + onto_sheet, ..*glyph })
-                .collect(),
+            sign: texture.sign,
+            colour: texture.colour,
+            area: texture.area,
+            glyphs: texture.glyphs.iter().filter(|glyph| inside(glyph.at, glyph.radius())).map(on_sheet).collect(),
         };
         let mut lines: Vec<Line> = figure.lines.iter().flat_map(|line| cut_line(line, window)).collect();
         for at in lines.iter_mut().flat_map(|line| &mut line.runs).flat_map(|run| &mut run.points) {

@@ -23,7 +23,7 @@ pub struct Sorted {
 pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Sorted, Error> {
     let plan = request.plan;
     let fit = &request.fit;
-    let working_size = |source: Source| working_size(source, fit, plan);
+    let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);
     let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
     let layout = fit.layout(picture.source.size, plan)?;
