@@ -294,7 +294,9 @@ impl Profile {
         };
         // Sums of decimal numbers are a little off in f32.
         let holds = size + blank <= step + 1e-4;
-        if holds || size >= step || !self.figure.textures || !self.sound(&keys) {
+        // What is wrong with one of the numbers by itself is told by the other rules.
+        let told = size >= step || blank > self.textures.thickness;
+        if holds || told || !self.figure.textures || !self.sound(&keys) {
             return None;
         }
         let least = ((size + blank) * 1000.0).round() / 1000.0;

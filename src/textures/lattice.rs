@@ -186,12 +186,12 @@ mod tests {
             for quarter in 1..4 {
                 let left = base.iter().filter(|place| place.from_boldness <= quarter as f32 / 4.0).count() as f32;
                 let share = left / base.len() as f32;
-                assert!((share - quarter as f32 / 4.0).abs() < 0.08, "{class:?}: {share} at {quarter} quarters");
+                assert!((share - quarter as f32 / 4.0).abs() < 0.1, "{class:?}: {share} at {quarter} quarters");
             }
         }
         for row in places(Class::Yellow).chunk_by(|a, b| (a.at.x - b.at.x).abs() < 0.01) {
             assert!(
-                row.iter().all(|place| place.from_boldness == row[0].from_boldness),
+                row.iter().all(|place| (place.from_boldness - row[0].from_boldness).abs() < 1e-6),
                 "a row of yellow is thinned out"
             );
         }

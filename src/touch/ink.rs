@@ -173,9 +173,13 @@ mod tests {
         assert_eq!(of(Class::Blue), Some(0.0), "a hidden layer has no ink");
         assert_eq!(of(Class::Grey), None);
         assert!((total(&ink.lines) - 60.0).abs() < 0.1);
+        let red = &ink.textures.iter().find(|(class, _)| *class == Class::Red).expect("there is red").1;
         let at =
             |x: f32, y: f32| ((y - 12.0) * 8.0) as usize * ink.lines.size.width as usize + ((x - 22.0) * 8.0) as usize;
-        assert!(ink.textures[0].1.values[at(35.0, 22.0)] > 0.99, "the group around the figure moves it");
+        assert!(
+            red.values[at(35.0, 22.0)] > 0.99 && red.values[at(25.0, 22.0)] < 0.01,
+            "the group around the figure moves it"
+        );
     }
 
     #[test]

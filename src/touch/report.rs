@@ -114,7 +114,7 @@ impl fmt::Display for Report {
         let share = Percent(judged / area);
         writeln!(
             f,
-            "Judged is {share} of the textured area, which is {JUDGED_FROM} mm and more from lines and borders."
+            "{share} of the textured area is judged: what lies {JUDGED_FROM} mm or more from lines and borders."
         )
     }
 }
@@ -127,7 +127,7 @@ impl fmt::Display for Percent {
         let percent = 100.0 * self.0;
         match percent {
             p if p > 0.0 && p < 0.5 => write!(f, "under 1 %"),
-            p if p < 100.0 && p >= 99.5 => write!(f, "over 99 %"),
+            p if (99.5..100.0).contains(&p) => write!(f, "over 99 %"),
             p => write!(f, "{p:.0} %"),
         }
     }

@@ -173,8 +173,13 @@ fn values_that_do_not_go_together_are_told_where_they_were_given() {
           across their row",
         ),
         (
-            "textures.dot = 3",
-            "textures.dot is 3 but must be below textures.dot_pitch, which is 3, or the dots run together",
+            "textures.dot = 3.2",
+            "textures.dot is 3.2 but must be below textures.dot_pitch, which is 3.2, or the dots run together",
+        ),
+        (
+            "textures.along = 2.5",
+            "textures.along is 2.5 but must be at least 2.8, which is textures.length and textures.min_glyph together, \
+             or the blank between two glyphs is not felt",
         ),
         (
             "textures.dot = 0.5",

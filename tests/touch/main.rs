@@ -139,12 +139,10 @@ fn glyphs_stand_dense_where_lines_are() {
 fn no_glyph_is_too_near_to_anything_or_too_small() {
     let params = params();
     let mut faults = Vec::new();
-    for kind in 0..KINDS.len() {
+    for (kind, name) in KINDS.iter().enumerate() {
         for seed in 1000..1034 {
             let page = page_of(&scenes::scene(kind, seed, QUICK_PX), &[]);
-            faults.extend(
-                gaps::faults(&page, &params).into_iter().map(|fault| format!("{} {seed}: {fault}", KINDS[kind])),
-            );
+            faults.extend(gaps::faults(&page, &params).into_iter().map(|fault| format!("{name} {seed}: {fault}")));
         }
     }
     for path in samples::samples() {
