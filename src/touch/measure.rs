@@ -7,7 +7,7 @@
 //! A fingertip of size f is a Gaussian of sigma f mm: what is finer is one lump under it. From the lumps their mean over the
 //! window is taken away, because a border or a fading texture is no texture. What is left is a landscape; the structure
 //! tensor of its slopes (gradients, per mm, averaged over the window) says whether they all run one way. Slopes that are
-//! small beside the ink are not felt at all: they are measured against [`FAINT`].
+//! small beside the ink are not felt at all: they are measured against a tenth of it.
 
 use crate::page::Class;
 use crate::raster::plane::Plane;
