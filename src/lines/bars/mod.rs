@@ -23,11 +23,10 @@ use crate::units::{MmRect, MmVector};
 const MIN_STRETCH: f32 = 1.5;
 /// Vertices of the other side between two opposites that follow one another belong to the bar up to this many (3 mm).
 const SKIP: usize = 8;
-/// A ring of which this share has become the middle line of another one goes altogether.
+/// A ring of which this share has become the middle line of another one goes altogether; one of which less is a bar's side
+/// may stay whole.
 const MOST: f32 = 0.5;
-/// A ring of which less than this share is a bar's side is no bar but a thing near another, ...
-const LESSER: f32 = 0.3;
-/// ... or less than [`MOST`] where the bar is wider than clearance less this, mm: a ring gives way by as much.
+/// A ring gives way by as much, mm: beside a line that is farther than clearance less this it can stay whole.
 const GIVES_WAY: f32 = super::clear::RING_FARTHEST;
 
 /// A stretch of one trail along which it has opposites on one other.
@@ -82,19 +81,19 @@ fn fates(trails: &[Trail], opposites: &[Opposites], mut stretches: Vec<Stretch>,
     by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
 
     let winner = |stretch: &Stretch| rank[stretch.trail].min(rank[stretch.other]);
-    // A ring that is a bar's side on its lesser part stays whole: it is a thing beside another, as a pupil in an eye. Where
-    // it can give way that part may be larger.
-    let (mut sides, mut close) = (vec![0; trails.len()], vec![0; trails.len()]);
-    let reach = params.min_gap + params.width_max;
+    // A ring that is a bar's side on its lesser part stays whole if it can give way: it is a thing beside another, as a pupil
+    // in an eye.
+    let (mut sides, mut close) = (vec![0; trails.len()], vec![false; trails.len()]);
+    let nearest = params.min_gap + params.width_max - GIVES_WAY;
     for stretch in &stretches {
         sides[stretch.trail] += stretch.count;
         let vertices = &trails[stretch.trail].vertices;
-        let is_close = |(i, opposite): &(usize, Opposite)| (opposite.at - vertices[*i].at).length() < reach - GIVES_WAY;
-        close[stretch.trail] += stretch.opposites(opposites).filter(is_close).count();
+        let is_close = |(i, opposite): (usize, Opposite)| (opposite.at - vertices[i].at).length() < nearest;
+        close[stretch.trail] |= stretch.opposites(opposites).any(is_close);
     }
     let thing = |number: usize| {
-        let share = |count: usize| count as f32 / trails[number].places() as f32;
-        trails[number].closed && share(close[number]) < LESSER && share(sides[number]) < MOST
+        let share = sides[number] as f32 / trails[number].places() as f32;
+        trails[number].closed && !close[number] && share < MOST
     };
     stretches.retain(|stretch| {
         let loser = if rank[stretch.trail] == winner(stretch) { stretch.other } else { stretch.trail };
