@@ -44,10 +44,9 @@ const WORD_GAP: f32 = 6.0;
 const FRAME_PITCHES: [f32; 3] = [0.75, 1.0, 1.5];
 /// Thicknesses of the smallest glyph, mm: around the 0.5 that hatching notes give as the least for anything printed.
 const GLYPHS: [f32; 6] = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
-/// Lightness of the smallest glyphs as a share of that from which there are none: as near as rounding lets it.
-const LIGHTEST: f32 = 0.9999;
-/// Lightness of the samples of a texture as shares of that from which there is none: from the boldest glyphs to the lightest.
-const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.99];
+/// Lightness of the samples of a texture as shares of that from which there is none: from the boldest glyphs to
+/// the lightest that are all there; nearer to white rows are left out.
+const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.95];
 /// How much further apart the glyphs of the middle density stand than those of the dense one: between dense, and sparse with
 /// half the rows.
 const WIDER: f32 = 1.25;
@@ -138,11 +137,12 @@ fn frames(profile: &Profile) -> Section {
 }
 
 fn glyphs(params: &textures::Params) -> Section {
-    let (lightest, side) = (LIGHTEST * params.white_from, samples::side(params));
+    let side = samples::side(params);
     let key = format!("the smallest rhombuses, above, and dots, {} mm thick", listed(&GLYPHS));
-    let sample = |min_glyph| {
-        let params = textures::Params { dense_from: 0.0, min_glyph, dot: min_glyph, ..*params };
-        let of = |class| samples::texture(class, lightest, side, &params);
+    let sample = |thin| {
+        // as thin at every boldness
+        let params = textures::Params { min_glyph: thin, thickness: thin, dot: thin, ..*params };
+        let of = |class| samples::texture(class, 0.0, 1.0, side, &params);
         samples::stacked(&of(Class::Blue), &of(Class::Grey))
     };
     Section { blocks: row(4, GLYPHS.map(sample)), key }
@@ -150,19 +150,17 @@ fn glyphs(params: &textures::Params) -> Section {
 
 /// The table of one class. The middle density has no place on pages: it shows what a profile with wider textures would do.
 fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
-    let dense = textures::Params { dense_from: 0.0, ..*params };
     let wider = textures::Params {
         along: WIDER * params.along,
         across: WIDER * params.across,
         dot_pitch: WIDER * params.dot_pitch,
-        ..dense
+        ..*params
     };
-    // No density reaches this.
-    let sparse = textures::Params { dense_from: f32::INFINITY, ..*params };
     let side = samples::side(params);
-    let sample =
-        |params: &textures::Params, share: f32| samples::texture(class, share * params.white_from, side, params);
-    let rows = [dense, wider, sparse].map(|params| LIGHTNESS.map(|share| sample(&params, share)).to_vec());
+    let rows = [(params, 1.0), (&wider, 1.0), (params, 0.0)].map(|(params, density)| {
+        let sample = |share| samples::texture(class, share * params.white_from, density, side, params);
+        LIGHTNESS.map(sample).to_vec()
+    });
     let lightness = LIGHTNESS.map(|share| (100.0 * share * params.white_from).round() / 100.0);
     let key = format!(
         "the texture of {}; down 1 dense, 2 the same {WIDER} times as far apart, 3 sparse; across for colours of lightness {}",

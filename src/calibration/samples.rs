@@ -1,15 +1,14 @@
 //! The samples themselves, each with its label.
 
 use super::flow::{Block, Marks};
-use crate::classes::{Class, Classes, Region};
+use crate::classes::Class;
 use crate::lines::{Line, Run};
 use crate::page::Dots;
 use crate::page::braille;
 use crate::page::frame_dots;
 use crate::page::layout::FrameParams;
-use crate::raster::plane::Plane;
 use crate::textures;
-use crate::units::{MmPoint, MmRect, MmVector, Size};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Length of a sample of lines, mm, with its round ends. Chosen by us: twice the 12.5 mm that BANA is quoted with for main
 /// lines.
@@ -91,18 +90,10 @@ pub(super) fn side(params: &textures::Params) -> f32 {
     SIDE.max(6.0 * params.along.max(params.across).max(params.dot_pitch))
 }
 
-/// A square of the texture that a page has where a colour of this class and lightness is, far from any line.
-pub(super) fn texture(class: Class, lightness: f32, side: f32, params: &textures::Params) -> Block {
+/// A square of the texture that a page has where a colour of this class and lightness is and lines have this density, 0..=1.
+pub(super) fn texture(class: Class, lightness: f32, density: f32, side: f32, params: &textures::Params) -> Block {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(side, side));
-    let cells = Size::new(side.ceil() as u32, side.ceil() as u32);
-    let classes = Classes {
-        size: cells,
-        region: vec![Some(0); cells.area() as usize],
-        regions: vec![Region { class, colour: [0; 3], cells: cells.area() as u32 }],
-        lightness: Plane::filled(cells, lightness),
-        fringe: Vec::new(),
-    };
-    let textures = textures::fill(&classes, area, &[], params);
+    let textures = vec![textures::sample(class, lightness, density, area, params)];
     Block { size: area.size().to_vector(), marks: Marks { textures, ..Marks::default() }, ..Block::default() }
 }
 

@@ -25,13 +25,15 @@ fn a_pdf_has_all_sheets_and_their_key_is_told() {
 fn drawings_and_pictures_have_numbers_and_cost_nobody_theirs() {
     let place = Place::new();
     let run = place.run(&["calibrate", "-o", "d.svg", "--set", "lines.width_max=1.7"]);
-    assert!(run.err.ends_with("wrote d-1.svg\nwrote d-2.svg\nwrote d-3.svg\n"), "{}", run.err);
+    assert!(run.err.ends_with("wrote d-1.svg\nwrote d-2.svg\nwrote d-3.svg\nwrote d-4.svg\n"), "{}", run.err);
     assert!(run.err.contains("pairs of lines 1.7 mm wide"), "{}", run.err);
-    for name in ["d-1.svg", "d-2.svg", "d-3.svg"] {
+    let drawings = ["d-1.svg", "d-2.svg", "d-3.svg", "d-4.svg"];
+    for name in drawings {
         place.has_page(name);
     }
     assert_eq!(place.run(&["calibrate", "-q", "-o", "p.png", "--dpi", "60"]).code, 0);
-    assert_eq!(place.names(), ["d-1.svg", "d-2.svg", "d-3.svg", "p-1.png", "p-2.png", "p-3.png"]);
+    let pictures = ["p-1.png", "p-2.png", "p-3.png", "p-4.png"];
+    assert_eq!(place.names(), [drawings, pictures].concat());
     // A name that the user did not give must not cost them a drawing; nothing else is written then.
     place.put("d-2.svg", DRAWING.as_bytes());
     let first = place.text("d-1.svg");
@@ -45,7 +47,7 @@ fn standard_output_takes_what_goes_into_one_file() {
     let place = Place::new();
     let out = place.command(&["calibrate", "-o", "-", "--format", "pdf", "-q"]).output().expect("the program starts");
     assert!(out.status.success() && out.stdout.starts_with(b"%PDF") && out.stderr.is_empty());
-    let line = "standard output: 3 sheets do not go into one file of this format; add --format pdf, or name a file";
+    let line = "standard output: 4 sheets do not go into one file of this format; add --format pdf, or name a file";
     place.refuses(&["calibrate", "-o", "-"], 1, &[line]);
 }
 

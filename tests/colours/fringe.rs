@@ -23,8 +23,13 @@ const COLOURS: [(Class, Option<Class>, [u32; 3]); 12] = [
 ];
 
 /// A smaller sheet, so that there is less to feel.
-const SETTINGS: [(&str, &str); 4] =
-    [("textures.fringe", "true"), ("overview", "false"), ("page.width", "130"), ("page.height", "130")];
+const SETTINGS: [(&str, &str); 5] = [
+    ("textures.fringe", "true"),
+    ("overview", "false"),
+    ("mark", "false"),
+    ("page.width", "130"),
+    ("page.height", "130"),
+];
 
 /// How many places were judged, the share whose class a fingertip of 1.0 mm reads from the rows, and the share whose leaning
 /// one of 0.5 mm reads from the rhombuses: the direction that it feels is nearest to that of the class leant to, or for a

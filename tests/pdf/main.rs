@@ -12,6 +12,7 @@ use roxmltree::{Document, Node};
 use tactograph::Page;
 use tactograph::output::{pdf, svg};
 
+const SVG: &str = "http://www.w3.org/2000/svg";
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 const POINTS_PER_MM: f32 = 72.0 / 25.4;
 
@@ -73,13 +74,14 @@ fn a_sheet_has_its_true_size_and_no_other_box() {
 fn marks_of_svg(page: &Page) -> Vec<Mark> {
     let text = svg::write(page);
     let document = Document::parse(&text).expect("XML");
-    let paths = document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "path")));
+    let paths = document.descendants().filter(|node| node.has_tag_name((SVG, "path")));
     paths.map(mark_of_svg).collect()
 }
 
 fn mark_of_svg(path: Node<'_, '_>) -> Mark {
+    let groups = path.ancestors().filter(|node| node.has_tag_name((SVG, "g")));
     let mut layers: Vec<String> =
-        path.ancestors().filter_map(|node| node.attribute((INKSCAPE, "label"))).map(String::from).collect();
+        groups.filter_map(|node| node.attribute((INKSCAPE, "label"))).map(String::from).collect();
     layers.reverse();
     let hundredths = |text: &str| -> i64 { (text.parse::<f64>().expect("a number") * 100.0).round() as i64 };
     let d = path.attribute("d").expect("a path");
@@ -153,7 +155,8 @@ fn layers_have_the_names_of_the_svg_and_lie_in_one_another_alike() {
         let reader = Reader::new(&bytes);
         let text = svg::write(&page);
         let document = Document::parse(&text).expect("XML");
-        let groups = document.descendants().filter_map(|node| node.attribute((INKSCAPE, "label")));
+        let groups = document.descendants().filter(|node| node.has_tag_name((SVG, "g")));
+        let groups = groups.filter_map(|node| node.attribute((INKSCAPE, "label")));
         let in_file: Vec<String> = reader.with("/Type/OCG").iter().map(|(_, layer)| string_of(layer, "Name")).collect();
         assert_eq!(in_file, groups.collect::<Vec<_>>(), "{}", page.title);
         // As a viewer lists them: every layer by name, a list in brackets after the layer that it lies in.
@@ -170,7 +173,8 @@ fn layers_have_the_names_of_the_svg_and_lie_in_one_another_alike() {
 }
 
 fn listed(group: Node<'_, '_>) -> String {
-    let layers = group.children().filter_map(|node| Some((node, node.attribute((INKSCAPE, "label"))?)));
+    let groups = group.children().filter(|node| node.has_tag_name((SVG, "g")));
+    let layers = groups.filter_map(|node| Some((node, node.attribute((INKSCAPE, "label"))?)));
     let told = layers.map(|(node, label)| match listed(node) {
         // Only the figure and its textures can hold layers; a figure without any still has its list.
         inner if inner.is_empty() && label != "Figure" => label.into(),
