@@ -130,7 +130,7 @@ macro_rules! table {
 
         /// Every section with what it is about, in the order of the table.
         pub(super) fn section_docs() -> impl Iterator<Item = (&'static str, &'static str)> {
-            [$((stringify!($section), $section_doc.trim_ascii())),+].into_iter()
+            [$((section_path!($section), $section_doc.trim_ascii())),+].into_iter()
         }
 
         /// Every key, in the order of the table.
