@@ -1,5 +1,7 @@
 //! Measures of polylines.
 
+use std::sync::LazyLock;
+
 use lyon::geom::euclid::Point2D;
 
 /// Length of a polyline.
@@ -39,7 +41,7 @@ pub fn smooth<const N: usize>(
     // A closed line repeats its first point at the end; the repeat is not a sample of its own.
     let ring = if closed { n - 1 } else { n };
     let total = arcs[n - 1];
-    let (bell, per_sigma) = (bell(), STEPS as f32 / sigma);
+    let (bell, per_sigma) = (&*BELL, STEPS as f32 / sigma);
     let reach = if closed { (3.0 * sigma).min(total / 2.0) } else { 3.0 * sigma };
     let mut out = Vec::with_capacity(n);
     for i in 0..ring {
@@ -88,10 +90,10 @@ const STEPS: usize = 64;
 const ROUNDING: f32 = 1e-3;
 
 /// The Gaussian from its middle to three sigma, where it is 0, and a step; each value that of the middle of its step.
-fn bell() -> [f64; 3 * STEPS + 2] {
+static BELL: LazyLock<[f64; 3 * STEPS + 2]> = LazyLock::new(|| {
     let gaussian = |x: f64| (-0.5 * x * x).exp();
     std::array::from_fn(|i| (gaussian((i as f64 + 0.5) / STEPS as f64) - gaussian(3.0)).max(0.0))
-}
+});
 
 #[cfg(test)]
 mod tests {
