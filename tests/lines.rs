@@ -25,7 +25,7 @@ const EDGES: edges::Params = edges::Params {
     min_length: 5.0,
     strength_window: 3.0,
     suppression: 0.0, // all that noise has to offer
-    side_sigma: 2.5,
+    side_cell: 2.5,
     side_offset: 5.5,
 };
 

@@ -24,7 +24,7 @@ const EDGES: edges::Params = edges::Params {
     min_length: 6.0,
     strength_window: 3.0,
     suppression: 1.0,
-    side_sigma: 3.0,
+    side_cell: 3.0,
     side_offset: 6.6,
 };
 

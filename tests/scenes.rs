@@ -26,7 +26,7 @@ fn edge_params(sigma: f32) -> edges::Params {
         min_length: 5.0,
         strength_window: 3.0,
         suppression: 1.0,
-        side_sigma: 3.0,
+        side_cell: 3.0,
         side_offset: 6.6,
     }
 }

@@ -4,7 +4,7 @@ use super::chain::{self, Chain};
 use super::path::{Mark, Path};
 use super::sides::Sides;
 use super::thin::Ridge;
-use super::{Params, lab};
+use super::{Params, lab, strength};
 use crate::raster::Raster;
 use crate::raster::plane::Plane;
 
@@ -25,7 +25,7 @@ pub(super) fn keep(
         if !reaches {
             continue;
         }
-        let strengths = strengths(points, chain, sides, params);
+        let strengths = strength::along(points, chain, sides, params);
         for piece in pieces(chain, &strengths, params) {
             let mut numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
             if chain::length(points, &numbers) < params.min_length {
@@ -59,38 +59,6 @@ pub(super) fn keep(
 /// the slope that the second derivative has at the edge, `D / (sqrt(2 pi) t^3)`.
 fn doubt(noise: f32, point: &Ridge, sigma: f32) -> f32 {
     0.612 * noise / point.step.max(1e-3) * (point.blur / sigma).powi(3)
-}
-
-/// Step heights with texture suppressed, averaged along the chain.
-fn strengths(points: &[Ridge], chain: &Chain, sides: &Sides, params: &Params) -> Vec<f32> {
-    let suppression = params.suppression;
-    // points of a chain are a pixel apart, give or take the slant
-    let window = params.strength_window.round() as usize;
-    let raw: Vec<f32> = chain
-        .iter()
-        .map(|&number| {
-            let point = &points[number as usize];
-            let step = point.step;
-            if suppression > 0.0 {
-                // the geometric mean of gradient and side statistic: step * sqrt(contour) at full suppression
-                step * sides.contour(point.at, point.normal, step).powf(0.5 * suppression)
-            } else {
-                step
-            }
-        })
-        .collect();
-    let closed = chain.first() == chain.last();
-    let n = if closed { raw.len() - 1 } else { raw.len() };
-    let mean = |i: usize| {
-        let reach = if closed { window.min((n - 1) / 2) } else { window.min(i).min(n - 1 - i) };
-        let sum: f32 = raw[i] + (1..=reach).map(|k| raw[(i + k) % n] + raw[(i + n - k) % n]).sum::<f32>();
-        sum / (2 * reach + 1) as f32
-    };
-    let mut means: Vec<f32> = (0..n).map(mean).collect();
-    if closed {
-        means.push(means[0]);
-    }
-    means
 }
 
 /// Hysteresis along a chain: it is cut where its strength is below `low`, and a piece stays if it reaches `high` somewhere.

@@ -58,6 +58,11 @@ impl Noise {
         Self { pixel: weighted().fold(0.0, f32::max), weights, lightness, total }
     }
 
+    /// Standard deviation of the step height that this noise pretends at scale `scale`.
+    pub(super) fn pretended(&self, scale: f32) -> f32 {
+        step(self.total, scale)
+    }
+
     /// The parameters for this much noise.
     pub(super) fn adapted(&self, params: &Params) -> Params {
         let sigma = params.sigma * (GROWTH * self.lightness).clamp(1.0, MOST_GROWTH);

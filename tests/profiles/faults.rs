@@ -144,13 +144,13 @@ fn values_that_do_not_go_together_are_told_where_they_were_given() {
           the thinner line",
         ),
         (
-            "edges.low = 20",
-            "edges.low is 20 but must be at most edges.high, which is 16, since a contour is followed down to low \
+            "edges.low = 10",
+            "edges.low is 10 but must be at most edges.high, which is 7, since a contour is followed down to low \
           once it has reached high",
         ),
         (
-            "lines.full_strength = 7",
-            "edges.low is 7 but must be below lines.full_strength, which is 7, since lines grow from the \
+            "lines.full_strength = 3",
+            "edges.low is 3 but must be below lines.full_strength, which is 3, since lines grow from the \
           one to the other",
         ),
         ("frame.dot = 1.6", "frame.dot is 1.6 but must be below frame.pitch, which is 1.6, or its dots run together"),

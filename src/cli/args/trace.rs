@@ -77,7 +77,7 @@ pub(in crate::cli) struct Trace {
     /// A contour goes on as long as it has the strength LOW, and is kept if it has the strength HIGH somewhere. 0,0 keeps
     /// everything but crumbs, which at full resolution are shorter than 6 pixels.
     ///
-    /// [default: edges.low,edges.high of the profile; with --full-resolution 3.5,8]
+    /// [default: edges.low,edges.high of the profile; with --full-resolution 3.5,5]
     #[arg(long, value_name = "LOW,HIGH", value_parser = thresholds, allow_hyphen_values = true)]
     pub(in crate::cli) threshold: Option<Thresholds>,
 
