@@ -9,12 +9,12 @@
 //! | all | | | .675 .697 .690 | .706 .731 .732 |
 //! | `parted` | difference on both sides after the colours have flowed / step | a contour parts two areas, a blade of grass one lawn | .657 .681 .669 | .686 .712 .711 |
 //! | `1 / blur` | scale of the derivative / blur that the edge shows | what is out of focus, and shading, is not meant | .670 .692 .682 | .697 .725 .720 |
-//! | `H` | how busy the surroundings are | an edge among many others counts less | .670 .696 .687 * | .694 .728 .715 * |
-//! | `calm` | 1 / (1 + variance around the calmer side / 8^2) | texture lies on both sides of its edges, seldom of an outline | .669 .694 .685 * | .693 .724 .722 * |
+//! | `H` | how busy the surroundings are | an edge among many others counts less | .673 .699 .692 | .699 .732 .727 |
+//! | `calm` | 1 / (1 + variance around the calmer side / 8^2) | texture lies on both sides of its edges, seldom of an outline | .672 .698 .688 | .698 .732 .727 |
 //! | `long` | l / (l + 6 cells) of the chain | outlines are long, and texture breaks into crumbs | .673 .698 .688 | .703 .727 .719 |
 //! | `u` | H / (H + 12) | **an edge that stands alone is a contour, whatever it looks like** | | |
 //!
-//! The figures are ODS, OIS and AP on 50 photographs each of the contour benchmark BSDS500 (* measured without `long`). The
+//! The figures are ODS, OIS and AP on 50 photographs each of the contour benchmark BSDS500. The
 //! cues before (a window on either side, and coherence around) read .658 .683 .664 and .678 .709 .696.
 //!
 //! `H` is the height of the edges on a straight way through the surroundings, less two steps of the edge itself (a pen
@@ -47,10 +47,6 @@ const ALONE: f32 = 12.0;
 /// Height of edges around that takes a factor sqrt(2) off every edge among them: about the mean of photographs.
 const BUSY: f32 = 120.0;
 
-/// Shares are rounded to one of so many, so that the two sides of a drawn bar are as strong as each other, and not the
-/// order of a sum decides between them.
-const ROUNDED: f32 = 256.0;
-
 /// Strength of every point of a chain, averaged along the chain.
 pub(super) fn along(points: &[Ridge], chain: &Chain, sides: &Sides, params: &Params) -> Vec<f32> {
     let length = chain::length(points, chain);
@@ -74,8 +70,7 @@ fn share(point: &Ridge, long: f32, sides: &Sides, params: &Params) -> f32 {
     let contour = (parted * (long * calm).sqrt()).sqrt() / blur;
     let around = (sides.busy(point.at) - 2.0 * step).max(0.0);
     let depth = around / (around + ALONE);
-    let share = (1.0 - depth + depth * contour) * (BUSY / (BUSY + around)).sqrt();
-    (share * ROUNDED).round() / ROUNDED
+    (1.0 - depth + depth * contour) * (BUSY / (BUSY + around)).sqrt()
 }
 
 /// Means over `window` values to both sides, fewer at the ends. A closed chain's last value is its first again.
