@@ -46,14 +46,17 @@ impl Walls {
             let once = &chain[usize::from(chain.len() > 1 && chain.first() == chain.last())..];
             for point in once.iter().map(|&number| &points[number as usize]) {
                 let (x, y) = (point.at.x * x_scale, point.at.y * y_scale);
-                let (column, row) = ((x as usize).min(width - 1), (y as usize).min(height - 1));
                 let [nx, ny] = point.normal.map(f32::abs);
                 let step = point.step / nx.max(ny);
-                if x >= 0.5 {
-                    right[row * width + ((x - 0.5) as usize).min(width - 1)] += step * nx * y_scale;
+                for (row, share_y) in two((y - 0.5).clamp(0.0, (height - 1) as f32), height) {
+                    for (column, share_x) in two(x - 1.0, width - 1) {
+                        right[row * width + column] += share_x * share_y * step * nx * y_scale;
+                    }
                 }
-                if y >= 0.5 {
-                    down[((y - 0.5) as usize).min(height - 1) * width + column] += step * ny * x_scale;
+                for (column, share_x) in two((x - 0.5).clamp(0.0, (width - 1) as f32), width) {
+                    for (row, share_y) in two(y - 1.0, height - 1) {
+                        down[row * width + column] += share_x * share_y * step * ny * x_scale;
+                    }
                 }
             }
         }
@@ -116,6 +119,17 @@ impl Walls {
         }
         out
     }
+}
+
+/// The two whole numbers around a place with their shares in it; what is not within 0..count has none. Shared out, because
+/// an edge of a drawing may lie just between two cells, and in a mirror too.
+fn two(at: f32, count: usize) -> impl Iterator<Item = (usize, f32)> {
+    let first = at.floor();
+    let share = at - first;
+    [(first, 1.0 - share), (first + 1.0, share)]
+        .into_iter()
+        .filter(move |(i, _)| *i >= 0.0 && *i < count as f32)
+        .map(|(i, share)| (i as usize, share))
 }
 
 fn add(a: Cell, b: Cell) -> Cell {
