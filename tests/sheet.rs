@@ -14,7 +14,7 @@ use tactograph::geom::nearby::{Nearby, Segment};
 use tactograph::geom::nearest_on_segment;
 use tactograph::page::{Class, Dots, Page, Run, Shape, Texture};
 use tactograph::profile::{Profile, built_in};
-use tactograph::units::{MmPoint, MmRect};
+use tactograph::units::{MmPoint, MmRect, MmVector};
 
 /// Numbers are kept in f32; this is more than adding up a few of them loses.
 const ROUNDING: f32 = 1e-3;
@@ -74,9 +74,9 @@ fn holds(bytes: &[u8], name: &str, profile: &Profile) {
     let margin = profile.page.margin - 0.5 * swell;
     let [width, height] = page.sheet;
     let inner = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(width, height)).inflate(-margin, -margin);
-    let sides = [width.min(height), width.max(height)];
-    let asked = [profile.page.width.min(profile.page.height), profile.page.width.max(profile.page.height)];
-    assert_eq!(sides, asked, "{name}: the size of the sheet");
+    let smaller_and_larger = |a: f32, b: f32| MmVector::new(a.min(b), a.max(b));
+    let asked = smaller_and_larger(profile.page.width, profile.page.height);
+    assert!((smaller_and_larger(width, height) - asked).length() < 1e-3, "{name}: the size of the sheet");
 
     // Frames lie around their pictures, as far away as the profile says, within the margins.
     let frames: Vec<_> = [(&page.frame, page.figure.place)]
