@@ -124,13 +124,13 @@ pub(crate) fn params() -> classes::Params {
 pub(crate) fn contours(raster: &Raster) -> Vec<Vec<PxPoint>> {
     let params = edges::Params {
         sigma: 2.25,
-        low: 7.0,
-        high: 16.0,
+        low: 3.0,
+        high: 7.0,
         min_length: 10.0,
         strength_window: 5.0,
         suppression: 1.0,
-        side_sigma: 5.0,
-        side_offset: 11.0,
+        side_cell: 8.0,
+        side_offset: 12.0,
     };
     edges::find(raster, &params).chains().map(|chain| chain.iter().map(|point| point.at).collect()).collect()
 }
