@@ -10,7 +10,7 @@ const SIDE: u32 = 300;
 /// Millimetres for a pixel: the scene is 100 mm wide.
 const SCALE: f32 = 1.0 / 3.0;
 
-/// A grey picture of `lightness(x, y)` in CIELAB L, 0..=100, at pixel centres.
+/// A grey picture of `lightness(x, y)`, 0..=100 as pictures store it, at pixel centres.
 fn picture(lightness: impl Fn(f32, f32) -> f32) -> Raster {
     let size = Size::new(SIDE, SIDE);
     let linear = |l: f32| ((l / 100.0 + 0.055) / 1.055).powf(2.4); // all scenes are lighter than where sRGB turns straight

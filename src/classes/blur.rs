@@ -79,10 +79,11 @@ impl Borders {
         }
     }
 
-    /// Whether two neighbouring cells exchange; false for cells that are none.
+    /// Whether two neighbouring cells exchange.
     pub(super) fn is_open(&self, cell: usize, other: usize) -> bool {
         let (first, second) = (cell.min(other), cell.max(other));
-        let links = if second - first == 1 { &self.right } else { &self.below };
+        let side_by_side = second - first == 1 && self.size.width > 1;
+        let links = if side_by_side { &self.right } else { &self.below };
         links[first] > 0.0
     }
 

@@ -115,7 +115,7 @@ fn join<L: Copy + Ord>(
             let scored = by_neighbour.filter_map(|run| {
                 let neighbour = area_of[run[0].1];
                 let label = labels[areas[neighbour][0]];
-                // In whole thousandths, so that the order of summing decides nothing.
+                // In whole thousandths, so that what the order of summing changes seldom decides.
                 let score = (1000.0 * suits(&areas[number], label, run)?).round() as i64;
                 Some((score, weight(neighbour), label))
             });

@@ -1,6 +1,6 @@
 //! What a command makes, in words and file names.
 
-use tactograph::output::{json, pdf, png};
+use tactograph::output::{json, pdf, png, svg};
 
 /// What a command makes of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,9 +22,9 @@ pub(super) enum Format {
     Png,
 }
 
-/// How much of a file is searched for the name of this program, which stands at its top.
+/// How much of a trace is looked at: its mark stands at its top.
 const HEAD_BYTES: u64 = 64 << 10;
-/// Largest PDF or PNG that can be one of ours: a page is far smaller.
+/// Largest file that can be a page of ours, which is far smaller.
 const MOST_BYTES: u64 = 256 << 20;
 
 impl Format {
@@ -85,21 +85,16 @@ impl Product {
     /// How many bytes from its beginning [`Product::is_own`] needs of a file.
     pub(super) fn needs_of_file(self) -> u64 {
         match self {
-            Self::Page(Format::Pdf | Format::Png) => MOST_BYTES,
-            Self::Page(Format::Svg) | Self::Trace => HEAD_BYTES,
+            Self::Page(_) => MOST_BYTES,
+            Self::Trace => HEAD_BYTES,
         }
     }
 
     /// Whether a file that begins with `head` is one as this program wrote it, with no work of a person in it.
     pub(super) fn is_own(self, head: &[u8]) -> bool {
-        let has = |mark: &str| head.windows(mark.len()).any(|part| part == mark.as_bytes());
         match self {
-            Self::Page(Format::Svg) => {
-                // Editors leave their own marks in what they save: Inkscape its version and its window, Illustrator a comment.
-                let edited = has("sodipodi:") || has("inkscape:version") || has("Illustrator");
-                has("<metadata>program = tactograph ") && !edited
-            }
-            // These carry a number that fits their bytes only as long as nobody changes them.
+            // Pages carry a number that fits their bytes only as long as nobody changes them.
+            Self::Page(Format::Svg) => svg::is_as_written(head),
             Self::Page(Format::Pdf) => pdf::is_as_written(head),
             Self::Page(Format::Png) => png::is_as_written(head),
             // Whatever reads JSON and writes it again sets its spaces otherwise.

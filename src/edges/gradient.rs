@@ -151,7 +151,7 @@ fn extend(row: &mut [f32], radius: usize, width: usize) {
 }
 
 /// Half of the odd kernel that belongs to half of a Gaussian, scaled so that a ramp of 1 per pixel gives 1.
-fn derivative(smooth: &[f32]) -> Vec<f32> {
+pub(super) fn derivative(smooth: &[f32]) -> Vec<f32> {
     let moment: f32 = smooth.iter().enumerate().map(|(i, k)| 2.0 * (i * i) as f32 * k).sum();
     smooth.iter().enumerate().map(|(i, k)| i as f32 * k / moment).collect()
 }

@@ -25,7 +25,8 @@ pub(super) struct Profile {
     pub(super) top: f32,
     /// `1 / t^2` for the blur `t`, which has the scale of the derivative in it, px^-2.
     pub(super) sharpness: f32,
-    /// The gradient beyond the edge, to the left of it or above, and to the right or below, as a share of the top.
+    /// The gradient beyond the edge, to the left of it or above, and to the right or below, as a share of
+    /// that at the pixel of the edge.
     pub(super) beyond: [f32; 2],
     /// How far from the edge these were read, px.
     pub(super) distance: f32,

@@ -4,6 +4,7 @@
 //! Raster -> noise (how much)
 //!        -> lab (perceptual rows) -> gradient (colour tensor, row by row) -> thin (points between pixels)
 //!                 `-> sides (what lies on both sides) ----v                    |
+//!                                             flow -> strength                 |
 //!   Edges <- meet <- corner <- refine <- bridge <------- keep <- height <- chain
 //! ```
 //!
@@ -135,6 +136,7 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let mut lab = vec![vec![0.0; size.width as usize]; planes];
     for y in 0..size.height as usize {
         lab::row(arch, raster, y, &mut lab);
+        // as they are: means over whole cells have little noise left
         sides.push_colours(&lab);
         for (plane, &weight) in lab.iter_mut().zip(&noise.weights).filter(|(_, weight)| **weight < 1.0) {
             plane.iter_mut().for_each(|v| *v *= weight);

@@ -28,7 +28,7 @@ const NOT_AT_ALL: f32 = 1.2;
 #[derive(Debug, Clone, Copy)]
 struct Fit {
     at: PxPoint,
-    /// Unit direction of the path.
+    /// Direction of the path; of length 1, or a little less where two fits are mixed.
     along: PxVector,
     /// Signed; positive bends to the right of the direction (y down).
     curvature: f32,

@@ -3,7 +3,7 @@
 //! ```text
 //! Edges -> smooth -> join (ends that continue one another) -> bars (two near sides become one middle line)
 //!       -> join -> meet (ends led on to lines before them) -> weight (width by strength) -> clear (no two too near)
-//!       -> simplify -> detail (the lines that say most) -> Lines
+//!       -> detail (the lines that say most) -> simplify -> Lines
 //! ```
 
 mod bars;

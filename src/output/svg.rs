@@ -22,7 +22,7 @@ use svg::node::element::{Description, Element, Group, Path, Title};
 use svg::{Document, Node};
 
 use super::layer::Layer;
-use super::{origin_lines, plain};
+use super::{origin_lines, plain, seal};
 use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Run, Shape, Texture};
 use crate::units::{MmPoint, MmRect};
 
@@ -65,7 +65,19 @@ pub fn write(page: &Page) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Writing to a String cannot fail.
     let _ = writeln!(text, "{document}");
-    text
+    let seal = sealed(text.as_bytes());
+    text + &seal
+}
+
+/// Whether these bytes are a drawing as [`write()`] makes it, changed by nobody since: neither in an editor nor by hand.
+pub fn is_as_written(bytes: &[u8]) -> bool {
+    let last = sealed(&[]).len();
+    bytes.split_at_checked(bytes.len().saturating_sub(last)).is_some_and(|(body, seal)| seal == sealed(body).as_bytes())
+}
+
+/// The last line of a drawing, which holds the seal of all before it.
+fn sealed(body: &[u8]) -> String {
+    format!("<!-- as written {} -->\n", seal::of(body))
 }
 
 /// How the page was made, as lines `name = value`. Text, because Inkscape warns of every element that it does not know.

@@ -16,8 +16,10 @@ impl Page {
         mirror_dots(&mut parts.frame, width);
         mirror_rect(&mut parts.figure.place, width);
         mirror_lines(&mut parts.figure.lines, width);
-        let textures = parts.figure.textures.iter_mut();
-        textures.flat_map(|texture| &mut texture.glyphs).for_each(|glyph| mirror_glyph(glyph, width));
+        for texture in &mut parts.figure.textures {
+            texture.sign = texture.sign.mirrored();
+            texture.glyphs.iter_mut().for_each(|glyph| mirror_glyph(glyph, width));
+        }
         if let Some(overview) = &mut parts.overview {
             mirror_rect(&mut overview.place, width);
             mirror_dots(&mut overview.frame, width);

@@ -210,9 +210,9 @@ table! {
         /// Sigma of the Gaussian derivative: details smaller than this are blurred away.
         scale: number(0.1 to 5.0, "mm");
         /// Height of a colour step down to which a contour is followed, chroma counted twice.
-        low: number(0.5 to 300.0, "CIELAB units");
+        low: number(0.5 to 300.0, "units of lightness");
         /// Height of a colour step that a contour must reach somewhere, chroma counted twice.
-        high: number(0.5 to 300.0, "CIELAB units");
+        high: number(0.5 to 300.0, "units of lightness");
         /// How strongly grass, gravel and other texture is kept from becoming contours; 0 is off.
         texture_suppression: number(0.0 to 1.0, "");
     }
@@ -223,7 +223,7 @@ table! {
         /// Width of the line of a strong contour.
         width_max: number(0.3 to 10.0, "mm");
         /// Height of a colour step from which a line has its greatest width, chroma counted twice.
-        full_strength: number(1.0 to 600.0, "CIELAB units");
+        full_strength: number(1.0 to 600.0, "units of lightness");
         /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that fingers can part.
         detail: number(0.0 to 1.0, "");
         /// Lines shorter than this are left out.

@@ -33,8 +33,8 @@ pub enum Shape {
     },
 }
 
-/// HSL lightness from which down a glyph is as bold as it gets. Chosen by us: dark shades (a third of pure colours' 0.5
-/// down) are few in pictures, and more ink only fills the gaps between glyphs.
+/// HSL lightness from which down a glyph is as bold as it gets. Chosen by us: dark shades (half of pure colours' 0.5 and
+/// less) are few in pictures, and more ink only fills the gaps between glyphs.
 const BOLDEST_AT: f32 = 0.25;
 /// Length of the lightest rhombus as a share of the boldest one's: it stays long enough to point somewhere.
 const LIGHTEST_LENGTH: f32 = 0.75;

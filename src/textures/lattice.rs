@@ -50,7 +50,7 @@ pub(super) struct Place {
     pub(super) at: MmPoint,
     /// Density, 0..=1, from which it is filled; below 0 for those that always are.
     pub(super) from_density: f32,
-    /// How much of the boldness it takes to be there at all, 0..1: places go one by one where a colour fades into white.
+    /// How much of the boldness it takes to be there at all, 0..1: rows of rhombuses, and dots one by one, go where a colour fades into white.
     pub(super) from_boldness: f32,
 }
 

@@ -19,6 +19,15 @@ pub enum Sign {
 }
 
 impl Sign {
+    /// The sign as it is seen from the back of the sheet.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Rhombus { degrees } => Self::Rhombus { degrees: (180.0 - degrees).rem_euclid(180.0) },
+            Self::Dot => Self::Dot,
+        }
+    }
+
     /// Whether a finger can tell the two apart.
     pub fn differs_from(self, other: Self) -> bool {
         match (self, other) {

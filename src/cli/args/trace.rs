@@ -21,7 +21,7 @@ x runs to the right and y down, in pixels of the picture as it is seen (after th
 middle of the first pixel is 0.5, 0.5. This holds whatever size the picture is worked on. A closed polyline goes on \
 from its last point to its first, which is not repeated.
 
-Strength is the height of the colour step in units of CIELAB with its colour axes counted twice: black against white \
+Strength is the height of the colour step in units of lightness (0 to 100), with the colour axes of CIELAB counted twice: black against white \
 is 100, a step of 10 grey values of 255 about 4, and below 10 a step is hardly worth a line on a page.";
 
 pub(super) const AFTER_LONG_HELP: &str = "\

@@ -16,7 +16,8 @@ const MORE: f32 = 0.02;
 /// Giving way to one line can lead towards another: after so many times it is cut after all.
 const ROUNDS: usize = 4;
 
-/// The line moved away from those it is too near to; none if that asks for more than [`FARTHEST`] somewhere.
+/// The line moved away from those it is too near to; none if that asks for more than [`FARTHEST`], for a ring
+/// [`RING_FARTHEST`], somewhere.
 pub(super) fn nudged(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
     let mut trail = trail.clone();
     let farthest = if trail.closed { RING_FARTHEST } else { FARTHEST };

@@ -61,7 +61,7 @@ pub(super) fn pieces(trail: &Trail, states: &[State], field: &Field<'_>, params:
     let length = trail.length();
     let mut left = Vec::new();
     let mut i = 0;
-    // between[k]: from the end of one stretch with vertices that are too near to the start of the next
+    // where the stretch begins that is free of others, after the last one that is too near
     let mut kept_from = 0;
     while i <= vertices.len() {
         // the next stretch that is near
