@@ -164,7 +164,7 @@ pub(super) struct Convert {
     /// Shown by viewers and read out by screen readers.
     ///
     /// [default: the picture's file name]
-    #[arg(long, value_name = "TEXT")]
+    #[arg(long, value_name = "TEXT", value_parser = words)]
     pub(super) title: Option<String>,
 
     /// What is on the page, in your words, for one picture
@@ -172,7 +172,7 @@ pub(super) struct Convert {
     /// Read out by screen readers in place of the picture. Say what one could not guess from the file's name.
     ///
     /// [default: sizes, number of contours and shares of the colours, in English]
-    #[arg(long, value_name = "TEXT")]
+    #[arg(long, value_name = "TEXT", value_parser = words)]
     alt: Option<String>,
 
     /// Language of --title and --alt, so that a screen reader speaks them well: de, fr-CA and the like
@@ -181,6 +181,11 @@ pub(super) struct Convert {
 
     #[command(flatten)]
     pub(super) shared: Shared,
+}
+
+/// A text that a screen reader has something to say of.
+fn words(text: &str) -> Result<String, String> {
+    if text.trim().is_empty() { Err("give some words, or leave the option out".into()) } else { Ok(text.into()) }
 }
 
 impl Convert {
