@@ -13,7 +13,7 @@ pub mod spread;
 
 pub use crate::classes::Class;
 pub use crate::lines::{Line, Run};
-pub use crate::textures::{Glyph, Shape, Sign, Texture};
+pub use crate::textures::{Glyph, Palette, Shape, Sign, Texture};
 pub use describe::{LANGUAGE, describe};
 
 use crate::units::{MmPoint, MmRect, Size};

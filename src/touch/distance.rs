@@ -3,7 +3,7 @@
 
 use crate::units::Size;
 
-/// Squared distances that stand for "there is none": far beyond any grid, and exact in f32 sums.
+/// The square that stands for "there is none": it only must be larger than that of any distance in a grid.
 const FAR: f32 = 1e12;
 
 /// The distance of each cell from the nearest marked cell, in cells between their centres; infinite where nothing is marked.

@@ -1,15 +1,15 @@
 //! The ink of a page, drawn by resvg from its SVG: textures class by class, and lines.
 //!
-//! Nothing is known of a page but what is drawn on it and the ids of its layers, so pages that somebody changed in an editor
+//! Nothing is known of a page but what is drawn on it, the ids of its layers and the sign that each stands for, so pages that somebody changed in an editor
 //! are felt as they are: what is hidden, moved or turned there is so here.
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use usvg::roxmltree::{Document, Node};
 use usvg::{ImageHrefResolver, Tree};
 
-use super::Error;
 use super::measure::PX_PER_MM;
-use crate::page::Class;
+use super::{Error, Signs};
+use crate::page::{Class, Sign};
 use crate::raster::decode::checked_document;
 use crate::raster::plane::Plane;
 use crate::units::{MmPoint, MmRect, Size};
@@ -17,6 +17,9 @@ use crate::units::{MmPoint, MmRect, Size};
 /// Id of the figure's group and of its lines.
 const FIGURE: &str = "figure";
 const LINES: &str = "lines";
+
+/// Attribute of a texture's layer: the sign of its class.
+const SIGN: &str = "data-sign";
 
 /// Millimetres of a CSS pixel.
 const MM_PER_PX: f32 = 25.4 / 96.0;
@@ -38,6 +41,8 @@ pub struct Ink {
     pub area: MmRect,
     /// For each class with a texture on the page its ink, 0 white and 1 black, at [`PX_PER_MM`].
     pub textures: Vec<(Class, Plane)>,
+    /// The signs of the classes, as the layers say; the paper's where they do not.
+    pub signs: Signs,
     /// The ink of the figure's lines.
     pub lines: Plane,
 }
@@ -50,19 +55,23 @@ impl Ink {
     pub fn of(svg: &str) -> Result<Self, Error> {
         let document = checked_document(svg).map_err(Error::NotSvg)?;
         let names: Vec<(Class, String)> = Class::ALL.map(|class| (class, format!("texture-{}", class.name()))).into();
-        let on_page = |id: &str| document.descendants().any(|node| node.attribute("id") == Some(id));
-        let present: Vec<&(Class, String)> = names.iter().filter(|(_, id)| on_page(id)).collect();
-        if present.is_empty() && !on_page(FIGURE) {
+        let group = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
+        let present: Vec<(&(Class, String), Node<'_, '_>)> =
+            names.iter().filter_map(|name| Some((name, group(&name.1)?))).collect();
+        if present.is_empty() && group(FIGURE).is_none() {
             return Err(Error::NotAPage);
         }
+        let said = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(|sign| sign.parse().ok());
+        let signs: Vec<(Class, Option<Sign>)> = present.iter().map(|(name, layer)| (name.0, said(layer))).collect();
         let lines = tree(&only(svg, &document, LINES))?;
         let trees = present
             .iter()
-            .map(|(class, id)| Ok((*class, tree(&only(svg, &document, id))?)))
+            .map(|((class, id), _)| Ok((*class, tree(&only(svg, &document, id))?)))
             .collect::<Result<Vec<_>, Error>>()?;
         let area = area(trees.iter().map(|(_, tree)| tree).chain([&lines]))?;
         let textures = trees.iter().map(|(class, tree)| Ok((*class, draw(tree, area)?)));
-        Ok(Self { area, textures: textures.collect::<Result<_, Error>>()?, lines: draw(&lines, area)? })
+        let textures = textures.collect::<Result<_, Error>>()?;
+        Ok(Self { area, textures, signs: Signs::of_layers(&signs), lines: draw(&lines, area)? })
     }
 
     /// The ink of all textures together.

@@ -7,8 +7,8 @@
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use super::letters;
-use super::{CELLS_PER_MM, Felt, Ink, Place, distances};
-use crate::page::Class;
+use super::{CELLS_PER_MM, Felt, Ink, Place, Signs, distances};
+use crate::page::{Class, Sign};
 use crate::units::Size;
 
 /// Resolution of the map.
@@ -49,7 +49,8 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
     let cells = felt.size;
     let per_cell = PX_PER_MM / CELLS_PER_MM;
     let size = Size::new(cells.width * per_cell, cells.height * per_cell);
-    let legend = legend();
+    let signs = &felt.signs;
+    let legend = legend(signs);
     let columns = (size.width / COLUMN).clamp(1, legend.len() as u32);
     let legend_rows = (legend.len() as u32).div_ceil(columns);
     let width = size.width.max(COLUMN);
@@ -61,7 +62,7 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
         for x in 0..size.width {
             let place = &felt.places[(y / per_cell * cells.width + x / per_cell) as usize];
             let line = lines.values[(y * size.width + x) as usize];
-            let shown = look(place).map_or([255.0; 3], |look| colour(look, x as f32 + 0.5, y as f32 + 0.5));
+            let shown = look(place).map_or([255.0; 3], |look| colour(look, signs, x as f32 + 0.5, y as f32 + 0.5));
             set(&mut canvas, x, y, shown.map(|value| value * (1.0 - line) + 40.0 * line));
         }
     }
@@ -76,7 +77,7 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
         let (left, top) = (number as u32 % columns * COLUMN + 8, size.height + 10 + number as u32 / columns * ROW);
         for (x, y) in (0..SAMPLE * SAMPLE).map(|k| (left + k % SAMPLE, top + k / SAMPLE)) {
             let edge = [left, left + SAMPLE - 1].contains(&x) || [top, top + SAMPLE - 1].contains(&y);
-            let shown = if edge { [40.0; 3] } else { colour(look, x as f32 + 0.5, y as f32 + 0.5) };
+            let shown = if edge { [40.0; 3] } else { colour(look, signs, x as f32 + 0.5, y as f32 + 0.5) };
             set(&mut canvas, x, y, shown);
         }
         let middle = (SAMPLE + 10) as f32 + 0.5 * letters::width(word, LETTERS);
@@ -97,12 +98,17 @@ fn look(place: &Place) -> Option<Look> {
     Some(Look { felt: place.felt, mark, pale: !place.judged })
 }
 
-fn legend() -> Vec<(&'static str, Look)> {
+fn legend(signs: &Signs) -> Vec<(&'static str, Look)> {
     let plain = |felt| Look { felt, mark: Mark::None, pale: false };
-    let mut legend: Vec<_> = Class::ALL.iter().map(|&class| (word(Some(class)), plain(Some(class)))).collect();
+    let mut legend: Vec<_> = Class::ALL
+        .iter()
+        .filter(|class| signs.sign(**class).is_some())
+        .map(|&class| (word(Some(class)), plain(Some(class))))
+        .collect();
     legend.push(("WRONG", Look { mark: Mark::Wrong, ..plain(None) }));
     legend.push(("UNCLEAR", Look { mark: Mark::Unclear, ..plain(None) }));
-    legend.push(("NOT JUDGED", Look { pale: true, ..plain(Some(Class::Blue)) }));
+    let first = legend.first().and_then(|(_, look)| look.felt);
+    legend.push(("NOT JUDGED", Look { pale: true, ..plain(first) }));
     legend
 }
 
@@ -117,23 +123,27 @@ fn word(class: Option<Class>) -> &'static str {
     }
 }
 
-/// The colour of a pixel, 0..=255: the class's own, darker where its pattern is.
-fn colour(look: Look, x: f32, y: f32) -> [f32; 3] {
+/// The colour of a pixel, 0..=255: the class's own, darker where its pattern is, which runs as the rows of its sign.
+fn colour(look: Look, signs: &Signs, x: f32, y: f32) -> [f32; 3] {
     // Colours that people with any kind of colour sight tell apart: M. Okabe and K. Ito, Color universal design, 2008.
-    let (own, across) = match look.felt {
-        Some(Class::Blue) => ([86.0, 180.0, 233.0], Some(y)),
-        Some(Class::Green) => ([0.0, 158.0, 115.0], Some((x + y) * std::f32::consts::FRAC_1_SQRT_2)),
-        Some(Class::Yellow) => ([240.0, 228.0, 66.0], Some(x)),
-        Some(Class::Red) => ([213.0, 94.0, 0.0], Some((x - y) * std::f32::consts::FRAC_1_SQRT_2)),
-        Some(Class::Grey) => ([190.0; 3], None),
-        None => ([255.0; 3], Some(f32::MAX)),
+    let own = match look.felt {
+        Some(Class::Blue) => [86.0, 180.0, 233.0],
+        Some(Class::Green) => [0.0, 158.0, 115.0],
+        Some(Class::Yellow) => [240.0, 228.0, 66.0],
+        Some(Class::Red) => [213.0, 94.0, 0.0],
+        Some(Class::Grey) => [190.0; 3],
+        None => [255.0; 3],
     };
     let off = |value: f32| (value.rem_euclid(PERIOD) - 0.5 * PERIOD).abs();
     let from_dot = off(x).hypot(off(y));
-    let on_pattern = match across {
-        Some(f32::MAX) => false,
-        Some(across) => off(across) < 1.3,
-        None => from_dot < 2.2,
+    let on_pattern = match look.felt.and_then(|class| signs.sign(class)) {
+        Some(Sign::Rhombus { degrees }) => {
+            // y points down here
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            off(x * sin + y * cos) < 1.3
+        }
+        Some(Sign::Dot) => from_dot < 2.2,
+        None => false,
     };
     let own = if on_pattern { own.map(|value| 0.35 * value) } else { own.map(|value| 0.5 * value + 127.5) };
     let own = if look.pale { own.map(|value| 0.35 * value + 0.65 * 255.0) } else { own };
@@ -209,11 +219,12 @@ mod tests {
 
     #[test]
     fn no_two_looks_are_alike_without_colour() {
-        let looks: Vec<Look> = legend().into_iter().map(|(_, look)| look).collect();
+        let signs = Signs::of_layers(&[]);
+        let looks: Vec<Look> = legend(&signs).into_iter().map(|(_, look)| look).collect();
         let patterns: Vec<Vec<bool>> = looks
             .iter()
             .map(|look| {
-                let dark = |k: u32| colour(*look, (k % 24) as f32 + 0.5, (k / 24) as f32 + 0.5)[1];
+                let dark = |k: u32| colour(*look, &signs, (k % 24) as f32 + 0.5, (k / 24) as f32 + 0.5)[1];
                 let lightest = (0..576).map(dark).fold(0.0, f32::max);
                 (0..576).map(|k| dark(k) < 0.8 * lightest).collect()
             })
@@ -224,6 +235,19 @@ mod tests {
                 let differ = pattern.iter().zip(other).filter(|(p, q)| p != q).count();
                 assert!(differ > 50, "{:?} and {:?} differ in {differ} pixels", looks[a], looks[b]);
             }
+        }
+    }
+
+    #[test]
+    fn patterns_run_as_the_signs_of_the_page() {
+        let rhombus = |degrees| Some(Sign::Rhombus { degrees });
+        let swapped = Signs::of_layers(&[(Class::Blue, rhombus(90.0)), (Class::Yellow, rhombus(0.0))]);
+        for (class, upright) in [(Class::Blue, true), (Class::Yellow, false)] {
+            let look = Look { felt: Some(class), mark: Mark::None, pale: false };
+            let at = |x: u32, y: u32| colour(look, &swapped, x as f32 + 0.5, y as f32 + 0.5);
+            let same = |k: u32| if upright { at(k, 0) == at(k, 7) } else { at(0, k) == at(7, k) };
+            let differs = |k: u32| if upright { at(k, 0) != at(0, 0) } else { at(0, k) != at(0, 0) };
+            assert!((0..24).all(same) && (0..24).any(differs), "{class:?}");
         }
     }
 }

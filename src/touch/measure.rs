@@ -9,11 +9,10 @@
 //! tensor of its slopes (gradients, per mm, averaged over the window) says whether they all run one way. Slopes that are
 //! small beside the ink are not felt at all: they are measured against a tenth of it.
 
-use crate::page::Class;
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
-/// Resolution of ink, px per mm: 0.125 mm is a fifth of the smallest glyph and a quarter of the finest fingertip.
+/// Resolution of ink, px per mm: 0.125 mm is a fifth of the smallest glyph and less than half of the finest fingertip.
 pub const PX_PER_MM: u32 = 8;
 /// Resolution of what is felt, cells per mm. The window is wider by far.
 pub const CELLS_PER_MM: u32 = 2;
@@ -56,29 +55,6 @@ pub fn directed_from(finger: f32) -> f32 {
     }
     let pair = DIRECTED_FROM.windows(2).find(|pair| finger <= pair[1].0);
     pair.map_or(most, |pair| pair[0].1 + (pair[1].1 - pair[0].1) * (finger - pair[0].0) / (pair[1].0 - pair[0].0))
-}
-
-/// What a direction says: the class whose rows run nearest to it.
-pub fn class_along(degrees: f32) -> Class {
-    match ((degrees + 22.5).rem_euclid(180.0) / 45.0) as u32 {
-        0 => Class::Blue,
-        1 => Class::Green,
-        2 => Class::Yellow,
-        _ => Class::Red,
-    }
-}
-
-impl Feel {
-    /// The class that it is read as by a fingertip of `finger` mm; `None` is blank.
-    pub fn class(&self, finger: f32) -> Option<Class> {
-        if self.ink < BLANK {
-            None
-        } else if self.coherence < directed_from(finger) {
-            Some(Class::Grey)
-        } else {
-            Some(class_along(self.degrees))
-        }
-    }
 }
 
 /// Feels `ink` ([`PX_PER_MM`], 0 white and 1 black, sides of whole millimetres) with a fingertip of `finger` mm. Beyond the
@@ -185,22 +161,6 @@ mod tests {
     fn the_threshold_is_the_measured_one_at_the_measured_sizes() {
         for (finger, want) in [(0.2, 0.12), (0.5, 0.12), (0.75, 0.21), (1.0, 0.30), (1.5, 0.35), (3.0, 0.35)] {
             assert!((directed_from(finger) - want).abs() < 1e-6);
-        }
-    }
-
-    #[test]
-    fn directions_mean_the_nearest_class() {
-        for (degrees, class) in [
-            (0.0, Class::Blue),
-            (22.0, Class::Blue),
-            (23.0, Class::Green),
-            (90.0, Class::Yellow),
-            (135.0, Class::Red),
-            (157.0, Class::Red),
-            (158.0, Class::Blue),
-            (179.9, Class::Blue),
-        ] {
-            assert_eq!(class_along(degrees), class, "{degrees}");
         }
     }
 }

@@ -5,8 +5,9 @@
 //!                                                                    `-> Report (shares, ink, density), map (a picture)
 //! ```
 //!
-//! It sees what is drawn and the ids of the layers, no record of how the page was made: so it says the same of a page that
-//! somebody changed in an editor as of a new one, and it can judge the textures of this program as a stranger would.
+//! It sees what is drawn, and the ids of the layers with the sign that each stands for, no record of how the page was made: so
+//! it says the same of a page that somebody changed in an editor as of a new one, and it can judge the textures of this
+//! program as a stranger would.
 //!
 //! [`measure`] gives the measure exactly. It is a model, not a finger: it knows lumps and slopes, not skin. What it says is
 //! good for comparing textures and for finding areas where nothing could be told.
@@ -18,11 +19,13 @@ mod letters;
 pub mod map;
 pub mod measure;
 pub mod report;
+mod signs;
 
 pub use distance::distances;
 pub use ink::Ink;
 pub use measure::{CELLS_PER_MM, Feel};
 pub use report::Report;
+pub use signs::Signs;
 
 use crate::page::Class;
 use crate::raster::plane::Plane;
@@ -35,13 +38,8 @@ pub const FINGERS: std::ops::RangeInclusive<f32> = 0.3..=2.5;
 pub const JUDGED_FROM: f32 = 7.0;
 
 /// A texture has no holes wider than twice this, mm: what lies between its glyphs belongs to it. The rows of the sparsest
-/// texture of the built-in profiles are 7.6 mm apart.
+/// texture of the built-in profiles are 8.0 mm apart.
 const REACH: f32 = 5.0;
-
-/// A reading is unclear where the coherence is this near to the threshold, as a share of it ...
-const NEAR_COHERENCE: f32 = 0.15;
-/// ... or the direction this near to the middle between two classes, degrees.
-const NEAR_DEGREES: f32 = 4.0;
 
 /// Ink in a cell from which it counts as inked, 0..=1: a fifth of the smallest glyph.
 const INKED: f32 = 0.1;
@@ -97,6 +95,8 @@ pub struct Felt {
     pub finger: f32,
     /// The part of the sheet that was felt.
     pub area: MmRect,
+    /// The signs that the classes were told by.
+    pub signs: Signs,
     /// Places from left to right and from top to bottom, [`CELLS_PER_MM`] to a millimetre.
     pub size: Size,
     /// All places, row by row.
@@ -127,15 +127,12 @@ impl Ink {
         let size = feels.size;
         let meant = self.meant(size);
         let border = self.borders(&meant, size);
-        let place = |((feel, meant), far): ((Feel, Option<Class>), f32)| Place {
-            meant,
-            felt: feel.class(finger),
-            clear: is_clear(&feel, finger),
-            judged: far >= JUDGED_FROM * CELLS_PER_MM as f32,
-            feel,
+        let place = |((feel, meant), far): ((Feel, Option<Class>), f32)| {
+            let (felt, clear) = self.signs.read(&feel, finger);
+            Place { meant, felt, clear, judged: far >= JUDGED_FROM * CELLS_PER_MM as f32, feel }
         };
         let places = feels.cells.into_iter().zip(meant).zip(border).map(place).collect();
-        Ok(Felt { finger, area: self.area, size, places })
+        Ok(Felt { finger, area: self.area, signs: self.signs, size, places })
     }
 
     /// The class of the texture that each cell belongs to: that of the nearest ink, unless a hole or the outside lies here.
@@ -172,16 +169,6 @@ impl Ink {
 
 fn inked(plane: &Plane, size: Size) -> Vec<bool> {
     plane.shrunk(size).values.iter().map(|&ink| ink >= INKED).collect()
-}
-
-fn is_clear(feel: &Feel, finger: f32) -> bool {
-    let threshold = measure::directed_from(finger);
-    if feel.ink < measure::BLANK {
-        return true;
-    }
-    let off_class = ((feel.degrees + 22.5).rem_euclid(45.0) - 22.5).abs();
-    let far = (feel.coherence - threshold).abs() >= NEAR_COHERENCE * threshold;
-    far && (feel.coherence < threshold || 22.5 - off_class >= NEAR_DEGREES)
 }
 
 impl Felt {

@@ -2,7 +2,7 @@
 
 use tactograph::output::svg;
 use tactograph::page::{Class, Shape};
-use tactograph::touch::{self, measure};
+use tactograph::touch;
 
 use crate::page;
 
@@ -49,7 +49,7 @@ fn read(picture: &str, truth: impl Fn(f32, f32) -> Option<(Class, Option<Class>)
         let Some((class, leaning)) = truth(x, y).filter(|_| broad.judged && broad.meant.is_some()) else { continue };
         all += 1;
         class_read += u32::from(broad.felt == Some(class));
-        leaning_read += u32::from(measure::class_along(fine.feel.degrees) == leaning.unwrap_or(class));
+        leaning_read += u32::from(ink.signs.along(fine.feel.degrees) == leaning.or(Some(class)));
     }
     (all, class_read as f32 / all as f32, leaning_read as f32 / all as f32)
 }

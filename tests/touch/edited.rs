@@ -48,6 +48,28 @@ fn a_texture_that_was_hidden_or_deleted_is_blank_paper() {
 }
 
 #[test]
+fn a_page_with_other_signs_is_read_by_them() {
+    let sea_and_sand = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
+        <rect width=\"150\" height=\"200\" fill=\"#24c\"/><rect x=\"150\" width=\"150\" height=\"200\" fill=\"#fd0\"/></svg>";
+    let signs = [("textures.palette.blue", "rhombus 90"), ("textures.palette.yellow", "rhombus 0")];
+    let page = svg::write(&crate::page::page_of(sea_and_sand.as_bytes(), "sea", &signs, &mut |_| ()).page);
+    let classes = report(&page).classes;
+    assert_eq!(classes.iter().map(|of| of.class).collect::<Vec<_>>(), [Class::Blue, Class::Yellow]);
+    assert!(classes.iter().all(|of| of.right > 0.98 && of.judged > 1500.0), "{classes:?}");
+
+    // by the paper's signs, each is the other
+    let untold = report(&page.replace("data-sign=", "data-was=")).classes;
+    assert!(untold.iter().all(|of| of.right < 0.01 && of.wrong > 0.98), "{untold:?}");
+    let unreadable = report(&page.replace("data-sign=\"rhombus", "data-sign=\"rhomb")).classes;
+    assert_eq!(unreadable, untold);
+
+    // alone on its page, blue is not taken for the yellow of the paper
+    let alone = page.replace("id=\"texture-yellow\"", "id=\"sand\"");
+    let classes = report(&alone).classes;
+    assert!(classes.len() == 1 && classes[0].class == Class::Blue && classes[0].right > 0.98, "{classes:?}");
+}
+
+#[test]
 fn density_is_counted_in_glyphs() {
     let params = params();
     let of = report(&page(Class::Yellow)).classes[0];
