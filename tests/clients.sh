@@ -173,7 +173,7 @@ for sample in samples/*.{png,jpg,svg}; do
 done
 check_page samples/coffee.png swell-a3 297 420
 check_page samples/coffee.png swell-letter 215.9 279.4
-check_layers samples/landscape.svg 11
+check_layers samples/landscape.svg 12
 check_calibration
 
 largest() { # largest FILE WHAT

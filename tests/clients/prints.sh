@@ -138,7 +138,7 @@ check_calibration() { # the sheets of samples, which are several pages of one PD
   pdf=$out/$name.pdf
   check "the program makes the sheets as SVG" "$program" calibrate -o "$out/$name.svg"
   check "the program makes the sheets as PDF" "$program" calibrate -o "$pdf"
-  check_pdf_file 210 297 3 "Calibration sheet for swell-a4"
+  check_pdf_file 210 297 4 "Calibration sheet for swell-a4"
 }
 
 png_is_fine() {
