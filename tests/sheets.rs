@@ -32,7 +32,26 @@ fn sheets_of(
     let plan = Plan::new(&profile).expect("the settings make sense together");
     let fonts = || Arc::new(usvg::fontdb::Database::new());
     let request = Request { plan: &plan, limits: Default::default(), fonts: &fonts, title: name, fit };
-    convert(&bytes, grid.parse().expect("a grid"), &request, watch)
+    let grid: Option<Grid> = (grid != "fewest").then(|| grid.parse().expect("a grid"));
+    convert(&bytes, grid, &request, watch)
+}
+
+#[test]
+fn a_width_larger_than_the_sheet_takes_the_fewest_sheets() {
+    let wide = |width| Fit { width: Some(width), ..Fit::default() };
+    let no_overview = [("overview", "false")];
+    let number = |width| {
+        sheets_of("landscape.svg", "fewest", &no_overview, wide(width), &mut |_| ()).expect("there is room").pages.len()
+    };
+    let (small, large) = (number(250.0), number(700.0));
+    assert!((2..=4).contains(&small) && small < large, "{small} and {large} sheets");
+    // with one sheet less in any arrangement there is no room
+    for grid in Grid::by_number().filter(|grid| grid.sheets().count() < large) {
+        let refused = sheets_of("landscape.svg", &grid.to_string(), &no_overview, wide(700.0), &mut |_| ());
+        assert!(matches!(refused, Err(Error::TooWide { .. } | Error::NoRoomOnSheets { .. })), "{grid} has room");
+    }
+    let refused = sheets_of("landscape.svg", "fewest", &no_overview, wide(1e6), &mut |_| ());
+    assert!(matches!(refused, Err(Error::TooWide { .. })), "81 sheets have no room for a kilometre");
 }
 
 fn sheets(name: &str, grid: &str, settings: &[(&str, &str)]) -> Sheets {

@@ -26,18 +26,15 @@ pub(super) fn run(args: &Convert) -> Exit {
         let fonts = || common.fonts.get();
         let request =
             Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title, fit: args.fitting.fit() };
-        let (pages, notes) = match args.fitting.sheets {
-            None => {
-                let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
-                (vec![drawing.page.called(args.title.as_deref(), args.description())], drawing.notes)
-            }
-            Some(grid) => {
-                let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
-                let drawn = sheets::convert(picture, grid, &request, &mut |event| timings.watch(event))?;
-                // Words of the maker's own are about the picture, which all sheets show together.
-                let called = |page: Page| page.called(None, args.description());
-                (drawn.pages.into_iter().map(called).collect(), drawn.notes)
-            }
+        let (pages, notes) = if args.fitting.sheets.is_some() || args.fitting.is_wider_than_a_sheet(&common.plan) {
+            let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
+            let drawn = sheets::convert(picture, args.fitting.sheets, &request, &mut |event| timings.watch(event))?;
+            // Words of the maker's own are about the picture, which all sheets show together.
+            let called = |page: Page| page.called(None, args.description());
+            (drawn.pages.into_iter().map(called).collect(), drawn.notes)
+        } else {
+            let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
+            (vec![drawing.page.called(args.title.as_deref(), args.description())], drawing.notes)
         };
         let title = args.title.as_deref().unwrap_or(title);
         let files = timings.step("write", || match (&pages[..], chosen.format) {

@@ -37,6 +37,14 @@ impl Grid {
         (good(across) && good(down) && across * down > 1).then_some(Self { across, down })
     }
 
+    /// All grids, those of fewer sheets first; of as many sheets, the nearer to a square.
+    pub fn by_number() -> impl Iterator<Item = Self> {
+        let all = (1..=Self::MOST).flat_map(|across| (1..=Self::MOST).filter_map(move |down| Self::new(across, down)));
+        let mut all: Vec<Self> = all.collect();
+        all.sort_by_key(|grid| (grid.across * grid.down, grid.across.abs_diff(grid.down)));
+        all.into_iter()
+    }
+
     /// Every sheet as (column, row), row by row from the top left.
     pub fn sheets(self) -> impl Iterator<Item = (u32, u32)> {
         (0..self.down).flat_map(move |row| (0..self.across).map(move |column| (column, row)))

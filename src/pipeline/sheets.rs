@@ -17,18 +17,21 @@ pub struct Sheets {
 }
 
 /// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two sheets both
-/// show is the same on both. `watch` is told of every stage.
+/// show is the same on both. Without a `grid` there are as few sheets as have room for the width asked for. `watch` is told of
+/// every stage.
 ///
 /// # Errors
 /// When the picture cannot be read or drawn, or the sheets have no room for it; see [`Error`].
 pub fn convert(
     picture: &[u8],
-    grid: Grid,
+    grid: Option<Grid>,
     request: &Request<'_>,
     watch: &mut dyn FnMut(Event),
 ) -> Result<Sheets, Error> {
+    let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
     let Marks { figure, overview, shares, is_flat, mut notes, .. } =
-        draw(picture, request, &|size| places(size, grid, request), watch)?;
+        draw(picture, request, &|size| places(size, grid(size)?, request), watch)?;
+    let grid = grid(figure.source)?;
     let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, grid, request))?;
     if pages.iter().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
@@ -38,6 +41,18 @@ pub fn convert(
     let blackest = pages.iter().map(Page::black_share).fold(0.0, f32::max);
     notes.extend(too_black(blackest, request.plan));
     Ok(Sheets { pages, notes })
+}
+
+/// The grid of fewest sheets that have room for the width asked for.
+fn fewest(size: Size, request: &Request<'_>) -> Result<Grid, Error> {
+    let mut refused = Error::NoRoomOnSheets { grid: format!("{0}x{0}", Grid::MOST) };
+    for grid in Grid::by_number() {
+        match spread_of(size, grid, request) {
+            Ok(_) => return Ok(grid),
+            Err(error) => refused = error,
+        }
+    }
+    Err(refused)
 }
 
 /// The figure in the space of all sheets together, the overview on a sheet of its own.

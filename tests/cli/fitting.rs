@@ -37,8 +37,8 @@ fn a_figure_is_as_wide_as_asked() {
     let wide = figure(&page(&place, &["--width-mm", "90.5"]));
     assert!((wide[2] - 90.5).abs() < 0.01, "{wide:?}");
     let most = figure(&page(&place, &[]))[2];
-    let run = place.run(&["convert", "a.png", "--width-mm", "900"]);
-    let what = format!("a figure 900 mm wide does not fit; {most:.1} mm is the most for this picture on this sheet");
+    let run = place.run(&["convert", "a.png", "--width-mm", "205"]);
+    let what = format!("a figure 205 mm wide does not fit; {most:.1} mm is the most for this picture on this sheet");
     assert_eq!(run.code, 1);
     assert!(run.err.contains(&what), "{}", run.err);
     // the width that is told can be asked for
@@ -84,6 +84,10 @@ fn several_sheets_are_one_pdf_or_files_with_numbers() {
     assert_eq!(place.names(), ["a-1.svg", "a-2.svg", "a-3.svg", "a.png"]);
     assert!(place.text("a-1.svg").contains("<title>") && place.text("a-1.svg").contains("a.png, overview"));
     assert!(place.text("a-2.svg").contains("id=\"registration\"") && place.text("a-2.svg").contains("sheets = 2x1"));
+    // wider than the sheet: as many sheets as it takes
+    let run = place.run(&["convert", "a.png", "--width-mm", "300", "-o", "wide.svg"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(place.text("wide-2.svg").contains("id=\"registration\""), "{}", run.err);
     let run = place.run(&["convert", "a.png", "--sheets", "2x1", "-o", "a.pdf"]);
     assert_eq!((run.code, run.err.as_str()), (0, "wrote a.pdf\n"));
     let pdf = std::fs::read(place.path("a.pdf")).expect("a PDF");

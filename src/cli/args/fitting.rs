@@ -3,6 +3,7 @@
 use clap::Args;
 use tactograph::page::spread::Grid;
 use tactograph::pipeline::Fit;
+use tactograph::profile::Plan;
 use tactograph::raster::crop::Crop;
 
 /// Options of `tactograph convert` that are chosen anew for each picture.
@@ -17,7 +18,8 @@ pub(in crate::cli) struct Fitting {
 
     /// Width of the figure on the sheet, in millimetres
     ///
-    /// The height follows. More than there is room for is refused, with what there is room for. Range: 3 to 1200.
+    /// The height follows. More than there is room for is refused, with what there is room for; but what is wider than the
+    /// sheet itself is spread over as few sheets as it takes, as with --sheets. Range: 3 to 1200.
     ///
     /// [default: as wide as the sheet has room for]
     #[arg(long, value_name = "MM", value_parser = width)]
@@ -55,6 +57,12 @@ impl Fitting {
     /// What these options say of the picture on its sheet.
     pub(in crate::cli) fn fit(&self) -> Fit {
         Fit { crop: self.crop, width: self.width_mm, mirrored: self.mirror }
+    }
+
+    /// Whether a figure is asked for that is wider than a sheet that stands upright.
+    pub(in crate::cli) fn is_wider_than_a_sheet(&self, plan: &Plan) -> bool {
+        let page = &plan.profile().page;
+        self.width_mm.is_some_and(|width| width > page.width.min(page.height))
     }
 
     /// What they change in the profile, as `KEY=VALUE`.
