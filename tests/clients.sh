@@ -173,6 +173,10 @@ for sample in samples/*.{png,jpg,svg}; do
 done
 check_page samples/coffee.png swell-a3 297 420
 check_page samples/coffee.png swell-letter 215.9 279.4
+check_page samples/coffee.png swell-11x11.5 279.4 292.1
+check_page samples/coffee.png swell-11x17 279.4 431.8
+check_page samples/coffee.png plain-print 210 297
+check_sheets
 check_layers samples/landscape.svg 12
 check_calibration
 

@@ -141,6 +141,16 @@ check_calibration() { # the sheets of samples, which are several pages of one PD
   check_pdf_file 210 297 4 "Calibration sheet for swell-a4"
 }
 
+check_sheets() { # a picture on two by two sheets with its overview, as one PDF
+  local PRINT_FAR=0.20 # as for the calibration: ticks are upright lines
+  name=sheets
+  page=$out/$name-1.svg
+  pdf=$out/$name.pdf
+  check "the program spreads a picture as SVG" "$program" convert samples/landscape.svg --sheets 2x2 -o "$out/$name.svg"
+  check "the program spreads a picture as PDF" "$program" convert samples/landscape.svg --sheets 2x2 -o "$pdf"
+  check_pdf_file 297 210 5 "landscape.svg"
+}
+
 png_is_fine() {
   local said
   said=$(pngcheck -v "$png") || { echo "$said"; return 1; }
