@@ -321,7 +321,18 @@ fn a_page_with_too_much_black_is_made_and_its_maker_told() {
 fn a_mirrored_page_is_the_page_seen_from_its_back() {
     let page = changed("landscape.svg", &[]);
     let mirrored = page.clone().mirrored();
-    assert_eq!(mirrored.figure.lines.len(), page.figure.lines.len());
+    assert_eq!(runs(&mirrored).len(), runs(&page).len());
+    for (front, back) in runs(&page).iter().zip(runs(&mirrored)) {
+        let pairs = front.points.iter().zip(&back.points);
+        let far = |(a, b): (&MmPoint, &MmPoint)| (page.sheet[0] - a.x - b.x).hypot(a.y - b.y) >= ROUNDING;
+        assert!(front.points.len() == back.points.len() && !pairs.into_iter().any(far), "{front:?} {back:?}");
+    }
+    for (front, back) in page.frame.at.iter().zip(&mirrored.frame.at) {
+        assert!((page.sheet[0] - front.x - back.x).abs() < ROUNDING, "{front:?} {back:?}");
+    }
+    for (front, back) in page.figure.textures.iter().zip(&mirrored.figure.textures) {
+        assert_eq!(back.sign, front.sign.mirrored());
+    }
     for (front, back) in page.figure.textures.iter().zip(&mirrored.figure.textures) {
         for (front, back) in front.glyphs.iter().zip(&back.glyphs) {
             let flipped = front.corners().map(|at| MmPoint::new(page.sheet[0] - at.x, at.y));

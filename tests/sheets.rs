@@ -253,5 +253,15 @@ fn an_empty_picture_is_told_once() {
     let drawn = sheets("empty.png", "2x2", &[]);
     assert_eq!(drawn.notes, [Note::EmptyPage]);
     assert!(!drawn.pages.is_empty() && drawn.pages.iter().all(Page::is_empty));
-    assert!(Grid::new(2, 2).is_some());
+}
+
+/// A square picture does not reach the outer two of four sheets in a row: the inner two have no ticks towards them.
+#[test]
+fn ticks_stand_where_there_is_a_sheet_to_lay_on() {
+    let pages = sheets("bars.svg", "9x1", &[("overview", "false")]).pages;
+    assert!(pages.len() < 9, "the picture reaches all nine sheets");
+    let upright = |page: &Page| page.registration.iter().filter(stands).count();
+    let (first, last) = (&pages[0], &pages[pages.len() - 1]);
+    assert_eq!((upright(first), upright(last)), (2, 2), "one side only");
+    assert!(pages[1..pages.len() - 1].iter().all(|page| upright(page) == 4), "both sides");
 }

@@ -2,14 +2,19 @@
 
 use super::{Dots, Glyph, Line, Page, Parts, Run, Shape};
 
+/// The narrowest that a tick is printed, mm: to be found by looking as well.
+const LEAST_TICK: f32 = 0.5;
+
 impl Parts {
-    /// Makes all marks narrower by `swell` mm, half of it on each side: what is printed so that, risen, it has the size that
+    /// Makes all marks but labels, whose dots are those to be printed, narrower by `swell` mm, half of it on each side: what is printed so that, risen, it has the size that
     /// it has now. A mark that is no wider than that would vanish; a [`Plan`](crate::profile::Plan) has none.
     pub fn narrowed(&mut self, swell: f32) {
         if swell <= 0.0 {
             return;
         }
-        self.orientation_mark.iter_mut().chain(&mut self.registration).for_each(|run| narrow_run(run, swell));
+        self.orientation_mark.iter_mut().for_each(|run| narrow_run(run, swell));
+        // no key says how wide ticks are, so no plan is refused for them
+        self.registration.iter_mut().for_each(|run| narrow_run(run, swell.min(run.width - LEAST_TICK)));
         narrow_dots(&mut self.frame, swell);
         narrow_lines(&mut self.figure.lines, swell);
         for glyph in self.figure.textures.iter_mut().flat_map(|texture| &mut texture.glyphs) {

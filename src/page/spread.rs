@@ -162,8 +162,13 @@ impl Spread {
     /// What every sheet shows of a figure, row by row. Sheets on which nothing of the picture lies are left out.
     pub fn cut(&self, figure: &Figure, frame: Option<&layout::FrameParams>, margin: f32) -> Vec<Cut> {
         let dots = frame.map_or_else(Dots::default, |frame| frame_dots::around(figure.place, frame));
-        let shown = self.grid.sheets().filter(|&(column, row)| self.window(column, row).intersects(&figure.place));
+        let shown = self.grid.sheets().filter(|&(column, row)| self.shows(column, row, figure.place));
         shown.map(|(column, row)| self.one(column, row, figure, &dots, margin)).collect()
+    }
+
+    /// Whether something of the picture lies on a sheet.
+    fn shows(&self, column: u32, row: u32, picture: MmRect) -> bool {
+        self.window(column, row).intersects(&picture)
     }
 
     /// A sheet's window in the space of all sheets.
@@ -208,7 +213,7 @@ impl Spread {
                 lines,
             },
             frame: Dots { diameter: frame.diameter, at },
-            ticks: self.ticks(column, row),
+            ticks: self.ticks(column, row, figure.place),
             label: Dots {
                 diameter: braille::PRINTED,
                 at: braille::dots(&label, braille::PRINTED).into_iter().map(|at| at + from).collect(),
@@ -218,21 +223,25 @@ impl Spread {
     }
 
     /// The ticks of a sheet, each of which lies at the same place of the picture on the neighbour.
-    fn ticks(&self, column: u32, row: u32) -> Vec<Run> {
+    fn ticks(&self, column: u32, row: u32, picture: MmRect) -> Vec<Run> {
         let (near, far) = (self.corner, self.corner + self.window);
         let half = 0.5 * self.overlap;
         let mut ticks = Vec::new();
         // At one place along a side: from its start or its end, on both sides of the window.
         let reach = |edge: f32, out: f32| [edge + out * GAP, edge + out * (GAP + TICK)];
         let mut tick = |a: MmPoint, b: MmPoint| ticks.push(Run { width: TICK_WIDTH, points: vec![a, b] });
-        for (there, x) in [(column > 0, near.x + half), (column + 1 < self.grid.across, far.x - half)] {
+        let left = column > 0 && self.shows(column - 1, row, picture);
+        let right = column + 1 < self.grid.across && self.shows(column + 1, row, picture);
+        for (there, x) in [(left, near.x + half), (right, far.x - half)] {
             for [a, b] in [reach(near.y, -1.0), reach(far.y, 1.0)] {
                 if there {
                     tick(MmPoint::new(x, a), MmPoint::new(x, b));
                 }
             }
         }
-        for (there, y) in [(row > 0, near.y + half), (row + 1 < self.grid.down, far.y - half)] {
+        let above = row > 0 && self.shows(column, row - 1, picture);
+        let below = row + 1 < self.grid.down && self.shows(column, row + 1, picture);
+        for (there, y) in [(above, near.y + half), (below, far.y - half)] {
             for [a, b] in [reach(near.x, -1.0), reach(far.x, 1.0)] {
                 if there {
                     tick(MmPoint::new(a, y), MmPoint::new(b, y));
@@ -249,7 +258,8 @@ impl Spread {
     }
 }
 
-/// The pieces of a line whose ink lies in a window.
+/// The pieces of a line whose ink lies in a window. What is shorter than it is wide goes: a blot at the edge, of which the
+/// neighbour has the whole.
 fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
     let mut pieces: Vec<Line> = Vec::new();
     for run in &line.runs {
@@ -263,6 +273,11 @@ fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
             }
         }
     }
+    let length = |line: &Line| -> f32 {
+        let steps = line.runs.iter().flat_map(|run| run.points.windows(2));
+        steps.map(|pair| (pair[1] - pair[0]).length()).sum()
+    };
+    pieces.retain(|piece| length(piece) >= piece.runs.iter().map(|run| run.width).fold(0.0, f32::max));
     pieces
 }
 
