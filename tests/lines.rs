@@ -3,6 +3,8 @@
 
 #[path = "common/apart.rs"]
 mod apart;
+#[path = "common/drawn.rs"]
+mod drawn;
 #[path = "common/page.rs"]
 mod page;
 #[path = "common/samples.rs"]
@@ -29,18 +31,7 @@ const EDGES: edges::Params = edges::Params {
     side_offset: 5.5,
 };
 
-const LINES: lines::Params = lines::Params {
-    width_min: 0.75,
-    width_max: 1.5,
-    least_strength: 5.0,
-    full_strength: 30.0,
-    min_length: 8.0,
-    min_gap: 3.2,
-    join_gap: 3.0,
-    smoothing: 0.6,
-    tolerance: 0.05,
-    detail: 1.0,
-};
+const LINES: lines::Params = lines::Params { detail: 1.0, ..drawn::LINES };
 
 fn draw(value: impl Fn(f32, f32) -> f32, params: &lines::Params) -> Vec<Line> {
     let size = Size::new(SIDE, SIDE);

@@ -1,5 +1,9 @@
 //! Drawn scenes with a known truth: the height of a step, its place, the middle of a pen stroke, which of two lines stays.
 
+#[path = "common/drawn.rs"]
+mod drawn;
+
+use drawn::LINES;
 use tactograph::edges::{self, Edges};
 use tactograph::frame::Frame;
 use tactograph::lines::{self, Line};
@@ -30,19 +34,6 @@ fn edge_params(sigma: f32) -> edges::Params {
         side_offset: 6.6,
     }
 }
-
-const LINES: lines::Params = lines::Params {
-    width_min: 0.75,
-    width_max: 1.5,
-    least_strength: 5.0,
-    full_strength: 30.0,
-    min_length: 8.0,
-    min_gap: 3.2,
-    join_gap: 3.0,
-    smoothing: 0.6,
-    tolerance: 0.05,
-    detail: 0.5,
-};
 
 fn draw(raster: &Raster) -> Vec<Line> {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(SIDE as f32 * SCALE, SIDE as f32 * SCALE));

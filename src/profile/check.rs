@@ -171,7 +171,7 @@ impl Profile {
     /// The largest width and height in mm that a figure can have on the sheet, beside its frame and above its
     /// overview, when nothing is taken by the orientation mark; 0 where there is no room at all. Of a sheet that is turned
     /// to the picture's shape, when it lies upright.
-    pub fn figure_room(&self) -> (f32, f32) {
+    fn figure_room(&self) -> (f32, f32) {
         let band = if self.frame.on { 2.0 * (self.frame.width + self.frame.gap) } else { 0.0 };
         let (short, long) = (self.page.width.min(self.page.height), self.page.width.max(self.page.height));
         let (across, down) =

@@ -200,7 +200,7 @@ pub fn gauss(sigma: f32) -> Vec<f32> {
 }
 
 /// Copies a row with `radius` repeats of its first and last value at its ends.
-pub(crate) fn pad(row: &[f32], radius: usize, padded: &mut Vec<f32>) {
+fn pad(row: &[f32], radius: usize, padded: &mut Vec<f32>) {
     padded.clear();
     let (Some(&first), Some(&last)) = (row.first(), row.last()) else { return };
     padded.extend(std::iter::repeat_n(first, radius));
