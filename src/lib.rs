@@ -3,6 +3,7 @@
 pub mod calibration;
 pub mod classes;
 pub mod contours;
+pub mod devices;
 pub mod edges;
 pub mod error;
 pub mod frame;

@@ -18,6 +18,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("error", &["units", "profile"]), // a profile's faults stop everything, so they are part of an error
     ("note", &["units"]),
     ("geom", &["units"]),
+    ("devices", &["units"]),
     ("raster", &["units", "geom"]),
     ("frame", &["units", "geom"]),
     ("edges", &["units", "geom", "raster", "frame"]),
@@ -30,7 +31,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // Contours as data, back in the pixels of the source.
     ("contours", &["units", "geom", "frame", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
-    ("output", &["units", "geom", "page", "contours"]),
+    ("output", &["units", "geom", "devices", "page", "contours"]),
     ("reading", &["units", "geom", "page"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     (

@@ -1,5 +1,6 @@
 //! Writers: of a page, and of contours as data.
 
+pub mod dots;
 pub mod json;
 mod layer;
 pub mod pdf;
