@@ -4,6 +4,7 @@ pub mod calibration;
 pub mod classes;
 pub mod contours;
 pub mod devices;
+pub mod dots;
 pub mod edges;
 pub mod error;
 pub mod frame;

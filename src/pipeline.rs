@@ -3,6 +3,7 @@
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
 pub mod colours;
+mod dots;
 mod fit;
 pub mod sheets;
 pub mod trace;
@@ -26,6 +27,8 @@ use crate::{Error, Note, textures};
 pub struct Drawing {
     /// The finished page.
     pub page: Page,
+    /// Of a page of dots, the overview, which follows on a sheet of its own.
+    pub overview: Option<Page>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,
 }
@@ -107,14 +110,17 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
     let plan = request.plan;
     let Marks { figure, overview, shares, layout, is_flat, mut notes } =
         draw(picture, request, &|size| request.fit.layout(size, plan), watch)?;
-    let page = run(watch, Stage::Page, || assemble(figure, overview, shares, &layout, request))?;
+    let (page, overview) = run(watch, Stage::Page, || match &layout.room {
+        Some(room) => dots::assemble(figure, overview, shares, &layout, room, request),
+        None => Ok((assemble(figure, overview, shares, &layout, request)?, None)),
+    })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
     notes.extend(too_black(page.black_share(), plan));
-    Ok(Drawing { page, notes })
+    Ok(Drawing { page, overview, notes })
 }
 
 /// All marks of a picture, where its layout puts them.
@@ -227,7 +233,10 @@ fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut d
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
             let frame = Frame::new(edges.size, layout.figure);
-            return run(watch, Stage::Lines, || lines::draw(edges, &frame, layout.figure, &plan.lines()));
+            return run(watch, Stage::Lines, || {
+                let drawn = lines::draw(edges, &frame, layout.figure, &plan.lines());
+                Drawn { lines: dots::pressed(drawn.lines, layout.figure, layout, plan), ..drawn }
+            });
         }
         _ => "there are no contours",
     };
@@ -251,7 +260,10 @@ fn draw_overview(
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
             let frame = Frame::new(edges.size, place);
-            let lines = run(watch, Stage::Overview, || lines::draw(edges, &frame, place, &plan.lines()).lines);
+            let lines = run(watch, Stage::Overview, || {
+                let drawn = lines::draw(edges, &frame, place, &plan.lines());
+                dots::pressed(drawn.lines, place, layout, plan)
+            });
             return (!lines.is_empty()).then_some((place, lines));
         }
         _ => "there are no contours",
@@ -295,7 +307,10 @@ fn draw_textures(
         Some(classes) if classes.regions.is_empty() => "the picture is white",
         Some(classes) => {
             let params = plan.textures();
-            return run(watch, Stage::Textures, || textures::fill(classes, layout.figure, lines, &params));
+            return run(watch, Stage::Textures, || match &layout.room {
+                Some(room) => dots::textures(classes, layout.figure, lines, room, plan),
+                None => textures::fill(classes, layout.figure, lines, &params),
+            });
         }
     };
     watch(Event::Skip(Stage::Textures, reason));
@@ -325,6 +340,7 @@ fn assemble(
         figure,
         overview,
         labels: Vec::new(),
+        press: None,
     };
     finished(parts, request)
 }
@@ -332,7 +348,9 @@ fn assemble(
 /// The page of these marks, as it is printed.
 fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, Error> {
     // Up to here every mark has the size that fingers meet.
-    parts.narrowed(request.plan.profile().print.swell);
+    if parts.press.is_none() {
+        parts.narrowed(request.plan.profile().print.swell);
+    }
     let page = Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))?;
     Ok(if request.fit.mirrored { page.mirrored() } else { page })
 }

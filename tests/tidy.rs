@@ -18,7 +18,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("error", &["units", "profile"]), // a profile's faults stop everything, so they are part of an error
     ("note", &["units"]),
     ("geom", &["units"]),
-    ("devices", &["units"]),
+    ("devices", &["units"]), // embossers and pin displays: only what they can do
     ("raster", &["units", "geom"]),
     ("frame", &["units", "geom"]),
     ("edges", &["units", "geom", "raster", "frame"]),
@@ -26,8 +26,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("lines", &["units", "geom", "raster", "frame", "edges"]),
     // Density and the white gap follow the lines.
     ("textures", &["units", "geom", "raster", "frame", "classes", "lines"]),
+    // Lines as dots that a device can press, and dots for textures.
+    ("dots", &["units", "geom", "classes", "lines", "textures", "devices"]),
     // No raster: a page has no pixels.
-    ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures"]),
+    ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures", "devices", "dots"]),
     // Contours as data, back in the pixels of the source.
     ("contours", &["units", "geom", "frame", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
@@ -37,8 +39,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "profile",
         &[
-            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "page", "contours", "output",
-            "reading", "touch",
+            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "devices", "dots", "page",
+            "contours", "output", "reading", "touch",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
@@ -46,8 +48,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "pipeline",
         &[
-            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "page", "contours", "touch",
-            "profile",
+            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "devices", "dots", "page",
+            "contours", "touch", "profile",
         ],
     ),
 ];

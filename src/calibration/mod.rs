@@ -199,6 +199,7 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
     ];
     origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
     let parts = Parts {
+        press: None,
         sheet: [width, height],
         description: format!("{own_title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
         title: own_title,

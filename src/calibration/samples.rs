@@ -64,7 +64,7 @@ pub(super) fn lines(widths: &[f32], gap: f32, strength: f32) -> Block {
     for &width in widths {
         let x = left + 0.5 * width;
         let points = [0.5 * width, LENGTH - 0.5 * width].map(|y| MmPoint::new(x, y)).to_vec();
-        block.marks.lines.push(Line { strength, runs: vec![Run { width, points }] });
+        block.marks.lines.push(Line { strength, runs: vec![Run::stroke(width, points)] });
         left += width + gap;
     }
     block.size = MmVector::new(left - gap, LENGTH);

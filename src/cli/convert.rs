@@ -26,16 +26,20 @@ pub(super) fn run(args: &Convert) -> Exit {
         let fonts = || common.fonts.get();
         let request =
             Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title, fit: args.fitting.fit() };
-        let (pages, notes) = if args.fitting.sheets.is_some() || args.fitting.is_wider_than_a_sheet(&common.plan) {
-            let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
-            let drawn = sheets::convert(picture, args.fitting.sheets, &request, &mut |event| timings.watch(event))?;
-            // Words of the maker's own are about the picture, which all sheets show together.
-            let called = |page: Page| page.called(None, args.description());
-            (drawn.pages.into_iter().map(called).collect(), drawn.notes)
-        } else {
-            let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
-            (vec![drawing.page.called(args.title.as_deref(), args.description())], drawing.notes)
-        };
+        let (pages, notes): (Vec<Page>, _) =
+            if args.fitting.sheets.is_some() || args.fitting.is_wider_than_a_sheet(&common.plan) {
+                let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
+                let drawn = sheets::convert(picture, args.fitting.sheets, &request, &mut |event| timings.watch(event))?;
+                // Words of the maker's own are about the picture, which all sheets show together.
+                let called = |page: Page| page.called(None, args.description());
+                (drawn.pages.into_iter().map(called).collect(), drawn.notes)
+            } else {
+                let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
+                let of_overview = args.title.as_ref().map(|title| format!("{title}, overview"));
+                let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None));
+                let figure = drawing.page.called(args.title.as_deref(), args.description());
+                ([figure].into_iter().chain(overview).collect(), drawing.notes)
+            };
         let title = args.title.as_deref().unwrap_or(title);
         let files = timings.step("write", || match (&pages[..], chosen.format) {
             ([page], _) => write(page, chosen).map(|file| vec![file]),

@@ -64,14 +64,64 @@ pub struct Line {
 pub struct Run {
     /// Width, mm.
     pub width: f32,
-    /// Polyline; first point = last point for a closed line of one width.
+    /// Polyline; first point = last point for a closed line of one width. Of a row of dots, the centres of its dots.
     pub points: Vec<MmPoint>,
+    /// How it is drawn.
+    pub pen: Pen,
+}
+
+/// How a piece of a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pen {
+    /// A stroke through its points.
+    #[default]
+    Stroke,
+    /// A dot on each of its points, pressed this high.
+    Dots(Height),
+}
+
+/// How high a dot is pressed. Readers tell three of the eight heights of an embosser apart best (Kouroupetroglou et al. 2016), so
+/// there are no more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Height {
+    /// Textures.
+    Low,
+    /// Frames and weak lines.
+    Middle,
+    /// Lines, and everything where a device has one height only.
+    #[default]
+    High,
+}
+
+impl Height {
+    /// All of them, the lowest first.
+    pub const ALL: [Self; 3] = [Self::Low, Self::Middle, Self::High];
+
+    /// Its name in plain words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Low => "low",
+            Self::Middle => "middle",
+            Self::High => "high",
+        }
+    }
+}
+
+impl std::fmt::Display for Height {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
 }
 
 impl Run {
-    /// Whether the run is a ring of its own.
+    /// A stroke.
+    pub fn stroke(width: f32, points: Vec<MmPoint>) -> Self {
+        Self { width, points, pen: Pen::Stroke }
+    }
+
+    /// Whether the run is a ring of its own, drawn as a stroke.
     pub fn is_closed(&self) -> bool {
-        self.points.len() > 2 && self.points.first() == self.points.last()
+        self.pen == Pen::Stroke && self.points.len() > 2 && self.points.first() == self.points.last()
     }
 }
 

@@ -113,7 +113,7 @@ fn drawn(trail: &Trail, points: &[MmPoint], pinned: &[bool], tolerance: f32) -> 
         let kept = simplify(&points[from..=i + 1], tolerance).into_iter().map(|k| points[from + k]);
         match runs.last_mut() {
             Some(run) if (run.width - width(i)).abs() < 0.5 * STEP => run.points.extend(kept.skip(1)),
-            _ => runs.push(Run { width: width(i), points: kept.collect() }),
+            _ => runs.push(Run::stroke(width(i), kept.collect())),
         }
         from = i + 1;
     }

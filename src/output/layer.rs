@@ -1,6 +1,6 @@
 //! The layers of a page: the same names in every format that has layers.
 
-use crate::page::Class;
+use crate::page::{Class, Height};
 
 /// A layer. Those with a parent lie in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,6 +37,15 @@ impl Layer {
             Self::Overview => "Overview".into(),
             Self::Labels => "Labels".into(),
         }
+    }
+}
+
+/// The grey of a dot's height, 0 black: what is lighter is pressed lower.
+pub(super) fn grey(height: Height) -> u8 {
+    match height {
+        Height::High => 0,
+        Height::Middle => 0x60,
+        Height::Low => 0xa0,
     }
 }
 

@@ -21,9 +21,9 @@ use std::fmt::Write;
 use svg::node::element::{Description, Element, Group, Path, Title};
 use svg::{Document, Node};
 
-use super::layer::Layer;
+use super::layer::{Layer, grey};
 use super::{origin_lines, plain, seal};
-use crate::page::{Class, Dots, Figure, Glyph, Line, Overview, Page, Run, Shape, Texture};
+use crate::page::{Class, Dots, Figure, Glyph, Height, Line, Overview, Page, Pen, Run, Shape, Texture};
 use crate::units::{MmPoint, MmRect};
 
 /// The page as an SVG document. The same page gives the same bytes.
@@ -50,9 +50,10 @@ pub fn write(page: &Page) -> String {
         document = document.add(page.registration.iter().fold(group, |group, run| group.add(stroke(run))));
     }
     if !page.frame.at.is_empty() {
-        document = document.add(layer(Layer::Frame).add(dots(&page.frame)));
+        let frame = raised(layer(Layer::Frame), page.height_of_frame());
+        document = document.add(frame.add(dots(&page.frame)));
     }
-    document = document.add(figure(&page.figure));
+    document = document.add(figure(&page.figure, page.height_of_textures()));
     if let Some(overview) = &page.overview {
         if !overview.frame.at.is_empty() {
             document = document.add(layer(Layer::OverviewFrame).add(dots(&overview.frame)));
@@ -96,12 +97,12 @@ fn data_box(place: MmRect) -> String {
     [place.min.x, place.min.y, place.width(), place.height()].map(number).join(" ")
 }
 
-fn figure(figure: &Figure) -> Group {
+fn figure(figure: &Figure, of_textures: Height) -> Group {
     let mut group = layer(Layer::Figure)
         .set("data-box", data_box(figure.place))
         .set("data-source", format!("{} {}", figure.source.width, figure.source.height));
     if !figure.textures.is_empty() {
-        let mut textures = layer(Layer::Textures);
+        let mut textures = raised(layer(Layer::Textures), of_textures);
         let numbered = || (1..).zip(&figure.textures);
         for class in Class::ALL {
             let mut paths = numbered().filter(|(_, texture)| texture.class == class).peekable();
@@ -147,6 +148,10 @@ fn with_strokes(group: Group) -> Group {
 }
 
 fn stroke(run: &Run) -> Path {
+    if let Pen::Dots(height) = run.pen {
+        let dots = discs(&run.points, run.width);
+        return Path::new().set("fill", shade(height)).set("stroke", "none").set("d", dots);
+    }
     Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed()))
 }
 
@@ -169,11 +174,25 @@ fn line_path(points: &[MmPoint], closed: bool) -> String {
 }
 
 fn dots(dots: &Dots) -> Path {
-    let mut d = String::with_capacity(48 * dots.at.len());
-    for &at in &dots.at {
-        push_disc(&mut d, at, dots.diameter);
-    }
-    Path::new().set("d", d)
+    Path::new().set("d", discs(&dots.at, dots.diameter))
+}
+
+/// What is pressed lower is drawn lighter; everything else is black.
+fn shade(height: Height) -> String {
+    let grey = grey(height);
+    format!("#{grey:02x}{grey:02x}{grey:02x}")
+}
+
+/// A layer of dots of this height.
+fn raised(group: Group, height: Height) -> Group {
+    // black is what is drawn unless something else is said
+    if height == Height::High { group } else { group.set("fill", shade(height)) }
+}
+
+fn discs(at: &[MmPoint], diameter: f32) -> String {
+    let mut d = String::with_capacity(48 * at.len());
+    at.iter().for_each(|&at| push_disc(&mut d, at, diameter));
+    d
 }
 
 fn glyph_path(glyphs: &[Glyph]) -> String {

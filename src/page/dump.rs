@@ -2,12 +2,19 @@
 
 use std::fmt::{Display, Formatter, Result};
 
-use super::{Dots, Line, Page, Run, Shape};
+use super::{Dots, Line, Page, Pen, Press, Run, Shape};
+use crate::devices::Room;
 
 impl Display for Page {
     /// Writes all marks, one a row, in millimetres with two decimals.
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "sheet {} x {}", self.sheet[0], self.sheet[1])?;
+        if let Some(Press { room, .. }) = &self.press {
+            match room {
+                Room::Grid(grid) => writeln!(f, "grid of {} x {} dots", grid.columns.len(), grid.rows.len())?,
+                Room::Free(_) => writeln!(f, "dots anywhere")?,
+            }
+        }
         writeln!(f, "title {}", self.title)?;
         writeln!(f, "description {}", self.description)?;
         dots(f, "frame", &self.frame)?;
@@ -63,7 +70,10 @@ fn write_line(f: &mut Formatter<'_>, line: &Line) -> Result {
 }
 
 fn write_run(f: &mut Formatter<'_>, run: &Run) -> Result {
-    write!(f, "  {:.2} wide:", run.width)?;
+    match run.pen {
+        Pen::Stroke => write!(f, "  {:.2} wide:", run.width)?,
+        Pen::Dots(height) => write!(f, "  dots {:.2} wide, {height}:", run.width)?,
+    }
     for at in &run.points {
         write!(f, " {:.2},{:.2}", at.x, at.y)?;
     }

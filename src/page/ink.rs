@@ -1,6 +1,8 @@
 //! How wide marks are printed, and how much of a page is black.
 
-use super::{Dots, Glyph, Line, Page, Parts, Run, Shape};
+use std::f32::consts::FRAC_PI_4;
+
+use super::{Dots, Glyph, Line, Page, Parts, Pen, Run, Shape};
 
 /// The narrowest that a tick is printed, mm: to be found by looking as well.
 const LEAST_TICK: f32 = 0.5;
@@ -60,7 +62,10 @@ impl Page {
     /// Share of the figure that is black, 0..=1: the ink of its lines and glyphs by its area. Where lines meet, ink that lies
     /// on ink counts twice, which is a thousandth or two.
     pub fn black_share(&self) -> f32 {
-        let of_run = |run: &Run| run.width * crate::geom::polyline::length(&run.points);
+        let of_run = |run: &Run| match run.pen {
+            Pen::Stroke => run.width * crate::geom::polyline::length(&run.points),
+            Pen::Dots(_) => run.points.len() as f32 * FRAC_PI_4 * run.width * run.width,
+        };
         let lines: f32 = self.figure.lines.iter().flat_map(|line| &line.runs).map(of_run).sum();
         let glyphs: f32 = self.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(Glyph::area).sum();
         (lines + glyphs) / self.figure.place.area().max(f32::MIN_POSITIVE)

@@ -17,7 +17,8 @@
 
 use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-use super::Run;
+use super::{Run, dot_layout};
+use crate::devices::{Device, Room};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Which way up a sheet lies.
@@ -59,6 +60,19 @@ pub struct Params {
     pub overview: Option<OverviewParams>,
     /// The orientation mark, if there is one.
     pub mark: Option<MarkParams>,
+    /// The device, if the page is one of dots.
+    pub press: Option<PressParams>,
+}
+
+/// A device that presses a page as dots.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PressParams {
+    /// The device.
+    pub device: &'static Device,
+    /// Distance of its dots, mm.
+    pub pitch: f32,
+    /// Diameter of a dot as it is felt, mm.
+    pub diameter: f32,
 }
 
 /// Measures of a frame, mm.
@@ -101,10 +115,12 @@ pub struct Layout {
     pub sheet: [f32; 2],
     /// The picture itself.
     pub figure: MmRect,
-    /// The overview's picture.
+    /// The overview's picture; of a page of dots, on a sheet of its own.
     pub overview: Option<MmRect>,
     /// The orientation mark.
     pub mark: Option<Run>,
+    /// Where dots can be, on a page of dots.
+    pub room: Option<Room>,
 }
 
 /// Lays out a picture whose width is `aspect` times its height, as large as the sheet allows but not wider than `widest`,
@@ -114,6 +130,9 @@ pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
         let [a, b] = params.sheet;
         [a.min(b), a.max(b)]
     };
+    if let Some(press) = &params.press {
+        return fit_dots(aspect, widest, [short, long], params, press);
+    }
     let (upright, across) = (Sheet::new([short, long], params), Sheet::new([long, short], params));
     let sheet = match params.orientation {
         Orientation::Portrait => upright,
@@ -124,8 +143,21 @@ pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
     sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest))
 }
 
+/// The same for a page of dots. A sheet that the device does not take in any of the ways allowed has no room for a figure.
+fn fit_dots(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params, press: &PressParams) -> Layout {
+    let ways = match params.orientation {
+        Orientation::Portrait => &[[short, long]][..],
+        Orientation::Landscape => &[[long, short]],
+        Orientation::Auto => &[[short, long], [long, short]],
+    };
+    let laid_out = ways.iter().filter_map(|&size| dot_layout::fit(aspect, widest, size, params, press));
+    let larger = |a: Layout, b: Layout| if b.figure.width() > a.figure.width() { b } else { a };
+    let none = Layout { sheet: ways[0], figure: MmRect::zero(), overview: None, mark: None, room: None };
+    laid_out.reduce(larger).unwrap_or(none)
+}
+
 /// A sheet as it lies.
-struct Sheet<'a> {
+pub(super) struct Sheet<'a> {
     params: &'a Params,
     size: [f32; 2],
     /// From the picture to the outer edge of its frame.
@@ -133,7 +165,7 @@ struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    fn new(size: [f32; 2], params: &'a Params) -> Self {
+    pub(super) fn new(size: [f32; 2], params: &'a Params) -> Self {
         Self { params, size, border: params.frame.map_or(0.0, |frame| frame.width + frame.gap) }
     }
 
@@ -160,7 +192,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// The greatest width of a figure; 0 where there is no room.
-    fn figure_width(&self, aspect: f32) -> f32 {
+    pub(super) fn figure_width(&self, aspect: f32) -> f32 {
         let [width, height] = self.room();
         let (fixed, share) = self.stack();
         let free = width - 2.0 * self.border;
@@ -170,7 +202,7 @@ impl<'a> Sheet<'a> {
         free.min(by_height).min(by_mark).max(0.0)
     }
 
-    fn lay_out(&self, aspect: f32, width: f32) -> Layout {
+    pub(super) fn lay_out(&self, aspect: f32, width: f32) -> Layout {
         let Params { margin, overview, mark, .. } = *self.params;
         let size = MmVector::new(width, width / aspect);
         let middle = 0.5 * self.size[0];
@@ -184,7 +216,7 @@ impl<'a> Sheet<'a> {
         let overview =
             overview.map(|overview| place(figure.max.y + overview.gap + 2.0 * self.border, size * overview.scale));
         let mark = mark.map(|mark| bar(MmPoint::new(self.size[0] - margin, margin), mark));
-        Layout { sheet: self.size, figure, overview, mark }
+        Layout { sheet: self.size, figure, overview, mark, room: None }
     }
 }
 
@@ -202,7 +234,7 @@ pub(super) fn reach(mark: MarkParams) -> f32 {
 pub(super) fn bar(corner: MmPoint, mark: MarkParams) -> Run {
     let inner = corner + MmVector::new(-0.5 * mark.width, 0.5 * mark.width);
     let points = vec![inner - MmVector::new(leg(mark), 0.0), inner + MmVector::new(0.0, leg(mark))];
-    Run { width: mark.width, points }
+    Run::stroke(mark.width, points)
 }
 
 #[cfg(test)]
@@ -218,6 +250,7 @@ mod tests {
             frame: Some(FrameParams { width: 3.0, dot: 0.8, pitch: 1.6, gap: 5.0 }),
             overview: Some(OverviewParams { scale: 0.4, gap: 12.0 }),
             mark: Some(MarkParams { length: 12.0, width: 2.0, gap: 5.0 }),
+            press: None,
         }
     }
 

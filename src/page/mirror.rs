@@ -8,7 +8,11 @@ impl Page {
     /// up from its back.
     #[must_use]
     pub fn mirrored(mut self) -> Self {
-        let width = self.parts.sheet[0];
+        // On a grid, columns change places.
+        let width = match &self.parts.press {
+            Some(press) => press.room.bounds().min.x + press.room.bounds().max.x,
+            None => self.parts.sheet[0],
+        };
         let parts = &mut self.parts;
         let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration);
         runs.for_each(|run| mirror_run(run, width));

@@ -4,6 +4,7 @@
 
 pub(crate) mod braille;
 mod describe;
+pub(crate) mod dot_layout;
 mod dump;
 pub mod frame_dots;
 mod ink;
@@ -12,10 +13,11 @@ mod mirror;
 pub mod spread;
 
 pub use crate::classes::Class;
-pub use crate::lines::{Line, Run};
+pub use crate::lines::{Height, Line, Pen, Run};
 pub use crate::textures::{Glyph, Palette, Shape, Sign, Texture};
 pub use describe::{LANGUAGE, describe};
 
+use crate::devices::Room;
 use crate::units::{MmPoint, MmRect, Size};
 
 /// A finished page.
@@ -49,6 +51,19 @@ pub struct Parts {
     pub overview: Option<Overview>,
     /// Braille and other dots that name or number what is on the page; one entry a size. Few pages have any.
     pub labels: Vec<Dots>,
+    /// The device that presses the page as dots, if it is one of dots; then every mark is a dot that it can press.
+    pub press: Option<Press>,
+}
+
+/// What a writer of dots needs to know of the device.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Press {
+    /// Where it can press dots.
+    pub room: Room,
+    /// Diameter of a dot as it is felt, mm.
+    pub diameter: f32,
+    /// Whether it presses dots to different heights.
+    pub has_heights: bool,
 }
 
 /// Discs of one size.
@@ -141,6 +156,20 @@ impl Page {
             (self.parts.description, self.parts.language) = (description.to_owned(), language.to_owned());
         }
         self
+    }
+
+    /// How high the dots of frames are pressed.
+    pub fn height_of_frame(&self) -> Height {
+        self.height(Height::Middle)
+    }
+
+    /// How high the dots of textures are pressed.
+    pub fn height_of_textures(&self) -> Height {
+        self.height(Height::Low)
+    }
+
+    fn height(&self, height: Height) -> Height {
+        if self.press.as_ref().is_some_and(|press| press.has_heights) { height } else { Height::High }
     }
 
     /// Whether there is neither a line nor a glyph on it.

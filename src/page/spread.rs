@@ -229,7 +229,7 @@ impl Spread {
         let mut ticks = Vec::new();
         // At one place along a side: from its start or its end, on both sides of the window.
         let reach = |edge: f32, out: f32| [edge + out * GAP, edge + out * (GAP + TICK)];
-        let mut tick = |a: MmPoint, b: MmPoint| ticks.push(Run { width: TICK_WIDTH, points: vec![a, b] });
+        let mut tick = |a: MmPoint, b: MmPoint| ticks.push(Run::stroke(TICK_WIDTH, vec![a, b]));
         let left = column > 0 && self.shows(column - 1, row, picture);
         let right = column + 1 < self.grid.across && self.shows(column + 1, row, picture);
         for (there, x) in [(left, near.x + half), (right, far.x - half)] {
@@ -265,7 +265,7 @@ fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
     for run in &line.runs {
         let half = 0.5 * run.width;
         for points in cut_polyline(&run.points, window.inflate(-half, -half)) {
-            let piece = Run { width: run.width, points };
+            let piece = Run { width: run.width, points, pen: run.pen };
             let joins = |last: &Line| last.runs.last().and_then(|run| run.points.last()) == piece.points.first();
             match pieces.last_mut() {
                 Some(last) if joins(last) => last.runs.push(piece),

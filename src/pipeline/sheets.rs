@@ -60,7 +60,7 @@ fn places(size: Size, grid: Grid, request: &Request<'_>) -> Result<Layout, Error
     let spread = spread_of(size, grid, request)?;
     let params = request.plan.layout();
     let overview = params.overview.map(|_| overview_sheet(size, request).figure);
-    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark: spread.mark })
+    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark: spread.mark, room: None })
 }
 
 fn aspect(size: Size) -> f32 {
@@ -151,5 +151,6 @@ fn parts(title: String, description: String, figure: Figure, grid: Grid, request
         figure,
         overview: None,
         labels: Vec::new(),
+        press: None,
     }
 }

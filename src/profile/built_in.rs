@@ -25,6 +25,19 @@ pub fn built_in() -> &'static [BuiltIn] {
         BuiltIn { name: "swell-11x11.5", text: include_str!("../../profiles/swell-11x11.5.toml") },
         BuiltIn { name: "swell-11x17", text: include_str!("../../profiles/swell-11x17.toml") },
         BuiltIn { name: "plain-print", text: include_str!("../../profiles/plain-print.toml") },
+        BuiltIn { name: "index-basic-d", text: include_str!("../../profiles/index-basic-d.toml") },
+        BuiltIn { name: "index-everest-d", text: include_str!("../../profiles/index-everest-d.toml") },
+        BuiltIn { name: "index-basic-d-v3", text: include_str!("../../profiles/index-basic-d-v3.toml") },
+        BuiltIn { name: "index-braillebox", text: include_str!("../../profiles/index-braillebox.toml") },
+        BuiltIn { name: "romeo-60", text: include_str!("../../profiles/romeo-60.toml") },
+        BuiltIn { name: "juliet-120", text: include_str!("../../profiles/juliet-120.toml") },
+        BuiltIn { name: "braillerap", text: include_str!("../../profiles/braillerap.toml") },
+        BuiltIn { name: "viewplus-columbia", text: include_str!("../../profiles/viewplus-columbia.toml") },
+        BuiltIn { name: "graphiti", text: include_str!("../../profiles/graphiti.toml") },
+        BuiltIn { name: "dot-pad", text: include_str!("../../profiles/dot-pad.toml") },
+        BuiltIn { name: "monarch", text: include_str!("../../profiles/monarch.toml") },
+        BuiltIn { name: "pins-120x60", text: include_str!("../../profiles/pins-120x60.toml") },
+        BuiltIn { name: "braille-cells", text: include_str!("../../profiles/braille-cells.toml") },
     ]
 }
 

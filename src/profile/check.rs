@@ -136,7 +136,12 @@ const ROOM: &[&str] = &[
     "mark.width",
     "mark.gap",
     "figure.min_side",
+    "dots.device",
+    "dots.pitch",
 ];
+
+/// The keys that a device may refuse.
+const PRESSED: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device", "dots.pitch"];
 
 /// The keys of marks that may be the narrowest ones printed, each with the switches that must all be on for it to be drawn
 /// and how many times what swelling adds is taken from it. A rhombus loses more than it gains in width at its sides, at
@@ -188,12 +193,21 @@ impl Profile {
         let mut faults: Vec<_> = ORDERS.iter().filter_map(|order| self.order_fault(order)).collect();
         faults.append(&mut self.palette_faults());
         faults.extend(SPACED.iter().filter_map(|(glyph, pitch)| self.spacing_fault(glyph, pitch)));
-        if self.sound(ROOM) {
+        let device_faults = self.device_faults();
+        let fits_device = device_faults.is_empty();
+        faults.extend(device_faults);
+        if self.sound(ROOM) && fits_device {
             let (width, height) = self.figure_room();
             let least = self.figure.min_side;
             let square = layout::fit(1.0, f32::MAX, &self.layout()).figure.width();
             if square < least {
-                let what = if width >= least && height >= least {
+                let what = if let Some(device) = self.dots.device {
+                    format!(
+                        "the grid of {} leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} mm, \
+                         enlarge the sheet or lessen frame.gap or mark.gap",
+                        device.name
+                    )
+                } else if width >= least && height >= least {
                     format!(
                         "the orientation mark leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} \
                          mm, lessen mark.length or mark.gap, or enlarge the sheet"
@@ -214,6 +228,21 @@ impl Profile {
             faults.push(Fault { place: self.place(DRAWN), what: what.to_owned() });
         }
         faults
+    }
+
+    /// What the device cannot do that the profile asks for.
+    fn device_faults(&self) -> Vec<Fault> {
+        let (Some(device), true) = (self.dots.device, self.sound(PRESSED)) else { return Vec::new() };
+        let [short, long] = [self.page.width.min(self.page.height), self.page.width.max(self.page.height)];
+        let (upright, across) = ([short, long], [long, short]);
+        let room = |sheet| device.room(sheet, self.dots.pitch);
+        let refused = match self.page.orientation {
+            Orientation::Portrait => room(upright).err(),
+            Orientation::Landscape => room(across).err(),
+            Orientation::Auto => room(upright).err().and_then(|faults| room(across).err().map(|_| faults)),
+        };
+        let fault = |what| Fault { place: self.place(PRESSED), what };
+        refused.unwrap_or_default().into_iter().map(fault).collect()
     }
 
     /// The faults of signs that a finger cannot tell apart, one for each pair.
@@ -333,7 +362,7 @@ mod tests {
             assert!(known(&order.small) && known(&order.large), "{} {}", order.small, order.large);
             assert!(order.when.iter().all(known), "{:?}", order.when);
         }
-        assert!(ROOM.iter().chain(DRAWN).all(known));
+        assert!(ROOM.iter().chain(DRAWN).chain(PRESSED).all(known));
         assert!(NARROW.iter().all(|(path, when, _)| known(path) && when.iter().all(known)));
     }
 }

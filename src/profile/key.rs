@@ -2,6 +2,7 @@
 
 use super::Profile;
 use super::suggest::list;
+use crate::devices::Device;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
 
@@ -17,6 +18,17 @@ pub struct Key {
     pub(super) get: fn(&Profile) -> Value,
     pub(super) slot: for<'a> fn(&'a mut Profile) -> Slot<'a>,
 }
+
+/// The words for what presses a page: none, and the devices.
+pub(super) const DEVICES: [&str; 1 + Device::ALL.len()] = {
+    let mut words = ["none"; 1 + Device::ALL.len()];
+    let mut i = 0;
+    while i < Device::ALL.len() {
+        words[1 + i] = Device::ALL[i].id;
+        i += 1;
+    }
+    words
+};
 
 /// What a key takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,6 +67,7 @@ pub enum Value {
 pub(super) enum Slot<'a> {
     Switch(&'a mut bool),
     Orientation(&'a mut Orientation),
+    Device(&'a mut Option<&'static Device>),
     Sign(&'a mut Sign),
     Number(&'a mut f32),
 }
@@ -106,6 +119,7 @@ impl Key {
             (Slot::Orientation(field), Value::Choice(word)) => {
                 *field = Orientation::ALL.into_iter().find(|way| way.name() == word).unwrap_or(*field);
             }
+            (Slot::Device(field), Value::Choice(word)) => *field = Device::named(word),
             (Slot::Sign(field), Value::Sign(value)) => *field = value,
             // Adding nothing turns minus zero, which is written oddly, into zero.
             (Slot::Number(field), Value::Number(value)) => *field = value + 0.0,
@@ -164,6 +178,12 @@ impl From<Orientation> for Value {
     }
 }
 
+impl From<Option<&'static Device>> for Value {
+    fn from(device: Option<&'static Device>) -> Self {
+        Self::Choice(device.map_or(DEVICES[0], |device| device.id))
+    }
+}
+
 impl From<f32> for Value {
     fn from(number: f32) -> Self {
         Self::Number(number)
@@ -185,6 +205,12 @@ impl<'a> From<&'a mut bool> for Slot<'a> {
 impl<'a> From<&'a mut Orientation> for Slot<'a> {
     fn from(field: &'a mut Orientation) -> Self {
         Self::Orientation(field)
+    }
+}
+
+impl<'a> From<&'a mut Option<&'static Device>> for Slot<'a> {
+    fn from(field: &'a mut Option<&'static Device>) -> Self {
+        Self::Device(field)
     }
 }
 

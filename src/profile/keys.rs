@@ -3,7 +3,8 @@
 //! in `profiles/*.toml`, each with its reason; the ranges here only keep out what can be no page at all.
 
 use super::Origin;
-use super::key::{Key, Kind};
+use super::key::{DEVICES, Key, Kind};
+use crate::devices::Device;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
 
@@ -13,6 +14,9 @@ macro_rules! field {
     };
     (orientation) => {
         Orientation
+    };
+    (device) => {
+        Option<&'static Device>
     };
     (sign) => {
         Sign
@@ -29,6 +33,9 @@ macro_rules! blank {
     (orientation) => {
         Orientation::Auto
     };
+    (device) => {
+        None
+    };
     (sign) => {
         Sign::Dot
     };
@@ -44,6 +51,9 @@ macro_rules! kind {
     (orientation) => {
         Kind::Choice(&Orientation::NAMES)
     };
+    (device) => {
+        Kind::Choice(&DEVICES)
+    };
     (sign) => {
         Kind::Sign
     };
@@ -57,6 +67,9 @@ macro_rules! in_words {
         ""
     };
     (orientation) => {
+        ""
+    };
+    (device) => {
         ""
     };
     (sign) => {
@@ -291,6 +304,19 @@ table! {
         red: sign;
         /// The sign of black, greys and weakly saturated colours.
         grey: sign;
+    }
+    /// Pages of dots, for embossers and pin displays.
+    dots: DotsSettings {
+        /// What presses the page; with "none" it is printed.
+        device: device;
+        /// Distance of dots along a line, and of the columns and rows of a grid; one that the device has.
+        pitch: number(1.0 to 10.0, "mm");
+        /// Empty dots between two lines, at least.
+        line_gap: number(1.0 to 10.0, "dots");
+        /// Empty dots between a line and a texture, at least.
+        texture_gap: number(0.0 to 10.0, "dots");
+        /// Height of a colour step from which a line is two dots wide, or higher where the device has heights.
+        heavy_from: number(1.0 to 600.0, "units of lightness");
     }
     /// Printing and swelling.
     print: PrintSettings {

@@ -4,7 +4,7 @@
 use super::{Fault, Profile};
 use crate::page::layout;
 use crate::textures::Palette;
-use crate::{classes, edges, lines, textures};
+use crate::{classes, dots, edges, lines, textures};
 
 /// Cells of mean colour, and how far from an edge they are compared, mm. On photographs of 481 pixels, which have 0.4 mm
 /// for a pixel on an A4 sheet, 5 and 8 pixels scored best, 2.0 and 3.2 mm. A little less here, which costs about .002 of the
@@ -21,7 +21,7 @@ const COLOUR_CELL: f32 = 1.0;
 impl Profile {
     /// What the layout of a page needs.
     pub(super) fn layout(&self) -> layout::Params {
-        let Self { page, frame, overview, mark, .. } = self;
+        let Self { page, frame, overview, mark, dots, .. } = self;
         layout::Params {
             sheet: [page.width, page.height],
             orientation: page.orientation,
@@ -34,6 +34,11 @@ impl Profile {
             }),
             overview: overview.on.then_some(layout::OverviewParams { scale: overview.scale, gap: overview.gap }),
             mark: mark.on.then_some(layout::MarkParams { length: mark.length, width: mark.width, gap: mark.gap }),
+            press: dots.device.map(|device| layout::PressParams {
+                device,
+                pitch: dots.pitch,
+                diameter: device.diameter(),
+            }),
         }
     }
 }
@@ -84,18 +89,36 @@ impl Plan {
 
     pub(crate) fn lines(&self) -> lines::Params {
         let Profile { edges, lines, .. } = &self.profile;
+        let drawn = self.dots().map_or([lines.width_min, lines.width_max, lines.min_gap], |dots| {
+            [dots.diameter, dots.diameter, dots.centres() - dots.diameter]
+        });
+        let [width_min, width_max, min_gap] = drawn;
         lines::Params {
-            width_min: lines.width_min,
-            width_max: lines.width_max,
+            width_min,
+            width_max,
             least_strength: edges.low,
             full_strength: lines.full_strength,
             min_length: lines.min_length,
-            min_gap: lines.min_gap,
+            min_gap,
             join_gap: lines.join_gap,
             smoothing: lines.smoothing,
             tolerance: lines.tolerance,
             detail: lines.detail,
         }
+    }
+
+    /// How lines become dots, on a page of dots.
+    pub(crate) fn dots(&self) -> Option<dots::Params> {
+        let Profile { dots, lines, .. } = &self.profile;
+        let device = dots.device?;
+        Some(dots::Params {
+            pitch: dots.pitch,
+            diameter: device.diameter(),
+            line_gap: dots.line_gap.round() as u32,
+            heavy_from: dots.heavy_from,
+            has_heights: device.heights() > 1,
+            min_length: lines.min_length,
+        })
     }
 
     pub(crate) fn classes(&self, px_per_mm: f32) -> classes::Params {

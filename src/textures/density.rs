@@ -44,7 +44,7 @@ mod tests {
     fn a_lone_line_has_density_one_on_itself_and_half_at_1_18_sigma() {
         let area = MmRect::new(MmPoint::new(5.0, 5.0), MmPoint::new(105.0, 105.0));
         let points = vec![MmPoint::new(55.0, 5.0), MmPoint::new(55.0, 105.0)];
-        let line = Line { strength: 50.0, runs: vec![Run { width: 1.0, points }] };
+        let line = Line { strength: 50.0, runs: vec![Run::stroke(1.0, points)] };
         let map = map(&[line], area, 8.0);
         let at = |x: f32| map.at(x - 5.0, 50.0);
         assert!((at(55.0) - 1.0).abs() < 0.02, "{}", at(55.0));

@@ -59,7 +59,7 @@ proptest! {
         let area = MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(20.0 + side, 30.0 + side));
         let place = |x: f32, y: f32| MmPoint::new(20.0 + x * side, 30.0 + y * side);
         let points = vec![place(way.0, way.1), place(way.2, way.3)];
-        let line = Line { strength: 30.0, runs: vec![Run { width: 1.0, points }] };
+        let line = Line { strength: 30.0, runs: vec![Run::stroke(1.0, points)] };
         let textures = fill(&classes, area, &[line], &PARAMS);
         let region_at = |at: MmPoint| {
             let cell = |value: f32| (value / side * CELLS as f32).floor() as usize;

@@ -8,7 +8,11 @@ fn profiles_are_listed_and_shown() {
     let run = place.run(&["profiles"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let names = run.out.lines().map(|line| line.split_whitespace().next().unwrap_or(""));
-    let expected = ["swell-a4", "swell-a3", "swell-letter", "swell-11x11.5", "swell-11x17", "plain-print"];
+    let printed = ["swell-a4", "swell-a3", "swell-letter", "swell-11x11.5", "swell-11x17", "plain-print"];
+    let embossed =
+        ["index-basic-d", "index-everest-d", "index-basic-d-v3", "index-braillebox", "romeo-60", "juliet-120"];
+    let others = ["braillerap", "viewplus-columbia", "graphiti", "dot-pad", "monarch", "pins-120x60", "braille-cells"];
+    let expected = [&printed[..], &embossed, &others].concat();
     assert_eq!(names.collect::<Vec<_>>(), expected);
     let descriptions = run.out.lines().map(|line| line[13..].trim_start().len());
     assert!(descriptions.min() > Some(10), "a profile without description:\n{}", run.out);

@@ -26,7 +26,7 @@ fn unknown_names_get_a_suggestion() {
         ("lines.max_width = 1", "there is no key lines.max_width, did you mean lines.width_max?"),
         ("lines.width-max = 1", "there is no key lines.width-max, did you mean lines.width_max?"),
         ("lines.width = 1", "there is no key lines.width, did you mean lines.width_min or lines.width_max?"),
-        ("lines.line_gap = 1", "there is no key lines.line_gap, did you mean textures.line_gap?"),
+        ("lines.line_gap = 1", "there is no key lines.line_gap, did you mean textures.line_gap or dots.line_gap?"),
         ("edges.gap = 1", "there is no key edges.gap, did you mean frame.gap, mark.gap or overview.gap?"),
         ("page.colour = 1", "there is no key page.colour, the keys of page are width, height, orientation and margin"),
         ("colors.blur = 1", "there is no section colors, did you mean colours?"),
@@ -36,7 +36,7 @@ fn unknown_names_get_a_suggestion() {
         (
             "\"two\\nlines\" = 13",
             "there is no section \"two\\nlines\", the sections are page, frame, mark, sheets, figure, overview, edges, \
-                                lines, colours, textures, textures.palette and print",
+                                lines, colours, textures, textures.palette, dots and print",
         ),
     ] {
         check(&format!("{HEIR}{line}"), &format!("my.toml, line 2: {expected}"));
@@ -250,7 +250,9 @@ fn all_faults_come_at_once() {
         "inherits = \"swel-a4\"\n[lines]\nwidth_max = 0.1\nwidth_min = 2\nsmoothing 1\ngap = 3\n\n\
          [edges]\nlow = 20\nhigh = 10\n[pages]\n",
         "my.toml, line 1: inherits cannot be followed, there is no built-in profile swel-a4 (the built-in profiles are \
-         swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17 and plain-print), did you mean swell-a4?\n\
+         swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17, plain-print, index-basic-d, index-everest-d, \
+         index-basic-d-v3, index-braillebox, romeo-60, juliet-120, braillerap, viewplus-columbia, graphiti, dot-pad, \
+         monarch, pins-120x60 and braille-cells), did you mean swell-a4?\n\
          my.toml, line 3: lines.width_max must be a number from 0.3 to 10 mm, not 0.1\n\
          my.toml, line 5: \"smoothing 1\" cannot be read as TOML: key with no value, expected \"=\"\n\
          my.toml, line 6: there is no key lines.gap, did you mean lines.min_gap or lines.join_gap?\n\
@@ -263,7 +265,7 @@ fn all_faults_come_at_once() {
 #[test]
 fn without_inherits_every_key_must_be_given() {
     let most = "my.toml: without inherits every key must be given, page.width, page.height, page.orientation, \
-                page.margin, frame.on, frame.width and 53 more are missing, write inherits = \"swell-a4\" at the top to take what \
+                page.margin, frame.on, frame.width and 58 more are missing, write inherits = \"swell-a4\" at the top to take what \
                 is missing from there";
     check("", most);
     check(

@@ -46,7 +46,9 @@ fn every_key_is_documented_and_in_range() {
 #[test]
 fn built_in_profiles_have_margins() {
     for file in built_in() {
-        assert!(named(file.name).page.margin >= 10.0, "{}", file.name);
+        let profile = named(file.name);
+        // the grid of a device ends where it cannot press
+        assert!(profile.page.margin >= 10.0 || profile.dots.device.is_some(), "{}", file.name);
     }
 }
 
@@ -150,15 +152,16 @@ fn parameters_read_back_the_same() {
 #[test]
 fn unknown_profile_is_told_with_the_known_ones() {
     let told = |name| in_lines(&Profile::named(name).expect_err("unknown"));
-    let known =
-        "(the built-in profiles are swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17 and plain-print)";
+    let known = "(the built-in profiles are swell-a4, swell-a3, swell-letter, swell-11x11.5, swell-11x17, plain-print, index-basic-d, index-everest-d, \
+         index-basic-d-v3, index-braillebox, romeo-60, juliet-120, braillerap, viewplus-columbia, graphiti, dot-pad, \
+         monarch, pins-120x60 and braille-cells)";
     assert_eq!(
         told("swell_letter"),
         format!("profile swell_letter: there is no built-in profile swell_letter {known}, did you mean swell-letter?")
     );
     assert_eq!(
-        told("braille\n"),
-        format!("profile \"braille\\n\": there is no built-in profile \"braille\\n\" {known}")
+        told("printer\n"),
+        format!("profile \"printer\\n\": there is no built-in profile \"braille\\n\" {known}")
     );
 }
 

@@ -7,9 +7,9 @@
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Name, Settings};
 
-use super::super::layer::Layer;
+use super::super::layer::{Layer, grey};
 use super::POINTS_PER_MM;
-use crate::page::{Class, Dots, Glyph, Line, Page, Run, Shape};
+use crate::page::{Class, Dots, Glyph, Height, Line, Page, Pen, Run, Shape};
 use crate::units::MmPoint;
 
 /// Units of user space in a millimetre.
@@ -23,7 +23,12 @@ const CIRCLE: f32 = 0.552_284_8;
 /// A page's content stream, not compressed. `name_of` gives the name of a layer in the page's resources.
 pub(super) fn write(page: &Page, name_of: &dyn Fn(Layer) -> String) -> Vec<u8> {
     let scale = POINTS_PER_MM / UNITS;
-    let mut out = Writer { content: Content::with_settings(Settings { pretty: false }), name_of, width: f32::NAN };
+    let mut out = Writer {
+        content: Content::with_settings(Settings { pretty: false }),
+        name_of,
+        width: f32::NAN,
+        fill: Height::High,
+    };
     out.content.transform([scale, 0.0, 0.0, -scale, 0.0, page.sheet[1] * POINTS_PER_MM]);
     out.content.set_fill_gray(0.0).set_stroke_gray(0.0);
     out.content.set_line_cap(LineCapStyle::RoundCap).set_line_join(LineJoinStyle::RoundJoin);
@@ -56,6 +61,8 @@ struct Writer<'a> {
     name_of: &'a dyn Fn(Layer) -> String,
     /// Line width in force.
     width: f32,
+    /// Grey of discs and glyphs in force.
+    fill: Height,
 }
 
 impl Writer<'_> {
@@ -66,7 +73,10 @@ impl Writer<'_> {
                     self.layer(layer, |out| page.orientation_mark.iter().for_each(|run| out.run(run)));
                 }
                 Layer::Registration => self.layer(layer, |out| page.registration.iter().for_each(|run| out.run(run))),
-                Layer::Frame => self.layer(layer, |out| out.dots(&page.frame)),
+                Layer::Frame => self.layer(layer, |out| {
+                    out.raise(page.height_of_frame());
+                    out.dots(&page.frame);
+                }),
                 Layer::Figure => self.layer(layer, |out| out.figure(page)),
                 Layer::OverviewFrame => {
                     self.layer(layer, |out| page.overview.iter().for_each(|overview| out.dots(&overview.frame)));
@@ -74,7 +84,10 @@ impl Writer<'_> {
                 Layer::Overview => {
                     self.layer(layer, |out| page.overview.iter().for_each(|overview| out.lines(&overview.lines)));
                 }
-                Layer::Labels => self.layer(layer, |out| page.labels.iter().for_each(|label| out.dots(label))),
+                Layer::Labels => self.layer(layer, |out| {
+                    out.raise(Height::High);
+                    page.labels.iter().for_each(|label| out.dots(label));
+                }),
                 Layer::Textures | Layer::Texture(_) | Layer::Lines => {} // in the figure
             }
         }
@@ -84,6 +97,7 @@ impl Writer<'_> {
         let figure = &page.figure;
         if !figure.textures.is_empty() {
             self.layer(Layer::Textures, |out| {
+                out.raise(page.height_of_textures());
                 for class in Class::ALL {
                     let mut textures = figure.textures.iter().filter(|texture| texture.class == class).peekable();
                     if textures.peek().is_some() {
@@ -112,7 +126,21 @@ impl Writer<'_> {
         lines.iter().flat_map(|line| &line.runs).for_each(|run| self.run(run));
     }
 
+    /// What is filled from here on is pressed this high.
+    fn raise(&mut self, height: Height) {
+        if height != self.fill {
+            self.content.set_fill_gray((f32::from(grey(height)) / 255.0 * 1000.0).round() / 1000.0);
+            self.fill = height;
+        }
+    }
+
     fn run(&mut self, run: &Run) {
+        if let Pen::Dots(height) = run.pen {
+            self.raise(height);
+            run.points.iter().for_each(|&at| self.disc(at, run.width));
+            self.content.fill_nonzero();
+            return;
+        }
         let width = units(run.width);
         if width.total_cmp(&self.width).is_ne() {
             self.content.set_line_width(width);

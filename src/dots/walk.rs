@@ -1,0 +1,74 @@
+//! The dots of a line on a device that can press them anywhere: in even steps along the line.
+
+use lyon::algorithms::walk::{RegularPattern, WalkerEvent, walk_along_path};
+use lyon::path::Path;
+
+use crate::geom::polyline;
+use crate::units::MmPoint;
+
+/// What a line may lie off its curve when it is walked, mm; it is a polyline, so nothing is.
+const TOLERANCE: f32 = 0.01;
+
+/// Dots along a line, as near to `pitch` mm apart as makes the steps even: on both ends of an open line, all round a closed one.
+pub(super) fn along(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoint> {
+    let length = polyline::length(points);
+    let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Vec::new() };
+    let steps = (length / pitch).round();
+    if steps < 1.0 {
+        return vec![first];
+    }
+    let mut path = Path::builder();
+    path.begin(first.cast_unit());
+    points[1..].iter().for_each(|at| {
+        path.line_to(at.cast_unit());
+    });
+    path.end(false);
+    let mut dots = Vec::with_capacity(steps as usize + 1);
+    let mut pattern = RegularPattern {
+        callback: |event: WalkerEvent<'_>| {
+            dots.push(event.position.cast_unit());
+            true
+        },
+        interval: length / steps,
+    };
+    walk_along_path(path.build().iter(), 0.0, TOLERANCE, &mut pattern);
+    // Whether the walker takes the very end hangs on rounding.
+    dots.truncate(steps as usize);
+    if !closed {
+        dots.push(last);
+    }
+    dots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_even_and_ends_have_dots() {
+        for (length, pitch, want) in [(25.0, 2.5, 11), (26.0, 2.5, 11), (24.0, 2.5, 11), (3.0, 2.5, 2), (1.0, 2.5, 1)] {
+            let points =
+                [MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + 0.4 * length, 10.0), MmPoint::new(10.0 + length, 10.0)];
+            let dots = along(&points, false, pitch);
+            assert_eq!(dots.len(), want, "{length} mm");
+            assert!(
+                dots.windows(2).all(|pair| ((pair[1] - pair[0]).length() - length / (want as f32 - 1.0)).abs() < 1e-3)
+            );
+            assert!((dots[0] - points[0]).length() < 1e-4);
+            assert!(want == 1 || (dots[want - 1] - points[2]).length() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn a_closed_line_has_no_seam() {
+        let angle = |i: i32| (i % 90) as f32 * std::f32::consts::TAU / 90.0;
+        let ring: Vec<MmPoint> =
+            (0..=90).map(|i| MmPoint::new(50.0 + 20.0 * angle(i).cos(), 50.0 + 20.0 * angle(i).sin())).collect();
+        let dots = along(&ring, true, 2.5);
+        assert_eq!(dots.len(), 50);
+        for i in 0..dots.len() {
+            let step = (dots[(i + 1) % dots.len()] - dots[i]).length();
+            assert!((step - 2.51).abs() < 0.01, "step {i} is {step} mm");
+        }
+    }
+}

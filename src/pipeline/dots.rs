@@ -1,0 +1,92 @@
+//! Pages of dots: what is done otherwise than for a printed page.
+
+use super::{Request, finished, origin};
+use crate::Error;
+use crate::classes::Classes;
+use crate::devices::Room;
+use crate::dots;
+use crate::lines::{Line, Run};
+use crate::page::layout::Layout;
+use crate::page::{self, Dots, Figure, Page, Parts, Press, Texture, dot_layout, frame_dots};
+use crate::profile::Plan;
+use crate::units::MmRect;
+
+/// Lines in `area` as the device presses them; on a printed page they stay.
+pub(super) fn pressed(lines: Vec<Line>, area: MmRect, layout: &Layout, plan: &Plan) -> Vec<Line> {
+    match (&layout.room, plan.dots()) {
+        (Some(room), Some(params)) => dots::lines(&lines, area, room, &params),
+        _ => lines,
+    }
+}
+
+/// Textures of dots.
+pub(super) fn textures(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, plan: &Plan) -> Vec<Texture> {
+    let _ = (classes, area, lines, room, plan);
+    Vec::new()
+}
+
+/// The page of a figure, and that of its overview, which has a sheet to itself: one of dots has no room for both.
+pub(super) fn assemble(
+    figure: Figure,
+    overview: Option<(MmRect, Vec<Line>)>,
+    shares: Option<[f32; 5]>,
+    layout: &Layout,
+    room: &Room,
+    request: &Request<'_>,
+) -> Result<(Page, Option<Page>), Error> {
+    let source = figure.source;
+    let overview = overview
+        .map(|(place, lines)| {
+            let own = Figure { place, source, textures: Vec::new(), lines };
+            let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
+            let title = format!("{}, overview", request.title);
+            finished(parts(title, description, own, layout, room, request), request)
+        })
+        .transpose()?;
+    let mut description = page::describe(&figure, None, shares);
+    if overview.is_some() {
+        description += " An overview of lines only follows on the next sheet.";
+    }
+    let page = finished(parts(request.title.to_owned(), description, figure, layout, room, request), request)?;
+    Ok((page, overview))
+}
+
+fn parts(
+    title: String,
+    description: String,
+    figure: Figure,
+    layout: &Layout,
+    room: &Room,
+    request: &Request<'_>,
+) -> Parts {
+    let plan = request.plan;
+    let params = plan.dots();
+    let mark = |run: &Run| params.map(|params| dots::mark(&run.points, room, &params));
+    Parts {
+        sheet: layout.sheet,
+        title,
+        description,
+        language: page::LANGUAGE.into(),
+        origin: origin(request, figure.source),
+        frame: frame(figure.place, room, plan),
+        orientation_mark: layout.mark.as_ref().and_then(mark),
+        registration: Vec::new(),
+        figure,
+        overview: None,
+        labels: Vec::new(),
+        press: params.map(|params| Press {
+            room: room.clone(),
+            diameter: params.diameter,
+            has_heights: params.has_heights,
+        }),
+    }
+}
+
+fn frame(place: MmRect, room: &Room, plan: &Plan) -> Dots {
+    let layout = plan.layout();
+    let (Some(frame), Some(press)) = (layout.frame, layout.press) else { return Dots::default() };
+    match room {
+        Room::Grid(grid) => dot_layout::ring(place, grid, frame, &press),
+        Room::Free(_) => frame_dots::around(place, &dot_layout::row(frame, &press)),
+    }
+}
