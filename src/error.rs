@@ -102,6 +102,20 @@ pub enum Error {
         /// The sheet's size.
         sheet: String,
     },
+    /// Calibration is about what is printed; dots have one size.
+    #[error(
+        "calibration sheets are for printed pages, and {device} presses dots of one size; take a profile for printing, such as swell-a4"
+    )]
+    NotPrinted {
+        /// What presses the pages.
+        device: &'static str,
+    },
+    /// A page of dots cannot be spread over sheets.
+    #[error("a page of dots for {device} goes on one sheet; leave out --sheets, or lessen the width asked for")]
+    OneSheet {
+        /// What presses the pages.
+        device: &'static str,
+    },
     /// More pixels than a picture of the page may have.
     #[error(
         "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; take fewer dots per inch"

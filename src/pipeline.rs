@@ -329,18 +329,13 @@ fn assemble(
     let frame = |place| params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
     let overview = overview.map(|(place, lines)| Overview { place, frame: frame(place), lines });
     let parts = Parts {
-        sheet: layout.sheet,
         title: request.title.to_owned(),
         description: page::describe(&figure, overview.as_ref(), shares),
-        language: page::LANGUAGE.into(),
         origin: origin(request, figure.source),
         frame: frame(figure.place),
         orientation_mark: layout.mark.clone(),
-        registration: Vec::new(),
-        figure,
         overview,
-        labels: Vec::new(),
-        press: None,
+        ..Parts::of(layout.sheet, figure)
     };
     finished(parts, request)
 }

@@ -39,7 +39,9 @@ fn changed(name: &str, settings: &[(&str, &str)]) -> Page {
 
 #[test]
 fn pages_of_every_profile_keep_what_it_promises() {
-    for file in built_in() {
+    // pages of dots: tests/dotted.rs
+    let printed = |file: &&BuiltIn| profile(file.name, &[]).dots.device.is_none();
+    for file in built_in().iter().filter(printed) {
         for path in samples::samples() {
             let name = path.file_name().expect("a name").to_string_lossy().into_owned();
             let bytes = std::fs::read(&path).expect("a sample can be read");

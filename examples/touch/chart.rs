@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use tactograph::output::svg;
-use tactograph::page::{Class, Dots, Figure, Page, Parts};
+use tactograph::page::{Class, Figure, Page, Parts};
 use tactograph::textures::{Params, sample};
 use tactograph::units::{MmPoint, MmRect, MmVector, Size};
 
@@ -22,20 +22,8 @@ const LIGHTNESSES: [(f32, &str); 3] = [(0.85, "pale"), (0.5, "pure"), (0.2, "dar
 pub(crate) fn page_of_sample(class: Class, lightness: f32, density: f32, place: MmRect, params: &Params) -> Page {
     let texture = sample(class, lightness, density, place, params);
     let figure = Figure { place, source: Size::new(1, 1), textures: vec![texture], lines: Vec::new() };
-    let parts = Parts {
-        sheet: [place.max.x + place.min.x, place.max.y + place.min.y],
-        title: class.name().into(),
-        description: String::new(),
-        language: "en".into(),
-        origin: Vec::new(),
-        frame: Dots::default(),
-        orientation_mark: None,
-        registration: Vec::new(),
-        figure,
-        overview: None,
-        labels: Vec::new(),
-    };
-    Page::new(parts).expect("a sample lies on its sheet")
+    let parts = Parts::of([place.max.x + place.min.x, place.max.y + place.min.y], figure);
+    Page::new(Parts { title: class.name().into(), ..parts }).expect("a sample lies on its sheet")
 }
 
 /// The chart as an SVG drawing in millimetres.

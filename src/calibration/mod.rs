@@ -24,7 +24,7 @@ use flow::{Block, Marks, Sheet};
 use crate::Error;
 use crate::classes::Class;
 use crate::page::layout::FrameParams;
-use crate::page::{Dots, Figure, LANGUAGE, Page, Parts};
+use crate::page::{Dots, Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
@@ -60,9 +60,13 @@ struct Section {
 /// The calibration sheets for a profile, as many as the samples take; one page each.
 ///
 /// # Errors
-/// [`Error::NoRoom`] if the profile's sheet is too small for a sample.
+/// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of dots, which have one size
+/// and one distance.
 pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let profile = plan.profile();
+    if let Some(device) = profile.dots.device {
+        return Err(Error::NotPrinted { device: device.name });
+    }
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
     let room = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);
     let sections = sections(plan);
@@ -198,24 +202,20 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
         ("profile".into(), profile.name.clone()),
     ];
     origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
+    let figure = Figure {
+        place,
+        source: Size::new(place.width().round().max(1.0) as u32, place.height().round().max(1.0) as u32),
+        textures: marks.textures,
+        lines: marks.lines,
+    };
+    // no orientation mark: letters tell which way up it is
     let parts = Parts {
-        press: None,
-        sheet: [width, height],
         description: format!("{own_title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
         title: own_title,
-        language: LANGUAGE.into(),
         origin,
         frame: Dots { diameter: profile.frame.dot, at: marks.frame },
-        registration: Vec::new(),
-        orientation_mark: None, // letters tell which way up it is
-        figure: Figure {
-            place,
-            source: Size::new(place.width().round().max(1.0) as u32, place.height().round().max(1.0) as u32),
-            textures: marks.textures,
-            lines: marks.lines,
-        },
-        overview: None,
         labels: marks.labels,
+        ..Parts::of([width, height], figure)
     };
     Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))
 }

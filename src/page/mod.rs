@@ -55,6 +55,26 @@ pub struct Parts {
     pub press: Option<Press>,
 }
 
+impl Parts {
+    /// A figure on a sheet (width and height, mm) with nothing beside it and no words.
+    pub fn of(sheet: [f32; 2], figure: Figure) -> Self {
+        Self {
+            sheet,
+            title: String::new(),
+            description: String::new(),
+            language: LANGUAGE.into(),
+            origin: Vec::new(),
+            frame: Dots::default(),
+            orientation_mark: None,
+            registration: Vec::new(),
+            figure,
+            overview: None,
+            labels: Vec::new(),
+            press: None,
+        }
+    }
+}
+
 /// What a writer of dots needs to know of the device.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Press {

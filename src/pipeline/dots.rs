@@ -63,22 +63,17 @@ fn parts(
     let params = plan.dots();
     let mark = |run: &Run| params.map(|params| dots::mark(&run.points, room, &params));
     Parts {
-        sheet: layout.sheet,
         title,
         description,
-        language: page::LANGUAGE.into(),
         origin: origin(request, figure.source),
         frame: frame(figure.place, room, plan),
         orientation_mark: layout.mark.as_ref().and_then(mark),
-        registration: Vec::new(),
-        figure,
-        overview: None,
-        labels: Vec::new(),
         press: params.map(|params| Press {
             room: room.clone(),
             diameter: params.diameter,
             has_heights: params.has_heights,
         }),
+        ..Parts::of(layout.sheet, figure)
     }
 }
 

@@ -139,18 +139,5 @@ fn assemble(
 fn parts(title: String, description: String, figure: Figure, grid: Grid, request: &Request<'_>) -> Parts {
     let mut origin = origin(request, figure.source);
     origin.push(("sheets".to_owned(), grid.to_string()));
-    Parts {
-        sheet: [0.0, 0.0],
-        title,
-        description,
-        language: page::LANGUAGE.into(),
-        origin,
-        frame: Dots::default(),
-        orientation_mark: None,
-        registration: Vec::new(),
-        figure,
-        overview: None,
-        labels: Vec::new(),
-        press: None,
-    }
+    Parts { title, description, origin, ..Parts::of([0.0, 0.0], figure) }
 }

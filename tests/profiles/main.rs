@@ -161,7 +161,7 @@ fn unknown_profile_is_told_with_the_known_ones() {
     );
     assert_eq!(
         told("printer\n"),
-        format!("profile \"printer\\n\": there is no built-in profile \"braille\\n\" {known}")
+        format!("profile \"printer\\n\": there is no built-in profile \"printer\\n\" {known}")
     );
 }
 
