@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Proves with other people's programs that the pages are what they claim to be: well-formed (xmllint), real layers of the
 # true size in millimetres (Inkscape, rsvg-convert), and the same picture whoever renders them (rsvg-convert, resvg). The
-# same for PDF (qpdf, poppler, mutool, Ghostscript, Inkscape) and PNG (pngcheck), in tests/clients/prints.sh.
+# same for PDF (qpdf, poppler, mutool, Ghostscript, Inkscape) and PNG (pngcheck), in tests/clients/prints.sh. Formats of dots
+# are compared with what the drivers of CUPS make, in tests/clients/dots.sh.
 #
 #     tests/clients.sh            builds the program (debug) and checks the page of every picture in samples/
 #     KEEP=folder tests/clients.sh    also keeps pages and renderings there, to be looked at
@@ -36,6 +37,8 @@ TOOLS=(inkscape rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck)
 PACKAGES=(inkscape librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck)
 get_tools() {
   local tool
+  TOOLS+=("${DOT_TOOLS[@]}")
+  PACKAGES+=("${DOT_PACKAGES[@]}")
   for tool in "${TOOLS[@]}"; do
     command -v "$tool" >/dev/null && continue
     if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
@@ -158,10 +161,12 @@ check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
 }
 
 . tests/clients/prints.sh
+. tests/clients/dots.sh
 get_tools
-cargo build --quiet --bin tactograph --example render
+cargo build --quiet --bin tactograph --example render --example dot_files
 program=target/debug/tactograph
 render=target/debug/examples/render
+dot_files=target/debug/examples/dot_files
 out=${KEEP:-$(mktemp -d)}
 mkdir -p "$out"
 : >"$out/differences"
@@ -179,6 +184,7 @@ check_page samples/coffee.png plain-print 210 297
 check_sheets
 check_layers samples/landscape.svg 12
 check_calibration
+check_dots
 
 largest() { # largest FILE WHAT
   sort -k2,2nr "$out/$1" | awk -v what="$2" '
