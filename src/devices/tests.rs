@@ -1,3 +1,5 @@
+//! Where dots can be, on every device; faults of sheets and pitches.
+
 use super::*;
 
 fn grid(id: &str, sheet: [f32; 2], pitch: f32) -> Grid {

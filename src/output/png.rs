@@ -56,7 +56,7 @@ const BAND: u32 = 16 << 20;
 /// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 14 % smaller than at 3, and rendering takes most of the time.
 const LEVEL: u32 = 6;
 
-const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+pub(super) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// Keyword of the text that holds the seal.
 const SEAL: &[u8] = b"Seal\0";
 /// Length, type and checksum of a chunk.
@@ -159,12 +159,12 @@ fn less_above(grey: impl Iterator<Item = u8>, above: &mut [u8], out: &mut Vec<u8
 }
 
 /// A text of any language; `text` is in UTF-8, not compressed.
-fn text(png: &mut Vec<u8>, keyword: &str, language: &str, text: &str) {
+pub(super) fn text(png: &mut Vec<u8>, keyword: &str, language: &str, text: &str) {
     // keyword, compressed?, by what, language, the keyword in that language, text
     chunk(png, b"iTXt", &[keyword.as_bytes(), b"\0\0\0", language.as_bytes(), b"\0\0", text.as_bytes()].concat());
 }
 
-fn chunk(png: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
+pub(super) fn chunk(png: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
     png.extend((data.len() as u32).to_be_bytes());
     let start = png.len();
     png.extend(kind);

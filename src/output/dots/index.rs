@@ -1,0 +1,156 @@
+//! The language of Index embossers, generations 3 to 5, byte by byte what the drivers of CUPS (cups-filters 1.28, V3 and V4)
+//! send for the same dots.
+//!
+//! ```text
+//! ESC D TM0,BI0,FO0,[MCn,]MIn,DP1,TD0,GDn,PN0,<paper>,LSn,BT0;   for this document only: no margins, no page numbers
+//! ESC 07                                                          bands of four rows of dots
+//!   a band    a byte a column, 0x40 + the top dot in bit 0 ... the bottom one in bit 3; blank ends left out; CR LF
+//!   FF        before the first byte of the next page, and after the last page
+//! ESC 06                                                          as before
+//! 1A                                                              the end
+//! ```
+//!
+//! A V3 is told the paper in inches or millimetres, a V4 or V5 how many cells of text have room on it.
+
+use crate::devices::{Device, Family, Paper};
+
+use super::Matrix;
+
+/// What the header of a document says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    family: Family,
+    /// Width and length, hundredths of a millimetre.
+    sheet: [i64; 2],
+    /// The number of the pitch.
+    graphic_distance: u8,
+    copies: u16,
+    impact: u8,
+}
+
+/// Most copies of a document: three digits, and a day's work.
+const MOST_COPIES: u16 = 999;
+/// How often a dot can be struck, from soft paper to hard.
+const MOST_IMPACT: u8 = 3;
+
+impl Params {
+    /// For a sheet of this width and length, mm, dots this far apart, mm, so many copies (1 to 999), and a number for how hard
+    /// dots are struck (1, as usual, to 3).
+    ///
+    /// Whether the device takes the sheet is not asked here: [`Device::room`] tells.
+    ///
+    /// # Errors
+    /// All faults at once, each a line that says what can be.
+    pub fn new(device: &Device, sheet: [f32; 2], pitch: f32, copies: u16, impact: u8) -> Result<Self, Vec<String>> {
+        let name = device.name;
+        let is_index = matches!(device.family, Family::IndexV3 { .. } | Family::IndexV4);
+        let graphic_distance = device.pitches().find(pitch).and_then(graphic_distance);
+        let faults: Vec<String> = [
+            (!is_index).then(|| format!("{name} does not speak the language of Index embossers")),
+            (is_index && graphic_distance.is_none())
+                .then(|| format!("{name} has no dots {pitch} mm apart; it has {}", device.pitches())),
+            (!sheet.iter().all(|side| (SHORTEST..=LONGEST).contains(side))).then(|| {
+                format!("the sheet is {} x {} mm; sides can be {SHORTEST} to {LONGEST} mm", sheet[0], sheet[1])
+            }),
+            (!(1..=MOST_COPIES).contains(&copies)).then(|| format!("{copies} copies; it can be 1 to {MOST_COPIES}")),
+            (!(1..=MOST_IMPACT).contains(&impact)).then(|| format!("impact {impact}; it can be 1 to {MOST_IMPACT}")),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        match graphic_distance {
+            Some(graphic_distance) if faults.is_empty() => {
+                let sheet = sheet.map(|side| (f64::from(side) * 100.0).round() as i64);
+                Ok(Self { family: device.family, sheet, graphic_distance, copies, impact })
+            }
+            _ => Err(faults),
+        }
+    }
+
+    /// The header, as text between ESC and the dots.
+    fn header(&self) -> String {
+        let Self { family, sheet: [width, length], graphic_distance, copies, impact } = *self;
+        let copies = if copies == 1 { String::new() } else { format!(",MC{copies}") };
+        let paper = match family {
+            Family::IndexV3 { paper: Paper::Inches } => format!("PW{},PL{},LS4", inches(width), inches(length)),
+            Family::IndexV3 { paper: Paper::Millimetres } => format!("PW{},PL{},LS4", width / 100, length / 100),
+            Family::IndexV3 { paper: Paper::Unsaid } => "LS4".into(),
+            _ => format!(
+                "CH{},LP{},LS50",
+                (width - 2 * MARGIN + CELL_GAP) / (TEXT_DOT + CELL_GAP),
+                (length - 2 * MARGIN + LINE_GAP) / (2 * TEXT_DOT + LINE_GAP)
+            ),
+        };
+        format!("DTM0,BI0,FO0{copies},MI{impact},DP1,TD0,GD{graphic_distance},PN0,{paper},BT0;")
+    }
+}
+
+/// Shortest and longest side of a sheet, mm: the inch and the 10 m of the driver.
+const SHORTEST: f32 = 25.4;
+const LONGEST: f32 = 10_000.0;
+
+// Text, which the driver counts in hundredths of a millimetre even where there is none: dots 2.5 mm apart (TD0), cells 3.5 mm
+// and lines 5 mm from each other (LS4 or LS50), six dots a cell, on the sheet without the margins of a V4.
+const TEXT_DOT: i64 = 250;
+const CELL_GAP: i64 = 350;
+const LINE_GAP: i64 = 500;
+const MARGIN: i64 = 501;
+
+/// The embosser's number for a pitch in mm.
+fn graphic_distance(pitch: f32) -> Option<u8> {
+    match (pitch * 10.0).round() as u8 {
+        20 => Some(0),
+        25 => Some(1),
+        16 => Some(2),
+        _ => None,
+    }
+}
+
+/// Whole inches and a digit for the fraction, rounded down: 0 none, 1 a quarter, 2 a third, 3 a half, 4 two thirds, 5 three
+/// quarters.
+fn inches(hundredths: i64) -> String {
+    // The driver's arithmetic: 120ths of an inch.
+    let of_120 = hundredths * 12 / 254;
+    let fraction = match of_120 % 120 {
+        ..30 => 0,
+        30..40 => 1,
+        40..60 => 2,
+        60..80 => 3,
+        80..90 => 4,
+        _ => 5,
+    };
+    format!("{}{fraction}", of_120 / 120)
+}
+
+const ESC: u8 = 0x1b;
+
+/// The document as the embosser takes it.
+pub fn write(pages: &[Matrix], params: &Params) -> Vec<u8> {
+    let mut bytes = vec![ESC];
+    bytes.extend(params.header().bytes());
+    bytes.extend([ESC, 0x07]);
+    for page in pages {
+        for band in 0..page.rows().div_ceil(4) {
+            let start = bytes.len();
+            // Whole cells, as CUPS has them: an odd last column brings a blank one.
+            bytes.extend((0..page.columns()).map(|x| column(page, x, 4 * band)));
+            while bytes.len() > start && bytes.last() == Some(&BLANK) {
+                bytes.pop();
+            }
+            bytes.extend(b"\r\n");
+        }
+        bytes.push(0x0c);
+    }
+    if !pages.is_empty() {
+        bytes.push(b'\r'); // The driver ends the line that holds the last form feed.
+    }
+    bytes.extend([ESC, 0x06, 0x1a]);
+    bytes
+}
+
+/// A column of four blank dots.
+const BLANK: u8 = 0x40;
+
+fn column(page: &Matrix, x: usize, top: usize) -> u8 {
+    (0..4).fold(BLANK, |byte, bit| byte | u8::from(page.is_raised(x, top + bit)) << bit)
+}

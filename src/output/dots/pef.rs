@@ -1,0 +1,65 @@
+//! The Portable Embosser Format, PEF 2008-1: XML with Unicode braille and words about the document.
+//!
+//! Cells of eight dots in rows without a gap (`rowgap="0"`) are rows of dots at even distances, whatever the embosser's are;
+//! PEF says nothing of distances or paper. There is no date in it, so that the same pages give the same bytes.
+
+use svg::node::Text;
+
+use super::{Matrix, Words, ubrl};
+use crate::output::{plain, seal};
+
+/// The pages as PEF.
+///
+/// The document is identified by a number that follows from its dots and words. A language that is no language tag (RFC 3066,
+/// as PEF asks for) is left out. No pages make a document with an empty page, since PEF has none without.
+pub fn write(pages: &[Matrix], words: &Words<'_>) -> String {
+    let most = |of: fn(&Matrix) -> usize| pages.iter().map(of).max().unwrap_or(0).max(1);
+    let (columns, rows) = (most(Matrix::columns).div_ceil(2), most(Matrix::rows).div_ceil(4));
+    let mut meta = element("dc:title", words.title);
+    if !words.description.is_empty() {
+        meta += &element("dc:description", words.description);
+    }
+    if is_language(words.language) {
+        meta += &element("dc:language", words.language);
+    }
+    let mut body = format!(r#"<volume cols="{columns}" rows="{rows}" rowgap="0" duplex="false"><section>"#);
+    if pages.is_empty() {
+        body += "\n<page/>";
+    }
+    for page in pages {
+        body += "\n<page>\n";
+        for cy in 0..page.rows().div_ceil(4) {
+            let row: String = (0..page.columns().div_ceil(2)).map(|cx| ubrl::character(page.cell8(cx, cy))).collect();
+            body += &format!("<row>{row}</row>\n");
+        }
+        body += "</page>";
+    }
+    body += "\n</section></volume>";
+    let number = seal::of([meta.as_bytes(), body.as_bytes()].concat().as_slice());
+    format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?>
+<pef version="2008-1" xmlns="http://www.daisy.org/ns/2008/pef">
+<head><meta xmlns:dc="http://purl.org/dc/elements/1.1/">
+<dc:format>application/x-pef+xml</dc:format>
+<dc:identifier>tactograph-{number}</dc:identifier>
+{meta}</meta></head>
+<body>
+{body}
+</body>
+</pef>
+"#
+    )
+}
+
+/// An element of text, on a line of its own.
+fn element(name: &str, text: &str) -> String {
+    format!("<{name}>{}</{name}>\n", Text::new(plain(text)))
+}
+
+/// Whether XML takes this for a language: one to eight letters, then parts of one to eight letters or digits.
+fn is_language(tag: &str) -> bool {
+    tag.split('-').enumerate().all(|(i, part)| {
+        let of_language = |byte: u8| byte.is_ascii_alphabetic() || i > 0 && byte.is_ascii_digit();
+        (1..=8).contains(&part.len()) && part.bytes().all(of_language)
+    })
+}

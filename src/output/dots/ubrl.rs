@@ -1,0 +1,72 @@
+//! Unicode braille, as the filters of CUPS pass it to each other: cells of eight dots, U+2800 to U+28FF.
+//!
+//! A row of cells is four rows of dots and ends with LF, a page ends with FF, the last one too. Every row has all its cells,
+//! blank ones at its end as well, since that is what CUPS makes of a picture of the same dots.
+
+use super::{FORM_FEED, Matrix, Reading};
+
+/// The pages as Unicode braille.
+pub fn write(pages: &[Matrix]) -> String {
+    let mut text = String::new();
+    for page in pages {
+        for cy in 0..page.rows().div_ceil(4) {
+            text.extend((0..page.columns().div_ceil(2)).map(|cx| character(page.cell8(cx, cy))));
+            text.push('\n');
+        }
+        text.push(FORM_FEED);
+    }
+    text
+}
+
+/// The pages of a text of Unicode braille, every dot at the greatest height; lines may end with CR LF. Columns come in twos and
+/// rows in fours.
+///
+/// # Errors
+/// Names the first character that is no cell.
+pub fn read(text: &str) -> Result<Vec<Matrix>, String> {
+    let cell = |c: char| u8::try_from(u32::from(c).checked_sub(BLANK)?).ok();
+    super::read(text, &Reading { dots: 8, cell, wanted: "a braille cell (U+2800 to U+28FF)" })
+}
+
+/// The blank cell.
+const BLANK: u32 = 0x2800;
+
+/// The character of a cell.
+pub(super) fn character(cell: u8) -> char {
+    char::from_u32(BLANK + u32::from(cell)).unwrap_or('\u{2800}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_whole_and_pages_end() {
+        let page = Matrix::drawn("#..\n...\n...\n...\n..#\n");
+        let text = "⠁⠀\n⠀⠁\n\u{c}";
+        assert_eq!(write(std::slice::from_ref(&page)), text);
+        assert_eq!(write(&[page.clone(), page]), text.repeat(2));
+        assert_eq!((write(&[]), write(&[Matrix::new(0, 0)])), (String::new(), "\u{c}".into()));
+    }
+
+    #[test]
+    fn what_others_write_is_read() {
+        let picture = "#...\n....\n....\n....\n...#\n....\n....\n....\n";
+        for text in ["⠁⠀\n⠀⠈\n\u{c}", "⠁\r\n⠀⠈\r\n", "\u{feff}⠁\n⠀⠈"] {
+            assert_eq!(
+                read(text).map(|pages| pages.iter().map(ToString::to_string).collect()),
+                Ok(vec![picture.into()])
+            );
+        }
+        let sizes = |text| -> Vec<_> {
+            read(text).expect("braille").iter().map(|page| (page.columns(), page.rows())).collect()
+        };
+        assert_eq!(sizes(""), []);
+        assert_eq!(sizes("\u{c}"), [(0, 0)]);
+        assert_eq!(sizes("⠁\n\u{c}\n⠁⠁\n\u{c}\u{c}"), [(2, 4), (4, 8), (0, 0)]);
+        assert_eq!(
+            read("⠁\n\u{c}⠁⠁a"),
+            Err("line 2, character 3: 'a' is not a braille cell (U+2800 to U+28FF)".into())
+        );
+    }
+}
