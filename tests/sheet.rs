@@ -13,7 +13,7 @@ use tactograph::Note;
 use tactograph::geom::nearby::{Nearby, Segment};
 use tactograph::geom::nearest_on_segment;
 use tactograph::page::{Class, Dots, Page, Run, Shape, Texture};
-use tactograph::profile::{Profile, built_in};
+use tactograph::profile::{BuiltIn, Profile, built_in};
 use tactograph::units::{MmPoint, MmRect, MmVector};
 
 /// Numbers are kept in f32; this is more than adding up a few of them loses.

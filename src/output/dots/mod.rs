@@ -10,13 +10,16 @@
 //! | [`index`] | Index embossers, straight | bands of 4 rows |
 //! | [`art`] | eyes, braille displays, screen readers | a letter a dot |
 //! | [`greys`] | ViewPlus's own driver, pin displays | a pixel a dot, with heights |
+//! | [`gcode`] | BrailleRAP | anywhere, in the order of [`tour`] |
 
 pub mod art;
 pub mod brf;
+pub mod gcode;
 pub mod greys;
 pub mod index;
 mod matrix;
 pub mod pef;
+pub mod tour;
 pub mod ubrl;
 
 pub use matrix::Matrix;

@@ -1,0 +1,223 @@
+//! G-code for BrailleRAP, the embosser of open hardware that presses dots anywhere.
+//!
+//! ```text
+//! G28 X; title                 the needle to its end stop
+//! G28 Y; tactograph 0.1.0      the paper is drawn in until its end stop tells
+//! M204 T1500;                  acceleration, mm/s2
+//! G1 F6000;                    feed, mm/min
+//! G1 X0.00 Y0.00;
+//! G1 X12.40 Y31.05;            for each dot: there,
+//! M3 S1;                       magnet on,
+//! M3 S0;                       magnet off
+//! ...
+//! G1 F6000;
+//! G1 X0.00 Y317.00;            the paper is fed out
+//! M84;                         motors off
+//! ```
+//!
+//! Lines end with CR LF. Commands and their order are those of DesktopBrailleRAP (commit a6b9ba1), the machine's own
+//! program; only the order of the dots is ours ([`super::tour`]). The firmware is Marlin: millimetres and absolute places
+//! unless told otherwise (it is built without inches), `;` begins a comment. A comment stands behind a command, never on a
+//! line of its own: Marlin answers no `ok` to a line without a command, and a plain sender waits for one.
+//!
+//! **Which way round.** Both end stops are at zero. X runs to the right, Y down the sheet as it is read, (0, 0) is the top
+//! left corner of what can be reached. Nothing is mirrored: the magnet sits below the paper and pushes the dots up, and the
+//! machine's own programs write braille from left to right with rising X. (3D printers used as embossers press from above
+//! and need the mirrored picture; this is not for them.)
+//!
+//! **Time.** `M3` waits until the move has ended and holds the magnet 15 ms on and 10 ms off (MarlinBraille2), so that each
+//! move starts and ends at rest: short ways count more than a high feed.
+
+use std::fmt::Write;
+
+use super::tour::{self, Place};
+use crate::output::plain;
+
+/// How far beyond the paper's length the paper is fed to come out, mm (DesktopBrailleRAP).
+const EJECT: f64 = 20.0;
+/// The feed at which paper is fed out at most, mm/min (DesktopBrailleRAP).
+const EJECT_FEED: u32 = 6000;
+/// No BrailleRAP reaches farther, mm; keeps numbers in G-code sensible.
+const MOST_MM: f32 = 2000.0;
+
+/// What the machine can do and how it is driven.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Params {
+    /// What the needle reaches from its zero: across and down, mm. Above 0, at most 2000.
+    pub limits: [f32; 2],
+    /// Where on the sheet, from its top left corner, the needle's zero is, mm: this is taken from each dot's place. [0, 0] as
+    /// in DesktopBrailleRAP, whose sheet begins where the needle does.
+    pub origin: [f32; 2],
+    /// Length of the paper, mm, which is fed out 20 mm beyond it. Above 0, at most 2000. Firmware stops at its own limit
+    /// (420 mm in MarlinBraille2), which an A3 sheet meets; it clamps and goes on.
+    pub paper_length: f32,
+    /// mm/s2, at least 1; 1500 by default as in DesktopBrailleRAP and AccessBrailleRAP (whose fast mode has 8000). The
+    /// firmware caps it at 3000 an axis (MarlinBraille2; 1500 in BrailleRAP-SP).
+    pub acceleration: u32,
+    /// mm/min along the way, at least 1; 6000 by default as in both programs (fast mode 10000). The firmware caps it at
+    /// 18000 an axis.
+    pub feed: u32,
+    /// How far the paper may be pulled back at most: no dot lies farther above any dot that was pressed before it, mm, at
+    /// least 0; infinity for any way. 12 by default.
+    ///
+    /// Rollers turn the paper under the needle, and each time it is pulled far back it can slip or its end can leave the
+    /// guide, so that dots no longer meet. DesktopBrailleRAP goes strictly row by row by default (0 mm back) and lets
+    /// its user choose bands of 2 mm or blocks of 12 mm, which are in use; it says nothing of slipping, and no measurement
+    /// is known. So 12 mm is the most that is known to be done.
+    pub most_back: f32,
+    /// A comment in the first line.
+    pub title: String,
+}
+
+impl Params {
+    /// BrailleRAP with A4: 190 mm across and 250 mm down can be reached (DesktopBrailleRAP's default).
+    pub fn a4() -> Self {
+        Self {
+            limits: [190.0, 250.0],
+            origin: [0.0, 0.0],
+            paper_length: 297.0,
+            acceleration: 1500,
+            feed: 6000,
+            most_back: 12.0,
+            title: String::new(),
+        }
+    }
+
+    /// BrailleRAP XL with A4: 210 mm across and 250 mm down (DesktopBrailleRAP).
+    pub fn xl_a4() -> Self {
+        Self { limits: [210.0, 250.0], ..Self::a4() }
+    }
+
+    /// BrailleRAP XL with A3: 297 mm across and 373 mm down, which is 47 mm less than the sheet as with A4
+    /// (DesktopBrailleRAP).
+    pub fn xl_a3() -> Self {
+        Self { limits: [297.0, 373.0], paper_length: 420.0, ..Self::a4() }
+    }
+}
+
+/// [`Params::a4`], whose limits every machine reaches.
+impl Default for Params {
+    fn default() -> Self {
+        Self::a4()
+    }
+}
+
+/// Why there is no G-code; one line.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refused {
+    /// Dots that the needle does not reach.
+    #[error(
+        "{count} of {all} dots lie off the {} x {} mm that the machine reaches: they need {:.2} to {:.2} mm across and {:.2} to {:.2} mm down; make the figure smaller, move it, or take a larger machine",
+        .limits[0], .limits[1], .from[0], .to[0], .from[1], .to[1]
+    )]
+    OffLimits {
+        /// How many.
+        count: usize,
+        /// How many there are in all.
+        all: usize,
+        /// What the needle reaches, mm.
+        limits: [f32; 2],
+        /// Least place across and down of all dots, mm from the needle's zero.
+        from: [f32; 2],
+        /// Greatest place across and down of all dots.
+        to: [f32; 2],
+    },
+    /// Dots whose place is no number.
+    #[error("{count} of {all} dots have no place that is a number; give places in millimetres")]
+    NoPlace {
+        /// How many.
+        count: usize,
+        /// How many there are in all.
+        all: usize,
+    },
+    /// Parameters out of their ranges; all of them.
+    #[error("the machine cannot be driven so: {0}")]
+    Params(String),
+}
+
+/// G-code of one sheet with `dots` (page space), each place of 0.01 mm once, in an order that does not depend on theirs.
+///
+/// # Errors
+/// Dots off the limits after rounding to 0.01 mm or without a place, parameters out of their ranges.
+pub fn write(dots: &[crate::units::MmPoint], params: &Params) -> Result<String, Refused> {
+    check(params)?;
+    let places = places(dots, params)?;
+    let end = [0, hundredths(f64::from(params.paper_length) + EJECT)];
+    let most_back = if params.most_back.is_finite() { hundredths(f64::from(params.most_back)) } else { i32::MAX };
+    let path = tour::order(&places, [[0, 0], end], most_back);
+
+    // Some 34 bytes a dot.
+    let mut out = String::with_capacity(300 + params.title.len() + 40 * path.len());
+    line(&mut out, format_args!("G28 X; {}", plain(&params.title)));
+    line(&mut out, format_args!(concat!("G28 Y; ", env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"))));
+    line(&mut out, format_args!("M204 T{};", params.acceleration));
+    line(&mut out, format_args!("G1 F{};", params.feed));
+    go(&mut out, [0, 0]);
+    for place in path {
+        go(&mut out, place);
+        line(&mut out, format_args!("M3 S1;"));
+        line(&mut out, format_args!("M3 S0;"));
+    }
+    line(&mut out, format_args!("G1 F{};", params.feed.min(EJECT_FEED)));
+    go(&mut out, end);
+    line(&mut out, format_args!("M84;"));
+    Ok(out)
+}
+
+fn check(params: &Params) -> Result<(), Refused> {
+    let mut faults = Vec::new();
+    let mut need = |fine: bool, fault: String| (!fine).then(|| faults.push(fault));
+    let length = |value: f32| value > 0.0 && value <= MOST_MM;
+    let [across, down] = params.limits;
+    need(length(across) && length(down), format!("limits of {across} x {down} mm must be above 0 and at most {MOST_MM}"));
+    let [x, y] = params.origin;
+    need(x.abs() <= MOST_MM && y.abs() <= MOST_MM, format!("a zero at {x}, {y} mm must be within {MOST_MM} of the sheet"));
+    let paper = params.paper_length;
+    need(length(paper), format!("paper {paper} mm long must be above 0 and at most {MOST_MM}"));
+    need(params.acceleration > 0, "the acceleration must be at least 1 mm/s2".into());
+    need(params.feed > 0, "the feed must be at least 1 mm/min".into());
+    let back = params.most_back;
+    need(back >= 0.0, format!("pulling paper back {back} mm must be at least 0"));
+    if faults.is_empty() { Ok(()) } else { Err(Refused::Params(faults.join("; "))) }
+}
+
+/// The dots as the machine is told them.
+fn places(dots: &[crate::units::MmPoint], params: &Params) -> Result<Vec<Place>, Refused> {
+    let (all, [x, y]) = (dots.len(), params.origin.map(f64::from));
+    let count = dots.iter().filter(|dot| !dot.is_finite()).count();
+    if count > 0 {
+        return Err(Refused::NoPlace { count, all });
+    }
+    let place = |dot: &crate::units::MmPoint| [hundredths(f64::from(dot.x) - x), hundredths(f64::from(dot.y) - y)];
+    let places: Vec<Place> = dots.iter().map(place).collect();
+    let most = params.limits.map(|limit| hundredths(f64::from(limit)));
+    let off = |place: &&Place| (0..2).any(|axis| place[axis] < 0 || place[axis] > most[axis]);
+    let count = places.iter().filter(off).count();
+    if count == 0 {
+        return Ok(places);
+    }
+    let extreme = |axis: usize, pick: fn(i32, i32) -> i32| {
+        places.iter().map(|place| place[axis]).reduce(pick).map_or(0.0, |value| value as f32 / 100.0)
+    };
+    let limits = params.limits;
+    let from = [extreme(0, i32::min), extreme(1, i32::min)];
+    let to = [extreme(0, i32::max), extreme(1, i32::max)];
+    Err(Refused::OffLimits { count, all, limits, from, to })
+}
+
+/// Millimetres in whole hundredths; saturates far beyond any machine.
+fn hundredths(mm: f64) -> i32 {
+    (mm * 100.0).round() as i32
+}
+
+fn go(out: &mut String, [x, y]: Place) {
+    let (x, y) = (x.unsigned_abs(), y.unsigned_abs()); // never below 0: the limits say so
+    line(out, format_args!("G1 X{}.{:02} Y{}.{:02};", x / 100, x % 100, y / 100, y % 100));
+}
+
+fn line(out: &mut String, text: std::fmt::Arguments<'_>) {
+    // Writing to a text cannot fail.
+    let _ = out.write_fmt(text);
+    out.push_str("\r\n");
+}

@@ -1,0 +1,138 @@
+//! What lies near a place: places in a grid of square cells.
+
+use super::{Place, distance};
+
+/// Places for each cell on average: few enough that a cell is quickly looked through, enough that few cells are empty.
+const PER_CELL: usize = 2;
+/// Nearest neighbours, whatever their direction.
+const NEAREST: usize = 6;
+/// Nearest neighbours in each quadrant: in a line of dots the nearest all belong to the line, and the way to the next line
+/// is found by these (Johnson and McGeoch 1997, The Traveling Salesman Problem: a case study, section 3.3).
+const PER_QUADRANT: usize = 2;
+/// How many rings of cells are searched for neighbours; bounds the work in sparse places.
+const MOST_RINGS: i32 = 10;
+
+/// Places by cells; those that are taken out are found no more.
+pub(super) struct Grid<'a> {
+    places: &'a [Place],
+    low: Place,
+    cell: i32,
+    columns: i32,
+    rows: i32,
+    /// Numbers of the places in each cell, lowest first.
+    cells: Vec<Vec<u32>>,
+}
+
+impl<'a> Grid<'a> {
+    pub(super) fn new(places: &'a [Place]) -> Self {
+        let extreme = |axis: usize, pick: fn(i32, i32) -> i32| places.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0);
+        let low = [extreme(0, i32::min), extreme(1, i32::min)];
+        let size = [extreme(0, i32::max) - low[0] + 1, extreme(1, i32::max) - low[1] + 1];
+        let wanted = (places.len() / PER_CELL).max(1) as f64;
+        // A row of dots has no area: its cells are as long as the row over their number.
+        let area = f64::from(size[0]) * f64::from(size[1]);
+        let cell = (area / wanted).sqrt().max(f64::from(size[0].max(size[1])) / wanted).ceil().max(1.0) as i32;
+        let (columns, rows) = ((size[0] - 1) / cell + 1, (size[1] - 1) / cell + 1);
+        let mut grid = Self { places, low, cell, columns, rows, cells: vec![Vec::new(); (columns * rows) as usize] };
+        for (number, &place) in places.iter().enumerate() {
+            let [column, row] = grid.cell_of(place);
+            grid.cells[(row * columns + column) as usize].push(number as u32);
+        }
+        grid
+    }
+
+    fn cell_of(&self, place: Place) -> [i32; 2] {
+        let index = |axis: usize, count: i32| (place[axis] - self.low[axis]).div_euclid(self.cell).clamp(0, count - 1);
+        [index(0, self.columns), index(1, self.rows)]
+    }
+
+    /// Takes a place out.
+    pub(super) fn remove(&mut self, number: u32) {
+        let [column, row] = self.cell_of(self.places[number as usize]);
+        self.cells[(row * self.columns + column) as usize].retain(|&other| other != number);
+    }
+
+    /// The nearest place still in whose second coordinate is at most `lowest`; of several the first.
+    pub(super) fn nearest(&self, to: Place, lowest: i32) -> Option<u32> {
+        let mut best: Option<(f64, u32)> = None;
+        let last_row = self.cell_of([0, lowest])[1];
+        for ring in 0..=self.columns.max(self.rows) {
+            // Nothing in this ring or beyond it is nearer than the border of the ring before.
+            if best.is_some_and(|(least, _)| least < f64::from(ring - 1) * f64::from(self.cell)) {
+                break;
+            }
+            self.ring(self.cell_of(to), ring, last_row, |number| {
+                let place = self.places[number as usize];
+                let found = (distance(to, place), number);
+                if place[1] <= lowest && best.is_none_or(|best| found < best) {
+                    best = Some(found);
+                }
+            });
+        }
+        best.map(|(_, number)| number)
+    }
+
+    /// For each place the numbers of its neighbours: some nearest, and the nearest of each quadrant.
+    pub(super) fn neighbours(&self) -> Vec<Vec<u32>> {
+        (0..self.places.len() as u32).map(|number| self.neighbours_of(number)).collect()
+    }
+
+    fn neighbours_of(&self, number: u32) -> Vec<u32> {
+        let at = self.places[number as usize];
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        let mut seen_in = [0; 4];
+        for ring in 0..=MOST_RINGS {
+            // One ring more than is needed to fill the list, as a nearer place can lie in it.
+            let full = found.len() > NEAREST && seen_in.iter().all(|&count| count >= PER_QUADRANT);
+            self.ring(self.cell_of(at), ring, self.rows - 1, |other| {
+                if other != number {
+                    let place = self.places[other as usize];
+                    seen_in[quadrant(at, place)] += 1;
+                    found.push((distance(at, place), other));
+                }
+            });
+            if full {
+                break;
+            }
+        }
+        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut taken_in = [0; 4];
+        let mut rank = 0;
+        found.retain(|&(_, other)| {
+            let quadrant = quadrant(at, self.places[other as usize]);
+            taken_in[quadrant] += 1;
+            rank += 1;
+            rank <= NEAREST || taken_in[quadrant] <= PER_QUADRANT
+        });
+        found.into_iter().map(|(_, other)| other).collect()
+    }
+
+    /// Calls `visit` with what is in the cells `ring` away from the one at `middle`, no further down than `last_row`.
+    fn ring(&self, [column, row]: [i32; 2], ring: i32, last_row: i32, mut visit: impl FnMut(u32)) {
+        for y in (row - ring).max(0)..=(row + ring).min(last_row) {
+            let whole = (y - row).abs() == ring;
+            let step = if whole || ring == 0 { 1 } else { 2 * ring };
+            let (mut x, end) = (column - ring, column + ring);
+            while x <= end {
+                if (0..self.columns).contains(&x) {
+                    self.cells[(y * self.columns + x) as usize].iter().copied().for_each(&mut visit);
+                }
+                x += step;
+            }
+        }
+    }
+}
+
+/// Which quarter of all directions; half-open, so that each direction belongs to one.
+fn quadrant(from: Place, to: Place) -> usize {
+    let (x, y) = (to[0] - from[0], to[1] - from[1]);
+    if x > 0 && y <= 0 {
+        0
+    } else if x >= 0 && y > 0 {
+        1
+    } else if x < 0 && y >= 0 {
+        2
+    } else {
+        3
+    }
+}
