@@ -110,6 +110,9 @@ pub enum Error {
         /// What presses the pages.
         device: &'static str,
     },
+    /// The device cannot press what is asked for.
+    #[error("{0}")]
+    CannotPress(String),
     /// A page of dots cannot be spread over sheets.
     #[error("a page of dots for {device} goes on one sheet; leave out --sheets, or lessen the width asked for")]
     OneSheet {

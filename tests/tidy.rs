@@ -26,8 +26,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("lines", &["units", "geom", "raster", "frame", "edges"]),
     // Density and the white gap follow the lines.
     ("textures", &["units", "geom", "raster", "frame", "classes", "lines"]),
-    // Lines as dots that a device can press, and dots for textures.
-    ("dots", &["units", "geom", "classes", "lines", "textures", "devices"]),
+    // The same textures and lines as dots.
+    ("dots", &["units", "geom", "raster", "frame", "classes", "lines", "textures", "devices"]),
     // No raster: a page has no pixels.
     ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures", "devices", "dots"]),
     // Contours as data, back in the pixels of the source.

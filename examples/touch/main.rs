@@ -5,6 +5,8 @@
 //!   --seeds N                scenes of each kind (default 6); the same number again is of seeds never tuned to
 //!   --kinds                  also a table for each kind of scene
 //!   --set KEY=VALUE          another value of the profile
+//!   --dots PITCH             the same for an embosser of this pitch, mm, on `free` paper, or in braille `cells`
+//!   --page KIND SEED FILE    with --dots: draw the page of one scene
 //!   --chart FILE.svg         draw the chart of the textures instead (docs/textures/textures.svg)
 //! ```
 //!
@@ -20,6 +22,7 @@
 mod boldness;
 mod chart;
 mod density;
+mod dots;
 mod gaps;
 mod judge;
 mod rng;
@@ -59,9 +62,25 @@ fn main() {
     }
     let seeds = value("--seeds").map_or(6, |number| number.parse().expect("--seeds N"));
     let kinds = args.iter().any(|arg| arg == "--kinds");
-    readability("seeds tuned to", 0..seeds, kinds, &plan);
-    readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &plan);
-    samples(&plan.textures());
+    let page = |picture: &[u8]| page_of(picture, &plan, &mut |_| ());
+    if let Some(name) = value("--dots") {
+        let device = dots::Device::named(name).expect("--dots PITCH, free or cells");
+        let page = |picture: &[u8]| device.page_of(picture, &page(picture), &plan);
+        if let Some(at) = args.iter().position(|arg| arg == "--page") {
+            let number = |k: usize| args[at + k].parse::<u64>().expect("--page KIND SEED FILE");
+            let page = page(&scenes::scene(number(1) as usize, number(2), FINE_PX).picture);
+            std::fs::write(&args[at + 3], svg::write(&page)).expect("the page can be written");
+            return;
+        }
+        readability("seeds tuned to", 0..seeds, kinds, &page);
+        readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &page);
+        samples(&|class, lightness, density, place| device.page_of_sample(class, lightness, density, place));
+        return;
+    }
+    readability("seeds tuned to", 0..seeds, kinds, &page);
+    readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &page);
+    let params = plan.textures();
+    samples(&|class, lightness, density, place| chart::page_of_sample(class, lightness, density, place, &params));
     follows_lines(&profile, UNTUNED..UNTUNED + seeds);
     follows_lightness(&plan.textures());
     distances(&plan);
@@ -78,14 +97,14 @@ fn verdict(holds: bool) -> &'static str {
     if holds { "holds" } else { "MISSED" }
 }
 
-fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, plan: &Plan) {
+fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, page_of: &(dyn Fn(&[u8]) -> Page + Sync)) {
     println!("Read right, {name} ({} to {})", seeds.start, seeds.end - 1);
     let mut sums = [Tally::default(); 3];
     for (kind, kind_name) in KINDS.iter().enumerate() {
         let mut tallies = [Tally::default(); 3];
         for seed in seeds.clone() {
             let scene = scenes::scene(kind, seed, FINE_PX);
-            let page = page_of(&scene.picture, plan, &mut |_| ());
+            let page = page_of(&scene.picture);
             let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
             for (tally, finger) in tallies.iter_mut().zip(FINGERS) {
                 tally.add(&judge::judge(&scene, &page, &ink.felt(finger).expect("there is such a finger")));
@@ -109,13 +128,13 @@ fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, plan: &Plan
     }
 }
 
-fn samples(params: &textures::Params) {
+fn samples(page_of: &dyn Fn(Class, f32, f32, MmRect) -> Page) {
     println!("Read right, one texture at every density (0, 0.15, 0.3, 1) and lightness 0.88, 0.5, 0.1");
     let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(80.0, 80.0));
     for class in Class::ALL {
         let mut least = [1.0_f32; 3];
         for (density, lightness) in [0.0, 0.15, 0.3, 1.0].into_iter().flat_map(|d| [0.88, 0.5, 0.1].map(|l| (d, l))) {
-            let page = chart::page_of_sample(class, lightness, density, place, params);
+            let page = page_of(class, lightness, density, place);
             let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
             for (least, finger) in least.iter_mut().zip(FINGERS) {
                 let felt = ink.felt(finger).expect("there is such a finger");

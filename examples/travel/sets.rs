@@ -48,7 +48,8 @@ fn circle([x, y]: Place, radius: f64) -> Vec<Place> {
 
 /// Lines that wind down the sheet, far more down than across.
 fn waves() -> Vec<Place> {
-    let line = |x: i32| (500..24_500).step_by(240).map(move |y| [x + (400.0 * (f64::from(y) / 1_500.0).sin()) as i32, y]);
+    let line =
+        |x: i32| (500..24_500).step_by(240).map(move |y| [x + (400.0 * (f64::from(y) / 1_500.0).sin()) as i32, y]);
     (1_000..18_500).step_by(1_400).flat_map(line).collect()
 }
 

@@ -1,6 +1,7 @@
 //! What may be said on the command line, and the help that teaches it.
 
 mod calibrate;
+mod embossing;
 mod feel;
 mod fitting;
 mod shared;
@@ -14,6 +15,7 @@ use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 
 pub(super) use self::calibrate::Calibrate;
+pub(super) use self::embossing::Embossing;
 pub(super) use self::feel::Feel;
 pub(super) use self::fitting::Fitting;
 pub(super) use self::shared::Shared;
@@ -138,7 +140,7 @@ pub(super) struct Convert {
 
     /// Where the page goes, for one picture; - for standard output
     ///
-    /// The name ends in .svg, .pdf or .png, which says the format, or has no ending. An existing file is replaced in one
+    /// The name ends in .svg, .pdf or .png, or in that of a format of dots, which says the format, or has no ending. An existing file is replaced in one
     /// step, when the new page is complete; until then, and if anything fails, it stays as it is.
     ///
     /// [default: the picture's name with the ending of the format, beside the picture]
@@ -158,6 +160,9 @@ pub(super) struct Convert {
 
     #[command(flatten)]
     pub(super) writing: Writing,
+
+    #[command(flatten)]
+    pub(super) embossing: Embossing,
 
     /// What the page is called, for one picture
     ///

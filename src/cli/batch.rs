@@ -31,6 +31,8 @@ pub(super) struct Order<'a> {
     pub(super) changes: Vec<String>,
     /// Everything else.
     pub(super) shared: &'a Shared,
+    /// What does not go together with the profile.
+    pub(super) check: &'a dyn Fn(&Plan) -> Vec<String>,
 }
 
 /// What all pictures have in common.
@@ -71,11 +73,14 @@ pub(super) fn run(
     order: &Order<'_>,
     make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error> + Sync,
 ) -> Exit {
-    let &Order { product, pictures, output, out_dir, shared, ref faults, ref changes } = order;
+    let &Order { product, pictures, output, out_dir, shared, check, .. } = order;
+    let (mut faults, changes) = (order.faults.clone(), &order.changes);
     let changes = [&shared.changes()[..], changes].concat();
     let report = Report::plain();
     let names = Names { product, pictures, output, out_dir };
-    let (jobs, plan) = match (places::jobs(&names), settings::plan(&shared.profile, &changes)) {
+    let plan = settings::plan(&shared.profile, &changes);
+    faults.extend(plan.iter().flat_map(check));
+    let (jobs, plan) = match (places::jobs(&names), plan) {
         (Ok(jobs), Ok(plan)) if faults.is_empty() => (jobs, plan),
         (jobs, plan) => {
             faults.iter().for_each(|what| report.usage(what));
@@ -145,7 +150,7 @@ fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failu
         ([file], Some(path)) => output::to_file(path, file, noun).map_err(|error| about(&job.target, error))?,
         (files, None) => {
             let what = format!(
-                "{} sheets do not go into one file of this format; add --format pdf, or name a file",
+                "{} sheets do not go into one file of this format; add --format pdf, name a file, or leave out the overview",
                 files.len()
             );
             return Err(Failure { file: places::target_name(&job.target), what });

@@ -11,6 +11,12 @@ use super::{Exit, places, settings, sheets};
 pub(super) fn run(args: &Calibrate) -> Exit {
     let report = Report::of_pictures(1, args.quiet);
     let (chosen, mut faults) = args.writing.choose(Some(&args.output));
+    if chosen.format.is_of_dots() {
+        faults.push(format!(
+            "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or .png",
+            chosen.format.name().to_uppercase()
+        ));
+    }
     faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
     faults.iter().for_each(|what| report.usage(what));
     let plan = match settings::plan(&args.profile, &args.set) {

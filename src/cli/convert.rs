@@ -7,6 +7,7 @@ use tactograph::{Error, Page};
 use super::Exit;
 use super::args::{Chosen, Convert};
 use super::batch::{self, Made, Order};
+use super::dots;
 use super::product::{Format, Product};
 
 /// Converts all pictures and tells what became of each, in their order.
@@ -21,27 +22,32 @@ pub(super) fn run(args: &Convert) -> Exit {
         faults,
         changes: args.fitting.changes().collect(),
         shared: &args.shared,
+        check: &|plan| {
+            let mut faults = dots::faults(chosen.format, plan, &args.embossing);
+            faults.extend(args.fitting.fault(plan));
+            faults
+        },
     };
     batch::run(&order, |picture, title, common, timings| {
         let fonts = || common.fonts.get();
         let request =
             Request { plan: &common.plan, limits: common.limits, fonts: &fonts, title, fit: args.fitting.fit() };
-        let (pages, notes): (Vec<Page>, _) =
-            if args.fitting.sheets.is_some() || args.fitting.is_wider_than_a_sheet(&common.plan) {
-                let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
-                let drawn = sheets::convert(picture, args.fitting.sheets, &request, &mut |event| timings.watch(event))?;
-                // Words of the maker's own are about the picture, which all sheets show together.
-                let called = |page: Page| page.called(None, args.description());
-                (drawn.pages.into_iter().map(called).collect(), drawn.notes)
-            } else {
-                let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
-                let of_overview = args.title.as_ref().map(|title| format!("{title}, overview"));
-                let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None));
-                let figure = drawing.page.called(args.title.as_deref(), args.description());
-                ([figure].into_iter().chain(overview).collect(), drawing.notes)
-            };
+        let (pages, notes): (Vec<Page>, _) = if args.fitting.is_for_several_sheets(&common.plan) {
+            let request = Request { title: args.title.as_deref().unwrap_or(title), ..request };
+            let drawn = sheets::convert(picture, args.fitting.sheets, &request, &mut |event| timings.watch(event))?;
+            // Words of the maker's own are about the picture, which all sheets show together.
+            let called = |page: Page| page.called(None, args.description());
+            (drawn.pages.into_iter().map(called).collect(), drawn.notes)
+        } else {
+            let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
+            let of_overview = args.title.as_ref().map(|title| format!("{title}, overview"));
+            let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None));
+            let figure = drawing.page.called(args.title.as_deref(), args.description());
+            ([figure].into_iter().chain(overview).collect(), drawing.notes)
+        };
         let title = args.title.as_deref().unwrap_or(title);
         let files = timings.step("write", || match (&pages[..], chosen.format) {
+            _ if chosen.format.is_of_dots() => dots::write(title, &pages, chosen.format, &common.plan, &args.embossing),
             ([page], _) => write(page, chosen).map(|file| vec![file]),
             (pages, Format::Pdf) => Ok(vec![pdf::write(title, pages)]),
             (pages, _) => pages.iter().map(|page| write(page, chosen)).collect(),
@@ -56,7 +62,15 @@ pub(super) fn run(args: &Convert) -> Exit {
 /// If a PNG would have too many pixels.
 pub(super) fn write(page: &Page, chosen: Chosen) -> Result<Vec<u8>, Error> {
     Ok(match chosen.format {
-        Format::Svg => svg::write(page).into_bytes(),
+        // the others are written together
+        Format::Svg
+        | Format::Ubrl
+        | Format::Brf
+        | Format::Pef
+        | Format::Idx
+        | Format::Gcode
+        | Format::Pixels
+        | Format::Txt => svg::write(page).into_bytes(),
         Format::Pdf => pdf::write(&page.title, std::slice::from_ref(page)),
         Format::Png => png::write(page, chosen.dpi, chosen.depth)?,
     })

@@ -4,6 +4,7 @@ mod args;
 mod batch;
 mod calibrate;
 mod convert;
+mod dots;
 mod feel;
 mod fonts;
 mod input;

@@ -1,5 +1,6 @@
 //! What a command makes, in words and file names.
 
+use tactograph::output::dots::{gcode, pef};
 use tactograph::output::{json, pdf, png, svg};
 
 /// What a command makes of a picture.
@@ -20,6 +21,20 @@ pub(super) enum Format {
     Pdf,
     /// A picture.
     Png,
+    /// Dots as Unicode braille, for CUPS.
+    Ubrl,
+    /// Dots as ASCII braille, for any embosser.
+    Brf,
+    /// Dots in the Portable Embosser Format.
+    Pef,
+    /// Dots in the language of Index embossers.
+    Idx,
+    /// Dots for BrailleRAP.
+    Gcode,
+    /// Dots as a picture of a pixel a dot.
+    Pixels,
+    /// Dots as plain text.
+    Txt,
 }
 
 /// How much of a trace is looked at: its mark stands at its top.
@@ -29,15 +44,48 @@ const MOST_BYTES: u64 = 256 << 20;
 
 impl Format {
     /// All of them, the usual one first.
-    pub(super) const ALL: [Self; 3] = [Self::Svg, Self::Pdf, Self::Png];
+    pub(super) const ALL: [Self; 10] = [
+        Self::Svg,
+        Self::Pdf,
+        Self::Png,
+        Self::Ubrl,
+        Self::Brf,
+        Self::Pef,
+        Self::Idx,
+        Self::Gcode,
+        Self::Pixels,
+        Self::Txt,
+    ];
 
-    /// How the names of its files end.
-    pub(super) fn ending(self) -> &'static str {
+    /// As `--format` has it.
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Svg => "svg",
             Self::Pdf => "pdf",
             Self::Png => "png",
+            Self::Ubrl => "ubrl",
+            Self::Brf => "brf",
+            Self::Pef => "pef",
+            Self::Idx => "idx",
+            Self::Gcode => "gcode",
+            Self::Pixels => "pixels",
+            Self::Txt => "txt",
         }
+    }
+
+    /// How the names of its files end.
+    pub(super) fn ending(self) -> &'static str {
+        if self == Self::Pixels { "png" } else { self.name() }
+    }
+
+    /// The format of files whose names end so.
+    pub(super) fn of_ending(ending: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.ending().eq_ignore_ascii_case(ending))
+    }
+
+    /// Whether it says where dots are and nothing else.
+    pub(super) fn is_of_dots(self) -> bool {
+        !matches!(self, Self::Svg | Self::Pdf | Self::Png)
     }
 }
 
@@ -77,7 +125,7 @@ impl Product {
     /// All endings that a name for it can have, in words.
     pub(super) fn endings(self) -> &'static str {
         match self {
-            Self::Page(_) => ".svg, .pdf or .png",
+            Self::Page(_) => ".svg, .pdf or .png, or for dots .ubrl, .brf, .pef, .idx, .gcode or .txt",
             Self::Trace => ".json",
         }
     }
@@ -96,7 +144,11 @@ impl Product {
             // Pages carry a number that fits their bytes only as long as nobody changes them.
             Self::Page(Format::Svg) => svg::is_as_written(head),
             Self::Page(Format::Pdf) => pdf::is_as_written(head),
-            Self::Page(Format::Png) => png::is_as_written(head),
+            Self::Page(Format::Png | Format::Pixels) => png::is_as_written(head),
+            Self::Page(Format::Pef) => pef::is_as_written(head),
+            Self::Page(Format::Gcode) => gcode::is_as_written(head),
+            // There is no room for one where every byte is a dot, so these are never taken for ours.
+            Self::Page(Format::Ubrl | Format::Brf | Format::Idx | Format::Txt) => false,
             // Whatever reads JSON and writes it again sets its spaces otherwise.
             Self::Trace => head.starts_with(json::MARK.as_bytes()),
         }

@@ -26,6 +26,7 @@ pub(super) fn run(args: &Trace) -> Exit {
         faults: Vec::new(),
         changes: Vec::new(),
         shared: &args.shared,
+        check: &|_| Vec::new(),
     };
     batch::run(&order, |picture, _, common, timings| {
         let fonts = || common.fonts.get();

@@ -10,6 +10,7 @@
 
 mod cells;
 mod clear;
+pub mod textures;
 mod thick;
 mod trace;
 mod walk;

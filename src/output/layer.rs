@@ -1,5 +1,6 @@
 //! The layers of a page: the same names in every format that has layers.
 
+use super::dots::greys::GREYS;
 use crate::page::{Class, Height};
 
 /// A layer. Those with a parent lie in it.
@@ -42,11 +43,7 @@ impl Layer {
 
 /// The grey of a dot's height, 0 black: what is lighter is pressed lower.
 pub(super) fn grey(height: Height) -> u8 {
-    match height {
-        Height::High => 0,
-        Height::Middle => 0x60,
-        Height::Low => 0xa0,
-    }
+    GREYS[1 + height as usize]
 }
 
 #[cfg(test)]

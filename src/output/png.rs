@@ -89,10 +89,15 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
     text(&mut png, "Software", "", concat!("tactograph ", env!("CARGO_PKG_VERSION")));
     text(&mut png, "Comment", "", &origin_lines(&page.origin).collect::<Vec<_>>().join("\n"));
     chunk(&mut png, b"IDAT", &pixels(page, size, dpi, depth).ok_or_else(too_fine)?);
+    Ok(sealed(png))
+}
+
+/// A picture that lacks nothing but its end, with its seal and its end.
+pub(super) fn sealed(mut png: Vec<u8>) -> Vec<u8> {
     let seal = seal::of(&png);
     chunk(&mut png, b"tEXt", &[SEAL, seal.as_bytes()].concat());
     chunk(&mut png, b"IEND", &[]);
-    Ok(png)
+    png
 }
 
 /// Whether these bytes are a PNG as [`write()`] makes it, changed by nobody since.
@@ -102,10 +107,8 @@ pub fn is_as_written(bytes: &[u8]) -> bool {
         return false;
     };
     picture.starts_with(SIGNATURE) && {
-        let mut want = Vec::new();
-        chunk(&mut want, b"tEXt", &[SEAL, seal::of(picture).as_bytes()].concat());
-        chunk(&mut want, b"IEND", &[]);
-        tail == want
+        let whole = sealed(picture.to_vec());
+        whole.ends_with(tail)
     }
 }
 

@@ -17,6 +17,19 @@ pub(super) fn of(bytes: &[u8]) -> String {
     format!("{hash:016x}")
 }
 
+/// A last line of XML that holds the seal of all before it.
+pub(super) fn comment(body: &[u8]) -> String {
+    format!("<!-- as written {} -->\n", of(body))
+}
+
+/// Whether bytes end with the [`comment`] of what is before it.
+pub(super) fn is_commented(bytes: &[u8]) -> bool {
+    let last = comment(&[]).len();
+    bytes
+        .split_at_checked(bytes.len().saturating_sub(last))
+        .is_some_and(|(body, seal)| seal == comment(body).as_bytes())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -66,19 +66,13 @@ pub fn write(page: &Page) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Writing to a String cannot fail.
     let _ = writeln!(text, "{document}");
-    let seal = sealed(text.as_bytes());
+    let seal = seal::comment(text.as_bytes());
     text + &seal
 }
 
 /// Whether these bytes are a drawing as [`write()`] makes it, changed by nobody since: neither in an editor nor by hand.
 pub fn is_as_written(bytes: &[u8]) -> bool {
-    let last = sealed(&[]).len();
-    bytes.split_at_checked(bytes.len().saturating_sub(last)).is_some_and(|(body, seal)| seal == sealed(body).as_bytes())
-}
-
-/// The last line of a drawing, which holds the seal of all before it.
-fn sealed(body: &[u8]) -> String {
-    format!("<!-- as written {} -->\n", seal::of(body))
+    seal::is_commented(bytes)
 }
 
 /// How the page was made, as lines `name = value`. Text, because Inkscape warns of every element that it does not know.

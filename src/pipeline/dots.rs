@@ -21,8 +21,7 @@ pub(super) fn pressed(lines: Vec<Line>, area: MmRect, layout: &Layout, plan: &Pl
 
 /// Textures of dots.
 pub(super) fn textures(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, plan: &Plan) -> Vec<Texture> {
-    let _ = (classes, area, lines, room, plan);
-    Vec::new()
+    plan.dot_textures().map_or_else(Vec::new, |params| dots::textures::fill(classes, area, lines, room, &params))
 }
 
 /// The page of a figure, and that of its overview, which has a sheet to itself: one of dots has no room for both.

@@ -121,6 +121,22 @@ impl Plan {
         })
     }
 
+    /// How textures of dots are drawn, on a page of dots.
+    pub fn dot_textures(&self) -> Option<dots::textures::Params> {
+        let Profile { dots, .. } = &self.profile;
+        let device = dots.device?;
+        let textures::Params { density_blur, dense_from, white_from, palette, .. } = self.textures();
+        Some(dots::textures::Params {
+            pitch: dots.pitch,
+            diameter: device.diameter(),
+            line_gap: dots.texture_gap.round() as u32,
+            density_blur,
+            dense_from,
+            white_from,
+            palette,
+        })
+    }
+
     pub(crate) fn classes(&self, px_per_mm: f32) -> classes::Params {
         let Profile { colours, .. } = &self.profile;
         classes::Params {

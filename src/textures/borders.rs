@@ -6,7 +6,7 @@ use crate::geom::segment_distance;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The regions as they lie on the sheet.
-pub(super) struct Borders<'a> {
+pub(crate) struct Borders<'a> {
     classes: &'a Classes,
     area: MmRect,
     /// Width and height of a cell, mm.
@@ -14,7 +14,7 @@ pub(super) struct Borders<'a> {
 }
 
 impl<'a> Borders<'a> {
-    pub(super) fn new(classes: &'a Classes, area: MmRect) -> Self {
+    pub(crate) fn new(classes: &'a Classes, area: MmRect) -> Self {
         let cell = MmVector::new(area.width() / classes.size.width as f32, area.height() / classes.size.height as f32);
         Self { classes, area, cell }
     }
@@ -31,7 +31,7 @@ impl<'a> Borders<'a> {
     }
 
     /// The region at a place; `None` where the picture is white or has ended.
-    pub(super) fn region_at(&self, at: MmPoint) -> Option<u32> {
+    pub(crate) fn region_at(&self, at: MmPoint) -> Option<u32> {
         let (x, y) = self.in_cells(at);
         self.region_of(x.floor() as i64, y.floor() as i64)
     }
@@ -46,13 +46,13 @@ impl<'a> Borders<'a> {
     }
 
     /// The colour's lightness at a place.
-    pub(super) fn lightness_at(&self, at: MmPoint) -> f32 {
+    pub(crate) fn lightness_at(&self, at: MmPoint) -> f32 {
         let (x, y) = self.in_cells(at);
         self.classes.lightness.at(x, y)
     }
 
     /// Whether all of a glyph lies in `region`, and `gap` mm or more from what is not.
-    pub(super) fn keeps_inside(&self, glyph: &Glyph, corners: &[MmPoint; 4], region: u32, gap: f32) -> bool {
+    pub(crate) fn keeps_inside(&self, glyph: &Glyph, corners: &[MmPoint; 4], region: u32, gap: f32) -> bool {
         let mut low = glyph.at;
         let mut high = glyph.at;
         for corner in corners {

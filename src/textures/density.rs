@@ -12,7 +12,7 @@ const STEP: f32 = 0.25;
 /// The map over `area`; its pixels are [`CELL`] wide. The paper marks every line and blurs the marks with `sigma`
 /// millimetres. The result is divided by the value that a lone straight line has on itself, `1 / (sqrt(tau) sigma)`, and
 /// cut at 1: the local density, whatever the resolution.
-pub(super) fn map(lines: &[Line], area: MmRect, sigma: f32) -> Plane {
+pub(crate) fn map(lines: &[Line], area: MmRect, sigma: f32) -> Plane {
     let cells = |mm: f32| (mm / CELL).ceil().max(1.0) as u32;
     let mut map = Plane::filled(Size::new(cells(area.width()), cells(area.height())), 0.0);
     if lines.is_empty() {

@@ -47,15 +47,20 @@ const LIGHTEST_DOT: f32 = 0.6;
 const FADING: f32 = 0.042;
 
 /// The unit vector on the sheet (y down) that points along `degrees` as a reader sees it (y up).
-pub(super) fn unit(degrees: f32) -> MmVector {
+pub(crate) fn unit(degrees: f32) -> MmVector {
     let (sin, cos) = degrees.to_radians().sin_cos();
     MmVector::new(cos, -sin)
 }
 
 /// How bold a colour of this lightness is: 0 at white, 1 from [`BOLDEST_AT`] down.
 pub(super) fn boldness(lightness: f32, params: &Params) -> f32 {
-    let range = (params.white_from - BOLDEST_AT).max(f32::EPSILON);
-    ((params.white_from - lightness) / range).clamp(0.0, 1.0)
+    boldness_of(lightness, params.white_from)
+}
+
+/// [`boldness`] where colours are white from `white_from` on.
+pub(crate) fn boldness_of(lightness: f32, white_from: f32) -> f32 {
+    let range = (white_from - BOLDEST_AT).max(f32::EPSILON);
+    ((white_from - lightness) / range).clamp(0.0, 1.0)
 }
 
 /// The glyph of a class at a place of this boldness. It never is smaller than the least that can be felt; where a colour

@@ -46,12 +46,12 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A place for a glyph.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
-    pub(super) at: MmPoint,
+pub(crate) struct Place {
+    pub(crate) at: MmPoint,
     /// Density, 0..=1, from which it is filled; below 0 for those that always are.
-    pub(super) from_density: f32,
+    pub(crate) from_density: f32,
     /// How much of the boldness it takes to be there at all, 0..1: rows of rhombuses, and dots one by one, go where a colour fades into white.
-    pub(super) from_boldness: f32,
+    pub(crate) from_boldness: f32,
 }
 
 /// Fading places go in this many steps, with as many places each.
@@ -60,7 +60,7 @@ const FADING_STEPS: i32 = 16;
 /// Visits the places of a class's lattice in `area`, row by row. The lattice is centred in the area, so that the rows of a
 /// mirrored picture are the mirrored rows. (Not so the order in which dots are filled: with threefold symmetry it has a
 /// left and a right.)
-pub(super) fn each_place(class: Class, area: MmRect, params: &Params, mut visit: impl FnMut(Place)) {
+pub(crate) fn each_place(class: Class, area: MmRect, params: &Params, mut visit: impl FnMut(Place)) {
     let (along, across, step, row) = match params.palette.degrees(class) {
         Some(degrees) => (unit(degrees), unit(degrees + 90.0), params.along, params.across),
         None => (unit(0.0), unit(90.0), params.dot_pitch, params.dot_pitch * 0.75_f32.sqrt()),

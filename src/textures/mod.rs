@@ -8,9 +8,9 @@
 //! `lattice` says what was learned about lattices that fingers read right; [`crate::touch`] is the measure.
 
 mod borders;
-mod density;
+pub(crate) mod density;
 mod glyph;
-mod lattice;
+pub(crate) mod lattice;
 mod palette;
 mod strays;
 
@@ -20,7 +20,9 @@ mod tests;
 pub use glyph::{Glyph, Shape};
 pub use palette::{LEAST_ANGLE, Palette, Sign};
 
-use borders::Borders;
+pub(crate) use borders::Borders;
+pub(crate) use glyph::{boldness_of, unit};
+
 use lattice::Place;
 
 use crate::classes::{Class, Classes, Region};

@@ -1,6 +1,7 @@
 //! Options that say which part of a picture is drawn, how large, and what of it.
 
 use clap::Args;
+use tactograph::Error;
 use tactograph::page::spread::Grid;
 use tactograph::pipeline::Fit;
 use tactograph::profile::Plan;
@@ -46,6 +47,12 @@ pub(in crate::cli) struct Fitting {
     #[arg(long)]
     textures_only: bool,
 
+    /// Draws no overview
+    ///
+    /// Short for --set overview=false.
+    #[arg(long)]
+    no_overview: bool,
+
     /// Exchanges left and right, marks and frames included
     ///
     /// For machines that press a page up from its back. Not for swell paper.
@@ -59,17 +66,26 @@ impl Fitting {
         Fit { crop: self.crop, width: self.width_mm, mirrored: self.mirror }
     }
 
-    /// Whether a figure is asked for that is wider than a sheet that stands upright.
-    pub(in crate::cli) fn is_wider_than_a_sheet(&self, plan: &Plan) -> bool {
+    /// Whether it takes several sheets: asked for, or because a figure is asked for that is wider than a sheet that stands upright.
+    /// A page of dots is never spread; there a width that is too large is refused.
+    pub(in crate::cli) fn is_for_several_sheets(&self, plan: &Plan) -> bool {
         let page = &plan.profile().page;
-        self.width_mm.is_some_and(|width| width > page.width.min(page.height))
+        let is_wider = self.width_mm.is_some_and(|width| width > page.width.min(page.height));
+        plan.profile().dots.device.is_none() && (self.sheets.is_some() || is_wider)
+    }
+
+    /// What does not go together with the profile.
+    pub(in crate::cli) fn fault(&self, plan: &Plan) -> Option<String> {
+        let device = plan.profile().dots.device?;
+        self.sheets.map(|_| Error::OneSheet { device: device.name }.to_string())
     }
 
     /// What they change in the profile, as `KEY=VALUE`.
     pub(in crate::cli) fn changes(&self) -> impl Iterator<Item = String> {
         let outlines = self.outlines.then_some("figure.textures=false");
         let textures = self.textures_only.then_some(["figure.lines=false", "overview.on=false"]);
-        outlines.into_iter().chain(textures.into_iter().flatten()).map(str::to_owned)
+        let overview = self.no_overview.then_some("overview.on=false");
+        outlines.into_iter().chain(textures.into_iter().flatten()).chain(overview).map(str::to_owned)
     }
 }
 

@@ -5,19 +5,22 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use tactograph::output::png::{Depth, Dpi};
 
-use crate::cli::places::{ends_in, is_std};
+use crate::cli::places::is_std;
 use crate::cli::product::Format;
 
 /// Options of all commands that write pages.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Writing {
-    /// Format of the page: svg to change it in a drawing program, pdf to print it, png for everything else
+    /// Format of the page: svg to change it in a drawing program, pdf to print it, png for everything else; or one of dots
     ///
-    /// Needed only where no name says it: a name for -o that ends in .svg, .pdf or .png does. All three are in true
-    /// millimetres; SVG and PDF have the same layers.
+    /// Needed only where no name says it: the ending of a name for -o does. SVG, PDF and PNG are in true millimetres; SVG and
+    /// PDF have the same layers. The others hold dots and nothing else, and need a profile of an embosser or a pin display:
+    /// ubrl is Unicode braille for CUPS, brf ASCII braille for any embosser, pef the Portable Embosser Format, idx for Index
+    /// embossers, gcode for BrailleRAP, pixels a PNG picture with one pixel a dot, txt plain text. With such a profile SVG, PDF and PNG show
+    /// the dots at their true size.
     ///
-    /// [default: svg]
-    #[arg(long, value_name = "FORMAT")]
+    /// [possible values: svg, pdf, png, ubrl, brf, pef, idx, gcode, pixels, txt] [default: svg]
+    #[arg(long, value_name = "FORMAT", hide_possible_values = true)]
     format: Option<Format>,
 
     /// Pixels of one inch of the sheet, for PNG
@@ -50,20 +53,19 @@ impl Writing {
     pub(in crate::cli) fn choose(&self, output: Option<&Path>) -> (Chosen, Vec<String>) {
         let mut faults = Vec::new();
         let told = output.filter(|path| !is_std(path));
-        let of_name = told.and_then(|path| Format::ALL.into_iter().find(|format| ends_in(path, format.ending())));
+        let of_name = told.and_then(Path::extension).and_then(|ending| Format::of_ending(ending.to_str()?));
         if let (Some(name), Some(by_name), Some(asked)) = (told, of_name, self.format)
-            && by_name != asked
+            && by_name.ending() != asked.ending()
         {
-            let (name, ending) = (name.display(), asked.ending());
-            faults.push(format!("{name}: this name does not go with --format {ending}; leave one out"));
+            let (name, asked) = (name.display(), asked.name());
+            faults.push(format!("{name}: this name does not go with --format {asked}; leave one out"));
         }
-        let format = of_name.or(self.format).unwrap_or(Format::Svg);
+        let format = self.format.or(of_name).unwrap_or(Format::Svg);
         for (option, given) in [("--dpi", self.dpi.is_some()), ("--grey", self.grey)] {
             if given && format != Format::Png {
-                let ending = format.ending();
                 faults.push(format!(
                     "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in .png",
-                    ending.to_uppercase()
+                    format.name().to_uppercase()
                 ));
             }
         }
@@ -83,6 +85,6 @@ impl ValueEnum for Format {
     }
 
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(self.ending()))
+        Some(clap::builder::PossibleValue::new(self.name()))
     }
 }

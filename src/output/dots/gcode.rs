@@ -12,7 +12,7 @@
 //! ...
 //! G1 F6000;
 //! G1 X0.00 Y317.00;            the paper is fed out
-//! M84;                         motors off
+//! M84; as written ...          motors off; a number that tells whether anybody has changed the file
 //! ```
 //!
 //! Lines end with CR LF. Commands and their order are those of DesktopBrailleRAP (commit a6b9ba1), the machine's own
@@ -31,7 +31,7 @@
 use std::fmt::Write;
 
 use super::tour::{self, Place};
-use crate::output::plain;
+use crate::output::{plain, seal};
 
 /// How far beyond the paper's length the paper is fed to come out, mm (DesktopBrailleRAP).
 const EJECT: f64 = 20.0;
@@ -161,8 +161,19 @@ pub fn write(dots: &[crate::units::MmPoint], params: &Params) -> Result<String, 
     }
     line(&mut out, format_args!("G1 F{};", params.feed.min(EJECT_FEED)));
     go(&mut out, end);
-    line(&mut out, format_args!("M84;"));
-    Ok(out)
+    let seal = sealed(out.as_bytes());
+    Ok(out + &seal)
+}
+
+/// Whether these bytes are G-code as [`write()`] makes it, changed by nobody since.
+pub fn is_as_written(bytes: &[u8]) -> bool {
+    let last = sealed(&[]).len();
+    bytes.split_at_checked(bytes.len().saturating_sub(last)).is_some_and(|(body, end)| end == sealed(body).as_bytes())
+}
+
+/// The last line: motors off, and the seal of all before it.
+fn sealed(body: &[u8]) -> String {
+    format!("M84; as written {}\r\n", seal::of(body))
 }
 
 fn check(params: &Params) -> Result<(), Refused> {
@@ -170,9 +181,15 @@ fn check(params: &Params) -> Result<(), Refused> {
     let mut need = |fine: bool, fault: String| (!fine).then(|| faults.push(fault));
     let length = |value: f32| value > 0.0 && value <= MOST_MM;
     let [across, down] = params.limits;
-    need(length(across) && length(down), format!("limits of {across} x {down} mm must be above 0 and at most {MOST_MM}"));
+    need(
+        length(across) && length(down),
+        format!("limits of {across} x {down} mm must be above 0 and at most {MOST_MM}"),
+    );
     let [x, y] = params.origin;
-    need(x.abs() <= MOST_MM && y.abs() <= MOST_MM, format!("a zero at {x}, {y} mm must be within {MOST_MM} of the sheet"));
+    need(
+        x.abs() <= MOST_MM && y.abs() <= MOST_MM,
+        format!("a zero at {x}, {y} mm must be within {MOST_MM} of the sheet"),
+    );
     let paper = params.paper_length;
     need(length(paper), format!("paper {paper} mm long must be above 0 and at most {MOST_MM}"));
     need(params.acceleration > 0, "the acceleration must be at least 1 mm/s2".into());

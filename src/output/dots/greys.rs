@@ -40,8 +40,7 @@ pub fn write(matrix: &Matrix, pitch: f32, heights: u8, words: &Words<'_>) -> Vec
     png::text(&mut png, "Description", &language, &plain(words.description));
     png::text(&mut png, "Software", "", concat!("tactograph ", env!("CARGO_PKG_VERSION")));
     png::chunk(&mut png, b"IDAT", &stream.finish());
-    png::chunk(&mut png, b"IEND", &[]);
-    png
+    png::sealed(png)
 }
 
 #[cfg(test)]

@@ -18,11 +18,13 @@ pub mod gcode;
 pub mod greys;
 pub mod index;
 mod matrix;
+mod of_page;
 pub mod pef;
 pub mod tour;
 pub mod ubrl;
 
 pub use matrix::Matrix;
+pub use of_page::dots;
 
 /// What a document is called, for formats that say so.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

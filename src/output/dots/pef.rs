@@ -36,7 +36,7 @@ pub fn write(pages: &[Matrix], words: &Words<'_>) -> String {
     }
     body += "\n</section></volume>";
     let number = seal::of([meta.as_bytes(), body.as_bytes()].concat().as_slice());
-    format!(
+    let document = format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
 <pef version="2008-1" xmlns="http://www.daisy.org/ns/2008/pef">
 <head><meta xmlns:dc="http://purl.org/dc/elements/1.1/">
@@ -48,7 +48,14 @@ pub fn write(pages: &[Matrix], words: &Words<'_>) -> String {
 </body>
 </pef>
 "#
-    )
+    );
+    let seal = seal::comment(document.as_bytes());
+    document + &seal
+}
+
+/// Whether these bytes are a document as [`write()`] makes it, changed by nobody since.
+pub fn is_as_written(bytes: &[u8]) -> bool {
+    seal::is_commented(bytes)
 }
 
 /// An element of text, on a line of its own.

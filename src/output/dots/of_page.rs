@@ -1,0 +1,48 @@
+//! The dots of a page: on its device's grid, or where they lie.
+
+use super::Matrix;
+use crate::devices::{Grid, Room};
+use crate::page::{Dots, Height, Page, Pen, Run};
+use crate::units::MmPoint;
+
+impl Matrix {
+    /// The dots of a page of dots, each at its height. None if the page is printed, or its device has no grid.
+    pub fn of(page: &Page) -> Option<Self> {
+        let Room::Grid(grid) = &page.press.as_ref()?.room else { return None };
+        let mut matrix = Self::new(grid.columns.len(), grid.rows.len());
+        for (at, height) in dots(page) {
+            let [x, y] = place(at, grid);
+            matrix.raise(x, y, 1 + height as u8);
+        }
+        Some(matrix)
+    }
+}
+
+/// The centres of all dots of a page of dots with their heights, layer by layer.
+pub fn dots(page: &Page) -> Vec<(MmPoint, Height)> {
+    let mut out = Vec::new();
+    let mut all = |dots: &[MmPoint], height| out.extend(dots.iter().map(|&at| (at, height)));
+    let run = |run: &Run| match run.pen {
+        Pen::Dots(height) => height,
+        Pen::Stroke => Height::High,
+    };
+    page.orientation_mark.iter().for_each(|mark| all(&mark.points, run(mark)));
+    all(&page.frame.at, page.height_of_frame());
+    for texture in &page.figure.textures {
+        texture.glyphs.iter().for_each(|glyph| all(&[glyph.at], page.height_of_textures()));
+    }
+    page.figure.lines.iter().flat_map(|line| &line.runs).for_each(|piece| all(&piece.points, run(piece)));
+    let labels = |dots: &Dots| dots.at.clone();
+    page.labels.iter().for_each(|dots| all(&labels(dots), Height::High));
+    out
+}
+
+/// The column and row nearest to a place.
+fn place(at: MmPoint, grid: &Grid) -> [usize; 2] {
+    [(at.x, &grid.columns), (at.y, &grid.rows)].map(|(mm, centres)| {
+        let after = centres.partition_point(|&centre| centre < mm).min(centres.len().saturating_sub(1));
+        let before = after.saturating_sub(1);
+        let off = |index: usize| centres.get(index).map_or(f32::MAX, |centre| (centre - mm).abs());
+        if off(before) < off(after) { before } else { after }
+    })
+}
