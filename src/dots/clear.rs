@@ -29,6 +29,7 @@ pub(super) fn on_grid(lines: &[Line], area: MmRect, grid: &Grid, params: &Params
         let mut cells: Vec<Cell> = trace::trace(&points, closed, grid);
         cells.iter_mut().for_each(|cell| *cell = [cell[0].clamp(left, right), cell[1].clamp(top, bottom)]);
         cells.dedup();
+        let cells = trace::thin(cells, closed);
         let is_wide = params.is_wide(line);
         let mut drawn = Vec::new();
         for piece in taken.pieces(&cells, closed, is_wide) {
@@ -45,7 +46,9 @@ pub(super) fn on_grid(lines: &[Line], area: MmRect, grid: &Grid, params: &Params
             }
             drawn.push(rows);
         }
-        for rows in drawn {
+        for mut rows in drawn {
+            // what the line itself has there already
+            rows[1..].iter_mut().for_each(|row| row.retain(|cell| !taken.lines.contains_key(cell)));
             rows.iter().flatten().for_each(|&cell| taken.take(cell, number));
             let run = |cells: &Vec<Cell>| {
                 dotted(cells.iter().map(|&cell| centre(cell, grid)).collect(), params.height(line), params)
@@ -159,10 +162,13 @@ impl Taken {
 
 /// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
 const LEAST_STEP: f32 = 0.75;
+/// What rounding may take off a place, mm.
+const SAME: f32 = 1e-3;
 
-/// Lines whose dots can be anywhere, the weightiest first. They keep their distance already; only where they meet, dots would
+/// Lines in `area` whose dots can be anywhere, the weightiest first. They keep their distance already; only where they meet, dots would
 /// fall on dots.
-pub(super) fn anywhere(lines: &[Line], params: &Params) -> Vec<Line> {
+pub(super) fn anywhere(lines: &[Line], area: MmRect, params: &Params) -> Vec<Line> {
+    let area = area.inflate(SAME, SAME);
     let mut placed = Placed { squares: BTreeMap::new(), least: LEAST_STEP * params.pitch };
     let mut out = Vec::new();
     for line in lines {
@@ -172,7 +178,9 @@ pub(super) fn anywhere(lines: &[Line], params: &Params) -> Vec<Line> {
             true => thick::both_sides(&dots, closed, params.pitch).into(),
             false => vec![dots],
         };
-        let free = |row: Vec<MmPoint>, placed: &mut Placed| row.into_iter().filter(|&at| placed.place(at)).collect();
+        let free = |row: Vec<MmPoint>, placed: &mut Placed| {
+            row.into_iter().filter(|&at| area.contains_inclusive(at) && placed.place(at)).collect()
+        };
         let rows: Vec<Vec<MmPoint>> = rows.into_iter().map(|row| free(row, &mut placed)).collect();
         let runs = rows.into_iter().filter(|row| !row.is_empty());
         let runs: Vec<_> = runs.map(|row| dotted(row, params.height(line), params)).collect();

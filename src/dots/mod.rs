@@ -64,7 +64,7 @@ impl Params {
 pub fn lines(lines: &[Line], area: MmRect, room: &Room, params: &Params) -> Vec<Line> {
     match room {
         Room::Grid(grid) => clear::on_grid(lines, area, grid, params),
-        Room::Free(_) => clear::anywhere(lines, params),
+        Room::Free(_) => clear::anywhere(lines, area, params),
     }
 }
 

@@ -100,8 +100,12 @@ fn filled(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     out
 }
 
+/// A line that comes back to itself within this many dots makes a clot, not a shape; the smallest ring with a dot of blank in it
+/// has eight.
+const CURL: usize = 7;
+
 /// Leaves out dots without which their neighbours are neighbours still, but for true corners.
-fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
+pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     loop {
         let before = cells.len();
         let mut out: Vec<Cell> = Vec::with_capacity(before);
@@ -110,6 +114,11 @@ fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
             false => cells.get(i),
         };
         for (i, &cell) in cells.iter().enumerate() {
+            // a curl: the line comes back to where it was a few dots ago
+            let recent = out.len().saturating_sub(CURL)..out.len().saturating_sub(2);
+            if let Some(j) = recent.into_iter().find(|&j| apart(out[j], cell) <= 1) {
+                out.truncate(j + 1);
+            }
             while let [.., a, b] = out[..]
                 && apart(a, cell) <= 1
                 && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, cell, ahead(i + 1).copied())

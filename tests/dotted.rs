@@ -1,0 +1,237 @@
+//! Pages of dots keep what their profiles promise, on every sample and every device: dots lie where the device presses them,
+//! lines are one dot wide and hold together, and empty dots lie between what fingers must tell apart.
+
+#[path = "common/page.rs"]
+mod page;
+#[path = "common/samples.rs"]
+mod samples;
+
+use std::collections::BTreeSet;
+use std::sync::OnceLock;
+
+use tactograph::Page;
+use tactograph::devices::{Grid, Room};
+use tactograph::output::dots::{Matrix, dots};
+use tactograph::page::{Height, Line, Pen, Run};
+use tactograph::profile::{Profile, built_in};
+use tactograph::units::MmPoint;
+
+type Cell = [i32; 2];
+
+/// All pages of all samples with all profiles of dots: the figures and the overviews.
+fn pages() -> &'static [(String, Profile, Page)] {
+    static PAGES: OnceLock<Vec<(String, Profile, Page)>> = OnceLock::new();
+    PAGES.get_or_init(made)
+}
+
+fn made() -> Vec<(String, Profile, Page)> {
+    let mut pages = Vec::new();
+    for file in built_in() {
+        let profile = Profile::named(file.name).expect("it is built in");
+        if profile.dots.device.is_none() {
+            continue;
+        }
+        for path in samples::samples() {
+            let sample = path.file_name().expect("a sample has a name").to_string_lossy().into_owned();
+            let bytes = std::fs::read(&path).expect("a sample can be read");
+            let drawing = page::page_for(&bytes, &sample, &profile, &mut |_| ());
+            let name = format!("{sample} with {}", file.name);
+            pages.push((format!("{name}, overview"), profile.clone(), drawing.overview));
+            pages.push((name, profile.clone(), Some(drawing.page)));
+        }
+    }
+    pages.into_iter().filter_map(|(name, profile, page)| Some((name, profile, page?))).collect()
+}
+
+fn grid(page: &Page) -> Option<&Grid> {
+    match &page.press.as_ref()?.room {
+        Room::Grid(grid) => Some(grid),
+        Room::Free(_) => None,
+    }
+}
+
+/// The column and row of a dot, which must lie on one.
+fn cell(at: MmPoint, grid: &Grid, name: &str) -> Cell {
+    [(at.x, &grid.columns), (at.y, &grid.rows)].map(|(mm, centres)| {
+        let index = centres.iter().position(|centre| (centre - mm).abs() < 1e-3);
+        index.unwrap_or_else(|| panic!("{name}: {at:?} is off the grid")) as i32
+    })
+}
+
+fn apart(a: Cell, b: Cell) -> i32 {
+    (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
+}
+
+fn cells(run: &Run, grid: &Grid, name: &str) -> Vec<Cell> {
+    run.points.iter().map(|&at| cell(at, grid, name)).collect()
+}
+
+/// All dots of a line.
+fn cells_of(line: &Line, grid: &Grid, name: &str) -> Vec<Cell> {
+    line.runs.iter().flat_map(|run| cells(run, grid, name)).collect()
+}
+
+#[test]
+fn every_dot_is_one_that_the_device_presses_and_none_is_pressed_twice() {
+    for (name, _, page) in pages() {
+        let all = dots(page);
+        match &page.press.as_ref().expect("a page of dots").room {
+            Room::Grid(grid) => {
+                let mut places = BTreeSet::new();
+                for (at, height) in &all {
+                    assert!(places.insert(cell(*at, grid, name)), "{name}: a dot is pressed twice, {at:?} {height}");
+                }
+                assert_eq!(Matrix::of(page).map(|matrix| matrix.count()), Some(all.len()), "{name}");
+            }
+            Room::Free(reach) => {
+                let reach = reach.inflate(1e-3, 1e-3);
+                assert!(all.iter().all(|(at, _)| reach.contains_inclusive(*at)), "{name}: a dot is out of reach");
+            }
+        }
+    }
+}
+
+/// Each dot is a neighbour of the next and, but for rings, of no other: no doubled corners, no clots, no gaps.
+#[test]
+fn lines_are_one_dot_wide_and_hold_together() {
+    let mut lines = 0;
+    for (name, _, page) in pages() {
+        let Some(grid) = grid(page) else { continue };
+        for line in &page.figure.lines {
+            let way = cells(&line.runs[0], grid, name);
+            assert!(way.windows(2).all(|pair| apart(pair[0], pair[1]) == 1), "{name}: a gap in {way:?}");
+            let n = way.len();
+            let clots = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|&(i, j)| {
+                let steps = if apart(way[0], way[n - 1]) <= 1 { (i - j).min(n - (i - j)) } else { i - j };
+                steps == 2 && apart(way[i], way[j]) <= 1
+            });
+            // a right angle of the line has one
+            let corners = |i: usize, j: usize| {
+                let middle = (0..n).find(|&k| (k + 1 == i && j + 1 == k) || (i + 1) % n == k && (k + 1) % n == j);
+                middle.is_some_and(|k| {
+                    let [a, b, c] = [way[j], way[k], way[i]];
+                    (a[0] == b[0] || a[1] == b[1]) && (b[0] == c[0] || b[1] == c[1])
+                })
+            };
+            for (i, j) in clots {
+                assert!(corners(i, j), "{name}: a clot at {:?} and {:?} in {way:?}", way[i], way[j]);
+            }
+            lines += 1;
+        }
+    }
+    assert!(lines > 1000, "only {lines} lines");
+}
+
+/// Between two lines there are empty dots, but where one ends on the other.
+#[test]
+fn empty_dots_lie_between_lines() {
+    for (name, profile, page) in pages() {
+        let Some(grid) = grid(page) else { continue };
+        let gap = profile.dots.line_gap as i32;
+        let lines: Vec<Vec<Cell>> = page.figure.lines.iter().map(|line| cells(&line.runs[0], grid, name)).collect();
+        let all: Vec<Vec<Cell>> = page.figure.lines.iter().map(|line| cells_of(line, grid, name)).collect();
+        for i in 0..lines.len() {
+            for j in 0..i {
+                for (k, &cell) in lines[i].iter().enumerate() {
+                    let nearest = all[j].iter().map(|&other| apart(cell, other)).min().unwrap_or(i32::MAX);
+                    if nearest > gap {
+                        continue;
+                    }
+                    let from_end = k.min(lines[i].len() - 1 - k) as i32;
+                    let their_end = [all[j].first(), all[j].last()].into_iter().flatten();
+                    let from_their_end = their_end.map(|&end| apart(end, cell)).min().unwrap_or(i32::MAX);
+                    let way_out = 2 * gap + 4;
+                    assert!(
+                        from_end <= way_out || from_their_end <= way_out,
+                        "{name}: {} empty dots between two lines at {cell:?}",
+                        nearest - 1
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn empty_dots_lie_between_lines_and_textures() {
+    let mut glyphs = 0;
+    for (name, profile, page) in pages() {
+        let Some(grid) = grid(page) else { continue };
+        let gap = profile.dots.texture_gap as i32;
+        let lines: BTreeSet<Cell> = page.figure.lines.iter().flat_map(|line| cells_of(line, grid, name)).collect();
+        for glyph in page.figure.textures.iter().flat_map(|texture| &texture.glyphs) {
+            let [x, y] = cell(glyph.at, grid, name);
+            let near = (-gap..=gap).flat_map(|dy| (-gap..=gap).map(move |dx| [x + dx, y + dy]));
+            assert!(
+                !near.clone().any(|near| lines.contains(&near)),
+                "{name}: the texture's dot {x} {y} is too near to a line"
+            );
+            glyphs += 1;
+        }
+    }
+    assert!(glyphs > 10_000, "only {glyphs} dots of textures");
+}
+
+/// Where dots can be anywhere they lie in even steps; where a line meets another a dot may be missing.
+#[test]
+fn dots_anywhere_lie_in_even_steps() {
+    let mut steps = (0, 0);
+    for (name, profile, page) in pages() {
+        if grid(page).is_some() {
+            continue;
+        }
+        for run in page.figure.lines.iter().filter(|line| line.runs.len() == 1).flat_map(|line| &line.runs) {
+            for pair in run.points.windows(2) {
+                let step = (pair[1] - pair[0]).length() / profile.dots.pitch;
+                assert!(step > 0.74, "{name}: dots {step} pitches apart");
+                steps = (steps.0 + 1, steps.1 + i32::from((0.8..1.15).contains(&step)));
+            }
+        }
+    }
+    assert!(steps.0 > 500 && steps.1 as f32 >= 0.97 * steps.0 as f32, "{steps:?}");
+}
+
+#[test]
+fn heights_are_those_that_the_device_has() {
+    for (name, profile, page) in pages() {
+        let heights: BTreeSet<Height> = dots(page).into_iter().map(|(_, height)| height).collect();
+        match profile.dots.device.map(|device| device.heights()) {
+            Some(1) => assert!(heights.iter().all(|&height| height == Height::High), "{name}: {heights:?}"),
+            _ => assert!(heights.len() <= 3, "{name}"),
+        }
+        let strokes = page.figure.lines.iter().flat_map(|line| &line.runs).filter(|run| run.pen == Pen::Stroke);
+        assert_eq!(strokes.count(), 0, "{name}: a stroke on a page of dots");
+    }
+}
+
+/// The frame lies around the picture, with empty dots between.
+#[test]
+fn frames_keep_off_the_picture() {
+    for (name, profile, page) in pages() {
+        assert_eq!(profile.frame.on, !page.frame.at.is_empty(), "{name}: a frame");
+        let inner = page.figure.place.inflate(profile.dots.pitch, profile.dots.pitch);
+        assert!(!page.frame.at.iter().any(|&at| inner.contains(at)), "{name}: the frame is too near to the picture");
+        let picture = page.figure.place.inflate(1e-3, 1e-3);
+        let marks = page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| &run.points);
+        let marks =
+            marks.copied().chain(page.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at));
+        for at in marks {
+            assert!(picture.contains_inclusive(at), "{name}: {at:?} is off the picture");
+        }
+    }
+}
+
+/// The back of a page is on the same grid, with columns exchanged.
+#[test]
+fn a_mirrored_page_is_on_the_same_grid() {
+    let path = samples::samples().into_iter().find(|path| path.ends_with("coffee.png")).expect("it is a sample");
+    let bytes = std::fs::read(path).expect("it can be read");
+    let profile = Profile::named("index-basic-d").expect("it is built in");
+    let page = &page::page_for(&bytes, "coffee.png", &profile, &mut |_| ()).page;
+    let (front, back) = (Matrix::of(page).expect("a grid"), Matrix::of(&page.clone().mirrored()).expect("a grid"));
+    for y in 0..front.rows() {
+        let row = |matrix: &Matrix| matrix.row(y).to_vec();
+        let reversed: Vec<u8> = row(&front).into_iter().rev().collect();
+        assert_eq!(row(&back), reversed, "row {y}");
+    }
+}
