@@ -16,7 +16,7 @@ const MOST_RINGS: i32 = 10;
 pub(super) struct Grid<'a> {
     places: &'a [Place],
     low: Place,
-    cell: i32,
+    cell: i64,
     columns: i32,
     rows: i32,
     /// Numbers of the places in each cell, lowest first.
@@ -27,12 +27,13 @@ impl<'a> Grid<'a> {
     pub(super) fn new(places: &'a [Place]) -> Self {
         let extreme = |axis: usize, pick: fn(i32, i32) -> i32| places.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0);
         let low = [extreme(0, i32::min), extreme(1, i32::min)];
-        let size = [extreme(0, i32::max) - low[0] + 1, extreme(1, i32::max) - low[1] + 1];
+        let size = |axis: usize, high: i32| i64::from(high) - i64::from(low[axis]) + 1;
+        let (width, height) = (size(0, extreme(0, i32::max)), size(1, extreme(1, i32::max)));
         let wanted = (places.len() / PER_CELL).max(1) as f64;
-        // A row of dots has no area: its cells are as long as the row over their number.
-        let area = f64::from(size[0]) * f64::from(size[1]);
-        let cell = (area / wanted).sqrt().max(f64::from(size[0].max(size[1])) / wanted).ceil().max(1.0) as i32;
-        let (columns, rows) = ((size[0] - 1) / cell + 1, (size[1] - 1) / cell + 1);
+        // A row of dots has no area: its cells are no shorter than the row over their number.
+        let area = width as f64 * height as f64;
+        let cell = (area / wanted).sqrt().max(width.max(height) as f64 / wanted).ceil().max(1.0) as i64;
+        let (columns, rows) = (((width - 1) / cell) as i32 + 1, ((height - 1) / cell) as i32 + 1);
         let mut grid = Self { places, low, cell, columns, rows, cells: vec![Vec::new(); (columns * rows) as usize] };
         for (number, &place) in places.iter().enumerate() {
             let [column, row] = grid.cell_of(place);
@@ -42,7 +43,10 @@ impl<'a> Grid<'a> {
     }
 
     fn cell_of(&self, place: Place) -> [i32; 2] {
-        let index = |axis: usize, count: i32| (place[axis] - self.low[axis]).div_euclid(self.cell).clamp(0, count - 1);
+        let index = |axis: usize, count: i32| {
+            let cells = (i64::from(place[axis]) - i64::from(self.low[axis])).div_euclid(self.cell);
+            cells.clamp(0, i64::from(count) - 1) as i32
+        };
         [index(0, self.columns), index(1, self.rows)]
     }
 
@@ -58,7 +62,7 @@ impl<'a> Grid<'a> {
         let last_row = self.cell_of([0, lowest])[1];
         for ring in 0..=self.columns.max(self.rows) {
             // Nothing in this ring or beyond it is nearer than the border of the ring before.
-            if best.is_some_and(|(least, _)| least < f64::from(ring - 1) * f64::from(self.cell)) {
+            if best.is_some_and(|(least, _)| least < f64::from(ring - 1) * self.cell as f64) {
                 break;
             }
             self.ring(self.cell_of(to), ring, last_row, |number| {
@@ -124,15 +128,66 @@ impl<'a> Grid<'a> {
 }
 
 /// Which quarter of all directions; half-open, so that each direction belongs to one.
-fn quadrant(from: Place, to: Place) -> usize {
-    let (x, y) = (to[0] - from[0], to[1] - from[1]);
-    if x > 0 && y <= 0 {
+fn quadrant([x, y]: Place, [to_x, to_y]: Place) -> usize {
+    if to_x > x && to_y <= y {
         0
-    } else if x >= 0 && y > 0 {
+    } else if to_x >= x && to_y > y {
         1
-    } else if x < 0 && y >= 0 {
+    } else if to_x < x && to_y >= y {
         2
     } else {
         3
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_nearest_is_found_while_places_are_taken_out(
+            places in prop::collection::btree_set((0..400, 0..900), 1..60),
+            to in (-100..500, -100..1_000),
+            lowest in 0..900,
+        ) {
+            let places: Vec<Place> = places.into_iter().map(|(x, y)| [x, y]).collect();
+            let to = [to.0, to.1];
+            let mut grid = Grid::new(&places);
+            let mut left: Vec<u32> = (0..places.len() as u32).collect();
+            loop {
+                let far = |number: &u32| (distance(to, places[*number as usize]), *number);
+                let allowed = left.iter().filter(|number| places[**number as usize][1] <= lowest);
+                let expected = allowed.min_by(|a, b| far(a).partial_cmp(&far(b)).expect("distances are numbers")).copied();
+                prop_assert_eq!(grid.nearest(to, lowest), expected);
+                let Some(number) = expected else { break };
+                grid.remove(number);
+                left.retain(|&other| other != number);
+            }
+        }
+
+        #[test]
+        fn neighbours_come_nearest_first_and_the_nearest_is_among_them(
+            places in prop::collection::btree_set((0..400, 0..900), 2..60),
+        ) {
+            let places: Vec<Place> = places.into_iter().map(|(x, y)| [x, y]).collect();
+            for (number, found) in Grid::new(&places).neighbours().iter().enumerate() {
+                let far = |other: u32| distance(places[number], places[other as usize]);
+                prop_assert!(found.is_sorted_by(|&a, &b| far(a) <= far(b)));
+                let others = (0..places.len() as u32).filter(|&other| other as usize != number);
+                let least = others.map(far).fold(f64::INFINITY, f64::min);
+                prop_assert!(found.first().is_some_and(|&first| far(first) <= least));
+                prop_assert!(found.len() <= NEAREST + 4 * PER_QUADRANT);
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_sees_the_line_beside_it() {
+        // Two rows of dots 20 apart, a dot each 1: the six nearest of each dot are all in its own row.
+        let places: Vec<Place> = (0..100).flat_map(|x| [[x, 0], [x, 20]]).collect();
+        let neighbours = Grid::new(&places).neighbours();
+        assert!(neighbours[100].iter().any(|&other| places[other as usize][1] == 20));
     }
 }
