@@ -63,7 +63,9 @@ pub struct Params {
     /// Rollers turn the paper under the needle, and each time it is pulled far back it can slip or its end can leave the
     /// guide, so that dots no longer meet. DesktopBrailleRAP goes strictly row by row by default (0 mm back) and lets
     /// its user choose bands of 2 mm or blocks of 12 mm, which are in use; it says nothing of slipping, and no measurement
-    /// is known. So 12 mm is the most that is known to be done.
+    /// is known. So 12 mm is the most that is known to be done. It costs travel: for a drawing of lines some 60 % over paths
+    /// that go anywhere (5.4 m instead of 3.3 m for 1,070 dots; 2.4 minutes instead of 2.0), for text 12 %, for textures nothing
+    /// (`examples/travel.rs`).
     pub most_back: f32,
     /// A comment in the first line.
     pub title: String,
@@ -149,7 +151,8 @@ pub fn write(dots: &[crate::units::MmPoint], params: &Params) -> Result<String, 
 
     // Some 34 bytes a dot.
     let mut out = String::with_capacity(300 + params.title.len() + 40 * path.len());
-    line(&mut out, format_args!("G28 X; {}", plain(&params.title)));
+    let title = plain(&params.title);
+    line(&mut out, format_args!("{}", format!("G28 X; {title}").trim_end()));
     line(&mut out, format_args!(concat!("G28 Y; ", env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"))));
     line(&mut out, format_args!("M204 T{};", params.acceleration));
     line(&mut out, format_args!("G1 F{};", params.feed));
