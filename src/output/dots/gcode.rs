@@ -20,13 +20,14 @@
 //! unless told otherwise (it is built without inches), `;` begins a comment. A comment stands behind a command, never on a
 //! line of its own: Marlin answers no `ok` to a line without a command, and a plain sender waits for one.
 //!
-//! **Which way round.** Both end stops are at zero. X runs to the right, Y down the sheet as it is read, (0, 0) is the top
-//! left corner of what can be reached. Nothing is mirrored: the magnet sits below the paper and pushes the dots up, and the
-//! machine's own programs write braille from left to right with rising X. (3D printers used as embossers press from above
-//! and need the mirrored picture; this is not for them.)
+//! **Which way round.** X runs to the right, Y down the sheet as it is read, (0, 0) is the top left corner of what can be
+//! reached. The older firmware (BrailleRAP, Marlin 1) is at Y -20 after homing, the newer one (MarlinBraille2) at 0; going to
+//! (0, 0) makes them equal. Nothing is mirrored: the magnet sits below the paper and pushes the dots up, and the machine's
+//! own programs write braille from left to right with rising X. (3D printers used as embossers press from above and need
+//! the mirrored picture; this is not for them.)
 //!
-//! **Time.** `M3` waits until the move has ended and holds the magnet 15 ms on and 10 ms off (MarlinBraille2), so that each
-//! move starts and ends at rest: short ways count more than a high feed.
+//! **Time.** `M3` waits until the move has ended. `S1` holds the magnet 15 ms on and 10 ms off (MarlinBraille2) and lets it
+//! go by itself, so that it cannot overheat. Each move starts and ends at rest: short ways count more than a high feed.
 
 use std::fmt::Write;
 
