@@ -214,7 +214,7 @@ fn the_machine_refuses_what_is_wrong() {
     for (from, to) in [
         ("G28 Y", "M117"),                     // not homed, and an unknown command
         ("G28 Y; tactograph", "; tactograph"), // a line without a command
-        ("G28 X; \r\n", ""),
+        ("G28 X;\r\n", ""),
         ("M204 T1500;\r\n", ""),
         ("G1 F6000;\r\nG1 X0.00 Y0.00", "G1 X0.00 Y0.00"),
         ("X1.00 Y2.00", "X1.0 Y2.0"),
