@@ -35,8 +35,8 @@ pub enum Family {
     IndexV4,
     /// Open hardware that moves a stylus anywhere.
     BrailleRap {
-        /// Width and length that the stylus reaches, mm.
-        reach: [f32; 2],
+        /// How far the stylus goes across the sheet, mm.
+        across: f32,
     },
     /// Embossers that take a picture of 20 dots per inch.
     ViewPlus,
@@ -76,7 +76,7 @@ pub enum Pitches {
 pub enum Room {
     /// On columns and rows.
     Grid(Grid),
-    /// Anywhere in a rectangle, for the centres of dots. Its top left corner is where the device counts from.
+    /// Anywhere in a rectangle, for the centres of dots. Its top left corner is the device's zero.
     Free(MmRect),
 }
 

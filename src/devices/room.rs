@@ -21,6 +21,11 @@ const CELLS_EDGE: f32 = 10.0;
 /// binding.
 const AMERICAN: ([f32; 2], [usize; 2]) = ([292.1, 279.4], [40, 25]);
 
+/// What the rollers of a BrailleRAP hold of a sheet's length, mm: DesktopBrailleRAP leaves as much of A4 and of A3.
+const HELD: f32 = 47.0;
+/// Shortest sheet of a BrailleRAP, mm: half a card more than what the rollers hold. Chosen by us.
+const SHORTEST_HELD: f32 = 74.0;
+
 /// Shortest side of a sheet that Index embossers take, mm: an inch, says their driver. The others are held to it too, since
 /// nothing can be told on less.
 const SHORTEST: f32 = 25.4;
@@ -52,7 +57,7 @@ pub(super) fn of(device: &Device, sheet: [f32; 2], pitch: f32) -> Result<Room, V
     Ok(match device.family {
         Family::IndexV3 { .. } => Room::Grid(of_index(sheet, pitch, index::MARGINS_V3)),
         Family::IndexV4 => Room::Grid(of_index(sheet, pitch, index::MARGINS_V4)),
-        Family::BrailleRap { reach } => Room::Free(within(sheet, reach, device.diameter())),
+        Family::BrailleRap { across } => Room::Free(within(sheet, [across, sheet[1] - HELD], device.diameter())),
         Family::ViewPlus => Room::Grid(Grid {
             columns: steps(0.5 * DOT_20_DPI, DOT_20_DPI, whole(sheet[0], DOT_20_DPI)),
             rows: steps(0.5 * DOT_20_DPI, DOT_20_DPI, whole(sheet[1], DOT_20_DPI)),
@@ -81,23 +86,24 @@ fn faults_of_sheet(device: &Device, sheet: [f32; 2]) -> Vec<String> {
         };
         return if fits { Vec::new() } else { vec![fault()] };
     }
+    let shortest = if matches!(device.family, Family::BrailleRap { .. }) { SHORTEST_HELD } else { SHORTEST };
     let fits = |[width, length]: [f32; 2]| {
         // NaN fails every comparison, so it fits nowhere.
-        width >= SHORTEST && length >= SHORTEST && width <= widest + SAME && length <= longest + SAME
+        width >= SHORTEST && length >= shortest && width <= widest + SAME && length <= longest + SAME
     };
     let turned = if fits([length, width]) {
         format!("; turned, as {length} x {width} mm, the sheet fits")
     } else {
         String::new()
     };
-    let fault = |what: &str, side: f32, most: f32| {
-        if side >= SHORTEST && side <= most + SAME {
+    let fault = |what: &str, side: f32, least: f32, most: f32| {
+        if side >= least && side <= most + SAME {
             return None;
         }
-        let can = format!("{name} takes sheets {SHORTEST} to {most} mm {what}");
+        let can = format!("{name} takes sheets {least} to {most} mm {what}");
         Some(format!("the sheet is {side} mm {what}; {can}{turned}"))
     };
-    [fault("wide", width, widest), fault("long", length, longest)].into_iter().flatten().collect()
+    [fault("wide", width, SHORTEST, widest), fault("long", length, shortest, longest)].into_iter().flatten().collect()
 }
 
 /// The grid of the driver: as many columns and rows as it counts. It says nothing of where on the paper they are; they are
@@ -119,7 +125,8 @@ fn hundredths(mm: f32) -> i64 {
     (f64::from(mm) * 100.0).round() as i64
 }
 
-/// What the stylus reaches, in the middle of the sheet; a dot must lie on the paper.
+/// What the stylus reaches, in the middle of the sheet; a dot must lie on the paper. Where its zero is on the paper is nowhere
+/// said, so the middle is derived: the figure on paper may lie some millimetres aside.
 fn within(sheet: [f32; 2], reach: [f32; 2], diameter: f32) -> MmRect {
     let size: [f32; 2] = std::array::from_fn(|i| reach[i].min(sheet[i] - diameter));
     let corner: [f32; 2] = std::array::from_fn(|i| 0.5 * (sheet[i] - size[i]));

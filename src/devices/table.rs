@@ -10,9 +10,8 @@ const fn index_v4(id: &'static str, name: &'static str, widest: f32, longest: f3
     Device { id, name, family: Family::IndexV4, widest, longest }
 }
 
-/// DesktopBrailleRAP's usable width and length, mm, on the paper that the machine is named for.
-const fn braillerap(id: &'static str, name: &'static str, widest: f32, longest: f32, reach: [f32; 2]) -> Device {
-    Device { id, name, family: Family::BrailleRap { reach }, widest, longest }
+const fn braillerap(id: &'static str, name: &'static str, widest: f32, longest: f32, across: f32) -> Device {
+    Device { id, name, family: Family::BrailleRap { across }, widest, longest }
 }
 
 const fn viewplus(id: &'static str, name: &'static str, widest: f32, longest: f32) -> Device {
@@ -37,18 +36,18 @@ pub(super) const DEVICES: &[Device] = &[
     index_v4("index-basic-d-v4", "Index Basic-D V4", 325.0, TRACTOR),
     index_v4("index-basic-s-v4", "Index Basic-S V4", 325.0, TRACTOR),
     index_v4("index-everest-d-v4", "Index Everest-D V4", 297.0, 590.0),
-    index_v4("index-braillebox-v4", "Index Braille Box V4", 300.0, 440.0),
+    index_v4("index-braillebox-v4", "Index BrailleBox V4", 300.0, 440.0),
     index_v4("index-basic-d-v5", "Index Basic-D V5", 325.0, TRACTOR),
     index_v4("index-basic-s-v5", "Index Basic-S V5", 325.0, TRACTOR),
     index_v4("index-everest-d-v5", "Index Everest-D V5", 297.0, 590.0),
-    index_v4("index-braillebox-v5", "Index Braille Box V5", 300.0, 440.0),
+    index_v4("index-braillebox-v5", "Index BrailleBox V5", 300.0, 440.0),
     index_v4("index-fanfold-v5", "Index FanFold V5", 317.5, 304.8),
     // The Basic-D V5 under other names.
     index_v4("romeo-60", "Enabling Technologies Romeo 60", 317.5, 609.6),
     index_v4("juliet-120", "Enabling Technologies Juliet 120", 317.5, 609.6),
-    braillerap("braillerap-a4", "BrailleRAP A4", 210.0, 297.0, [190.0, 250.0]),
-    braillerap("braillerap-xl", "BrailleRAP XL", 230.0, 297.0, [210.0, 250.0]),
-    braillerap("braillerap-a3", "BrailleRAP A3", 317.0, 420.0, [297.0, 373.0]),
+    // DesktopBrailleRAP's usable widths; the XL takes A4 and A3.
+    braillerap("braillerap-a4", "BrailleRAP", 210.0, 297.0, 190.0),
+    braillerap("braillerap-xl", "BrailleRAP XL", 297.0, 420.0, 297.0),
     viewplus("viewplus-columbia", "ViewPlus Columbia", 325.0, 610.0),
     viewplus("viewplus-pixblaster", "APH PixBlaster", 325.0, 610.0),
     viewplus("viewplus-delta", "ViewPlus Delta", 305.0, 432.0),

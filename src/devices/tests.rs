@@ -29,7 +29,7 @@ fn dots_lie_on_the_sheet_in_ascending_order() {
     for device in Device::ALL {
         let sheets: Vec<[f32; 2]> = match device.field() {
             Some(field) => vec![field],
-            None => vec![[device.widest, device.longest], [25.4, 25.4], [148.0, 210.0], [101.37, 203.31]],
+            None => vec![[device.widest, device.longest], [25.4, 74.0], [148.0, 210.0], [101.37, 203.31]],
         };
         let pitches = match device.pitches() {
             Pitches::Listed(pitches) => pitches.to_vec(),
@@ -79,6 +79,37 @@ fn the_head_of_an_index_goes_no_further_than_it_can() {
     assert!((grid.columns[0] + grid.columns[149] - 317.5).abs() < 0.02);
 }
 
+/// The three usable areas of DesktopBrailleRAP, where a dot of 1.6 mm would not lie off the sheet.
+#[test]
+fn the_stylus_of_a_braillerap_reaches_what_its_program_says() {
+    for (id, sheet, want) in [
+        ("braillerap-a4", [210.0, 297.0], [190.0, 250.0]),
+        ("braillerap-xl", [210.0, 297.0], [208.4, 250.0]),
+        ("braillerap-xl", [297.0, 420.0], [295.4, 373.0]),
+    ] {
+        let room = Device::named(id).and_then(|device| device.room(sheet, 2.4).ok());
+        let bounds = room.expect("room").bounds();
+        let size = [bounds.width(), bounds.height()];
+        assert!((0..2).all(|i| (size[i] - want[i]).abs() < 1e-3), "{id}: {size:?}");
+        assert!((bounds.min.x + bounds.max.x - sheet[0]).abs() < 1e-3);
+    }
+}
+
+/// The largest and the smallest sheet are taken, and 0.05 mm or 0.1 mm beyond them none is.
+#[test]
+fn limits_are_exact() {
+    for device in Device::ALL.iter().filter(|device| device.field().is_none()) {
+        let pitch = match device.pitches() {
+            Pitches::Listed(pitches) => pitches[0],
+            Pitches::Between(_, most) => most,
+        };
+        let fine = |sheet| device.room(sheet, pitch).is_ok();
+        let [wide, long] = [device.widest, device.longest];
+        assert!(fine([wide, long]) && !fine([wide + 0.05, long]) && !fine([wide, long + 0.05]), "{}", device.id);
+        assert!(fine([25.4, 100.0]) && !fine([25.3, 100.0]) && !fine([100.0, 25.3]), "{}", device.id);
+    }
+}
+
 #[test]
 fn cells_stand_apart_and_in_the_middle() {
     let grid = grid("braille-cells", [292.1, 279.4], 2.34);
@@ -113,7 +144,11 @@ fn all_faults_are_told_with_what_the_device_can_do() {
     );
     assert_eq!(
         faults("braillerap-a4", [210.0, 297.0], 1.0),
-        ["BrailleRAP A4 has no dots 1 mm apart; it has any from 1.6 to 5 mm"]
+        ["BrailleRAP has no dots 1 mm apart; it has any from 1.6 to 5 mm"]
+    );
+    assert_eq!(
+        faults("braillerap-a4", [148.0, 50.0], 2.4),
+        ["the sheet is 50 mm long; BrailleRAP takes sheets 74 to 297 mm long; turned, as 50 x 148 mm, the sheet fits"]
     );
     assert_eq!(
         faults("graphiti", [210.0, 297.0], 2.0),

@@ -99,7 +99,10 @@ impl Taken {
             let around = (-self.gap..=self.gap).flat_map(|dy| (-self.gap..=self.gap).map(move |dx| [dx, dy]));
             let of_own = around
                 .map(|[dx, dy]| [cell[0] + dx, cell[1] + dy])
-                .filter(|near| own.get(near).is_some_and(|&j| i - j > long && (!closed || n - (i - j) > long)))
+                .filter(|&near| {
+                    let far = |j: usize| i - j > long && (!closed || n - (i - j) > long);
+                    own.get(&near).is_some_and(|&j| near == cell || far(j))
+                })
                 .map(|near| apart(near, cell))
                 .min();
             let mut of_others = self.distance(cell);

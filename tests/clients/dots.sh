@@ -154,7 +154,8 @@ cups_prints() {
   read -ra of < <(grep '^ibasicd3.A4.200 ' "$dots/index.txt")
   lp_brings "$dots/$of.idx" image/vnd.cups-ubrl "$dots/$of.ubrl" PageSize=A4 GraphicDotDistance=200 copies="${of[4]}" \
     IndexMultipleImpact="${of[5]}" || return 1
-  lp_brings "$dots/eight.idx" image/png "$dots/eight.png" PageSize=A4 GraphicDotDistance=200
+  lp_brings "$dots/eight.idx" image/png "$dots/eight.png" PageSize=A4 GraphicDotDistance=200 || return 1
+  lp_brings "$dots/ibasicd4.A4.200.idx" application/vnd.cups-raw "$dots/ibasicd4.A4.200.idx"
 }
 
 greys_are_fine() {

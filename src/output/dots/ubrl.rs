@@ -2,6 +2,19 @@
 //!
 //! A row of cells is four rows of dots and ends with LF, a page ends with FF, the last one too. Every row has all its cells,
 //! blank ones at its end as well, since that is what CUPS makes of a picture of the same dots.
+//!
+//! The way to an Index V3 with CUPS's own driver, A4 with dots 2.0 mm apart (the driver's default is another page):
+//!
+//! ```text
+//! lp -d PRINTER -o document-format=image/vnd.cups-ubrl -o PageSize=A4 -o GraphicDotDistance=200 \
+//!    -o LibLouis=None -o LibLouis2=None page.ubrl
+//! ```
+//!
+//! Without `LibLouis=None` the driver stops if it knows no braille table for the language that the computer is set to. The
+//! driver for V4 and V5 in cups-filters 1.28 leaves out the header, and with it pitch and paper; send it what
+//! [`index`](super::index) writes: `lp -d PRINTER -o raw page.idx`. A picture with a pixel a dot ([`greys`](super::greys))
+//! needs much more: `Edge=None Rotate=0 fitplot=False`, and 0 for TopMargin, BottomMargin, LeftMargin, RightMargin, page-top,
+//! page-bottom, page-left and page-right, or the filters look for edges, turn it, fit it to the page and shift it.
 
 use super::{FORM_FEED, Matrix, Reading};
 
