@@ -29,6 +29,9 @@ pub(super) fn on_grid(lines: &[Line], area: MmRect, grid: &Grid, params: &Params
         let mut cells: Vec<Cell> = trace::trace(&points, closed, grid);
         cells.iter_mut().for_each(|cell| *cell = [cell[0].clamp(left, right), cell[1].clamp(top, bottom)]);
         cells.dedup();
+        // ends that have become neighbours on the grid close the line
+        let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
+        let closed = closed || ends.is_some_and(|(&first, &last)| apart(first, last) <= 1);
         let cells = trace::thin(cells, closed);
         let is_wide = params.is_wide(line);
         let mut drawn = Vec::new();
