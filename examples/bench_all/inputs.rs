@@ -1,0 +1,131 @@
+//! The pictures as files, under target/bench/inputs: made once, always the same.
+
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::photo::{self, Picture};
+
+/// Changes whenever the pictures do; files made by another are made anew.
+const EDITION: &str = "1";
+
+/// Widths and heights of the photograph, with what they are called in megapixels.
+pub(crate) const SIZES: [(&str, usize, usize); 4] =
+    [("0.25", 576, 432), ("3", 2000, 1500), ("12", 4000, 3000), ("50", 8160, 6120)];
+
+/// Where the pictures lie.
+pub(crate) struct Inputs {
+    folder: PathBuf,
+}
+
+impl Inputs {
+    /// The path of a picture.
+    pub(crate) fn file(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// Makes what is not there yet. `is_quick` leaves out 50 megapixels.
+    ///
+    /// # Errors
+    /// A program that writes pictures is missing, or the disk is full.
+    pub(crate) fn make(target: &Path, is_quick: bool) -> Result<Self, String> {
+        let inputs = Self { folder: target.join("bench/inputs") };
+        let edition = inputs.file("edition");
+        if fs::read_to_string(&edition).ok().as_deref() != Some(EDITION) {
+            let _ = fs::remove_dir_all(&inputs.folder); // it may not be there
+            fs::create_dir_all(&inputs.folder).map_err(|fault| told(&inputs.folder, fault))?;
+            fs::write(&edition, EDITION).map_err(|fault| told(&edition, fault))?;
+        }
+        for (megapixels, width, height) in SIZES {
+            if is_quick && megapixels == "50" {
+                continue;
+            }
+            let name = |kind: &str| format!("photo-{megapixels}{kind}");
+            let mut wanted = vec![name(".jpg"), name("-progressive.jpg")];
+            if megapixels == "12" {
+                wanted.extend([name(".png"), name("-16.png"), name(".webp"), name("-grey.jpg")]);
+            }
+            inputs.picture(&wanted, || photo::photo(width, height))?;
+        }
+        inputs.picture(&["white-12.jpg".into()], || photo::white(4000, 3000))?;
+        inputs.picture(&["noise-3.png".into()], || photo::noise(2000, 1500))?;
+        inputs.picture(&["lawn-3.jpg".into()], || photo::lawn(2000, 1500))?;
+        Ok(inputs)
+    }
+
+    /// Writes one picture in the formats that the names ask for, if one of them is missing.
+    fn picture(&self, names: &[String], paint: impl FnOnce() -> Picture) -> Result<(), String> {
+        let missing: Vec<&String> = names.iter().filter(|name| !self.file(name).is_file()).collect();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        eprintln!("making {}", missing.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", "));
+        let picture = paint();
+        for name in missing {
+            let part = self.file("part"); // a file has its name only when it is whole
+            match name.as_str() {
+                name if name.ends_with("-progressive.jpg") => cjpeg(&picture, &["-progressive"], &part),
+                name if name.ends_with("-grey.jpg") => cjpeg(&picture, &["-grayscale"], &part),
+                name if name.ends_with(".jpg") => cjpeg(&picture, &[], &part),
+                name if name.ends_with(".webp") => cwebp(&self.file(&name.replace(".webp", ".png")), &part),
+                name => png(&picture, name.ends_with("-16.png"), &part).map_err(|fault| told(&part, fault)),
+            }?;
+            fs::rename(&part, self.file(name)).map_err(|fault| told(&self.file(name), fault))?;
+        }
+        Ok(())
+    }
+}
+
+fn told(file: &Path, fault: impl std::fmt::Display) -> String {
+    format!("{}: {fault}", file.display())
+}
+
+/// Quality 90 with colour at half resolution, as cameras write.
+fn cjpeg(picture: &Picture, options: &[&str], file: &Path) -> Result<(), String> {
+    let mut pixels = format!("P6 {} {} 255\n", picture.width, picture.height).into_bytes();
+    pixels.extend(picture.bytes());
+    let mut child = Command::new("cjpeg")
+        .args(["-quality", "90", "-sample", "2x2", "-optimize"])
+        .args(options)
+        .arg("-outfile")
+        .arg(file)
+        .stdin(Stdio::piped())
+        .spawn()
+        .map_err(|fault| needs("cjpeg", fault))?;
+    let written = child.stdin.take().map(|mut pipe| pipe.write_all(&pixels));
+    let ended = child.wait().map_err(|fault| needs("cjpeg", fault))?;
+    match written {
+        Some(Ok(())) if ended.success() => Ok(()),
+        _ => Err("cjpeg could not write a picture".into()),
+    }
+}
+
+fn cwebp(from: &Path, file: &Path) -> Result<(), String> {
+    let ended = Command::new("cwebp")
+        .args(["-quiet", "-q", "85"])
+        .arg(from)
+        .arg("-o")
+        .arg(file)
+        .status()
+        .map_err(|fault| needs("cwebp", fault))?;
+    if ended.success() { Ok(()) } else { Err("cwebp could not write a picture".into()) }
+}
+
+fn needs(program: &str, fault: std::io::Error) -> String {
+    format!("{program}, which makes the pictures, does not run ({fault}): run examples/bench_all/peers.sh first")
+}
+
+fn png(picture: &Picture, deep: bool, file: &Path) -> Result<(), png::EncodingError> {
+    let mut encoder = png::Encoder::new(BufWriter::new(File::create(file)?), picture.width as u32, picture.height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(if deep { png::BitDepth::Sixteen } else { png::BitDepth::Eight });
+    let mut writer = encoder.write_header()?;
+    if deep {
+        let bytes: Vec<u8> = picture.rgb.iter().flat_map(|sample| sample.to_be_bytes()).collect();
+        writer.write_image_data(&bytes)?;
+    } else {
+        writer.write_image_data(&picture.bytes())?;
+    }
+    writer.finish()
+}

@@ -1,0 +1,115 @@
+//! How fast the whole program is, beside others that do a part of its work, on pictures that are made here.
+//!
+//! ```text
+//! examples/bench_all/peers.sh                              once: installs the others and what writes the pictures
+//! cargo run --release --example bench-all                  all tables, as Markdown (some ten minutes)
+//!   --quick            three rounds, nothing of 50 MP, slow programs once (a minute or two)
+//!   --runs N           rounds in which each program runs once; 9 if not said
+//!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "skipped", "growth"
+//!   --write            also writes the tables to docs/speed.md and the first of them into README.md
+//!   --program FILE     another program than the one built here, such as one with other settings
+//! ```
+//!
+//! **How it is measured.** Everything is a process of its own, from its start to its end, and the pictures are in the
+//! system's cache. All programs for one picture run in turn, round after round, every second round in reverse, after one
+//! round to warm up. Figures are medians over the rounds; a ratio is the median of the ratios within each round, so that
+//! whatever else the machine does falls on both sides. Working time (CPU) is shown beside the clock: it feels others' load
+//! less. Who takes 15 s or more in all does not run again. Memory is the most that was held (peak resident set).
+//!
+//! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
+//! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
+
+mod args;
+mod floor;
+mod inputs;
+mod measured;
+mod numbers;
+mod ours;
+mod peers;
+mod photo;
+mod rounds;
+mod stages;
+mod table;
+mod targets;
+mod usage;
+mod written;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use args::Args;
+use inputs::Inputs;
+use ours::Ours;
+use peers::Peers;
+use table::Table;
+use targets::Bench;
+
+fn main() -> ExitCode {
+    let mut words = std::env::args_os().skip(1);
+    match words.next() {
+        Some(word) if word == measured::MODE => return measured::report(words),
+        Some(word) if word == floor::MODE => return told(decode(words.next().as_deref().map(Path::new))),
+        _ => {}
+    }
+    told(measure())
+}
+
+fn told(result: Result<(), String>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fault) => {
+            eprintln!("error: {fault}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn decode(picture: Option<&Path>) -> Result<(), String> {
+    let picture = picture.ok_or("no picture was named")?;
+    floor::decode(picture).map_err(|fault| format!("{}: {fault}", picture.display()))
+}
+
+fn measure() -> Result<(), String> {
+    let args = Args::read(std::env::args().skip(1))?;
+    std::env::set_current_dir(env!("CARGO_MANIFEST_DIR")).map_err(|fault| fault.to_string())?;
+    // target/release/examples/bench-all
+    let this = std::env::current_exe().map_err(|fault| fault.to_string())?;
+    let profile = this.parent().and_then(Path::parent).ok_or("this program lies in no build folder")?;
+    let target = profile.parent().ok_or("this program lies in no build folder")?;
+    let ours = Ours::build(target, profile, args.program.clone())?;
+    let inputs = Inputs::make(target, args.quick)?;
+    let peers = Peers::find(target);
+    for line in &peers.missing {
+        eprintln!("{line}; run examples/bench_all/peers.sh");
+    }
+    let bench = Bench { args: &args, ours: &ours, peers: &peers, inputs: &inputs };
+
+    let beside = targets::measure(&bench, false);
+    let one_core = targets::measure(&bench, true);
+    let mut tables = Vec::new();
+    for (title, about, rows) in [("Beside others", BESIDE, &beside), ("The same with one core", ONE_CORE, &one_core)] {
+        if !rows.is_empty() {
+            tables.push(targets::long_table(title, about, rows));
+        }
+    }
+    let alone: [(&str, fn(&Bench<'_>) -> Table); 3] =
+        [("kinds", stages::kinds), ("skipped", stages::skips), ("growth", stages::growth)];
+    for (name, table) in alone {
+        if args.wants(name) {
+            eprintln!("{name}");
+            tables.push(table(&bench));
+        }
+    }
+    for table in &tables {
+        print!("{}", table.text());
+    }
+    if args.write {
+        written::write(&targets::short_table(&beside), &tables, &args)?;
+    }
+    Ok(())
+}
+
+const BESIDE: &str = "Whole processes, medians. *Ratio* is ours to theirs by the clock, and of working time (CPU); where \
+                      nothing stands beside, *value* is what the row names.";
+const ONE_CORE: &str = "Every process is kept to one core of the machine.";

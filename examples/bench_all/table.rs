@@ -1,0 +1,39 @@
+//! Markdown tables.
+
+/// A table with what is said before and after it.
+pub(crate) struct Table {
+    pub(crate) title: &'static str,
+    pub(crate) about: String,
+    pub(crate) head: Vec<String>,
+    pub(crate) rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    pub(crate) fn new(title: &'static str, about: impl Into<String>, head: &[&str]) -> Self {
+        Self { title, about: about.into(), head: head.iter().map(|&name| name.into()).collect(), rows: Vec::new() }
+    }
+
+    /// Without its title.
+    pub(crate) fn body(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let mut text = line(&self.head);
+        text += &line(&vec!["---".into(); self.head.len()]);
+        text.extend(self.rows.iter().map(|row| line(row)));
+        text
+    }
+
+    /// All of it.
+    pub(crate) fn text(&self) -> String {
+        format!("## {}\n\n{}\n\n{}\n", self.title, self.about, self.body())
+    }
+}
+
+/// Milliseconds, megabytes or a ratio with as many digits as it deserves; a dash for nothing.
+pub(crate) fn number(value: Option<f64>) -> String {
+    match value {
+        None => "-".into(),
+        Some(value) if value.abs() >= 99.95 => format!("{value:.0}"),
+        Some(value) if value.abs() >= 9.995 => format!("{value:.1}"),
+        Some(value) => format!("{value:.2}"),
+    }
+}

@@ -1,0 +1,223 @@
+//! What was promised beside what is reached, and the other programs.
+
+use std::time::Duration;
+
+use crate::inputs::Inputs;
+use crate::measured::Job;
+use crate::ours::{Ours, after_decoding};
+use crate::peers::Peers;
+use crate::rounds::{Outcome, Setting, rounds};
+use crate::table::{Table, number};
+
+/// What all that measure need.
+pub(crate) struct Bench<'a> {
+    pub(crate) args: &'a crate::args::Args,
+    pub(crate) ours: &'a Ours,
+    pub(crate) peers: &'a Peers,
+    pub(crate) inputs: &'a Inputs,
+}
+
+impl Bench<'_> {
+    pub(crate) fn setting(&self, one_core: bool) -> Setting {
+        let patience = Duration::from_secs(if self.args.quick { 2 } else { 15 });
+        Setting { runs: self.args.runs, patience, one_core }
+    }
+}
+
+/// A measured row of the table of targets.
+pub(crate) struct Row {
+    pub(crate) work: String,
+    /// Ours by the clock, ms; its working time, ms; its memory, MB.
+    pub(crate) ours: [Option<f64>; 3],
+    pub(crate) peer: String,
+    /// The same of the peer.
+    pub(crate) theirs: [Option<f64>; 3],
+    /// Ours to theirs by the clock, and of working times: medians over the rounds.
+    pub(crate) ratios: [Option<f64>; 2],
+    pub(crate) wanted: String,
+    pub(crate) met: Option<bool>,
+}
+
+/// One picture, ours first, then the peers with the ratio that is wanted.
+struct Contest {
+    work: &'static str,
+    ours: Job,
+    peers: Vec<(Option<Job>, Option<f64>)>,
+    /// Most memory, MB.
+    peak: Option<f64>,
+}
+
+/// At least ten times faster than who writes vectors.
+const TENTH: Option<f64> = Some(0.1);
+
+fn contests(bench: &Bench<'_>) -> Vec<Contest> {
+    let Bench { ours, peers, inputs, .. } = bench;
+    let contest = |work, name: &str, peak, list: Vec<(Option<Job>, Option<f64>)>| Contest {
+        work,
+        ours: ours.job(work, &inputs.file(name), "page.svg", &[]),
+        peers: list,
+        peak,
+    };
+    let file = |name: &str| inputs.file(name);
+    let (plain, slow) = (file("photo-12.jpg"), file("photo-12-progressive.jpg"));
+    let (large, large_slow) = (file("photo-50.jpg"), file("photo-50-progressive.jpg"));
+    let decode = |name: &str| Some(Job::new("decoding alone, png crate", crate::floor::command(&inputs.file(name))));
+    let everybody = vec![
+        (peers.djpeg(&plain, "1/4"), Some(1.6)),
+        (peers.vips(&plain, ours), None),
+        (peers.magick(&plain, ours), None),
+        (peers.opencv(&plain, ours), None),
+        (peers.potrace(&plain, ours), TENTH),
+        (peers.vtracer(&plain, ours), TENTH),
+    ];
+    let mut contests = vec![
+        contest("12 MP JPEG", "photo-12.jpg", Some(40.0), everybody),
+        contest(
+            "12 MP progressive JPEG",
+            "photo-12-progressive.jpg",
+            None,
+            vec![(peers.djpeg(&slow, "1/4"), Some(1.45)), (peers.vips(&slow, ours), None)],
+        ),
+        contest(
+            "50 MP JPEG",
+            "photo-50.jpg",
+            Some(60.0),
+            vec![(peers.djpeg(&large, "1/8"), Some(1.4)), (peers.vips(&large, ours), None)],
+        ),
+        contest(
+            "50 MP progressive JPEG",
+            "photo-50-progressive.jpg",
+            None,
+            vec![(peers.djpeg(&large_slow, "1/8"), None), (peers.vips(&large_slow, ours), None)],
+        ),
+        contest(
+            "12 MP PNG",
+            "photo-12.png",
+            None,
+            vec![(decode("photo-12.png"), Some(1.25)), (peers.vips(&file("photo-12.png"), ours), None)],
+        ),
+        contest("12 MP PNG, 16 bit", "photo-12-16.png", None, vec![(decode("photo-12-16.png"), None)]),
+        contest("12 MP WebP", "photo-12.webp", None, vec![(peers.vips(&file("photo-12.webp"), ours), None)]),
+    ];
+    contests.retain(|contest| !(bench.args.quick && contest.work.starts_with("50")));
+    contests
+}
+
+/// Measures all of it, on one core or as many as there are.
+pub(crate) fn measure(bench: &Bench<'_>, one_core: bool) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for contest in contests(bench) {
+        if !begin(bench, contest.work, one_core) {
+            continue;
+        }
+        let (peers, wanted): (Vec<Job>, Vec<Option<f64>>) =
+            contest.peers.into_iter().filter_map(|(job, wanted)| Some((job?, wanted))).unzip();
+        let jobs: Vec<Job> = std::iter::once(contest.ours).chain(peers).collect();
+        let outcomes = rounds(&jobs, bench.setting(one_core));
+        let Some((ours, theirs)) = outcomes.split_first() else { continue };
+        if let Some(most) = contest.peak {
+            rows.push(limit(&format!("{}: memory, MB", contest.work), ours, ours.peak(), most));
+        }
+        if contest.work == "12 MP JPEG" {
+            let after = ours.median(after_decoding);
+            let most = if one_core { 40.0 } else { 25.0 };
+            rows.push(limit("12 MP JPEG: all after decoding, ms", ours, after, most));
+        }
+        rows.extend(theirs.iter().zip(wanted).map(|(their, wanted)| versus(contest.work, ours, their, wanted)));
+    }
+    rows.extend(small(bench, one_core));
+    rows
+}
+
+/// Is this work asked for? Then its name is told.
+fn begin(bench: &Bench<'_>, work: &str, one_core: bool) -> bool {
+    let name = format!("{}: {work}", if one_core { "one core" } else { "beside others" });
+    let wanted = bench.args.wants(&name);
+    if wanted {
+        eprintln!("{name}");
+    }
+    wanted
+}
+
+/// The small picture, as SVG and as PDF.
+fn small(bench: &Bench<'_>, one_core: bool) -> Vec<Row> {
+    let work = "600 x 400 PNG";
+    if !begin(bench, work, one_core) {
+        return Vec::new();
+    }
+    let sample = "samples/coffee.png".as_ref();
+    let jobs = [("svg", "page.svg"), ("pdf", "page.pdf")].map(|(name, page)| bench.ours.job(name, sample, page, &[]));
+    let outcomes = rounds(&jobs, bench.setting(one_core));
+    let [svg, pdf] = &outcomes[..] else { return Vec::new() };
+    let more = pdf.beside(svg, |pdf, svg| Some(pdf.wall - svg.wall));
+    vec![
+        limit(&format!("{work}: whole process, ms"), svg, svg.wall(), 35.0),
+        limit(&format!("{work}: more for PDF, ms"), pdf, more, 15.0),
+    ]
+}
+
+fn limit(work: &str, ours: &Outcome, value: Option<f64>, most: f64) -> Row {
+    Row {
+        work: work.into(),
+        ours: [ours.wall(), ours.cpu(), ours.peak()],
+        peer: String::new(),
+        theirs: [None; 3],
+        ratios: [value, None],
+        wanted: format!("at most {most}"),
+        met: value.map(|value| value <= most),
+    }
+}
+
+fn versus(work: &str, ours: &Outcome, theirs: &Outcome, wanted: Option<f64>) -> Row {
+    let mut peer = theirs.name.clone();
+    if let Err(fault) = &theirs.runs {
+        peer += &format!(" (failed: {fault})");
+    } else if let Some(alone) = theirs.median(|run| crate::ours::stage(run, "alone")) {
+        peer += &format!(" ({} ms without its start)", number(Some(alone)));
+    }
+    let ratio = ours.beside(theirs, |our, their| Some(our.wall / their.wall));
+    let cpu = ours.beside(theirs, |our, their| Some(our.cpu / their.cpu));
+    Row {
+        work: work.into(),
+        ours: [ours.wall(), ours.cpu(), ours.peak()],
+        peer,
+        theirs: [theirs.wall(), theirs.cpu(), theirs.peak()],
+        ratios: [ratio, cpu],
+        wanted: wanted.map_or(String::new(), |most| format!("at most {most}")),
+        met: wanted.and_then(|most| Some(ratio? <= most)),
+    }
+}
+
+fn answer(met: Option<bool>) -> String {
+    met.map_or("", |met| if met { "yes" } else { "no" }).into()
+}
+
+/// Every figure.
+pub(crate) fn long_table(title: &'static str, about: &str, rows: &[Row]) -> Table {
+    let head = ["work", "ms", "CPU ms", "MB", "beside", "ms", "CPU ms", "MB", "ratio or value", "of CPU", "wanted", "met"];
+    let mut table = Table::new(title, about, &head);
+    table.rows.extend(rows.iter().map(|row| {
+        let mut cells = vec![row.work.clone()];
+        cells.extend(row.ours.map(number));
+        cells.push(row.peer.clone());
+        cells.extend(row.theirs.iter().chain(&row.ratios).map(|&value| number(value)));
+        cells.extend([row.wanted.clone(), answer(row.met)]);
+        cells
+    }));
+    table
+}
+
+/// What the README shows: who was measured beside us, and what was promised.
+pub(crate) fn short_table(rows: &[Row]) -> Table {
+    let mut table = Table::new("", "", &["work", "tactograph", "beside", "", "ratio", "wanted", "met"]);
+    table.rows.extend(rows.iter().map(|row| {
+        let [ours, _, _] = row.ours.map(number);
+        let [theirs, _, _] = row.theirs.map(number);
+        let is_limit = row.peer.is_empty();
+        let ours = if is_limit { number(row.ratios[0]) } else { format!("{ours} ms") };
+        let theirs = if is_limit { String::new() } else { format!("{theirs} ms") };
+        let ratio = if is_limit { String::new() } else { number(row.ratios[0]) };
+        vec![row.work.clone(), ours, row.peer.clone(), theirs, ratio, row.wanted.clone(), answer(row.met)]
+    }));
+    table
+}
