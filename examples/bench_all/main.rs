@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! examples/bench_all/peers.sh                              once: installs the others and what writes the pictures
-//! cargo run --release --example bench-all                  all tables, as Markdown (some ten minutes)
-//!   --quick            three rounds, nothing of 50 MP, slow programs once (a minute or two)
+//! cargo run --release --example bench-all                  all tables, as Markdown (some eight minutes)
+//!   --quick            three rounds, nothing of 50 MP, no vtracer (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
 //!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "skipped", "growth"
 //!   --write            also writes the tables to docs/speed.md and the first of them into README.md
@@ -14,7 +14,7 @@
 //! system's cache. All programs for one picture run in turn, round after round, every second round in reverse, after one
 //! round to warm up. Figures are medians over the rounds; a ratio is the median of the ratios within each round, so that
 //! whatever else the machine does falls on both sides. Working time (CPU) is shown beside the clock: it feels others' load
-//! less. Who takes 15 s or more in all does not run again. Memory is the most that was held (peak resident set).
+//! less. Who has taken 15 s in all does not run again. Memory is the most that was held (peak resident set).
 //!
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
 //! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages.

@@ -45,7 +45,8 @@ impl Ours {
     /// Makes a page of a picture; `page` is its name and with it the format.
     pub(crate) fn job(&self, name: &str, picture: &Path, page: &str, options: &[&str]) -> Job {
         let page = self.pages.join(page);
-        let words = [self.program.as_os_str(), "convert".as_ref(), picture.as_os_str(), "-o".as_ref(), page.as_os_str()];
+        let words =
+            [self.program.as_os_str(), "convert".as_ref(), picture.as_os_str(), "-o".as_ref(), page.as_os_str()];
         let command = words.into_iter().map(OsString::from).chain(options.iter().map(OsString::from));
         Job::new(name, command.chain(["--timings".into()])).writes(page)
     }

@@ -51,8 +51,7 @@ impl Peers {
 
     pub(crate) fn vips(&self, picture: &Path, ours: &Ours) -> Option<Job> {
         let out = ours.page("vips.png");
-        let command =
-            ["vips".as_ref(), "thumbnail".as_ref(), picture.as_os_str(), out.as_os_str(), ACROSS.as_ref()];
+        let command = ["vips".as_ref(), "thumbnail".as_ref(), picture.as_os_str(), out.as_os_str(), ACROSS.as_ref()];
         is_program("vips").then(|| Job::new("vips thumbnail", command).writes(&out))
     }
 
@@ -84,8 +83,7 @@ impl Peers {
     fn script(&self, name: &str, what: &str, picture: &Path, out: PathBuf) -> Option<Job> {
         let script = Path::new("examples/bench_all/peers.py");
         let python = self.python.as_ref()?;
-        let command =
-            [python.as_os_str(), script.as_os_str(), what.as_ref(), picture.as_os_str(), out.as_os_str()];
+        let command = [python.as_os_str(), script.as_os_str(), what.as_ref(), picture.as_os_str(), out.as_os_str()];
         Some(Job::new(name, command).writes(&out))
     }
 

@@ -3,7 +3,7 @@
 //! A scene is smooth shading with soft and sharp objects before it. Its texture is the sum of noises at all scales down to
 //! the pixel, each as strong as the next or nearly so: that is the spectrum of photographs (amplitude falls as 1/f), and
 //! why a larger picture of a scene has as much to code for each pixel as a smaller one. Last comes the grain of a sensor.
-//! The strengths are set so that JPEG of quality 90 (4:2:0) takes about 2 bits a pixel, as camera pictures do.
+//! The strengths are set so that JPEG of quality 90 (4:2:0) takes 1.7 to 2.3 bits a pixel, as camera pictures do.
 
 use std::num::NonZero;
 
@@ -83,7 +83,7 @@ const COARSEST: f32 = 0.12;
 /// The cells of the finest, px. Below it lenses leave nothing.
 const FINEST: f32 = 2.5;
 /// How strong each noise is beside the one of twice its size.
-const FALL: f32 = 0.84;
+const FALL: f32 = 1.0;
 
 /// Noise of all scales down to the pixel.
 fn texture(x: f32, y: f32, width: f32, seed: u32) -> f32 {
@@ -127,7 +127,7 @@ impl Thing {
             soft: 0.0002 + 0.008 * roll(13) * roll(13) * roll(13),
             colour,
             shade: roll(14) - 0.5,
-            rough: 0.006 + 0.05 * roll(15) * roll(15),
+            rough: 0.015 + 0.08 * roll(15) * roll(15),
         }
     }
 
@@ -144,8 +144,8 @@ impl Thing {
 
 /// How many things there are.
 const THINGS: u32 = 90;
-/// Deviation of a sensor's grain: 1.5 of 255.
-const GRAIN: f32 = 1.5 / 255.0;
+/// Deviation of a sensor's grain: 4 of 255.
+const GRAIN: f32 = 4.0 / 255.0;
 
 /// A photograph of a made-up scene.
 pub(crate) fn photo(width: usize, height: usize) -> Picture {
@@ -159,7 +159,7 @@ pub(crate) fn photo(width: usize, height: usize) -> Picture {
         let sky = [0.55 + 0.3 * y, 0.7 + 0.2 * y, 0.9];
         let earth = [0.42 - 0.15 * y, 0.4 - 0.1 * y, 0.28 - 0.1 * y];
         let mut colour: [f32; 3] = std::array::from_fn(|c| sky[c] + (earth[c] - sky[c]) * ground);
-        let mut rough = 0.003 + 0.045 * ground;
+        let mut rough = 0.006 + 0.06 * ground;
         for thing in &things {
             if (x - thing.at[0]).abs().max((y - thing.at[1]).abs()) > 0.36 {
                 continue; // no thing reaches as far

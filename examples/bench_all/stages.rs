@@ -66,7 +66,8 @@ pub(crate) fn skips(bench: &Bench<'_>) -> Table {
     table.rows.extend(outcomes.iter().map(|outcome| {
         let first = outcome.runs.as_ref().ok().and_then(|runs| runs.first());
         let names = first.map(skipped).unwrap_or_default();
-        let worth: f64 = names.iter().filter_map(|name| all.median(|run| stage(run, name))).sum();
+        let worth: f64 =
+            names.iter().filter_map(|name| all.median(|run| stage(run, name))).fold(0.0, |sum, time| sum + time);
         let saved = all.beside(outcome, |all, this| Some(after_decoding(all)? - after_decoding(this)?));
         vec![
             outcome.name.clone(),
@@ -96,7 +97,11 @@ pub(crate) fn growth(bench: &Bench<'_>) -> Table {
     };
     let sizes: Vec<_> = SIZES.into_iter().filter(|(name, ..)| !(bench.args.quick && *name == "50")).collect();
     let pixels = |times: &dyn Fn(&Outcome) -> Option<f64>, outcomes: &[Outcome]| -> Vec<(f64, Option<f64>)> {
-        sizes.iter().zip(outcomes).map(|((_, width, height), outcome)| ((width * height) as f64, times(outcome))).collect()
+        sizes
+            .iter()
+            .zip(outcomes)
+            .map(|((_, width, height), outcome)| ((width * height) as f64, times(outcome)))
+            .collect()
     };
     let with = format!("pixels, {} MP", sizes.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", "));
     for (kind, ending) in [("JPEG", ".jpg"), ("progressive JPEG", "-progressive.jpg")] {

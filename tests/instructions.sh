@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# Holds the speed: counts the instructions that the program as it is shipped executes for a few pages (valgrind's
+# callgrind), and compares with tests/instructions.txt. Other than times, counts are the same however busy the machine is:
+# two runs differ by 0.1 % at most. A page that takes MOST per cent more fails.
+#
+#     tests/instructions.sh            counts and compares
+#     UPDATE=1 tests/instructions.sh   writes the counts anew: say in the commit why they changed
+#     KEEP=folder tests/instructions.sh    also keeps what callgrind wrote; `callgrind_annotate FILE` tells where the time goes
+#
+# The program chooses its vectors by the processor, and valgrind shows every program one and the same processor as long as
+# the real one has AVX2 and FMA. Where it has not, other code would be counted, so nothing is. Another compiler may make
+# somewhat other code: the file says which one it was counted with.
+#
+# Why not gungraun (once iai-callgrind), which does the same for single functions: it needs a program of its own, built by
+# `cargo install` in the very version of the library, and counts code linked into a benchmark rather than what is shipped.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+MOST=3
+FILE=tests/instructions.txt
+# Name of a page, picture, page, options.
+PAGES=(
+  "photo-png samples/coffee.png page.svg"
+  "photo-jpeg samples/rocket.jpg page.svg"
+  "photo-pdf samples/coffee.png page.pdf"
+  "outlines samples/coffee.png page.svg --outlines"
+  "textures samples/coffee.png page.svg --textures-only"
+  "white samples/empty.png page.svg"
+)
+
+if [ "$(uname -sm)" != "Linux x86_64" ] || ! grep -qw avx2 /proc/cpuinfo || ! grep -qw fma /proc/cpuinfo; then
+  echo "not counted: the figures are of x86-64 processors with AVX2 and FMA under Linux, and this is another"
+  exit 0
+fi
+if [ -n "${UPDATE:-}" ] && [ -n "${CI:-}" ]; then
+  echo "UPDATE is not for CI: there the counts must be as somebody last saw them" >&2
+  exit 2
+fi
+if ! command -v valgrind >/dev/null; then
+  if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+    apt-get update -qq
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends valgrind
+  else
+    echo "valgrind is missing; install it" >&2
+    exit 2
+  fi
+fi
+
+cargo build --quiet --release --bin tactograph
+out=${KEEP:-$(mktemp -d)}
+mkdir -p "$out"
+[ -n "${KEEP:-}" ] || trap 'rm -rf "$out"' EXIT
+
+count() { # count NAME PICTURE PAGE OPTIONS...: how many instructions the page takes
+  local profile=$out/$1.callgrind picture=$2 page=$out/$3
+  shift 3
+  valgrind --quiet --tool=callgrind --callgrind-out-file="$profile" \
+    target/release/tactograph convert "$picture" -o "$page" --quiet "$@" || return
+  awk '$1 == "summary:" || $1 == "totals:" { print $2; exit }' "$profile"
+}
+
+wanted() { awk -v name="$1" '$1 == name { print $2 }' "$FILE"; }
+
+counted=$out/instructions.txt
+passed=0
+failed=0
+{
+  echo "# Instructions that each page of tests/instructions.sh takes; UPDATE=1 tests/instructions.sh writes them anew."
+  echo "# $(rustc --version | cut -d' ' -f1,2), $(valgrind --version)"
+} >"$counted"
+for page in "${PAGES[@]}"; do
+  read -ra words <<<"$page"
+  name=${words[0]}
+  now=$(count "${words[@]}") || now=
+  if [ -z "$now" ]; then
+    echo "FAILED $name: the program does not run under valgrind"
+    failed=$((failed + 1))
+    continue
+  fi
+  echo "$name $now" >>"$counted"
+  [ -z "${UPDATE:-}" ] || continue
+  before=$(wanted "$name")
+  if said=$(awk -v name="$name" -v now="$now" -v before="${before:-0}" -v most=$MOST 'BEGIN {
+      if (before == 0) { print name ": not in the file; UPDATE=1 adds it"; exit 1 }
+      more = 100 * (now / before - 1)
+      printf "%-10s %7.1f million instructions, %+.2f %%", name, now / 1e6, more
+      if (more > most) { printf ": more than %s %% over what it was", most; exit 1 }
+      if (more < -most) printf ": better; UPDATE=1 holds it"
+    }'); then
+    passed=$((passed + 1))
+    echo "$said"
+  else
+    failed=$((failed + 1))
+    echo "FAILED $said"
+  fi
+done
+if [ -n "${UPDATE:-}" ]; then
+  [ "$failed" = 0 ] || exit 1
+  cp "$counted" "$FILE"
+  cat "$FILE"
+  exit 0
+fi
+if [ "$failed" != 0 ]; then
+  echo "counted with $(sed -n '2s/# //p' "$counted"); $FILE with $(sed -n '2s/# //p' "$FILE")"
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
