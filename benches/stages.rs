@@ -1,1 +1,122 @@
-fn main() {}
+//! How long each stage takes, alone and in memory, on two samples and a made-up photograph of 3 megapixels.
+//!
+//! ```text
+//! cargo bench                               all of it (three minutes); tells what changed since the last time
+//! cargo bench --bench stages -- edges       one stage
+//! cargo bench --bench stages -- coffee      one picture
+//! ```
+//!
+//! Stages are called as `src/pipeline.rs` calls them, with the parameters of swell-a4. The whole program beside others is
+//! `examples/bench_all/`; what CI watches are counted instructions (`tests/instructions.sh`), since times differ.
+
+#[path = "../examples/bench_all/photo.rs"]
+#[allow(dead_code, reason = "one of its pictures is used here")]
+mod photo;
+
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::Duration;
+
+use criterion::measurement::WallTime;
+use criterion::{BatchSize, BenchmarkGroup, BenchmarkId, Criterion};
+use tactograph::frame::Frame;
+use tactograph::output::png::{Depth, Dpi};
+use tactograph::output::{pdf, png as page_png, svg};
+use tactograph::page::Page;
+use tactograph::page::layout::{self, Layout};
+use tactograph::pipeline::{Request, convert};
+use tactograph::profile::{Plan, Profile};
+use tactograph::raster::decode::{self, Limits, Options, Picture, Source};
+use tactograph::units::Size;
+use tactograph::{Error, classes, edges, lines, textures, touch};
+
+type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
+
+fn main() -> Outcome<()> {
+    let mut criterion = Criterion::default().configure_from_args();
+    let pictures = [
+        ("coffee.png", std::fs::read("samples/coffee.png")?),
+        ("rocket.jpg", std::fs::read("samples/rocket.jpg")?),
+        ("photo-3.png", photo_png()?),
+    ];
+    let profile = Profile::named("swell-a4").map_err(|faults| format!("{faults:?}"))?;
+    let plan = Plan::new(&profile).map_err(|faults| format!("{faults:?}"))?;
+    for (name, bytes) in &pictures {
+        let mut group = criterion.benchmark_group(*name);
+        group.sample_size(20).warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2));
+        stages(&mut group, bytes, &plan)?;
+        group.finish();
+    }
+    criterion.final_summary();
+    Ok(())
+}
+
+/// The photograph as a file.
+fn photo_png() -> Outcome<Vec<u8>> {
+    let picture = photo::photo(2000, 1500);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, picture.width as u32, picture.height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.write_header()?.write_image_data(&picture.bytes())?;
+    Ok(bytes)
+}
+
+fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -> Outcome<()> {
+    let decoded = decode(bytes, plan)?;
+    let raster = &decoded.raster;
+    let layout = layout_of(decoded.source.size, plan);
+    let frame = Frame::new(raster.size(), layout.figure);
+    let px_per_mm = 1.0 / frame.mm_per_px();
+    let found = edges::find(raster, &plan.edges(px_per_mm));
+    let drawn = lines::draw(&found, &frame, layout.figure, &plan.lines());
+    let contours: Vec<_> = found.chains().map(|chain| chain.iter().map(|point| point.at).collect()).collect();
+    let sorted = classes::sort(raster, &contours, &plan.classes(px_per_mm));
+    let page = page(bytes, plan)?;
+    let drawing = svg::write(&page);
+    let dpi = Dpi::new(150).ok_or("150 pixels to an inch are too many or too few")?;
+
+    bench(group, "decode", || decode(bytes, plan));
+    bench(group, "edges", || edges::find(raster, &plan.edges(px_per_mm)));
+    bench(group, "lines", || lines::draw(&found, &frame, layout.figure, &plan.lines()));
+    if let Some(place) = layout.overview {
+        let frame = Frame::new(raster.size(), place);
+        bench(group, "overview", || lines::draw(&found, &frame, place, &plan.lines()));
+    }
+    bench(group, "classes", || classes::sort(raster, &contours, &plan.classes(px_per_mm)));
+    bench(group, "textures", || textures::fill(&sorted, layout.figure, &drawn.lines, &plan.textures()));
+    group.bench_function(BenchmarkId::from_parameter("page"), |bencher| {
+        bencher.iter_batched(|| (*page).clone(), Page::new, BatchSize::SmallInput);
+    });
+    bench(group, "svg", || svg::write(&page));
+    bench(group, "pdf", || pdf::write(&page.title, std::slice::from_ref(&page)));
+    bench(group, "png", || page_png::write(&page, dpi, Depth::Bilevel));
+    bench(group, "feel", || touch::feel(&drawing, 1.0));
+    Ok(())
+}
+
+fn bench<T>(group: &mut BenchmarkGroup<'_, WallTime>, stage: &str, mut work: impl FnMut() -> T) {
+    group.bench_function(BenchmarkId::from_parameter(stage), |bencher| bencher.iter(|| black_box(work())));
+}
+
+fn layout_of(size: Size, plan: &Plan) -> Layout {
+    layout::fit(size.width as f32 / size.height as f32, f32::MAX, &plan.layout())
+}
+
+/// At the working size of a page, as the pipeline asks for.
+fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
+    let working_size = |Source { size, .. }: Source| {
+        let place = layout_of(size, plan).figure;
+        let pixels = |mm: f32, own: u32| ((mm * plan.profile().figure.resolution).round() as u32).clamp(1, own);
+        Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
+    };
+    let options = Options { limits: Limits::default(), fonts: &Arc::default, crop: None, working_size: &working_size };
+    decode::decode(bytes, &options)
+}
+
+/// The finished page.
+fn page(bytes: &[u8], plan: &Plan) -> Result<Page, Error> {
+    let (limits, fit) = (Limits::default(), Default::default());
+    let request = Request { plan, limits, fonts: &Arc::default, title: "a picture", fit };
+    Ok(convert(bytes, &request, &mut |_| ())?.page)
+}

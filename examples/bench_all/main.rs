@@ -93,7 +93,7 @@ fn measure() -> Result<(), String> {
             tables.push(targets::long_table(title, about, rows));
         }
     }
-    let alone: [(&str, fn(&Bench<'_>) -> Table); 3] =
+    let alone: [(&str, Measure); 3] =
         [("kinds", stages::kinds), ("skipped", stages::skips), ("growth", stages::growth)];
     for (name, table) in alone {
         if args.wants(name) {
@@ -109,6 +109,9 @@ fn measure() -> Result<(), String> {
     }
     Ok(())
 }
+
+/// What makes a table of our own program alone.
+type Measure = fn(&Bench<'_>) -> Table;
 
 const BESIDE: &str = "Whole processes, medians. *Ratio* is ours to theirs by the clock, and of working time (CPU); where \
                       nothing stands beside, *value* is what the row names.";

@@ -67,11 +67,13 @@ impl Plan {
         &self.profile
     }
 
-    pub(crate) fn layout(&self) -> layout::Params {
+    /// How a page is laid out.
+    pub fn layout(&self) -> layout::Params {
         self.profile.layout()
     }
 
-    pub(crate) fn edges(&self, px_per_mm: f32) -> edges::Params {
+    /// How contours are found in a picture of so many pixels for a millimetre of the page.
+    pub fn edges(&self, px_per_mm: f32) -> edges::Params {
         let Profile { edges, lines, .. } = &self.profile;
         edges::Params {
             // Below one pixel a Gaussian derivative sees the grid rather than the picture.
@@ -87,7 +89,8 @@ impl Plan {
         }
     }
 
-    pub(crate) fn lines(&self) -> lines::Params {
+    /// How lines are drawn.
+    pub fn lines(&self) -> lines::Params {
         let Profile { edges, lines, .. } = &self.profile;
         let drawn = self.dots().map_or([lines.width_min, lines.width_max, lines.min_gap], |dots| {
             [dots.diameter, dots.diameter, dots.centres() - dots.diameter]
@@ -137,7 +140,8 @@ impl Plan {
         })
     }
 
-    pub(crate) fn classes(&self, px_per_mm: f32) -> classes::Params {
+    /// How colours are sorted in a picture of so many pixels for a millimetre of the page.
+    pub fn classes(&self, px_per_mm: f32) -> classes::Params {
         let Profile { colours, .. } = &self.profile;
         classes::Params {
             cell: COLOUR_CELL * px_per_mm,
