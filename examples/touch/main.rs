@@ -6,7 +6,7 @@
 //!   --kinds                  also a table for each kind of scene
 //!   --set KEY=VALUE          another value of the profile
 //!   --dots PITCH             the same for an embosser of this pitch, mm, on `free` paper, or in braille `cells`
-//!   --page KIND SEED FILE    with --dots: draw the page of one scene
+//!   --page PICTURE FILE.svg  with --dots: draw the page of a picture instead
 //!   --chart FILE.svg         draw the chart of the textures instead (docs/textures/textures.svg)
 //! ```
 //!
@@ -67,9 +67,8 @@ fn main() {
         let device = dots::Device::named(name).expect("--dots PITCH, free or cells");
         let page = |picture: &[u8]| device.page_of(picture, &page(picture), &plan);
         if let Some(at) = args.iter().position(|arg| arg == "--page") {
-            let number = |k: usize| args[at + k].parse::<u64>().expect("--page KIND SEED FILE");
-            let page = page(&scenes::scene(number(1) as usize, number(2), FINE_PX).picture);
-            std::fs::write(&args[at + 3], svg::write(&page)).expect("the page can be written");
+            let picture = std::fs::read(&args[at + 1]).expect("--page PICTURE FILE.svg");
+            std::fs::write(&args[at + 2], svg::write(&page(&picture))).expect("the page can be written");
             return;
         }
         readability("seeds tuned to", 0..seeds, kinds, &page);

@@ -1,6 +1,6 @@
 //! Textures on a grid: which of its dots are set.
 
-use super::pattern::Pattern;
+use super::pattern::{Pattern, Steps};
 use super::{Field, strays};
 use crate::classes::Class;
 use crate::devices::Grid;
@@ -11,18 +11,17 @@ use crate::units::MmPoint;
 pub(super) fn fill(field: &Field<'_>, lines: &[Line], grid: &Grid) -> Vec<Vec<MmPoint>> {
     let mut sets = vec![Vec::new(); field.classes.regions.len()];
     let width = grid.columns.len();
-    let patterns = Class::ALL.map(|class| (class, Pattern::of(field.params.palette.sign(class), field.params.pitch)));
+    let columns = Steps::of(&grid.columns, field.area.min.x, field.area.max.x);
+    let rows = Steps::of(&grid.rows, field.area.min.y, field.area.max.y);
+    let sign = |class| field.params.palette.sign(class);
+    let patterns = Class::ALL.map(|class| (class, Pattern::of(sign(class), columns, rows)));
     let pattern_of = |class: Class| patterns.iter().find(|(other, _)| *other == class).map(|(_, pattern)| *pattern);
     let taken = near_lines(lines, grid, field.params.line_gap as usize);
-    let (middle_x, middle_y) = (
-        middle(&grid.columns, field.area.min.x, field.area.max.x),
-        middle(&grid.rows, field.area.min.y, field.area.max.y),
-    );
     let at = |dot: usize| MmPoint::new(grid.columns[dot % width], grid.rows[dot / width]);
     let owner = |dot: usize| {
         let (region, amount) = field.at(at(dot)).filter(|_| !taken[dot] && field.holds(at(dot)))?;
         let pattern = pattern_of(field.class_of(region))?;
-        let (x, y) = ((dot % width) as i32 - middle_x, (dot / width) as i32 - middle_y);
+        let (x, y) = ((dot % width) as i32 - columns.origin, (dot / width) as i32 - rows.origin);
         (pattern.from_amount(x, y) <= amount).then_some(region)
     };
     let owners: Vec<Option<u32>> = (0..width * grid.rows.len()).map(owner).collect();
@@ -33,19 +32,10 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], grid: &Grid) -> Vec<Vec<Mm
     }
     for (set, region) in sets.iter_mut().zip(&field.classes.regions) {
         if let Some(pattern) = pattern_of(region.class) {
-            let sign = field.params.palette.sign(region.class);
-            strays::leave_out(set, sign, pattern.reach(field.params.pitch), field.params.pitch);
+            strays::leave_out(set, sign(region.class), pattern.reach(columns, rows), field.params.pitch);
         }
     }
     sets
-}
-
-/// The number of the line of the grid nearest to the middle between two places, the first of two that are as near.
-fn middle(places: &[f32], from: f32, to: f32) -> i32 {
-    let centre = 0.5 * (from + to);
-    let off = |number: usize| (places[number] - centre).abs();
-    let nearest = (0..places.len()).min_by(|a, b| off(*a).total_cmp(&off(*b)));
-    nearest.unwrap_or(0) as i32
 }
 
 /// Which dots of the grid are nearer to the dots of lines than `gap` empty ones, the dots of lines among them.
