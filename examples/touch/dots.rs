@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tactograph::Page;
 use tactograph::devices::{Grid, Room};
 use tactograph::dots::textures::{self, Params};
-use tactograph::page::{Class, Dots, Figure, Line, Palette, Parts, Run};
+use tactograph::page::{Class, Figure, Height, Line, Palette, Parts, Pen, Run};
 use tactograph::pipeline::{Request, colours};
 use tactograph::profile::Plan;
 use tactograph::units::{MmPoint, MmRect, Size};
@@ -91,7 +91,10 @@ impl Device {
                 }
             }
         }
-        Line { strength: line.strength, runs: vec![Run { width: self.params.diameter, points: dots }] }
+        Line {
+            strength: line.strength,
+            runs: vec![Run { width: self.params.diameter, points: dots, pen: Pen::Dots(Height::High) }],
+        }
     }
 }
 
@@ -122,18 +125,6 @@ fn nearest(places: &[f32], at: f32) -> f32 {
 }
 
 fn page_with(figure: Figure, sheet: [f32; 2]) -> Page {
-    let parts = Parts {
-        sheet,
-        title: "dots".into(),
-        description: String::new(),
-        language: "en".into(),
-        origin: Vec::new(),
-        frame: Dots::default(),
-        orientation_mark: None,
-        registration: Vec::new(),
-        figure,
-        overview: None,
-        labels: Vec::new(),
-    };
+    let parts = Parts { title: "dots".into(), ..Parts::of(sheet, figure) };
     Page::new(parts).expect("all dots lie on the sheet")
 }
