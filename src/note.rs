@@ -16,6 +16,8 @@ pub enum Note {
     Crowded(u32),
     /// There is nothing on the page but its frame.
     EmptyPage,
+    /// The dots of the page are those of text cells, which stand apart.
+    UnevenDots,
     /// More of the figure is black than the profile allows.
     TooBlack {
         /// Percent of the figure that are black.
@@ -41,14 +43,18 @@ impl std::fmt::Display for Note {
             ),
             Self::Crowded(percent) => write!(
                 f,
-                "{percent} percent of the contours lie too close to others for fingers and were left out; larger paper \
-                 (such as the profile swell-a3) or a part of the picture keeps more of them"
+                "{percent} percent of the contours lie too close to others for fingers and were left out; larger paper (for swell \
+                 paper the profile swell-a3) or a part of the picture keeps more of them"
             ),
             Self::TooBlack { percent, most } => write!(
                 f,
                 "{percent} percent of the figure is black, and over {most} percent swell paper may rise too much and curl; make \
                  marks smaller or set them further apart (textures.dot_pitch, textures.along, lines.width_max), or raise \
                  print.max_black if your paper takes it"
+            ),
+            Self::UnevenDots => f.write_str(
+                "the dots of braille cells are no even grid: there is a wider step after every second column and every third row, so \
+                 shapes and textures are felt less well than from an embosser that has a profile of its own",
             ),
             Self::EmptyPage => f.write_str(
                 "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high and edges.low to get more",

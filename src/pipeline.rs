@@ -11,6 +11,7 @@ pub mod trace;
 pub use fit::Fit;
 
 use crate::classes::{self, Classes};
+use crate::devices::Family;
 use crate::edges::{self, Edges};
 use crate::frame::Frame;
 use crate::lines::{self, Drawn, Line};
@@ -119,7 +120,11 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Even
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
-    notes.extend(too_black(page.black_share(), plan));
+    match plan.profile().dots.device {
+        None => notes.extend(too_black(page.black_share(), plan)),
+        Some(device) if device.family == Family::Cells => notes.push(Note::UnevenDots),
+        Some(_) => {}
+    }
     Ok(Drawing { page, overview, notes })
 }
 

@@ -2,6 +2,7 @@
 
 mod calibrate;
 mod common;
+mod dots;
 mod feel;
 mod fitting;
 mod formats;

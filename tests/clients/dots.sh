@@ -167,6 +167,36 @@ cups_prints() {
   lp_brings "$dots/ibasicd4.A4.200.idx" application/vnd.cups-raw "$dots/ibasicd4.A4.200.idx"
 }
 
+# A real page, with its overview, comes to the same bytes by way of CUPS's driver and straight.
+pages_agree() { # pages_agree PROFILE PPD
+  local driver=$FILTERS/imageubrltoindexv3
+  case $2 in *4) driver=$dots/imageubrltoindexv4 ;; esac
+  "$program" convert samples/coffee.png --quiet --profile "$1" --set dots.pitch=2.0 -o "$dots/$1.ubrl" || return 1
+  "$program" convert samples/coffee.png --quiet --profile "$1" --set dots.pitch=2.0 --copies 2 -o "$dots/$1.idx" || return 1
+  filter "$2" "$driver" 2 "$dots/$1.ubrl" PageSize=A4 GraphicDotDistance=200 2>"$dots/log" | cmp - "$dots/$1.idx" ||
+    { tail -n 3 "$dots/log"; return 1; }
+}
+
+# A real page as PEF, with a title that XML must not see.
+page_is_valid_pef() {
+  "$program" convert samples/coffee.png --quiet --profile monarch --title 'A < B & "C"' -o "$dots/page.pef" || return 1
+  jing "$dots/pef.rng" "$dots/page.pef"
+}
+
+# A real page for ViewPlus: its PDF drawn at 20 dots per inch has its ink where the picture of dots has its pixels.
+viewplus_agrees() {
+  "$program" convert samples/coffee.png --quiet --profile viewplus-columbia --no-overview -o "$dots/tiger.pdf" || return 1
+  "$program" convert samples/coffee.png --quiet --profile viewplus-columbia --no-overview --format pixels -o "$dots/tiger.png" || return 1
+  local pixels drawn
+  pixels=$(convert "$dots/tiger.png" -threshold 99% -format '%w %h %[fx:1-mean]' info:)
+  # Ink anywhere in the square of a dot is a dot.
+  pdftoppm -r 200 -gray -png -singlefile "$dots/tiger.pdf" "$dots/tiger-drawn" || return 1
+  convert "$dots/tiger-drawn.png" -threshold 90% -negate -crop "$(echo "$pixels" | awk '{ print $1 * 10 "x" $2 * 10 }')+0+0" +repage \
+    -filter box -resize 10% -threshold 20% -negate "$dots/tiger-seen.png"
+  drawn=$(convert "$dots/tiger-seen.png" \( "$dots/tiger.png" -threshold 99% \) -metric AE -compare -format '%[distortion]' info:)
+  [ "$drawn" = 0 ] || { echo "$drawn dots of $pixels differ"; return 1; }
+}
+
 greys_are_fine() {
   local said wanted
   said=$(pngcheck -v "$dots/heights.png") || { echo "$said"; return 1; }
@@ -197,6 +227,10 @@ check_dots() {
   for file in "$dots"/{plain,odd,none}.pef; do
     check "jing finds no fault in $(basename "$file")" pef_is_valid "$file"
   done
+  check "CUPS's driver and we agree on a real page, V3" pages_agree index-basic-d-v3 ibasicd3
+  check "CUPS's driver and we agree on a real page, V4" pages_agree index-basic-d ibasicd4
+  check "jing finds no fault in a real page" page_is_valid_pef
+  check "a page for ViewPlus has its dots where the picture has its pixels" viewplus_agrees
   check "jing finds faults in a faulty one" pef_faults_are_found
   check "pngcheck and ImageMagick see dots as pixels" greys_are_fine
   cups=$(mktemp -d)

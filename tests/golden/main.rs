@@ -14,6 +14,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
+use tactograph::Page;
+use tactograph::output::dots::{Matrix, Words, art, greys, ubrl};
+use tactograph::profile::Profile;
 
 /// Resolution of the renderings: 1.6 px for a millimetre, so that every line and glyph leaves its mark in a small file.
 const DPI: f32 = 40.0;
@@ -53,6 +56,50 @@ fn pages_are_as_somebody_last_saw_them() {
     faults
         .extend(there.filter(|path| !expected.contains(path)).map(|path| format!("{} has no sample", path.display())));
     assert!(!update, "golden pages are written: look at them, then run the test without UPDATE");
+    assert!(faults.is_empty(), "{}\nIf the new pages are better: UPDATE=1 cargo test --test golden", faults.join("\n"));
+}
+
+/// Pages of dots, for one embosser and for each kind of pin display: as Unicode braille, and for the displays as plain text and
+/// as a picture of a pixel a dot as well. All are compared byte by byte.
+#[test]
+fn pages_of_dots_are_as_somebody_last_saw_them() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/dots");
+    let update = std::env::var_os("UPDATE").is_some();
+    assert!(!(update && std::env::var_os("CI").is_some()), "golden pages are not updated under CI");
+    let mut faults = Vec::new();
+    let mut expected = BTreeSet::new();
+    for name in ["index-basic-d", "graphiti", "monarch", "pins-120x60"] {
+        let profile = Profile::named(name).expect("it is built in");
+        let device = profile.dots.device.expect("a profile of dots");
+        for sample in samples::samples() {
+            let picture = sample.file_name().expect("a sample has a name").to_string_lossy().into_owned();
+            let bytes = std::fs::read(&sample).expect("a sample can be read");
+            let drawing = page::page_for(&bytes, &picture, &profile, &mut |_| ());
+            let pages: Vec<Page> = [Some(drawing.page), drawing.overview].into_iter().flatten().collect();
+            let matrices: Vec<Matrix> = pages.iter().filter_map(Matrix::of).collect();
+            let mut files = vec![("ubrl", ubrl::write(&matrices).into_bytes())];
+            if name != "index-basic-d" {
+                let words = Words { title: &picture, description: "", language: "" };
+                files.push(("txt", art::write(&matrices).into_bytes()));
+                files.push(("png", greys::write(&matrices[0], profile.dots.pitch, device.heights(), &words)));
+            }
+            for (ending, now) in files {
+                let path = folder.join(format!("{picture}.{name}.{ending}"));
+                if update {
+                    std::fs::create_dir_all(&folder).expect("the folder can be made");
+                    std::fs::write(&path, &now).expect("it can be written");
+                } else if std::fs::read(&path).ok().as_ref() != Some(&now) {
+                    faults.push(format!("{} is missing or differs", path.display()));
+                }
+                expected.insert(path);
+            }
+        }
+    }
+    let there =
+        std::fs::read_dir(&folder).expect("there are golden pages").map(|entry| entry.expect("readable").path());
+    faults
+        .extend(there.filter(|path| !expected.contains(path)).map(|path| format!("{} has no sample", path.display())));
+    assert!(!update, "golden pages of dots are written: look at them, then run the test without UPDATE");
     assert!(faults.is_empty(), "{}\nIf the new pages are better: UPDATE=1 cargo test --test golden", faults.join("\n"));
 }
 
