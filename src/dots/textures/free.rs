@@ -1,7 +1,8 @@
 //! Textures of dots that can stand anywhere: the lattices of [`crate::textures`], with dots in place of rhombuses.
 
+use super::Field;
 use super::pattern::DENSE_FROM;
-use super::{Field, strays};
+use super::strays::{self, Apart};
 use crate::classes::Class;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -55,9 +56,10 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], part: MmRect) -> Vec<Vec<M
             }
         });
     }
+    let apart = Apart { pitch: params.pitch, along: params.pitch, across: (2.0 * across).max(3.0_f32.sqrt() * grey) };
     for (set, region) in sets.iter_mut().zip(&classes.regions) {
         let sign = params.palette.sign(region.class);
-        strays::leave_out(set, sign, (2.0 * across).max(3.0_f32.sqrt() * grey), params.pitch);
+        strays::leave_out(set, sign, apart);
     }
     sets
 }

@@ -32,7 +32,7 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], grid: &Grid) -> Vec<Vec<Mm
     }
     for (set, region) in sets.iter_mut().zip(&field.classes.regions) {
         if let Some(pattern) = pattern_of(region.class) {
-            strays::leave_out(set, sign(region.class), pattern.reach(columns, rows), field.params.pitch);
+            strays::leave_out(set, sign(region.class), pattern.apart(columns, rows, field.params.pitch));
         }
     }
     sets

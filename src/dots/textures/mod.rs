@@ -10,6 +10,8 @@ mod free;
 mod grid;
 mod pattern;
 mod strays;
+#[cfg(test)]
+mod tests;
 
 pub use pattern::{Way, carried};
 

@@ -1,5 +1,6 @@
 //! Which dots of a grid make which texture.
 
+use super::strays::Apart;
 use crate::classes::Class;
 use crate::devices::Room;
 use crate::textures::{Palette, Sign};
@@ -78,8 +79,9 @@ pub(super) enum Pattern {
 const ROWS: f32 = 4.6;
 /// Distance of dots in dense grey, mm.
 const SPOTS: f32 = 3.2;
-/// Pitch from which on diagonal rows get dense by getting thick, mm: more rows would be too near.
-const COARSE: f32 = 1.8;
+/// Pitch from which on diagonal rows get dense by getting thick, mm: with more rows between them they would be felt less (see
+/// above).
+const COARSE: f32 = 2.2;
 /// Gaps between cells are wider than those in cells by more than this.
 const WIDE: f32 = 1.2;
 /// Amount of texture, 0..=1, from which it is dense.
@@ -142,9 +144,12 @@ impl Pattern {
             Way::Flat => straight(rows),
             Way::Upright => straight(columns),
             Way::Up | Way::Down => {
-                let rows = every(std::f32::consts::SQRT_2 * ROWS).max(4);
-                let second = if pitch >= COARSE { 1 } else { rows };
-                Self::Rows { way, period: if second == 1 { rows } else { 2 * rows }, second }
+                let rows = every(std::f32::consts::SQRT_2 * ROWS);
+                if pitch >= COARSE {
+                    Self::Rows { way, period: rows.max(4), second: 1 }
+                } else {
+                    Self::Rows { way, period: 2 * rows, second: rows }
+                }
             }
         }
     }
@@ -170,23 +175,25 @@ impl Pattern {
         }
     }
 
-    /// Dots of a texture are no further apart than this, mm.
-    pub(super) fn reach(self, columns: Steps, rows: Steps) -> f32 {
-        let mean = columns.mean.max(rows.mean);
-        let apart = match self {
-            Self::Rows { way: Way::Flat, period, .. } => period as f32 * rows.mean,
-            Self::Rows { way: Way::Upright, period, .. } => period as f32 * columns.mean,
-            Self::Rows { period, .. } => period as f32 * mean * std::f32::consts::FRAC_1_SQRT_2,
-            Self::Spots { halvings } => mean * 2.0_f32.powf(0.5 * (halvings + 1) as f32),
+    /// How far the dots of the sparsest texture are apart.
+    pub(super) fn apart(self, columns: Steps, rows: Steps, pitch: f32) -> Apart {
+        let (mean, slope) = (columns.mean.max(rows.mean), columns.widest.hypot(rows.widest));
+        let (along, across) = match self {
+            Self::Rows { way: Way::Flat, period, .. } => (columns.widest, period as f32 * rows.mean),
+            Self::Rows { way: Way::Upright, period, .. } => (rows.widest, period as f32 * columns.mean),
+            Self::Rows { period, .. } => (slope, period as f32 * mean * std::f32::consts::FRAC_1_SQRT_2),
+            Self::Spots { halvings } => (slope, mean * 2.0_f32.powf(0.5 * (halvings + 1) as f32)),
         };
-        apart.max(columns.widest.hypot(rows.widest))
+        Apart { pitch, along, across }
     }
 }
 
-/// Every step halves the grid: what is left of a checkerboard's black squares is a checkerboard turned by 45 degrees. In
-/// complex numbers x + iy it is what can be divided by 1 + i once more.
+/// Every step halves the grid: of a checkerboard's black squares every other one is left, a checkerboard turned by 45 degrees.
+/// In complex numbers x + iy it is what can be divided by 1 + i once more.
 fn of_spot(x: i32, y: i32, halvings: u32) -> f32 {
-    let (mut x, mut y) = (x, y);
+    // The middle of the picture lies where the pattern of dots that come and go is the same to the left and to the right.
+    let middle = if halvings % 2 == 1 { 1 << (halvings / 2) } else { 0 };
+    let (mut x, mut y) = (x + middle, y + middle);
     for _ in 0..halvings {
         if (x + y) % 2 != 0 {
             return f32::INFINITY;
@@ -197,5 +204,113 @@ fn of_spot(x: i32, y: i32, halvings: u32) -> f32 {
         (true, _) => -1.0,
         (false, true) => DENSE_FROM,
         (false, false) => f32::INFINITY,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::devices::Grid;
+    use crate::units::{MmPoint, MmRect};
+
+    fn even(pitch: f32) -> Steps {
+        let places: Vec<f32> = (0..61).map(|i| i as f32 * pitch).collect();
+        Steps::of(&places, 0.0, 60.0 * pitch)
+    }
+
+    fn of(degrees: Option<f32>, pitch: f32) -> Pattern {
+        Pattern::of(degrees.map_or(Sign::Dot, |degrees| Sign::Rhombus { degrees }), even(pitch), even(pitch))
+    }
+
+    fn drawn(pattern: Pattern, amount: f32) -> Vec<String> {
+        let dot = |x, y| if pattern.from_amount(x, y) <= amount { 'o' } else { '.' };
+        (0..6).map(|y| (0..12).map(|x| dot(x, y)).collect()).collect()
+    }
+
+    #[test]
+    fn rows_run_as_a_reader_sees_them() {
+        for (degrees, sparse, dense) in [
+            (
+                0.0,
+                ["oooooooooooo", "............", "............", "............", "oooooooooooo", "............"],
+                ["oooooooooooo", "............", "oooooooooooo", "............", "oooooooooooo", "............"],
+            ),
+            (
+                45.0,
+                ["o...o...o...", "...o...o...o", "..o...o...o.", ".o...o...o..", "o...o...o...", "...o...o...o"],
+                ["oo..oo..oo..", "o..oo..oo..o", "..oo..oo..oo", ".oo..oo..oo.", "oo..oo..oo..", "o..oo..oo..o"],
+            ),
+            (90.0, ["o...o...o..."; 6], ["o.o.o.o.o.o."; 6]),
+            (
+                135.0,
+                ["o...o...o...", ".o...o...o..", "..o...o...o.", "...o...o...o", "o...o...o...", ".o...o...o.."],
+                ["o..oo..oo..o", "oo..oo..oo..", ".oo..oo..oo.", "..oo..oo..oo", "o..oo..oo..o", "oo..oo..oo.."],
+            ),
+        ] {
+            assert_eq!(drawn(of(Some(degrees), 2.5), 0.0), sparse, "{degrees} degrees, sparse");
+            assert_eq!(drawn(of(Some(degrees), 2.5), 1.0), dense, "{degrees} degrees, dense");
+        }
+    }
+
+    #[test]
+    fn grey_is_the_same_after_a_quarter_turn_about_one_of_its_dots() {
+        for pitch in [1.27, 1.6, 2.0, 2.5, 3.0] {
+            for amount in [0.0, 1.0] {
+                let pattern = of(None, pitch);
+                let is_set = |x, y| pattern.from_amount(x, y) <= amount;
+                let dots = || (-9..9).flat_map(|y| (-9..9).map(move |x| (x, y)));
+                let turns = |(x, y): (i32, i32)| dots().all(|(i, j)| is_set(x + i, y + j) == is_set(x - j, y + i));
+                assert!(dots().any(|at| is_set(at.0, at.1) && turns(at)), "{pitch} mm at {amount}");
+            }
+        }
+    }
+
+    #[test]
+    fn rows_and_dots_lie_as_far_apart_as_was_measured() {
+        for (pitch, straight, diagonal, grey) in
+            [(1.27, 5.08, 4.49, 3.59), (1.6, 4.8, 4.53, 3.2), (2.0, 4.0, 4.24, 2.83), (2.5, 5.0, 7.07, 3.54)]
+        {
+            let rows = |degrees, unit: f32| match of(Some(degrees), pitch) {
+                Pattern::Rows { period, second: 1, .. } => period as f32 * unit,
+                Pattern::Rows { second, .. } => second as f32 * unit,
+                Pattern::Spots { .. } => f32::NAN,
+            };
+            let slope = pitch * std::f32::consts::FRAC_1_SQRT_2;
+            let Pattern::Spots { halvings } = of(None, pitch) else { unreachable!("grey has no rows") };
+            let spots = pitch * 2.0_f32.powf(0.5 * halvings as f32);
+            let found = [rows(0.0, pitch), rows(90.0, pitch), rows(45.0, slope), rows(135.0, slope), spots];
+            let near = |(a, b): (&f32, f32)| (a - b).abs() < 0.01;
+            assert!(found.iter().zip([straight, straight, diagonal, diagonal, grey]).all(near), "{pitch}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn cells_are_seen_as_such_and_even_grids_as_even() {
+        let cells: Vec<f32> = (0..30).map(|i| 11.0 + (i / 3) as f32 * 10.0 + (i % 3) as f32 * 2.34).collect();
+        let steps = Steps::of(&cells, 11.0, 105.0);
+        assert_eq!((steps.count, steps.origin % 3), (3, 0));
+        assert!(even(2.0).is_even() && even(2.0).origin == 30);
+        let flat = Pattern::of(Sign::Rhombus { degrees: 0.0 }, steps, steps);
+        assert_eq!([0, 1, 2].map(|y| flat.from_amount(7, y)), [-1.0, f32::INFINITY, DENSE_FROM]);
+        let few = Steps::of(&[3.0], 0.0, 9.0);
+        assert!(few.is_even() && Steps::of(&[], 0.0, 9.0).is_even(), "a device with hardly a dot does no harm");
+        assert_eq!(few.origin, 0);
+    }
+
+    #[test]
+    fn palettes_that_a_device_cannot_carry_are_told() {
+        let grid = |rows: Vec<f32>| Room::Grid(Grid { columns: (0..40).map(|i| i as f32 * 2.5).collect(), rows });
+        let even = grid((0..40).map(|i| i as f32 * 2.5).collect());
+        let cells = grid((0..30).map(|i| (i / 3) as f32 * 10.0 + (i % 3) as f32 * 2.5).collect());
+        let free = Room::Free(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0)));
+        let mut leaning = Palette::PAPER;
+        leaning.signs[0] = Sign::Rhombus { degrees: 30.0 };
+        leaning.signs[1] = Sign::Rhombus { degrees: 60.0 };
+        let (green, red, grey) = (Class::Green, Class::Red, Class::Grey);
+        assert_eq!(carried(&Palette::PAPER, &even), Ok(()));
+        assert_eq!(carried(&Palette::PAPER, &free), Ok(()));
+        assert_eq!(carried(&Palette::PAPER, &cells), Err(vec![(green, red), (green, grey), (red, grey)]));
+        assert_eq!(carried(&leaning, &free), Ok(()));
+        assert_eq!(carried(&leaning, &even), Err(vec![(Class::Blue, green)]));
     }
 }

@@ -1,43 +1,72 @@
-//! A few dots that stand apart say nothing, and a single row of dots is felt as a line.
+//! A few dots that stand apart say nothing, a dot alone has no direction, and a single row of dots is felt as a line.
 
 use std::collections::BTreeMap;
 
 use crate::textures::{Sign, unit};
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmVector};
 
 /// Fewer dots than this together are no texture: two rows of three.
 const LEAST_GROUP: usize = 6;
+/// Fewer dots than this in a row have no direction.
+const LEAST_ROW: usize = 2;
 /// Two rows lie further apart than this, in pitches; the two halves of a thick row lie nearer.
 const ONE_ROW: f32 = 1.5;
+/// Dots further off a row than this, in pitches, are of another one.
+const OFF_ROW: f32 = 0.3;
 
-/// Leaves out groups of dots that are no texture: fewer than [`LEAST_GROUP`], or all in one row. Dots no further apart than
-/// `reach` mm belong together.
-pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, reach: f32, pitch: f32) {
-    let reach = 1.01 * reach;
+/// How far dots of one texture are from one another, mm.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Apart {
+    /// The pitch.
+    pub(super) pitch: f32,
+    /// In a row, at most.
+    pub(super) along: f32,
+    /// From a row or a dot to the next one of the sparsest texture, at most.
+    pub(super) across: f32,
+}
+
+/// Leaves out dots alone in their row, and then groups of dots that are no texture: few, or all in one row.
+pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, apart: Apart) {
+    let pitch = apart.pitch;
+    if let Sign::Rhombus { degrees } = sign {
+        let (along, across) = (unit(degrees), unit(degrees + 90.0));
+        let in_row =
+            |way: MmVector| way.dot(across).abs() <= OFF_ROW * pitch && way.dot(along).abs() <= 1.01 * apart.along;
+        keep(dots, 1.1 * apart.along, in_row, |row| row.len() >= LEAST_ROW);
+    }
     let across: &[f32] = match sign {
         Sign::Rhombus { degrees } => &[degrees + 90.0],
         Sign::Dot => &[0.0, 90.0],
     };
-    let is_wide = |group: &[usize]| {
+    let is_wide = |group: &[MmPoint]| {
         across.iter().all(|degrees| {
             let way = unit(*degrees);
-            let along = group.iter().map(|&dot| dots[dot].to_vector().dot(way));
-            let (low, high) = along.fold((f32::MAX, f32::MIN), |(low, high), at| (low.min(at), high.max(at)));
+            let places = group.iter().map(|at| at.to_vector().dot(way));
+            let (low, high) = places.fold((f32::MAX, f32::MIN), |(low, high), at| (low.min(at), high.max(at)));
             high - low >= ONE_ROW * pitch
         })
     };
-    let mut stays = vec![false; dots.len()];
-    for group in groups(dots, reach) {
-        if group.len() >= LEAST_GROUP && is_wide(&group) {
-            group.into_iter().for_each(|dot| stays[dot] = true);
+    let reach = 1.01 * apart.along.max(apart.across);
+    let is_near = |way: MmVector| way.length() <= reach;
+    keep(dots, reach, is_near, |group| group.len() >= LEAST_GROUP && is_wide(group));
+}
+
+/// Keeps the dots of the groups that `stays` lets pass. Two dots are of one group if they are no more than `reach` apart and
+/// `belong` says so of the way between them.
+fn keep(dots: &mut Vec<MmPoint>, reach: f32, belong: impl Fn(MmVector) -> bool, stays: impl Fn(&[MmPoint]) -> bool) {
+    let mut kept = vec![false; dots.len()];
+    for group in groups(dots, reach, belong) {
+        let places: Vec<MmPoint> = group.iter().map(|&dot| dots[dot]).collect();
+        if stays(&places) {
+            group.into_iter().for_each(|dot| kept[dot] = true);
         }
     }
-    let mut stays = stays.into_iter();
-    dots.retain(|_| stays.next() == Some(true));
+    let mut kept = kept.into_iter();
+    dots.retain(|_| kept.next() == Some(true));
 }
 
 /// The dots that belong together, as numbers.
-fn groups(dots: &[MmPoint], reach: f32) -> Vec<Vec<usize>> {
+fn groups(dots: &[MmPoint], reach: f32, belong: impl Fn(MmVector) -> bool) -> Vec<Vec<usize>> {
     let square = |at: MmPoint| ((at.y / reach).floor() as i32, (at.x / reach).floor() as i32);
     let mut by_square: BTreeMap<(i32, i32), Vec<usize>> = BTreeMap::new();
     for (number, &at) in dots.iter().enumerate() {
@@ -57,7 +86,7 @@ fn groups(dots: &[MmPoint], reach: f32) -> Vec<Vec<usize>> {
             let (row, column) = square(here);
             for near in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (row + dy, column + dx))) {
                 for &other in by_square.get(&near).into_iter().flatten() {
-                    if !seen[other] && (dots[other] - here).length() <= reach {
+                    if !seen[other] && belong(dots[other] - here) {
                         seen[other] = true;
                         group.push(other);
                     }

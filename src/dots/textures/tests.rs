@@ -1,0 +1,225 @@
+//! Dots keep to the grid, to their own region and from lines, whatever the regions look like; fewer where it is light or far
+//! from lines; mirrored pictures give mirrored dots.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Params, fill, sample};
+use crate::classes::{Class, Classes, Region};
+use crate::devices::{Grid, Room};
+use crate::lines::{Line, Run};
+use crate::raster::plane::Plane;
+use crate::textures::{Palette, Shape, Texture};
+use crate::units::{MmPoint, MmRect, Size};
+use proptest::prelude::*;
+
+/// Odd, so that no dot lies on the border between two cells, which belongs to one side.
+const CELLS: u32 = 61;
+/// Side of a cell, mm.
+const CELL: f32 = 120.0 / 61.0;
+/// The picture: 120 mm wide and high, its middle on a dot of every grid below.
+const AREA: MmRect = MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(140.0, 150.0));
+
+fn params(pitch: f32) -> Params {
+    Params {
+        pitch,
+        diameter: 0.7 * pitch,
+        line_gap: 1,
+        density_blur: 8.0,
+        dense_from: 0.5,
+        white_from: 0.92,
+        palette: Palette::PAPER,
+    }
+}
+
+/// A grid with a dot in the middle of the picture and as many to all sides.
+fn grid(pitch: f32) -> Grid {
+    let places = |middle: f32| {
+        let reach = (70.0 / pitch) as i32;
+        (-reach..=reach).map(|i| middle + i as f32 * pitch).collect()
+    };
+    Grid { columns: places(80.0), rows: places(90.0) }
+}
+
+fn free() -> Room {
+    Room::Free(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)))
+}
+
+/// Areas round `seats` (in cells), each of a class, or blank from 5 on.
+fn areas(seats: &[(f32, f32, u8)], lightness: f32) -> Classes {
+    let size = Size::new(CELLS, CELLS);
+    let nearest = |i: u32| {
+        let (x, y) = ((i % CELLS) as f32 + 0.5, (i / CELLS) as f32 + 0.5);
+        let far = |seat: &(f32, f32, u8)| (seat.0 - x).hypot(seat.1 - y);
+        (0..seats.len()).min_by(|a, b| far(&seats[*a]).total_cmp(&far(&seats[*b]))).unwrap_or(0)
+    };
+    let owners: Vec<usize> = (0..CELLS * CELLS).map(nearest).collect();
+    let with_texture: Vec<usize> = (0..seats.len()).filter(|&seat| seats[seat].2 < 5).collect();
+    let number = |seat: usize| with_texture.iter().position(|other| *other == seat).map(|number| number as u32);
+    let region = owners.iter().map(|&seat| number(seat)).collect();
+    let of = |seat: &usize| Region {
+        class: Class::ALL[usize::from(seats[*seat].2)],
+        colour: [0; 3],
+        cells: owners.iter().filter(|owner| *owner == seat).count() as u32,
+    };
+    let regions = with_texture.iter().map(of).collect();
+    Classes { size, region, regions, lightness: Plane::filled(size, lightness), fringe: Vec::new() }
+}
+
+fn line(points: Vec<MmPoint>) -> Line {
+    Line { strength: 30.0, runs: vec![Run { width: 1.5, points }] }
+}
+
+/// All dots with their class, to the hundredth of a millimetre.
+fn dots(textures: &[Texture]) -> BTreeSet<(i32, i32, Class)> {
+    let key = |mm: f32| (100.0 * mm).round() as i32;
+    let of = |texture: &Texture| {
+        let class = texture.class;
+        texture.glyphs.iter().map(move |glyph| (key(glyph.at.x), key(glyph.at.y), class)).collect::<Vec<_>>()
+    };
+    textures.iter().flat_map(of).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn dots_keep_to_the_grid_their_region_and_from_lines(
+        seats in prop::collection::vec((0.0_f32..60.0, 0.0_f32..60.0, 0_u8..6), 2..12),
+        lightness in 0.1_f32..1.0,
+        pitch in prop::sample::select(vec![1.27_f32, 1.6, 2.0, 2.5]),
+        gap in 0_u32..3,
+        way in (-20_i32..20, -20_i32..20, -1_i32..2, -1_i32..2),
+    ) {
+        let classes = areas(&seats, lightness);
+        let place = |k: i32| MmPoint::new(80.0 + (way.0 + k * way.2) as f32 * pitch, 90.0 + (way.1 + k * way.3) as f32 * pitch);
+        let lines = [line((0..20).map(place).collect())];
+        let params = Params { line_gap: gap, ..params(pitch) };
+        let textures = fill(&classes, AREA, &lines, &Room::Grid(grid(pitch)), &params);
+        prop_assert_eq!(&textures, &fill(&classes, AREA, &lines, &Room::Grid(grid(pitch)), &params));
+        prop_assert!(lightness < 0.92 || textures.is_empty(), "there is a texture on white");
+        let step = |from: f32, to: f32| ((to - from) / pitch).round() as i32;
+        let mut all: BTreeMap<(i32, i32), Class> = BTreeMap::new();
+        for texture in &textures {
+            prop_assert!(texture.glyphs.len() >= 6, "{} dots are no texture", texture.glyphs.len());
+            for glyph in &texture.glyphs {
+                prop_assert_eq!(glyph.shape, Shape::Dot { diameter: params.diameter });
+                let (x, y) = (step(80.0, glyph.at.x), step(90.0, glyph.at.y));
+                let on_grid = MmPoint::new(80.0 + x as f32 * pitch, 90.0 + y as f32 * pitch);
+                prop_assert!((glyph.at - on_grid).length() < 1e-3, "{:?} is off the grid", glyph.at);
+                let inner = AREA.inflate(-glyph.radius(), -glyph.radius());
+                prop_assert!(inner.contains_inclusive(glyph.at), "{:?} leaves the picture", glyph.at);
+                let cell = ((glyph.at.y - 30.0) / CELL) as usize * CELLS as usize + ((glyph.at.x - 20.0) / CELL) as usize;
+                let class = classes.region[cell].map(|region| classes.regions[region as usize].class);
+                prop_assert_eq!(class, Some(texture.class), "{:?} is off its region", glyph.at);
+                for k in 0..20 {
+                    let (i, j) = (way.0 + k * way.2, way.1 + k * way.3);
+                    prop_assert!((i - x).abs().max((j - y).abs()) > gap as i32, "{:?} is too near to a line", glyph.at);
+                }
+                for near in (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j))) {
+                    let other = all.get(&near).is_some_and(|class| *class != texture.class);
+                    prop_assert!(!other, "two textures meet at {:?}", glyph.at);
+                }
+                all.insert((x, y), texture.class);
+            }
+        }
+    }
+
+    #[test]
+    fn free_dots_keep_their_distances(
+        seats in prop::collection::vec((0.0_f32..60.0, 0.0_f32..60.0, 0_u8..6), 2..12),
+        lightness in 0.1_f32..1.0,
+        pitch in 2.0_f32..3.0,
+        from in (20.0_f32..140.0, 30.0_f32..150.0),
+    ) {
+        let classes = areas(&seats, lightness);
+        let from = MmPoint::new(from.0, from.1);
+        let lines = [line((0..20).map(|k| from.lerp(AREA.center(), k as f32 / 20.0)).collect())];
+        let params = params(pitch);
+        let textures = fill(&classes, AREA, &lines, &free(), &params);
+        prop_assert!(lightness < 0.92 || textures.is_empty(), "there is a texture on white");
+        let mut all: Vec<(MmPoint, Class)> = Vec::new();
+        for texture in &textures {
+            for glyph in &texture.glyphs {
+                for at in &lines[0].runs[0].points {
+                    prop_assert!((glyph.at - *at).length() >= 2.0 * pitch - 1e-3, "{:?} is too near to a line", glyph.at);
+                }
+                for (at, class) in &all {
+                    let least = if *class == texture.class { pitch } else { 1.5 * pitch };
+                    prop_assert!((glyph.at - *at).length() >= least - 1e-3, "two dots meet at {:?}", glyph.at);
+                }
+                all.push((glyph.at, texture.class));
+            }
+        }
+    }
+
+    #[test]
+    fn a_mirrored_picture_gives_mirrored_dots(
+        seats in prop::collection::vec((0.0_f32..60.0, 0.0_f32..60.0, 0_u8..6), 2..12),
+        lightness in 0.1_f32..0.9,
+        pitch in prop::sample::select(vec![1.27_f32, 1.6, 2.0, 2.5]),
+        up_down in any::<bool>(),
+    ) {
+        // thick rows grow to one side, which is another side on a picture that stands on its head
+        prop_assume!(!(up_down && pitch > 2.2));
+        let classes = areas(&seats, lightness);
+        let other = |i: u32| if up_down { (CELLS - 1 - i / CELLS) * CELLS + i % CELLS } else { i / CELLS * CELLS + CELLS - 1 - i % CELLS };
+        let mirrored = Classes { region: (0..CELLS * CELLS).map(|i| classes.region[other(i) as usize]).collect(), ..classes.clone() };
+        let palette = Palette { signs: Palette::PAPER.signs.map(crate::textures::Sign::mirrored) };
+        let room = Room::Grid(grid(pitch));
+        let here = fill(&classes, AREA, &[], &room, &params(pitch));
+        let there = fill(&mirrored, AREA, &[], &room, &Params { palette, ..params(pitch) });
+        let back = |(x, y, class): (i32, i32, Class)| if up_down { (x, 18_000 - y, class) } else { (16_000 - x, y, class) };
+        let apart = |a: (i32, i32, Class), b: (i32, i32, Class)| (a.0 - b.0).abs() + (a.1 - b.1).abs();
+        let (here, there): (Vec<_>, Vec<_>) = (dots(&here).into_iter().collect(), dots(&there).into_iter().map(back).collect());
+        prop_assert_eq!(here.len(), there.len());
+        for dot in here {
+            prop_assert!(there.iter().any(|other| other.2 == dot.2 && apart(dot, *other) <= 2), "{:?} has no mirrored one", dot);
+        }
+    }
+}
+
+#[test]
+fn darker_and_nearer_to_lines_is_the_same_dots_and_more() {
+    for (room, pitch) in [1.27, 1.6, 2.0, 2.5].map(|p| (Room::Grid(grid(p)), p)).into_iter().chain([(free(), 2.5)]) {
+        for class in Class::ALL {
+            let of = |lightness, density| dots(&[sample(class, lightness, density, AREA, &room, &params(pitch))]);
+            let (far, near) = (of(0.85, 0.0), of(0.2, 1.0));
+            assert!(far.is_subset(&near), "{class:?} at {pitch}: a dot goes where there should be more");
+            let ratio = near.len() as f32 / far.len() as f32;
+            assert!((1.3..2.2).contains(&ratio), "{class:?} at {pitch}: {ratio} times as many dots");
+            for values in [[(0.9, 0.3), (0.6, 0.3), (0.3, 0.3)], [(0.5, 0.0), (0.5, 0.3), (0.5, 0.9)]] {
+                let sets = values.map(|(lightness, density)| of(lightness, density));
+                assert!(sets[0].is_subset(&sets[1]) && sets[1].is_subset(&sets[2]), "{class:?} at {pitch}: {values:?}");
+            }
+            assert!(of(0.92, 1.0).is_empty(), "{class:?} has a texture on white");
+        }
+    }
+}
+
+/// A blue area of a few millimetres in white.
+fn band(width: f32, height: f32) -> usize {
+    let size = Size::new(240, 240);
+    let inside = |i: u32| (i % 240) as f32 * 0.5 < width && (i / 240) as f32 * 0.5 < height;
+    let region: Vec<Option<u32>> = (0..240 * 240).map(|i| inside(i).then_some(0)).collect();
+    let cells = region.iter().flatten().count() as u32;
+    let regions = vec![Region { class: Class::Blue, colour: [0; 3], cells }];
+    let classes = Classes { size, region, regions, lightness: Plane::filled(size, 0.1), fringe: Vec::new() };
+    let textures = fill(&classes, AREA, &[line(vec![MmPoint::new(16.0, 36.0)])], &Room::Grid(grid(2.5)), &params(2.5));
+    textures.iter().map(|texture| texture.glyphs.len()).sum()
+}
+
+#[test]
+fn one_row_and_a_few_dots_are_no_texture() {
+    assert_eq!(band(100.0, 4.0), 0, "one row of dots is felt as a line");
+    assert_eq!(band(6.0, 12.0), 0, "two dots a row");
+    assert!(band(100.0, 22.0) > 60, "three rows are a texture");
+}
+
+#[test]
+fn regions_of_a_class_share_their_rows() {
+    let two = areas(&[(15.0, 30.0, 1), (30.0, 30.0, 5), (45.0, 30.0, 1)], 0.3);
+    let one = areas(&[(30.0, 30.0, 1), (99.0, 99.0, 5)], 0.3);
+    let room = Room::Grid(grid(1.6));
+    let [two, one] = [two, one].map(|classes| dots(&fill(&classes, AREA, &[], &room, &params(1.6))));
+    assert!(two.len() > 200 && two.is_subset(&one));
+}
