@@ -74,13 +74,20 @@ fn main() {
         readability("seeds tuned to", 0..seeds, kinds, &page);
         readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &page);
         samples(&|class, lightness, density, place| device.page_of_sample(class, lightness, density, place));
+        let mut dense = dots::Device::named(name).expect("it was there before");
+        dense.params.dense_from = f32::MIN_POSITIVE;
+        let dense = |picture: &[u8]| dense.page_of(picture, &page_of(picture, &plan, &mut |_| ()), &plan);
+        follows_lines(device.params.dense_from, UNTUNED..UNTUNED + seeds, &page, &dense);
         return;
     }
     readability("seeds tuned to", 0..seeds, kinds, &page);
     readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &page);
     let params = plan.textures();
     samples(&|class, lightness, density, place| chart::page_of_sample(class, lightness, density, place, &params));
-    follows_lines(&profile, UNTUNED..UNTUNED + seeds);
+    profile.set("textures.dense_from", "0").expect("a key of the profile");
+    let dense = Plan::new(&profile).expect("the values make sense");
+    let dense = |picture: &[u8]| page_of(picture, &dense, &mut |_| ());
+    follows_lines(plan.profile().textures.dense_from, UNTUNED..UNTUNED + seeds, &page, &dense);
     follows_lightness(&plan.textures());
     distances(&plan);
     time(&plan);
@@ -145,19 +152,22 @@ fn samples(page_of: &dyn Fn(Class, f32, f32, MmRect) -> Page) {
     }
 }
 
-fn follows_lines(profile: &Profile, seeds: std::ops::Range<u64>) {
-    let mut dense = profile.clone();
-    dense.set("textures.dense_from", "0").expect("a key of the profile");
-    let plans = [profile, &dense].map(|profile| Plan::new(profile).expect("the values make sense"));
+/// How many glyphs there are where many lines are; `dense` makes the same pages with the densest texture all over.
+fn follows_lines(
+    full: f32,
+    seeds: std::ops::Range<u64>,
+    page_of: &dyn Fn(&[u8]) -> Page,
+    dense: &dyn Fn(&[u8]) -> Page,
+) {
     let mut all = Vec::new();
     for kind in [1, 2, 3, 5] {
         for seed in seeds.clone() {
             let scene = scenes::scene(kind, seed, FINE_PX);
-            let [page, full] = [0, 1].map(|k| page_of(&scene.picture, &plans[k], &mut |_| ()));
+            let [page, full] = [page_of(&scene.picture), dense(&scene.picture)];
             all.extend(Class::ALL.iter().flat_map(|&class| density::pairs(&page, &full, class)));
         }
     }
-    let full = profile.textures.dense_from.max(f32::MIN_POSITIVE);
+    let full = full.max(f32::MIN_POSITIVE);
     let wanted: Vec<(f32, f32)> = all.iter().map(|(lines, glyphs)| ((lines / full).min(1.0), *glyphs)).collect();
     let (plain, cut) = (density::correlation(&all), density::correlation(&wanted));
     println!("Density of glyphs against the map of lines, {} places", all.len());

@@ -8,9 +8,9 @@ mod boldness;
 mod chart;
 #[path = "../../examples/touch/density.rs"]
 mod density;
-mod dotted;
 #[path = "../../examples/touch/dots.rs"]
 mod dots;
+mod dotted;
 mod edited;
 #[path = "../../examples/touch/gaps.rs"]
 mod gaps;

@@ -22,7 +22,7 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], grid: &Grid) -> Vec<Vec<Mm
         let (region, amount) = field.at(at(dot)).filter(|_| !taken[dot] && field.holds(at(dot)))?;
         let pattern = pattern_of(field.class_of(region))?;
         let (x, y) = ((dot % width) as i32 - columns.origin, (dot / width) as i32 - rows.origin);
-        (pattern.from_amount(x, y) <= amount).then_some(region)
+        (pattern.needed_amount(x, y) <= amount).then_some(region)
     };
     let owners: Vec<Option<u32>> = (0..width * grid.rows.len()).map(owner).collect();
     for dot in 0..owners.len() {
