@@ -54,7 +54,8 @@ impl std::fmt::Display for Note {
             ),
             Self::UnevenDots => f.write_str(
                 "the dots of braille cells are no even grid: there is a wider step after every second column and every third row, so \
-                 shapes and textures are felt less well than from an embosser that has a profile of its own",
+                 shapes are felt less well than from an embosser that has a profile of its own, and the textures of green, red and \
+                 grey are hardly told apart",
             ),
             Self::EmptyPage => f.write_str(
                 "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high and edges.low to get more",

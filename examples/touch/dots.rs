@@ -45,6 +45,7 @@ impl Device {
             pitch,
             diameter: diameter(pitch),
             line_gap: line_gap(pitch),
+            least_gap: line_gap(pitch),
             density_blur: 8.0,
             dense_from: 0.5,
             white_from: 0.92,

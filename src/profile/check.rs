@@ -140,9 +140,6 @@ const ROOM: &[&str] = &[
     "dots.pitch",
 ];
 
-/// The keys that a device may refuse.
-const PRESSED: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device", "dots.pitch"];
-
 /// The keys of marks that may be the narrowest ones printed, each with the switches that must all be on for it to be drawn
 /// and how many times what swelling adds is taken from it. A rhombus loses more than it gains in width at its sides, at
 /// most the square root of 2 times as much, for a square.
@@ -228,21 +225,6 @@ impl Profile {
             faults.push(Fault { place: self.place(DRAWN), what: what.to_owned() });
         }
         faults
-    }
-
-    /// What the device cannot do that the profile asks for.
-    fn device_faults(&self) -> Vec<Fault> {
-        let (Some(device), true) = (self.dots.device, self.sound(PRESSED)) else { return Vec::new() };
-        let [short, long] = [self.page.width.min(self.page.height), self.page.width.max(self.page.height)];
-        let (upright, across) = ([short, long], [long, short]);
-        let room = |sheet| device.room(sheet, self.dots.pitch);
-        let refused = match self.page.orientation {
-            Orientation::Portrait => room(upright).err(),
-            Orientation::Landscape => room(across).err(),
-            Orientation::Auto => room(upright).err().and_then(|faults| room(across).err().map(|_| faults)),
-        };
-        let fault = |what| Fault { place: self.place(PRESSED), what };
-        refused.unwrap_or_default().into_iter().map(fault).collect()
     }
 
     /// The faults of signs that a finger cannot tell apart, one for each pair.
@@ -337,13 +319,13 @@ impl Profile {
     }
 
     /// Are all these values given and in range?
-    fn sound(&self, paths: &[&str]) -> bool {
+    pub(super) fn sound(&self, paths: &[&str]) -> bool {
         let mut keys = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
         keys.all(|(key, origin)| origin.held && key.takes(key.value(self)))
     }
 
     /// Where the one of these keys that was given last was given.
-    fn place(&self, paths: &[&str]) -> String {
+    pub(super) fn place(&self, paths: &[&str]) -> String {
         let origins = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
         let last = origins.map(|(_, origin)| origin).max_by_key(|origin| origin.order);
         last.filter(|origin| origin.order > 0).map_or_else(|| self.name.clone(), |origin| origin.place.clone())
@@ -362,7 +344,7 @@ mod tests {
             assert!(known(&order.small) && known(&order.large), "{} {}", order.small, order.large);
             assert!(order.when.iter().all(known), "{:?}", order.when);
         }
-        assert!(ROOM.iter().chain(DRAWN).chain(PRESSED).all(known));
+        assert!(ROOM.iter().chain(DRAWN).all(known));
         assert!(NARROW.iter().all(|(path, when, _)| known(path) && when.iter().all(known)));
     }
 }

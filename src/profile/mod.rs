@@ -6,6 +6,7 @@
 
 mod built_in;
 mod check;
+mod device;
 mod inherit;
 mod key;
 mod keys;

@@ -133,6 +133,7 @@ impl Plan {
             pitch: dots.pitch,
             diameter: device.diameter(),
             line_gap: dots.texture_gap.round() as u32,
+            least_gap: dots.texture_gap.round().min(1.0) as u32,
             density_blur,
             dense_from,
             white_from,

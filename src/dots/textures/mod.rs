@@ -31,6 +31,8 @@ pub struct Params {
     pub diameter: f32,
     /// Empty dots between a line and a texture.
     pub line_gap: u32,
+    /// The same in an area that would have no texture otherwise, such as a bar of a chart; at most `line_gap`.
+    pub least_gap: u32,
     /// Sigma of the blur that makes the map of line density.
     pub density_blur: f32,
     /// Local line density (1 on a lone straight line) from which lines count in full; above 0.
@@ -47,17 +49,25 @@ pub struct Params {
 ///
 /// Fringes ([`Classes::fringe`]) are not shown: a single dot has no direction to turn.
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, params: &Params) -> Vec<Texture> {
-    let field = Field {
+    let mut field = Field {
         borders: Borders::new(classes, area),
         density: density::map(lines, area, params.density_blur),
         classes,
         area,
         params,
     };
-    let sets = match room {
-        Room::Grid(grid) => grid::fill(&field, lines, grid),
-        Room::Free(part) => free::fill(&field, lines, *part),
+    let filled = |field: &Field<'_>| match room {
+        Room::Grid(grid) => grid::fill(field, lines, grid),
+        Room::Free(part) => free::fill(field, lines, *part),
     };
+    let mut sets = filled(&field);
+    let narrow = Params { line_gap: params.least_gap, ..*params };
+    if params.line_gap > params.least_gap && sets.iter().any(Vec::is_empty) {
+        // What has dots at the wider gap keeps it; dots at the wider gap are dots at the narrower one as well.
+        field.params = &narrow;
+        let closer = filled(&field);
+        sets.iter_mut().zip(closer).filter(|(set, _)| set.is_empty()).for_each(|(set, closer)| *set = closer);
+    }
     let cell = area.area() / classes.size.area() as f32;
     let texture = |(region, at): (&Region, Vec<MmPoint>)| {
         let sign = pattern::sign(params.palette.sign(region.class), room);

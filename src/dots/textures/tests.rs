@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Params, fill, sample};
 use crate::classes::{Class, Classes, Region};
 use crate::devices::{Grid, Room};
-use crate::lines::{Line, Run};
+use crate::lines::{Height, Line, Pen, Run};
 use crate::raster::plane::Plane;
 use crate::textures::{Palette, Shape, Texture};
 use crate::units::{MmPoint, MmRect, Size};
@@ -24,6 +24,7 @@ fn params(pitch: f32) -> Params {
         pitch,
         diameter: 0.7 * pitch,
         line_gap: 1,
+        least_gap: 1,
         density_blur: 8.0,
         dense_from: 0.5,
         white_from: 0.92,
@@ -66,7 +67,7 @@ fn areas(seats: &[(f32, f32, u8)], lightness: f32) -> Classes {
 }
 
 fn line(points: Vec<MmPoint>) -> Line {
-    Line { strength: 30.0, runs: vec![Run { width: 1.5, points }] }
+    Line { strength: 30.0, runs: vec![Run { width: 1.5, points, pen: Pen::Dots(Height::High) }] }
 }
 
 /// All dots with their class, to the hundredth of a millimetre.
@@ -93,7 +94,7 @@ proptest! {
         let classes = areas(&seats, lightness);
         let place = |k: i32| MmPoint::new(80.0 + (way.0 + k * way.2) as f32 * pitch, 90.0 + (way.1 + k * way.3) as f32 * pitch);
         let lines = [line((0..20).map(place).collect())];
-        let params = Params { line_gap: gap, ..params(pitch) };
+        let params = Params { line_gap: gap, least_gap: gap, ..params(pitch) };
         let textures = fill(&classes, AREA, &lines, &Room::Grid(grid(pitch)), &params);
         prop_assert_eq!(&textures, &fill(&classes, AREA, &lines, &Room::Grid(grid(pitch)), &params));
         prop_assert!(lightness < 0.92 || textures.is_empty(), "there is a texture on white");

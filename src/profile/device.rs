@@ -1,0 +1,81 @@
+//! What the device of a profile of dots cannot do.
+
+use super::{Fault, Profile};
+use crate::classes::Class;
+use crate::devices::{Device, Family, Room};
+use crate::dots::textures::carried;
+use crate::page::layout::Orientation;
+use crate::textures::Palette;
+
+/// The keys that a device may refuse.
+const PRESSED: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device", "dots.pitch"];
+
+/// The keys of the signs of colours.
+const PALETTE: &[&str] = &[
+    "textures.palette.blue",
+    "textures.palette.green",
+    "textures.palette.yellow",
+    "textures.palette.red",
+    "textures.palette.grey",
+    "dots.device",
+];
+
+impl Profile {
+    /// What the device cannot do that the profile asks for.
+    pub(super) fn device_faults(&self) -> Vec<Fault> {
+        let (Some(device), true) = (self.dots.device, self.sound(PRESSED)) else { return Vec::new() };
+        let [short, long] = [self.page.width.min(self.page.height), self.page.width.max(self.page.height)];
+        let (upright, across) = ([short, long], [long, short]);
+        let room = |sheet| device.room(sheet, self.dots.pitch);
+        let refused = match self.page.orientation {
+            Orientation::Portrait => room(upright).err(),
+            Orientation::Landscape => room(across).err(),
+            Orientation::Auto => room(upright).err().and_then(|faults| room(across).err().map(|_| faults)),
+        };
+        let fault = |what| Fault { place: self.place(PRESSED), what };
+        let mut faults: Vec<Fault> = refused.unwrap_or_default().into_iter().map(fault).collect();
+        if let (Ok(room), true, true) =
+            (room(upright).or_else(|_| room(across)), faults.is_empty(), self.figure.textures)
+        {
+            faults.extend(self.carried_faults(device, &room));
+        }
+        faults
+    }
+
+    /// The classes that the patterns of a grid cannot tell apart. Cells of text carry few directions whatever the palette; the maker
+    /// of such a page is told, and not refused.
+    fn carried_faults(&self, device: &Device, room: &Room) -> Vec<Fault> {
+        let palette = [self.palette.blue, self.palette.green, self.palette.yellow, self.palette.red, self.palette.grey];
+        // those that no device tells apart are told as such
+        let told = (0..5).any(|i| (0..i).any(|j| !palette[i].differs_from(palette[j])));
+        if told || device.family == Family::Cells {
+            return Vec::new();
+        }
+        let alike = carried(&Palette { signs: palette }, room).err().unwrap_or_default();
+        let fault = |(a, b): (Class, Class)| {
+            let what = format!(
+                "the dots of {} {} mm apart lie in rows at 0, 45, 90 or 135 degrees, if they are near enough, and cannot tell {} from {}, \
+                 give them directions that are nearest to different ones of these",
+                device.name,
+                self.dots.pitch,
+                a.name(),
+                b.name()
+            );
+            Fault { place: self.place(PALETTE), what }
+        };
+        alike.into_iter().map(fault).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::keys::KEYS;
+    use super::*;
+
+    /// A misspelt path would switch its rule off without a word.
+    #[test]
+    fn rules_name_keys_that_exist() {
+        let mut paths = PRESSED.iter().chain(PALETTE);
+        assert!(paths.all(|path| KEYS.iter().any(|key| key.path == *path)));
+    }
+}
