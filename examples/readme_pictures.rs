@@ -16,8 +16,12 @@ use tactograph::pipeline::{Request, convert};
 use tactograph::profile::{Plan, Profile};
 use tactograph::raster::decode::Limits;
 
-/// Samples with their size in pixels on the left.
-const SAMPLES: &[(&str, [f32; 2])] = &[("coffee.png", [540.0, 360.0]), ("landscape.svg", [540.0, 405.0])];
+/// Samples with their size in pixels on the left, the profile of the page on the right, and the picture's name.
+const SAMPLES: &[(&str, [f32; 2], &str, &str)] = &[
+    ("coffee.png", [540.0, 360.0], "swell-a4", "coffee.png"),
+    ("landscape.svg", [540.0, 405.0], "swell-a4", "landscape.png"),
+    ("coffee.png", [540.0, 360.0], "index-basic-d", "dots.png"),
+];
 
 /// Pixels per millimetre of the page: the thinnest line is then still over two pixels wide.
 const PX_PER_MM: f32 = 3.2;
@@ -28,27 +32,26 @@ fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (samples, out) = (root.join("samples"), root.join("docs/readme"));
     std::fs::create_dir_all(&out)?;
-    for &(name, size) in SAMPLES {
-        let page = Tree::from_str(&page_of(&samples.join(name), name)?, &Options::default())?;
+    for &(name, size, profile, to) in SAMPLES {
+        let page = Tree::from_str(&page_of(&samples.join(name), name, profile)?, &Options::default())?;
         let picture = picture(&samples, name, size)?;
-        let stem = Path::new(name).file_stem().unwrap_or_default();
-        side_by_side(&picture, &page)?.save_png(out.join(stem).with_extension("png"))?;
+        side_by_side(&picture, &page)?.save_png(out.join(to))?;
     }
-    let sheets = tactograph::calibration::sheets(&plan()?)?;
+    let sheets = tactograph::calibration::sheets(&plan("swell-a4")?)?;
     let first = sheets.first().ok_or("no calibration sheet")?;
     let first = Tree::from_str(&svg::write(first), &Options::default())?;
     on_grey(&first)?.save_png(out.join("calibration.png"))?;
     Ok(())
 }
 
-fn plan() -> Result<Plan, Box<dyn Error>> {
-    let profile = Profile::named("swell-a4").map_err(|faults| format!("{faults:?}"))?;
+fn plan(name: &str) -> Result<Plan, Box<dyn Error>> {
+    let profile = Profile::named(name).map_err(|faults| format!("{faults:?}"))?;
     Ok(Plan::new(&profile).map_err(|faults| format!("{faults:?}"))?)
 }
 
 /// The page of a sample, as `tactograph convert` makes it.
-fn page_of(file: &Path, title: &str) -> Result<String, Box<dyn Error>> {
-    let plan = plan()?;
+fn page_of(file: &Path, title: &str, profile: &str) -> Result<String, Box<dyn Error>> {
+    let plan = plan(profile)?;
     // None of these samples has text.
     let request =
         Request { plan: &plan, limits: Limits::default(), fonts: &Arc::default, title, fit: Default::default() };

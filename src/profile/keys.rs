@@ -305,7 +305,7 @@ table! {
         /// The sign of black, greys and weakly saturated colours.
         grey: sign;
     }
-    /// Pages of dots, for embossers and pin displays.
+    /// Pages of dots, for embossers and pin displays: widths of lines, and sizes and rows of textures, are then those of the device.
     dots: DotsSettings {
         /// What presses the page; with "none" it is printed.
         device: device;
