@@ -56,7 +56,12 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], part: MmRect) -> Vec<Vec<M
             }
         });
     }
-    let apart = Apart { pitch: params.pitch, along: params.pitch, across: (2.0 * across).max(3.0_f32.sqrt() * grey) };
+    let apart = Apart {
+        pitch: params.pitch,
+        along: params.pitch,
+        off: 0.3 * params.pitch,
+        across: (2.0 * across).max(3.0_f32.sqrt() * grey),
+    };
     for (set, region) in sets.iter_mut().zip(&classes.regions) {
         let sign = params.palette.sign(region.class);
         strays::leave_out(set, sign, apart);

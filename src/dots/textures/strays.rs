@@ -11,8 +11,6 @@ const LEAST_GROUP: usize = 6;
 const LEAST_ROW: usize = 2;
 /// Two rows lie further apart than this, in pitches; the two halves of a thick row lie nearer.
 const ONE_ROW: f32 = 1.5;
-/// Dots further off a row than this, in pitches, are of another one.
-const OFF_ROW: f32 = 0.3;
 
 /// How far dots of one texture are from one another, mm.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +19,8 @@ pub(super) struct Apart {
     pub(super) pitch: f32,
     /// In a row, at most.
     pub(super) along: f32,
+    /// Off the middle of a row, from one dot to the next, at most.
+    pub(super) off: f32,
     /// From a row or a dot to the next one of the sparsest texture, at most.
     pub(super) across: f32,
 }
@@ -30,8 +30,7 @@ pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, apart: Apart) {
     let pitch = apart.pitch;
     if let Sign::Rhombus { degrees } = sign {
         let (along, across) = (unit(degrees), unit(degrees + 90.0));
-        let in_row =
-            |way: MmVector| way.dot(across).abs() <= OFF_ROW * pitch && way.dot(along).abs() <= 1.01 * apart.along;
+        let in_row = |way: MmVector| way.dot(across).abs() <= apart.off && way.dot(along).abs() <= 1.01 * apart.along;
         keep(dots, 1.1 * apart.along, in_row, |row| row.len() >= LEAST_ROW);
     }
     let across: &[f32] = match sign {
