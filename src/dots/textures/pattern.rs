@@ -10,12 +10,12 @@
 //!
 //! What was learned by measuring (coherence as in [`crate::touch`]; a fingertip of 1.0 mm, 0.30 is a direction):
 //!
-//! * **Straight rows** some 4.6 mm apart are felt at every pitch (0.9 and more), as single rows and as rows of two, with all
-//!   their dots. With every second dot left out they are none: 0.03 to 0.1 at 2.0 and 2.5 mm.
+//! * **Straight rows** some 4.6 mm apart are felt at every pitch, 0.9 and more as single rows, 0.85 and more as rows of two,
+//!   with all their dots. With every second dot left out they are none: 0.0 to 0.2 at 2.0 and 2.5 mm.
 //! * **Diagonal rows** are harder, since along them dots are 1.4 pitches apart. In dots across the row, coherence at
 //!   2.5 mm: every 2nd 0.00 (a checkerboard), every 3rd 0.45, every 4th 0.45, and every 4th two dots thick 0.62; at 2.0 mm every
 //!   3rd 0.80, thick 0.92. So on coarse grids they get dense by getting thick. On scenes thick rows are misread half as often
-//!   at 2.5 mm (0.002 of places against 0.004); at 2.0 mm both are 0.0005, and single rows are nearer to one another, which
+//!   at 2.5 mm (0.002 of places against 0.004); at 2.0 mm it is 0.0003 against 0.0006, and single rows are nearer to one another, which
 //!   leaves more of them in small areas.
 //! * **Grey must have holes**, as among rhombuses: with a whole checkerboard as its dense texture a fingertip of 1.5 mm reads
 //!   0.83 to 0.93 of it right, with a quarter of it left out 0.97 and more. Each is the same after a quarter turn.
@@ -41,8 +41,8 @@
 //! * From 2.0 mm on the finest fingertip (0.5 mm) feels single dots: diagonal rows have no direction for it (coherence 0.0 at
 //!   2.5 mm, up to 0.10 at 2.0 mm, where 0.12 is one), whatever the pattern. Straight rows do.
 //! * A pitch of 3.0 mm has no diagonals at 1.0 mm either: green and red are read as grey.
-//! * Braille cells of six dots carry rows (0 degrees), columns (90 degrees) and dots. Of all patterns that repeat within four
-//!   cells, tried one by one, the most diagonal is one letter in every other cell, with a coherence of 0.38 and a direction of
+//! * Braille cells of six dots carry rows (0 degrees), columns (90 degrees) and dots. Of all patterns that repeat after one to
+//!   four cells, line by line the same or shifted by one or two cells, tried one by one, the most diagonal is one letter in every other cell, with a coherence of 0.38 and a direction of
 //!   62 degrees: too little. Diagonal rows are set all the same, since a broader fingertip does feel them (samples
 //!   0.88 at 1.5 mm), and [`carried`] tells which classes they leave alike.
 //! * Directions other than the four [`Way`]s: rows would be stairs. Each is set in the nearest of the four.
