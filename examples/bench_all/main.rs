@@ -14,7 +14,7 @@
 //! system's cache. All programs for one picture run in turn, round after round, every second round in reverse, after one
 //! round to warm up. Figures are medians over the rounds; a ratio is the median of the ratios within each round, so that
 //! whatever else the machine does falls on both sides. Working time (CPU) is shown beside the clock: it feels others' load
-//! less. Who has taken 15 s in all does not run again. Memory is the most that was held (peak resident set).
+//! less. Who has worked 15 s in all does not run again. Memory is the most that was held (peak resident set).
 //!
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
 //! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages.

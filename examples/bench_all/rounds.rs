@@ -1,7 +1,5 @@
 //! Several programs in turn, round after round: whatever else the machine does then falls on all of them alike.
 
-use std::time::{Duration, Instant};
-
 use crate::measured::{Job, Run, run};
 use crate::numbers::median;
 
@@ -9,8 +7,8 @@ use crate::numbers::median;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Setting {
     pub(crate) runs: usize,
-    /// Who has used up this much does not run again.
-    pub(crate) patience: Duration,
+    /// Who has used up this much working time, ms, does not run again.
+    pub(crate) patience: f64,
     pub(crate) one_core: bool,
 }
 
@@ -51,7 +49,7 @@ impl Outcome {
 pub(crate) fn rounds(jobs: &[Job], setting: Setting) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> =
         jobs.iter().map(|job| Outcome { name: job.name.clone(), runs: Ok(Vec::new()) }).collect();
-    let mut spent = vec![Duration::ZERO; jobs.len()];
+    let mut spent = vec![0.0; jobs.len()];
     for round in 0..=setting.runs {
         let mut order: Vec<usize> = (0..jobs.len()).collect();
         if round % 2 == 1 {
@@ -62,10 +60,9 @@ pub(crate) fn rounds(jobs: &[Job], setting: Setting) -> Vec<Outcome> {
             if spent[i] >= setting.patience {
                 continue;
             }
-            let start = Instant::now();
             match run(&jobs[i], setting.one_core) {
                 Ok(run) => {
-                    spent[i] += start.elapsed();
+                    spent[i] += run.cpu;
                     // A first run that used up the patience is all there will be.
                     if round > 0 || spent[i] >= setting.patience {
                         runs.push(run);

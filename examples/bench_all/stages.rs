@@ -1,7 +1,7 @@
 //! Our own program alone: every kind of picture, what is skipped, and how time grows.
 
 use crate::inputs::SIZES;
-use crate::measured::Job;
+use crate::measured::{Job, run};
 use crate::numbers::exponent;
 use crate::ours::{STAGES, after_decoding, skipped, stage};
 use crate::rounds::{Outcome, rounds};
@@ -56,18 +56,27 @@ pub(crate) fn skips(bench: &Bench<'_>) -> Table {
         ("grey photo", "photo-12-grey.jpg", &[]),
         ("white page", "white-12.jpg", &[]),
     ];
-    let jobs = work.map(|(name, file, options)| bench.ours.job(name, &bench.inputs.file(file), "page.svg", options));
-    let outcomes = rounds(&jobs, bench.setting(false));
-    let about = "12 MP JPEG to SVG, after decoding. *Worth* is what the skipped stages take of the page with everything, \
-                 *saved* how much less all of it takes (what is smaller to write counts too).";
+    let about = "12 MP JPEG to SVG, after decoding, with the figure in the same size on all of these pages (without an overview \
+                 there would be room for a larger one). *Worth* is what the skipped stages take of the page with everything \
+                 (of hues, by how much less the classes take), *saved* how much less all of it takes: what is then smaller to \
+                 write or simpler to find counts too.";
     let head = ["page", "skipped", "worth, ms", "after decoding, ms", "saved, ms", "whole process, ms"];
     let mut table = Table::new("What is skipped", about, &head);
+    let job = |(name, file, options): (&str, &str, &[&str]), width: &[&str]| {
+        bench.ours.job(name, &bench.inputs.file(file), "page.svg", &[options, width].concat())
+    };
+    let Some(width) = figure_width(&job(work[0], &[])) else { return table };
+    let jobs = work.map(|work| job(work, &["--width-mm", &width]));
+    let outcomes = rounds(&jobs, bench.setting(false));
     let Some(all) = outcomes.first() else { return table };
     table.rows.extend(outcomes.iter().map(|outcome| {
         let first = outcome.runs.as_ref().ok().and_then(|runs| runs.first());
         let names = first.map(skipped).unwrap_or_default();
-        let worth: f64 =
-            names.iter().filter_map(|name| all.median(|run| stage(run, name))).fold(0.0, |sum, time| sum + time);
+        let worth = |name: &&str| match *name {
+            "hues" => Some(classes(all)? - classes(outcome)?),
+            name => all.median(|run| stage(run, name)),
+        };
+        let worth = names.iter().filter_map(worth).fold(0.0, |sum, time| sum + time);
         let saved = all.beside(outcome, |all, this| Some(after_decoding(all)? - after_decoding(this)?));
         vec![
             outcome.name.clone(),
@@ -79,6 +88,19 @@ pub(crate) fn skips(bench: &Bench<'_>) -> Table {
         ]
     }));
     table
+}
+
+fn classes(outcome: &Outcome) -> Option<f64> {
+    outcome.median(|run| stage(run, "classes"))
+}
+
+/// How wide the program makes a figure, mm, as its page says.
+fn figure_width(job: &Job) -> Option<String> {
+    run(job, false).map_err(|fault| eprintln!("{}: {fault}", job.name)).ok()?;
+    let page = std::fs::read_to_string(job.writes.as_ref()?).ok()?;
+    let tag = page.split('<').find(|tag| tag.contains("id=\"figure\""))?;
+    let numbers = tag.split_once("data-box=\"")?.1.split_once('"')?.0;
+    numbers.split_whitespace().nth(2).map(String::from)
 }
 
 /// Sheets of a series, each of half the area of the next but one: width and height, mm.

@@ -32,8 +32,21 @@ impl Table {
 pub(crate) fn number(value: Option<f64>) -> String {
     match value {
         None => "-".into(),
+        Some(value) if value.abs() >= 9999.5 => format!("{:.0} thousand", value / 1e3),
         Some(value) if value.abs() >= 99.95 => format!("{value:.0}"),
         Some(value) if value.abs() >= 9.995 => format!("{value:.1}"),
-        Some(value) => format!("{value:.2}"),
+        Some(value) if value.abs() >= 0.00995 || value == 0.0 => format!("{value:.2}"),
+        Some(value) => format!("{value:.4}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_three_digits_or_so() {
+        let shown = [None, Some(0.0), Some(0.00061), Some(-0.25), Some(9.999), Some(123.4), Some(76_334.0)].map(number);
+        assert_eq!(shown, ["-", "0.00", "0.0006", "-0.25", "10.0", "123", "76 thousand"]);
     }
 }

@@ -1,10 +1,8 @@
 //! What was promised beside what is reached, and the other programs.
 
-use std::time::Duration;
-
 use crate::inputs::Inputs;
 use crate::measured::Job;
-use crate::ours::{Ours, after_decoding};
+use crate::ours::{Ours, after_decoding, stage};
 use crate::peers::Peers;
 use crate::rounds::{Outcome, Setting, rounds};
 use crate::table::{Table, number};
@@ -19,7 +17,7 @@ pub(crate) struct Bench<'a> {
 
 impl Bench<'_> {
     pub(crate) fn setting(&self, one_core: bool) -> Setting {
-        let patience = Duration::from_secs(if self.args.quick { 2 } else { 15 });
+        let patience = if self.args.quick { 2e3 } else { 15e3 };
         Setting { runs: self.args.runs, patience, one_core }
     }
 }
@@ -173,7 +171,7 @@ fn versus(work: &str, ours: &Outcome, theirs: &Outcome, wanted: Option<f64>) -> 
     let mut peer = theirs.name.clone();
     if let Err(fault) = &theirs.runs {
         peer += &format!(" (failed: {fault})");
-    } else if let Some(alone) = theirs.median(|run| crate::ours::stage(run, "alone")) {
+    } else if let Some(alone) = theirs.median(|run| stage(run, "alone")).filter(|&alone| alone < 10e3) {
         peer += &format!(" ({} ms without its start)", number(Some(alone)));
     }
     let ratio = ours.beside(theirs, |our, their| Some(our.wall / their.wall));
