@@ -149,10 +149,11 @@ fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failu
         ([file], None) => output::to_stdout(file, noun).map_err(|error| about(&job.target, error))?,
         ([file], Some(path)) => output::to_file(path, file, noun).map_err(|error| about(&job.target, error))?,
         (files, None) => {
-            let what = format!(
-                "{} sheets do not go into one file of this format; add --format pdf, name a file, or leave out the overview",
-                files.len()
-            );
+            let instead = match product {
+                Product::Page(format) if format.is_of_dots() => "name a file, or add --no-overview",
+                _ => "add --format pdf, or name a file",
+            };
+            let what = format!("{} sheets do not go into one file of this format; {instead}", files.len());
             return Err(Failure { file: places::target_name(&job.target), what });
         }
         (files, Some(path)) => {

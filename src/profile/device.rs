@@ -10,6 +10,9 @@ use crate::textures::Palette;
 /// The keys that a device may refuse.
 const PRESSED: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device", "dots.pitch"];
 
+/// The keys of what only rhombuses can tell.
+const FRINGE: &[&str] = &["textures.fringe", "dots.device"];
+
 /// The keys of the signs of colours.
 const PALETTE: &[&str] = &[
     "textures.palette.blue",
@@ -33,6 +36,13 @@ impl Profile {
             Orientation::Auto => room(upright).err().and_then(|faults| room(across).err().map(|_| faults)),
         };
         let fault = |what| Fault { place: self.place(PRESSED), what };
+        if self.figure.textures && self.textures.fringe && self.sound(FRINGE) {
+            let what = format!(
+                "textures.fringe turns single rhombuses, and {} presses dots, which have no direction, set it to false",
+                device.name
+            );
+            return vec![Fault { place: self.place(FRINGE), what }];
+        }
         let mut faults: Vec<Fault> = refused.unwrap_or_default().into_iter().map(fault).collect();
         if let (Ok(room), true, true) =
             (room(upright).or_else(|_| room(across)), faults.is_empty(), self.figure.textures)
@@ -75,7 +85,7 @@ mod tests {
     /// A misspelt path would switch its rule off without a word.
     #[test]
     fn rules_name_keys_that_exist() {
-        let mut paths = PRESSED.iter().chain(PALETTE);
+        let mut paths = PRESSED.iter().chain(PALETTE).chain(FRINGE);
         assert!(paths.all(|path| KEYS.iter().any(|key| key.path == *path)));
     }
 }

@@ -59,7 +59,7 @@ fn wrong_usage_is_told() {
     place.refuses(&["calibrate"], 2, &[missing]);
     let lines = [
         "--dpi is for PNG, and this page is written as SVG; leave it out, or give a name that ends in .png",
-        "s.jpg: a page is not written as .jpg, only as .svg, .pdf or .png; name it s.svg",
+        "s.jpg: a page is not written as .jpg, only as .svg, .pdf or .png, or for dots .ubrl, .brf, .pef, .idx, .gcode or .txt; name it s.svg",
         "--set x: write it as key=value, such as lines.width_max=1.2",
     ];
     place.refuses(&["calibrate", "-o", "s.jpg", "--dpi", "100", "--set", "x"], 2, &lines);

@@ -99,7 +99,9 @@ fn an_ending_that_is_not_written_is_refused() {
     let place = Place::with_picture("a.png");
     for ending in ["ps", "jpg", "svgz"] {
         let page = format!("page.{ending}");
-        let line = format!("{page}: a page is not written as .{ending}, only as .svg, .pdf or .png; name it page.svg");
+        let line = format!(
+            "{page}: a page is not written as .{ending}, only as .svg, .pdf or .png, or for dots .ubrl, .brf, .pef, .idx, .gcode or .txt; name it page.svg"
+        );
         place.refuses(&["convert", "a.png", "-o", &page], 2, &[&line]);
     }
     assert_eq!(place.names(), ["a.png"]);

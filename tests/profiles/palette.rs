@@ -68,3 +68,27 @@ fn signs_that_fingers_cannot_tell_apart_are_refused() {
     );
     assert_eq!(faults("figure.textures = false\ntextures.palette.green = \"dot\""), "none");
 }
+
+/// What dots on a grid cannot tell is refused where it was given; what cells of text cannot tell is theirs to say.
+#[test]
+fn what_dots_cannot_carry_is_refused() {
+    let faults = |text: &str| match Profile::from_toml(text, "my.toml") {
+        Ok(_) => String::new(),
+        Err(faults) => {
+            faults.iter().map(|fault| format!("{}: {}", fault.place, fault.what)).collect::<Vec<_>>().join("\n")
+        }
+    };
+    let school = "[textures.palette]\ngreen = \"rhombus 60\"\nyellow = \"rhombus 95\"\nred = \"rhombus 150\"\n";
+    assert_eq!(faults(&format!("inherits = \"braillerap\"\n{school}")), "");
+    assert_eq!(faults(&format!("inherits = \"index-basic-d\"\n{school}")), "");
+    let close = school.replace("60", "65").replace("150", "130");
+    assert_eq!(faults(&format!("inherits = \"braillerap\"\n{}", close.replace("95", "96"))), "");
+    assert!(
+        faults(&format!("inherits = \"dot-pad\"\n{}", close.replace("65", "68").replace("95", "100")))
+            .contains("cannot tell green from yellow"),
+    );
+    assert!(
+        faults("inherits = \"monarch\"\ntextures.fringe = true").contains("textures.fringe turns single rhombuses")
+    );
+    assert_eq!(faults("inherits = \"monarch\"\ntextures.fringe = true\nfigure.textures = false"), "");
+}

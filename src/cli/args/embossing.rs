@@ -10,7 +10,7 @@ pub(in crate::cli) struct Embossing {
     /// For --format idx. Range: 1 to 999.
     ///
     /// [default: 1]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     pub(in crate::cli) copies: Option<u16>,
 
     /// How hard an Index embosser strikes, for thick paper
@@ -18,6 +18,6 @@ pub(in crate::cli) struct Embossing {
     /// For --format idx. Range: 1 to 3.
     ///
     /// [default: 1]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", hide_short_help = true)]
     pub(in crate::cli) impact: Option<u8>,
 }

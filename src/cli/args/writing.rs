@@ -11,7 +11,7 @@ use crate::cli::product::Format;
 /// Options of all commands that write pages.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Writing {
-    /// Format of the page: svg to change it in a drawing program, pdf to print it, png for everything else; or one of dots
+    /// Format of the page: svg to change it, pdf to print it, png, or one of dots
     ///
     /// Needed only where no name says it: the ending of a name for -o does. SVG, PDF and PNG are in true millimetres; SVG and
     /// PDF have the same layers. The others hold dots and nothing else, and need a profile of an embosser or a pin display:
@@ -60,7 +60,9 @@ impl Writing {
             let (name, asked) = (name.display(), asked.name());
             faults.push(format!("{name}: this name does not go with --format {asked}; leave one out"));
         }
-        let format = self.format.or(of_name).unwrap_or(Format::Svg);
+        // of two that go with the name, the one that is asked for
+        let asked = self.format.filter(|asked| of_name.is_none_or(|by_name| by_name.ending() == asked.ending()));
+        let format = asked.or(of_name).unwrap_or(Format::Svg);
         for (option, given) in [("--dpi", self.dpi.is_some()), ("--grey", self.grey)] {
             if given && format != Format::Png {
                 faults.push(format!(
