@@ -130,15 +130,15 @@ fn empty_dots_lie_between_lines() {
         let gap = profile.dots.line_gap as i32;
         let lines: Vec<Vec<Cell>> = page.figure.lines.iter().map(|line| cells(&line.runs[0], grid, name)).collect();
         let all: Vec<Vec<Cell>> = page.figure.lines.iter().map(|line| cells_of(line, grid, name)).collect();
-        for i in 0..lines.len() {
-            for j in 0..i {
-                for (k, &cell) in lines[i].iter().enumerate() {
-                    let nearest = all[j].iter().map(|&other| apart(cell, other)).min().unwrap_or(i32::MAX);
+        for (i, line) in lines.iter().enumerate() {
+            for other in &all[..i] {
+                for (k, &cell) in line.iter().enumerate() {
+                    let nearest = other.iter().map(|&at| apart(cell, at)).min().unwrap_or(i32::MAX);
                     if nearest > gap {
                         continue;
                     }
-                    let from_end = k.min(lines[i].len() - 1 - k) as i32;
-                    let their_end = [all[j].first(), all[j].last()].into_iter().flatten();
+                    let from_end = k.min(line.len() - 1 - k) as i32;
+                    let their_end = [other.first(), other.last()].into_iter().flatten();
                     let from_their_end = their_end.map(|&end| apart(end, cell)).min().unwrap_or(i32::MAX);
                     let way_out = 2 * gap + 4;
                     assert!(

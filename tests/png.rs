@@ -7,6 +7,7 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tactograph::output::png::{Depth, Dpi, is_as_written, write};
 use tactograph::output::svg;
+use tactograph::profile::Profile;
 use tactograph::{Error, Page};
 
 const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="120" height="90">
@@ -143,4 +144,20 @@ fn too_many_pixels_are_refused_before_they_are_drawn() {
         assert_eq!(Dpi::new(n), None);
     }
     assert_eq!(Dpi::new(300), Some(Dpi::default()));
+}
+
+/// Heights are greys, whatever is asked for.
+#[test]
+fn a_page_with_heights_is_grey() {
+    let profile = Profile::named("viewplus-columbia").expect("it is built in");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/coffee.png");
+    let bytes = std::fs::read(path).expect("a sample can be read");
+    let page = page::page_for(&bytes, "coffee.png", &profile, &mut |_| ()).page;
+    let png = write(&page, dpi(100), Depth::Bilevel).expect("few pixels");
+    let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
+    reader.next_frame(&mut pixels).expect("a PNG");
+    for grey in [0, 85, 170, 255] {
+        assert!(pixels.iter().filter(|&&pixel| pixel == grey).count() > 500, "no dots of grey {grey}");
+    }
 }

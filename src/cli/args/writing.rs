@@ -11,8 +11,9 @@ use crate::cli::product::Format;
 /// Options of all commands that write pages.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Writing {
-    /// Format of the page: svg to change it, pdf to print it, png, or one of dots
+    /// Format of the page: svg, pdf, png, or one of dots
     ///
+    /// SVG to change it in a drawing program, PDF to print it, PNG for everything else.
     /// Needed only where no name says it: the ending of a name for -o does. SVG, PDF and PNG are in true millimetres; SVG and
     /// PDF have the same layers. The others hold dots and nothing else, and need a profile of an embosser or a pin display:
     /// ubrl is Unicode braille for CUPS, brf ASCII braille for any embosser, pef the Portable Embosser Format, idx for Index
