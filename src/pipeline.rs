@@ -2,6 +2,7 @@
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+mod beside;
 pub mod colours;
 mod dots;
 mod fit;
@@ -34,8 +35,8 @@ pub struct Drawing {
     pub notes: Vec<Note>,
 }
 
-/// A step on the way, for progress and timings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// A step on the way, for progress and timings; in the order in which they run, or begin where several run side by side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
     /// Bytes to pixels.
     Decode,
@@ -43,14 +44,14 @@ pub enum Stage {
     Edges,
     /// Contours to lines in millimetres.
     Lines,
+    /// The lines of the overview.
+    Overview,
     /// Telling hues apart, the larger part of [`Stage::Classes`]; only ever told of when it is skipped.
     Hues,
     /// Pixels to colour classes and their regions.
     Classes,
     /// Regions to glyphs.
     Textures,
-    /// The lines of the overview.
-    Overview,
     /// Everything to a page.
     Page,
 }
@@ -62,10 +63,10 @@ impl Stage {
             Self::Decode => "decode",
             Self::Edges => "edges",
             Self::Lines => "lines",
+            Self::Overview => "overview",
             Self::Hues => "hues",
             Self::Classes => "classes",
             Self::Textures => "textures",
-            Self::Overview => "overview",
             Self::Page => "page",
         }
     }
@@ -74,13 +75,17 @@ impl Stage {
 /// What the pipeline tells while it works.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
-    /// A stage begins.
+    /// A stage begins; others may run already.
     Begin(Stage),
-    /// The stage that began last is done.
+    /// A stage that began is done.
     End(Stage),
     /// A stage, or a part of it, is not needed for this page, and why.
     Skip(Stage, &'static str),
 }
+
+/// Is told of every stage: where a program keeps its clock or its progress bar. Stages that run side by side tell from the
+/// threads that they run on, one at a time.
+pub type Watch<'a> = dyn FnMut(Event) + Send + 'a;
 
 /// Everything beside the picture's bytes.
 pub struct Request<'a> {
@@ -103,11 +108,11 @@ const MIN_PIXELS: u32 = 8;
 /// to 0.3 and lose little by it.
 const CROWDED: f32 = 0.35;
 
-/// Makes the page of a picture. `watch` is told of every stage; it is where a program keeps its clock or its progress bar.
+/// Makes the page of a picture. `watch` is told of every stage.
 ///
 /// # Errors
 /// When no page can be made at all; see [`Error`].
-pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Drawing, Error> {
+pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
     let plan = request.plan;
     let Marks { figure, overview, shares, layout, is_flat, mut notes } =
         draw(picture, request, &|size| request.fit.layout(size, plan), watch)?;
@@ -144,7 +149,7 @@ fn draw(
     picture: &[u8],
     request: &Request<'_>,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Result<Marks, Error> {
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
@@ -155,11 +160,18 @@ fn draw(
 
     let is_flat = picture.raster.is_flat();
     let edges = find_edges(&picture.raster, is_flat, &layout, plan, watch);
-    let drawn = draw_lines(edges.as_ref(), &layout, plan, watch);
+    let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
+    let (drawn, (overview, classes)) = beside::both(
+        has_lines,
+        watch,
+        |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
+        |watch| {
+            let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
+            (overview, sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch))
+        },
+    );
     notes.extend(crowded(&drawn));
     let lines = drawn.lines;
-    let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
-    let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
     drop(edges);
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
@@ -167,7 +179,7 @@ fn draw(
     Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, notes })
 }
 
-fn run<T>(watch: &mut dyn FnMut(Event), stage: Stage, work: impl FnOnce() -> T) -> T {
+fn run<T>(watch: &mut Watch<'_>, stage: Stage, work: impl FnOnce() -> T) -> T {
     watch(Event::Begin(stage));
     let result = work();
     watch(Event::End(stage));
@@ -214,13 +226,7 @@ fn enough_pixels(size: Size) -> Result<(), Error> {
     Ok(())
 }
 
-fn find_edges(
-    raster: &Raster,
-    is_flat: bool,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut dyn FnMut(Event),
-) -> Option<Edges> {
+fn find_edges(raster: &Raster, is_flat: bool, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Option<Edges> {
     let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
         "neither the figure nor an overview has lines"
     } else if is_flat {
@@ -233,7 +239,7 @@ fn find_edges(
     None
 }
 
-fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut dyn FnMut(Event)) -> Drawn {
+fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Drawn {
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
@@ -259,7 +265,7 @@ fn draw_overview(
     edges: Option<&Edges>,
     layout: &Layout,
     plan: &Plan,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Option<(MmRect, Vec<Line>)> {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
@@ -282,7 +288,7 @@ fn sort_colours(
     edges: Option<&Edges>,
     layout: &Layout,
     plan: &Plan,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Option<Classes> {
     if !plan.profile().figure.textures {
         watch(Event::Skip(Stage::Classes, "figure.textures is off"));
@@ -305,7 +311,7 @@ fn draw_textures(
     layout: &Layout,
     lines: &[Line],
     plan: &Plan,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Vec<Texture> {
     let reason = match classes {
         None => "figure.textures is off",

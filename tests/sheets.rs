@@ -9,7 +9,7 @@ use tactograph::geom::nearest_on_segment;
 use tactograph::page::spread::Grid;
 use tactograph::page::{Page, Run};
 use tactograph::pipeline::sheets::{Sheets, convert};
-use tactograph::pipeline::{Event, Fit, Request, Stage};
+use tactograph::pipeline::{Event, Fit, Request, Stage, Watch};
 use tactograph::profile::{Plan, Profile};
 use tactograph::units::{MmPoint, MmRect, MmVector};
 use tactograph::{Error, Note};
@@ -23,7 +23,7 @@ fn sheets_of(
     grid: &str,
     settings: &[(&str, &str)],
     fit: Fit,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
     let path = samples::samples().into_iter().find(|path| path.ends_with(name)).expect("the sample is there");
     let bytes = std::fs::read(path).expect("it can be read");

@@ -19,6 +19,7 @@ fn run(picture: &DynamicImage, settings: &[(&str, &str)]) -> (Drawing, Vec<Stage
         Event::End(stage) => ran.push(stage),
         Event::Skip(stage, why) => skipped.push((stage, why)),
     });
+    ran.sort(); // some run side by side, and either may end first
     (drawing, ran, skipped)
 }
 

@@ -6,7 +6,7 @@ use tactograph::contours::{Polyline, Trace};
 use tactograph::note::Note;
 use tactograph::output::json;
 use tactograph::pipeline::trace::{Request, Subject, Thresholds, Traced, trace};
-use tactograph::pipeline::{self, Event, Stage};
+use tactograph::pipeline::{self, Event, Stage, Watch};
 use tactograph::profile::{Plan, Profile};
 use tactograph::raster::decode::Limits;
 use tactograph::units::{PxPoint, Size};
@@ -24,7 +24,7 @@ fn try_trace(
     subject: Subject,
     thresholds: Option<Thresholds>,
     limits: Limits,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Result<Traced, Error> {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
     trace(picture, &Request { subject, thresholds, plan: &plan(), limits, fonts: &fonts }, watch)

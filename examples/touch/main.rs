@@ -35,7 +35,7 @@ use judge::Tally;
 use scenes::{FINE_PX, KINDS, QUICK_PX};
 use tactograph::output::svg;
 use tactograph::page::Class;
-use tactograph::pipeline::{Event, Request, Stage};
+use tactograph::pipeline::{Event, Request, Stage, Watch};
 use tactograph::profile::{Plan, Profile};
 use tactograph::touch::Ink;
 use tactograph::units::{MmPoint, MmRect};
@@ -93,7 +93,7 @@ fn main() {
     time(&plan);
 }
 
-fn page_of(picture: &[u8], plan: &Plan, watch: &mut dyn FnMut(Event)) -> Page {
+fn page_of(picture: &[u8], plan: &Plan, watch: &mut Watch<'_>) -> Page {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
     let request = Request { plan, limits: Default::default(), fonts: &fonts, title: "scene", fit: Default::default() };
     tactograph::convert(picture, &request, watch).expect("a scene can be converted").page

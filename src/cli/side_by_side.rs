@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
 /// What the main thread has on most systems (Rust gives others 2 MB), so that a picture that can be converted alone can
 /// also be converted beside others.
 const STACK_BYTES: usize = 8 << 20;
@@ -17,7 +19,19 @@ pub(super) struct Panicked;
 
 /// How many jobs to run at once: as many as the machine does side by side, but not more than there are jobs.
 pub(super) fn workers(jobs: usize) -> usize {
-    thread::available_parallelism().map_or(1, NonZero::get).min(jobs)
+    available().min(jobs)
+}
+
+fn available() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+/// Its share of the cores for one of so many workers, to which the calling thread belongs: with one core a worker, nothing
+/// is handed from thread to thread. `None` (the cores are shared as rayon likes) where the system gives no thread.
+fn cores(workers: usize) -> Option<ThreadPool> {
+    // of one worker as many as there are, or as RAYON_NUM_THREADS says
+    let threads = if workers > 1 { (available() / workers).max(1) } else { 0 };
+    ThreadPoolBuilder::new().num_threads(threads).use_current_thread().build().ok()
 }
 
 /// Runs `job(0)` to `job(count - 1)` on up to `workers` threads, which take the jobs in order from a shared counter.
@@ -53,6 +67,7 @@ pub(super) fn run<T: Send>(
             for _ in 0..workers {
                 let (send, take, guarded) = (send.clone(), &take, &guarded);
                 let work = move || {
+                    let _cores = cores(workers);
                     while let Some(index) = take() {
                         if send.send((index, guarded(index))).is_err() {
                             return; // nobody is left to hear it
@@ -66,6 +81,7 @@ pub(super) fn run<T: Send>(
         drop(send);
         if started == 0 {
             // One worker, or a system that gives no thread: do it here.
+            let _cores = cores(1);
             while let Some(index) = take() {
                 collect((index, guarded(index)));
             }

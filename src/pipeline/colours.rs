@@ -1,6 +1,6 @@
 //! The way from bytes to sorted colours: as for a page, but no further.
 
-use super::{Event, Request, Stage, find_edges, run, sort_colours, working_size};
+use super::{Request, Stage, Watch, find_edges, run, sort_colours, working_size};
 use crate::Error;
 use crate::classes::{self, Classes};
 use crate::profile::Plan;
@@ -20,7 +20,7 @@ pub struct Sorted {
 ///
 /// # Errors
 /// As [`super::convert`]; see [`Error`].
-pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Sorted, Error> {
+pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Sorted, Error> {
     let plan = request.plan;
     let fit = &request.fit;
     let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);

@@ -1,6 +1,6 @@
 //! The way from bytes to a picture on several sheets.
 
-use super::{Event, Marks, Request, Stage, draw, finished, origin, run, too_black};
+use super::{Marks, Request, Stage, Watch, draw, finished, origin, run, too_black};
 use crate::page::layout::{self, Layout};
 use crate::page::spread::{self, Cut, Grid, Spread};
 use crate::page::{self, Dots, Figure, Line, Page, Parts, frame_dots};
@@ -26,7 +26,7 @@ pub fn convert(
     picture: &[u8],
     grid: Option<Grid>,
     request: &Request<'_>,
-    watch: &mut dyn FnMut(Event),
+    watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
     let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
     let Marks { figure, overview, shares, is_flat, mut notes, .. } =

@@ -1,6 +1,6 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::{Event, Fit, Stage, crowded, draw_lines, enough_pixels, run, working_size};
+use super::{Event, Fit, Stage, Watch, crowded, draw_lines, enough_pixels, run, working_size};
 use crate::contours::Trace;
 use crate::edges;
 use crate::frame::Frame;
@@ -85,7 +85,7 @@ pub struct Request<'a> {
 ///
 /// # Errors
 /// When the picture cannot be read or is too small; see [`Error`].
-pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut dyn FnMut(Event)) -> Result<Traced, Error> {
+pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Traced, Error> {
     let &Request { subject, thresholds, plan, limits, fonts } = request;
     let in_full = matches!(subject, Subject::Edges { full_resolution: true });
     let fit = Fit::default();
