@@ -26,6 +26,7 @@
 //! What is left comes from the cells themselves: one that lies across a border can have one class only.
 
 use pulp::Arch;
+use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::hue::encoded;
 use crate::raster::Raster;
@@ -94,10 +95,13 @@ impl Borders {
         }
         let steps = (0.5 * sigma * sigma / MOST_EXCHANGE).ceil();
         let exchange = 0.5 * sigma * sigma / steps;
-        Arch::new().dispatch(
-            #[inline(always)]
-            || planes.iter_mut().for_each(|plane| (0..steps as usize).for_each(|_| self.step(plane, exchange))),
-        );
+        let arch = Arch::new();
+        planes.par_iter_mut().for_each(|plane| {
+            arch.dispatch(
+                #[inline(always)]
+                || (0..steps as usize).for_each(|_| self.step(plane, exchange)),
+            );
+        });
     }
 
     /// One exchange of all neighbours at once; rows are updated as soon as the row below knows what it gets from them.
@@ -191,10 +195,9 @@ pub(super) fn average(raster: &Raster, contours: &[Vec<PxPoint>], size: Size, si
         let values: Vec<f32> = plane.iter().zip(&clear).map(|(value, clear)| value * clear).collect();
         shrink(&values, from, size).values
     };
-    let mut planes: Vec<Vec<f32>> = raster.planes().iter().map(weighted).collect();
+    let mut planes: Vec<Vec<f32>> = raster.planes().par_iter().map(weighted).collect();
     let mut total = [weight.clone()];
-    borders.spread(&mut planes, sigma);
-    borders.spread(&mut total, sigma);
+    rayon::join(|| borders.spread(&mut planes, sigma), || borders.spread(&mut total, sigma));
     for plane in &mut planes {
         plane.iter_mut().zip(&total[0]).for_each(|(value, weight)| *value /= weight);
     }

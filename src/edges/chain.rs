@@ -4,6 +4,11 @@
 //! first, and a point has one link on either side. So each point ends with two neighbours at most, closed contours close
 //! by themselves, and the result does not hang on where the search began.
 
+use std::ops::Range;
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+
 use super::thin::Ridge;
 use crate::units::Size;
 
@@ -25,7 +30,7 @@ pub(super) fn link(points: &[Ridge], size: Size, least: f32) -> Vec<Chain> {
     let links = candidates(points, size);
     // of links that cost the same the first found is taken first
     let mut order: Vec<u64> = (0_u64..).zip(&links).map(|(i, link)| u64::from(link.cost) << 32 | i).collect();
-    order.sort_unstable();
+    order.par_sort_unstable(); // no two are equal
     // neighbour[p][s]: the point linked to p on side s of its tangent
     let mut neighbour = vec![[NONE; 2]; points.len()];
     for link in order.iter().map(|cost_and_number| &links[(cost_and_number & 0xffff_ffff) as usize]) {
@@ -52,6 +57,10 @@ struct Link {
     sides: [u8; 2],
 }
 
+/// So many rows are searched at once.
+const ROWS: usize = 64;
+
+/// All possible links, in reading order of their first points.
 fn candidates(points: &[Ridge], size: Size) -> Vec<Link> {
     let mut starts = vec![0_usize; size.height as usize + 1];
     for point in points {
@@ -60,13 +69,23 @@ fn candidates(points: &[Ridge], size: Size) -> Vec<Link> {
     for row in 0..size.height as usize {
         starts[row + 1] += starts[row];
     }
-    let mut links = Vec::with_capacity(2 * points.len());
-    for row in 0..size.height as usize {
+    let height = size.height as usize;
+    let blocks = (0..height.div_ceil(ROWS)).into_par_iter().map(|block| block * ROWS..height.min((block + 1) * ROWS));
+    let found: Vec<Vec<Link>> = blocks.map(|rows| candidates_from(rows, points, &starts, height)).collect();
+    let mut links = Vec::with_capacity(found.iter().map(Vec::len).sum());
+    found.into_iter().for_each(|more| links.extend(more));
+    links
+}
+
+/// Possible links from the points in some rows to points behind them. `starts` says where the points of each row begin.
+fn candidates_from(rows: Range<usize>, points: &[Ridge], starts: &[usize], height: usize) -> Vec<Link> {
+    let mut links = Vec::with_capacity(2 * (starts[rows.end] - starts[rows.start]));
+    for row in rows {
         // where the points of this row and of those below begin that are not too far to the left
         let mut firsts: [usize; 1 + REACH as usize] =
             std::array::from_fn(|on| starts[(row + on).min(starts.len() - 1)]);
         for (i, p) in (starts[row]..).zip(&points[starts[row]..starts[row + 1]]) {
-            for (on, first) in firsts.iter_mut().enumerate().filter(|(on, _)| row + on < size.height as usize) {
+            for (on, first) in firsts.iter_mut().enumerate().filter(|(on, _)| row + on < height) {
                 let end = starts[row + on + 1];
                 while *first < end && points[*first].column + REACH < p.column {
                     *first += 1;

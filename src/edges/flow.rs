@@ -67,8 +67,8 @@ impl Walls {
     }
 
     fn flow(&self, cells: &[Cell]) -> Vec<Cell> {
-        let rows_first = self.along_columns(&self.along_rows(cells));
-        let columns_first = self.along_rows(&self.along_columns(cells));
+        let (rows_first, columns_first) =
+            rayon::join(|| self.along_columns(&self.along_rows(cells)), || self.along_rows(&self.along_columns(cells)));
         let mean = |(a, b): (&Cell, &Cell)| std::array::from_fn(|i| 0.5 * (a[i] + b[i]));
         rows_first.iter().zip(&columns_first).map(mean).collect()
     }

@@ -5,6 +5,8 @@
 //! with the same operations in the same order, so that every machine gives the same bits. (Kernels are structs with a
 //! `WithSimd`: the body of a closure may be compiled apart, without the wide vectors; that was half as fast.)
 
+use std::ops::Range;
+
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::raster::plane::gauss;
@@ -32,7 +34,10 @@ pub(super) struct Gradient {
     /// For each colour plane the last rows, row `y` in place `y` modulo their number.
     rings: Vec<Vec<f32>>,
     across: Across,
+    /// The row that comes next.
     filled: usize,
+    /// The rows that are given.
+    wanted: Range<usize>,
     row: TensorRow,
 }
 
@@ -43,7 +48,8 @@ struct Across {
 }
 
 impl Gradient {
-    pub(super) fn new(size: Size, planes: usize, sigma: f32) -> Self {
+    /// For a picture of `size`, of whose tensor the rows `wanted` are given.
+    pub(super) fn new(size: Size, planes: usize, sigma: f32, wanted: Range<usize>) -> Self {
         let smooth = gauss(sigma);
         let slope = derivative(&smooth);
         let stride = stride(size);
@@ -57,8 +63,19 @@ impl Gradient {
             smooth,
             slope,
             filled: 0,
+            wanted,
             row: TensorRow::of(size),
         }
+    }
+
+    /// How many rows above and below one are needed for it.
+    pub(super) fn reach(&self) -> usize {
+        self.smooth.len() - 1
+    }
+
+    /// Says which row comes first, if not the first of the picture.
+    pub(super) fn start(&mut self, row: usize) {
+        self.filled = row;
     }
 
     /// Takes the next row, one slice per plane; `take` gets the row of the tensor that is complete with it, if there is one,
@@ -70,7 +87,7 @@ impl Gradient {
             ring[slot..][..width].copy_from_slice(&plane[..width]);
         }
         self.filled += 1;
-        if self.filled > radius {
+        if self.filled > radius && self.wanted.contains(&(self.filled - 1 - radius)) {
             self.complete(self.filled - 1 - radius, take);
         }
     }
@@ -78,7 +95,7 @@ impl Gradient {
     /// Gives the rows that waited for rows below the picture.
     pub(super) fn finish(mut self, mut take: impl FnMut(&mut TensorRow)) {
         let radius = self.smooth.len() - 1;
-        for y in self.filled.saturating_sub(radius)..self.filled {
+        for y in self.filled.saturating_sub(radius).max(self.wanted.start)..self.filled.min(self.wanted.end) {
             self.complete(y, &mut take);
         }
     }
@@ -242,7 +259,7 @@ mod tests {
             }
             rows += 1;
         };
-        let mut gradient = Gradient::new(size, 1, 1.5);
+        let mut gradient = Gradient::new(size, 1, 1.5, 0..30);
         for y in 0..30 {
             let row = (0..40).map(|x| 3.0 * x as f32 - 2.0 * y as f32).collect();
             gradient.push(&[row], &mut look);

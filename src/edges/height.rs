@@ -8,6 +8,8 @@
 //! A single reading of sharpness and pedestal is as noisy as the point itself, so both are averaged along the chain. Of the
 //! two sides the lower pedestal counts, as on the other there may be an edge of its own.
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use super::chain::Chain;
 use super::thin::Ridge;
 use crate::units::PxVector;
@@ -72,35 +74,43 @@ impl Ridge {
 
 /// Averages sharpness and pedestal along every chain, over `window` points to both sides.
 pub(super) fn even_out(points: &mut [Ridge], chains: &[Chain], window: usize, scale: f32) {
-    let mut sums: Vec<[f64; 3]> = Vec::new();
-    for chain in chains {
-        let closed = chain.first() == chain.last();
-        let n = chain.len() - usize::from(closed);
-        // running sums; round a ring they go on for a window beyond both its ends
-        let around = if closed { window.min((n - 1) / 2) } else { 0 };
-        sums.clear();
-        let mut sum = [0.0; 3];
-        sums.push(sum);
-        for i in 0..n + 2 * around {
-            let place = (i + n - around) % n;
-            let (before, after) = if closed {
-                (chain[(place + n - 1) % n], chain[(place + 1) % n])
-            } else {
-                (chain[place.saturating_sub(1)], chain[(place + 1).min(n - 1)])
-            };
-            let point = &points[chain[place] as usize];
-            let [left, right] = point.sides(points[after as usize].at - points[before as usize].at);
-            let values = [point.profile.sharpness, left, right].map(f64::from);
-            sum = std::array::from_fn(|k| sum[k] + values[k]);
-            sums.push(sum);
-        }
-        for (i, &number) in chain[..n].iter().enumerate() {
-            let place = i + around;
-            let (from, to) = (place.saturating_sub(window), (place + window + 1).min(n + 2 * around));
-            let mean = |k: usize| ((sums[to][k] - sums[from][k]) / (to - from) as f64) as f32;
-            let point = &mut points[number as usize];
-            let profile = Profile { sharpness: mean(0), beyond: [mean(1), mean(2)], ..point.profile };
-            (point.step, point.blur) = (profile.step(scale), profile.blur(scale));
-        }
+    let even = |chain: &Chain| evened(points, chain, window, scale);
+    let all: Vec<Vec<(f32, f32)>> = chains.par_iter().map(even).collect();
+    for (&number, (step, blur)) in chains.iter().zip(all).flat_map(|(chain, even)| chain.iter().zip(even)) {
+        let point = &mut points[number as usize];
+        (point.step, point.blur) = (step, blur);
     }
+}
+
+/// Step and blur of the points of a chain (of a ring without the repeated one), evened out.
+fn evened(points: &[Ridge], chain: &Chain, window: usize, scale: f32) -> Vec<(f32, f32)> {
+    let closed = chain.first() == chain.last();
+    let n = chain.len() - usize::from(closed);
+    // running sums; round a ring they go on for a window beyond both its ends
+    let around = if closed { window.min((n - 1) / 2) } else { 0 };
+    let mut sums = Vec::with_capacity(n + 2 * around + 1);
+    let mut sum = [0.0_f64; 3];
+    sums.push(sum);
+    for i in 0..n + 2 * around {
+        let place = (i + n - around) % n;
+        let (before, after) = if closed {
+            (chain[(place + n - 1) % n], chain[(place + 1) % n])
+        } else {
+            (chain[place.saturating_sub(1)], chain[(place + 1).min(n - 1)])
+        };
+        let point = &points[chain[place] as usize];
+        let [left, right] = point.sides(points[after as usize].at - points[before as usize].at);
+        let values = [point.profile.sharpness, left, right].map(f64::from);
+        sum = std::array::from_fn(|k| sum[k] + values[k]);
+        sums.push(sum);
+    }
+    let even = |(i, &number): (usize, &u32)| {
+        let place = i + around;
+        let (from, to) = (place.saturating_sub(window), (place + window + 1).min(n + 2 * around));
+        let mean = |k: usize| ((sums[to][k] - sums[from][k]) / (to - from) as f64) as f32;
+        let point = &points[number as usize];
+        let profile = Profile { sharpness: mean(0), beyond: [mean(1), mean(2)], ..point.profile };
+        (profile.step(scale), profile.blur(scale))
+    };
+    chain[..n].iter().enumerate().map(even).collect()
 }

@@ -1,5 +1,7 @@
 //! Which chains are contours worth a line: strength with its texture taken off, hysteresis along the chain, length.
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use super::chain::{self, Chain};
 use super::path::{Mark, Path};
 use super::sides::Sides;
@@ -17,39 +19,50 @@ pub(super) fn keep(
     noise: f32,
     params: &Params,
 ) -> Vec<Path> {
-    let mut paths = Vec::new();
     let colours = Colours { raster, reach: params.sigma.max(1.0) };
-    for chain in chains {
-        // Texture only takes strength away, so a chain without one step of this height never reaches it.
-        let reaches = chain.iter().any(|&number| points[number as usize].step >= params.high);
-        if !reaches {
+    let of_chain = |chain| of_chain(points, chain, &colours, sides, noise, params);
+    chains.par_iter().flat_map_iter(of_chain).collect()
+}
+
+/// What is kept of a chain.
+fn of_chain(
+    points: &[Ridge],
+    chain: &Chain,
+    colours: &Colours<'_>,
+    sides: &Sides,
+    noise: f32,
+    params: &Params,
+) -> Vec<Path> {
+    let mut paths = Vec::new();
+    // Texture only takes strength away, so a chain without one step of this height never reaches it.
+    let reaches = chain.iter().any(|&number| points[number as usize].step >= params.high);
+    if !reaches {
+        return paths;
+    }
+    let strengths = strength::along(points, chain, sides, params);
+    for piece in pieces(chain, &strengths, params) {
+        let mut numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
+        if chain::length(points, &numbers) < params.min_length {
             continue;
         }
-        let strengths = strength::along(points, chain, sides, params);
-        for piece in pieces(chain, &strengths, params) {
-            let mut numbers: Vec<u32> = piece.iter().map(|&i| chain[i]).collect();
-            if chain::length(points, &numbers) < params.min_length {
-                continue;
-            }
-            let closed = numbers.len() > 3 && numbers.first() == numbers.last();
-            if closed {
-                numbers.pop();
-            }
-            let n = numbers.len();
-            let mark = |k: usize| {
-                let (before, after) =
-                    if closed { ((k + n - 1) % n, (k + 1) % n) } else { (k.saturating_sub(1), (k + 1).min(n - 1)) };
-                let point = &points[numbers[k] as usize];
-                Mark {
-                    at: point.at,
-                    strength: strengths[piece[k]],
-                    step: colours.step(points, numbers[before], numbers[k], numbers[after]),
-                    blur: point.blur,
-                    doubt: doubt(noise, point, params.sigma),
-                }
-            };
-            paths.push(Path { marks: (0..n).map(mark).collect(), closed });
+        let closed = numbers.len() > 3 && numbers.first() == numbers.last();
+        if closed {
+            numbers.pop();
         }
+        let n = numbers.len();
+        let mark = |k: usize| {
+            let (before, after) =
+                if closed { ((k + n - 1) % n, (k + 1) % n) } else { (k.saturating_sub(1), (k + 1).min(n - 1)) };
+            let point = &points[numbers[k] as usize];
+            Mark {
+                at: point.at,
+                strength: strengths[piece[k]],
+                step: colours.step(points, numbers[before], numbers[k], numbers[after]),
+                blur: point.blur,
+                doubt: doubt(noise, point, params.sigma),
+            }
+        };
+        paths.push(Path { marks: (0..n).map(mark).collect(), closed });
     }
     paths
 }

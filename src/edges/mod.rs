@@ -14,6 +14,7 @@
 //! whatever the working resolution and the blur of the edge: black against white is 100, a step that is barely worth a line
 //! about 10. A grey step of N of 255 code values is N / 2.55.
 
+mod bands;
 mod bridge;
 mod chain;
 mod corner;
@@ -33,6 +34,7 @@ mod thin;
 use std::ops::Range;
 
 use noise::Noise;
+use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
 use crate::raster::Raster;
 use crate::units::{PxPoint, Size};
@@ -125,32 +127,10 @@ impl Edges {
 
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
-    let arch = pulp::Arch::new();
     let size = raster.size();
-    let planes = lab::planes(raster);
     let noise = Noise::of(raster);
     let params = &noise.adapted(params);
-    let mut thinner = thin::Thinner::new(size, params);
-    let mut sides = sides::Builder::new(size, planes, params);
-    let mut gradient = gradient::Gradient::new(size, planes, params.sigma);
-    let mut lab = vec![vec![0.0; size.width as usize]; planes];
-    for y in 0..size.height as usize {
-        lab::row(arch, raster, y, &mut lab);
-        // as they are: means over whole cells have little noise left
-        sides.push_colours(&lab);
-        for (plane, &weight) in lab.iter_mut().zip(&noise.weights).filter(|(_, weight)| **weight < 1.0) {
-            plane.iter_mut().for_each(|v| *v *= weight);
-        }
-        gradient.push(&lab, |tensor| {
-            sides.push_tensor(tensor);
-            thinner.push(tensor);
-        });
-    }
-    gradient.finish(|tensor| {
-        sides.push_tensor(tensor);
-        thinner.push(tensor);
-    });
-    let mut points = thinner.finish();
+    let (mut points, sides) = bands::walk(raster, &noise.weights, params);
     if points.is_empty() {
         return Edges { size, points: Vec::new(), chains: Vec::new() };
     }
@@ -159,10 +139,10 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let sides = sides.finish(&points, &chains, noise.pretended(params.sigma));
     let kept = keep::keep(&points, &chains, raster, &sides, noise.pixel, params);
     let mut paths = bridge::join(kept, params.sigma);
-    for path in &mut paths {
+    paths.par_iter_mut().for_each(|path| {
         refine::refine(path, params.sigma);
         corner::sharpen(path);
-    }
+    });
     meet::lead_on(&mut paths, size);
     Edges::from_paths(size, &paths)
 }

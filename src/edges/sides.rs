@@ -8,6 +8,8 @@
 //!
 //! What they say about an edge is put together in [`super::strength`].
 
+use std::ops::Range;
+
 use super::Params;
 use super::chain::Chain;
 use super::flow::{self, Cell};
@@ -63,17 +65,42 @@ pub(super) struct Beside {
 }
 
 impl Builder {
-    pub(super) fn new(size: Size, planes: usize, params: &Params) -> Self {
+    /// For a picture of `size`, of which the cells are filled that begin in the rows `own`.
+    pub(super) fn new(size: Size, planes: usize, params: &Params, own: Range<usize>) -> Self {
         let fine = cells(size, params.side_cell);
         let coarse = cells(size, SURROUNDINGS * params.side_cell);
+        let shrinker = |cells| Shrinker::part(size, cells, own.clone());
         Self {
             from: size,
             params: *params,
-            colours: (0..planes).map(|_| Shrinker::new(size, fine)).collect(),
-            square: Shrinker::new(size, fine),
-            gradient: [(); 3].map(|()| Shrinker::new(size, coarse)),
+            colours: (0..planes).map(|_| shrinker(fine)).collect(),
+            square: shrinker(fine),
+            gradient: [(); 3].map(|()| shrinker(coarse)),
             sums: vec![0.0; size.width as usize],
         }
+    }
+
+    /// The rows of colours that its cells need.
+    pub(super) fn rows_of_colours(&self) -> Range<usize> {
+        self.square.rows()
+    }
+
+    /// The rows of the tensor that its cells need.
+    pub(super) fn rows_of_tensors(&self) -> Range<usize> {
+        self.gradient[0].rows()
+    }
+
+    /// Says which rows come first, if not those of the picture.
+    pub(super) fn start(&mut self, of_colours: usize, of_tensors: usize) {
+        self.colours.iter_mut().chain([&mut self.square]).for_each(|shrinker| shrinker.start(of_colours));
+        self.gradient.iter_mut().for_each(|shrinker| shrinker.start(of_tensors));
+    }
+
+    /// Adds the cells below its own.
+    pub(super) fn append(&mut self, below: Self) {
+        let own = self.colours.iter_mut().chain([&mut self.square]).chain(&mut self.gradient);
+        let more = below.colours.into_iter().chain([below.square]).chain(below.gradient);
+        own.zip(more).for_each(|(own, more)| own.append(more));
     }
 
     pub(super) fn push_colours(&mut self, planes: &[Vec<f32>]) {
@@ -132,6 +159,11 @@ impl Builder {
         }
         Sides { from, offset: params.side_offset, grid, cells, flowed, busy }
     }
+}
+
+/// The rows in which the largest cells begin.
+pub(super) fn rows_of_cells(size: Size, params: &Params) -> Vec<usize> {
+    Shrinker::new(size, cells(size, SURROUNDINGS * params.side_cell)).starts()
 }
 
 fn cells(size: Size, cell: f32) -> Size {

@@ -1,5 +1,7 @@
 //! From a broad ridge of gradient to single points between the pixels.
 
+use std::ops::Range;
+
 use pulp::{Arch, Simd, WithSimd};
 
 use super::Params;
@@ -35,7 +37,10 @@ pub(super) struct Thinner {
     reach: usize,
     /// The last rows, row `y` in place `y` modulo their number.
     rows: Vec<TensorRow>,
+    /// The row that comes next.
     pushed: usize,
+    /// The rows whose points are kept.
+    own: Range<usize>,
     /// Where the row at hand has its peaks.
     peaks: Vec<bool>,
     points: Vec<Ridge>,
@@ -50,7 +55,8 @@ const BELOW_LOW: f32 = 0.5;
 const BEYOND: f32 = 3.0;
 
 impl Thinner {
-    pub(super) fn new(size: Size, params: &Params) -> Self {
+    /// For a picture of `size`, of which the points in the rows `own` are kept.
+    pub(super) fn new(size: Size, params: &Params, own: Range<usize>) -> Self {
         let least_step = BELOW_LOW * params.low;
         let reach = (BEYOND * params.sigma).round() as usize;
         Self {
@@ -62,9 +68,20 @@ impl Thinner {
             reach,
             rows: vec![TensorRow::of(size); 2 * reach + 1],
             pushed: 0,
+            own,
             peaks: Vec::new(),
             points: Vec::new(),
         }
+    }
+
+    /// How many rows above and below one are looked at for it.
+    pub(super) fn reach(&self) -> usize {
+        self.reach
+    }
+
+    /// Says which row comes first, if not the first of the picture.
+    pub(super) fn start(&mut self, row: usize) {
+        self.pushed = row;
     }
 
     /// Keeps the next row, and leaves an old one in its place.
@@ -72,13 +89,13 @@ impl Thinner {
         let slot = self.pushed % self.rows.len();
         std::mem::swap(&mut self.rows[slot], tensor);
         self.pushed += 1;
-        if self.pushed > self.reach {
+        if self.pushed > self.reach && self.own.contains(&(self.pushed - 1 - self.reach)) {
             self.thin(self.pushed - 1 - self.reach);
         }
     }
 
     pub(super) fn finish(mut self) -> Vec<Ridge> {
-        for row in self.pushed.saturating_sub(self.reach)..self.pushed {
+        for row in self.pushed.saturating_sub(self.reach).max(self.own.start)..self.pushed.min(self.own.end) {
             self.thin(row);
         }
         self.points

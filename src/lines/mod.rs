@@ -17,6 +17,9 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
+use std::ops::Range;
+
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 use trail::Trail;
 
 use crate::edges::Edges;
@@ -151,9 +154,9 @@ pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Draw
     trails.retain(|trail| trail.length() >= params.min_length);
     trails.iter_mut().for_each(Trail::filled);
     meet::meet(&mut trails, area, params.join_gap);
-    trails.iter_mut().for_each(|trail| weight::assign(trail, params));
+    trails.par_iter_mut().for_each(|trail| weight::assign(trail, params));
 
-    let says: Vec<f32> = trails.iter().map(|trail| saliency::saliency(trail, params)).collect();
+    let says: Vec<f32> = trails.par_iter().map(|trail| saliency::saliency(trail, params)).collect();
     let lengths: Vec<f32> = trails.iter().map(Trail::length).collect();
     let cleared = clear::clear(trails, area, params);
     // Detail comes last and takes whole lines, so that less of it is a subset.
@@ -162,18 +165,19 @@ pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Draw
     let drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
     let kept: f32 = drawn.iter().map(|line| line.trail.length()).sum();
     Drawn {
-        lines: drawn.into_iter().filter_map(|line| weight::finish(&line.trail, &line.pinned, params)).collect(),
+        lines: drawn.into_par_iter().filter_map(|line| weight::finish(&line.trail, &line.pinned, params)).collect(),
         crowded_out: if wanted > 0.0 { (1.0 - kept / wanted).max(0.0) } else { 0.0 },
     }
 }
 
 /// The contours on the sheet, in an order and in directions that do not hang on where in the picture they were found first.
 fn trails(edges: &Edges, frame: &Frame, params: &Params) -> Vec<Trail> {
-    let trail = |chain| {
+    let trail = |range: &Range<usize>| {
+        let chain = &edges.points[range.clone()];
         let trail = Trail::from_chain(chain, frame).smoothed(params.smoothing).evened().stronger_half_first();
         (trail.vertices.iter().map(|v| f64::from(v.strength)).sum::<f64>(), trail)
     };
-    let mut trails: Vec<(f64, Trail)> = edges.chains().map(trail).collect();
+    let mut trails: Vec<(f64, Trail)> = edges.chains.par_iter().map(trail).collect();
     trails.sort_by(|a, b| b.0.total_cmp(&a.0));
     trails.into_iter().map(|(_, trail)| trail).collect()
 }

@@ -1,5 +1,7 @@
 //! One plane of numbers: shrink, blur, look up between the pixels.
 
+use std::ops::Range;
+
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::units::Size;
@@ -113,6 +115,8 @@ pub struct Shrinker {
     /// Weighted sum of the rows of the cell that is being filled.
     sum: Vec<f32>,
     next_row: usize,
+    /// Rows of cells, as they are counted in the whole plane: the first that is filled, and the one in work.
+    first_cell: usize,
     cell: usize,
     out: Plane,
 }
@@ -120,15 +124,49 @@ pub struct Shrinker {
 impl Shrinker {
     /// For a plane of `from` pixels that becomes one of `to`, which is not larger.
     pub fn new(from: Size, to: Size) -> Self {
+        Self::part(from, to, 0..from.height as usize)
+    }
+
+    /// Makes only those rows of the small plane whose cells begin in these rows of the large one.
+    pub fn part(from: Size, to: Size, begin: Range<usize>) -> Self {
+        let mut rows = shares(from.height, to.height);
+        let before = |row: usize| rows.iter().take_while(|(first, _)| *first < row).count();
+        let (first_cell, end) = (before(begin.start), before(begin.end));
+        rows.truncate(end);
         Self {
             arch: Arch::new(),
             columns: shares(from.width, to.width),
-            rows: shares(from.height, to.height),
+            rows,
             sum: vec![0.0; from.width as usize],
             next_row: 0,
-            cell: 0,
-            out: Plane::filled(to, 0.0),
+            first_cell,
+            cell: first_cell,
+            out: Plane::filled(Size::new(to.width, end.saturating_sub(first_cell) as u32), 0.0),
         }
+    }
+
+    /// The rows of the large plane in which cells begin.
+    pub fn starts(&self) -> Vec<usize> {
+        self.rows[self.first_cell.min(self.rows.len())..].iter().map(|(first, _)| *first).collect()
+    }
+
+    /// The rows of the large plane that are looked at.
+    pub fn rows(&self) -> Range<usize> {
+        match self.rows.get(self.first_cell..) {
+            Some([(first, _), ..]) => *first..self.rows.last().map_or(*first, |(last, weights)| last + weights.len()),
+            _ => 0..0,
+        }
+    }
+
+    /// Says which row of the large plane comes first, if not its first. Rows that are not looked at may come as well.
+    pub fn start(&mut self, row: usize) {
+        self.next_row = row;
+    }
+
+    /// Adds the rows below those made here.
+    pub fn append(&mut self, below: Self) {
+        self.out.size.height += below.out.size.height;
+        self.out.values.extend(below.out.values);
     }
 
     /// Takes the next row, from the top.
@@ -145,7 +183,7 @@ impl Shrinker {
             if place + 1 < weights.len() {
                 break;
             }
-            let to = &mut self.out.values[self.cell * width..][..width];
+            let to = &mut self.out.values[(self.cell - self.first_cell) * width..][..width];
             for (to, (first, weights)) in to.iter_mut().zip(&self.columns) {
                 *to = weights.iter().zip(&self.sum[*first..]).map(|(weight, value)| weight * value).sum();
             }

@@ -1,5 +1,7 @@
 //! What lies straight across from a vertex: the other side of a bar.
 
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+
 use super::super::trail::{Trail, Vertex, dot};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
@@ -52,7 +54,7 @@ pub(super) fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Oppos
         all_arcs.push(arcs);
     }
     trails
-        .iter()
+        .par_iter()
         .enumerate()
         .map(|(number, trail)| match is_dot(trail, &all_arcs[number], reach) {
             true => vec![None; trail.places()],
