@@ -35,14 +35,45 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
             rows.push(row);
         }
     } else {
-        for _ in 0..size.height {
-            match reader.next_row().map_err(fault)? {
-                Some(row) => rows.push(row.data()),
-                None => break,
-            }
-        }
+        push_while_inflating(&mut reader, layout.row_bytes(size.width), size.height, &mut rows).map_err(fault)?;
     }
     job.end(rows.finish())
+}
+
+/// Bytes of rows that are inflated before they are averaged: few enough to stay in a core's cache.
+const BLOCK_BYTES: usize = 1 << 18;
+
+/// Averages a block of rows while the next is inflated, on another core if there is one. Inflating takes several times as
+/// long, so more cores would have nothing to do.
+fn push_while_inflating<R: std::io::BufRead + std::io::Seek + Send>(
+    reader: &mut Reader<R>,
+    row_bytes: usize,
+    height: u32,
+    rows: &mut Rows,
+) -> Result<(), DecodingError> {
+    let at_once = (BLOCK_BYTES / row_bytes).clamp(1, height as usize);
+    let mut left = height as usize;
+    let mut inflate = |block: &mut Vec<u8>| -> Result<(), DecodingError> {
+        block.resize(at_once.min(left) * row_bytes, 0);
+        for (number, row) in block.chunks_exact_mut(row_bytes).enumerate() {
+            if reader.read_row(row)?.is_none() {
+                block.truncate(number * row_bytes); // fewer rows than the header says
+                left = 0;
+                return Ok(());
+            }
+        }
+        left -= block.len() / row_bytes;
+        Ok(())
+    };
+    let (mut here, mut next) = (Vec::new(), Vec::new());
+    inflate(&mut here)?;
+    while !here.is_empty() {
+        let (inflated, ()) =
+            rayon::join(|| inflate(&mut next), || here.chunks_exact(row_bytes).for_each(|row| rows.push(row)));
+        inflated?;
+        std::mem::swap(&mut here, &mut next);
+    }
+    Ok(())
 }
 
 fn layout<R: std::io::BufRead + std::io::Seek>(reader: &Reader<R>) -> Result<Layout, Error> {
