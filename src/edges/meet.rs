@@ -3,6 +3,8 @@
 //! Where three edges meet the gradient has no one direction, and the weakest of them is found only up to a blur or two
 //! before the others.
 
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
 use super::path::{Flank, Mark, Path};
 use crate::units::{PxPoint, PxVector, Size};
 
@@ -18,14 +20,13 @@ const CELL: f32 = 8.0;
 /// Leads open ends on to the contours they point at.
 pub(super) fn lead_on(paths: &mut [Path], size: Size) {
     let grid = Grid::new(paths, size);
-    let mut wanted = Vec::new();
-    for number in (0..paths.len()).filter(|&number| !paths[number].closed && paths[number].marks.len() > 3) {
-        for at_start in [true, false] {
-            if let Some((flank, at)) = meeting(paths, &grid, number, at_start) {
-                wanted.push((number, at_start, flank, at));
-            }
-        }
-    }
+    let ends = |number: usize| {
+        let end = |at_start| meeting(paths, &grid, number, at_start).map(|(flank, at)| (number, at_start, flank, at));
+        [true, false].map(end).into_iter().flatten()
+    };
+    let open =
+        (0..paths.len()).into_par_iter().filter(|&number| !paths[number].closed && paths[number].marks.len() > 3);
+    let wanted: Vec<_> = open.flat_map_iter(ends).collect();
     for (number, at_start, flank, at) in wanted {
         lay(&mut paths[number], at_start, &flank, at);
     }

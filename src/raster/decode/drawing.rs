@@ -101,12 +101,9 @@ fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<crate::r
     let transform = tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32);
     resvg::render(tree, transform, &mut canvas.as_mut());
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
-    let mut rows =
+    let rows =
         Rows::whole(layout, Meaning::Srgb, (target.width, Part::whole(target)), target, Orientation::NoTransforms);
-    for row in canvas.data().chunks_exact(layout.row_bytes(target.width)) {
-        rows.push(row);
-    }
-    rows.finish().ok_or_else(room)
+    rows.finish_with(canvas.data()).ok_or_else(room)
 }
 
 /// The drawing's size in whole pixels. A size that is no whole number is doubled until rounding leaves its shape alone:

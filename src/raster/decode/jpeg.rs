@@ -73,11 +73,8 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let part = job.part;
     let across = Extent::scaled(part.left, part.size.width, eighths);
     let extents = (scaled.width, across, Extent::scaled(part.top, part.size.height, eighths));
-    let mut rows = Rows::new(layout, meaning, extents, job.target, job.orientation);
-    for row in pixels.chunks_exact(layout.row_bytes(scaled.width)) {
-        rows.push(row);
-    }
-    job.end(rows.finish())
+    let rows = Rows::new(layout, meaning, extents, job.target, job.orientation);
+    job.end(rows.finish_with(&pixels))
 }
 
 /// The smallest scale, in eighths, at which no side is shorter than the target's.

@@ -63,11 +63,8 @@ fn picture<D: ImageDecoder>(
     let meaning = job.meaning(icc.as_deref(), layout.kind);
     let mut whole = vec![0; usize::try_from(length).map_err(|_| undecodable(format, "it does not fit into memory"))?];
     decoder.read_image(&mut whole).map_err(fault)?;
-    let mut rows = Rows::whole(layout, meaning, (size.width, job.part), job.target, job.orientation);
-    for row in whole.chunks_exact(layout.row_bytes(width)) {
-        rows.push(row);
-    }
-    job.end(rows.finish())
+    let rows = Rows::whole(layout, meaning, (size.width, job.part), job.target, job.orientation);
+    job.end(rows.finish_with(&whole))
 }
 
 fn layout(format: &'static str, colour: ColorType) -> Result<Layout, Error> {

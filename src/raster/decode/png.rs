@@ -31,12 +31,9 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         job.check_memory(length)?;
         let mut whole = vec![0; length as usize];
         reader.next_frame(&mut whole).map_err(fault)?;
-        for row in whole.chunks_exact(layout.row_bytes(size.width)) {
-            rows.push(row);
-        }
-    } else {
-        push_while_inflating(&mut reader, layout.row_bytes(size.width), size.height, &mut rows).map_err(fault)?;
+        return job.end(rows.finish_with(&whole));
     }
+    push_while_inflating(&mut reader, layout.row_bytes(size.width), size.height, &mut rows).map_err(fault)?;
     job.end(rows.finish())
 }
 

@@ -1,9 +1,11 @@
 //! Rows of a file's samples become rows of linear light, and those the working picture.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use image::metadata::Orientation;
 use moxcms::Transform16BitExecutor;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::colour::{Kind, Matrix, Meaning, Table, apply_matrix, curve_table, srgb_table};
 use super::orient::{turned, upright};
@@ -60,6 +62,7 @@ impl Layout {
 
 /// Takes the rows of a file from the top.
 pub(super) struct Rows {
+    extents: (u32, Extent, Extent),
     light: Light,
     shrink: Shrink,
     /// Working size before the turn.
@@ -72,14 +75,15 @@ impl Rows {
     pub(super) fn new(
         layout: Layout,
         meaning: Meaning,
-        (width, across, down): (u32, Extent, Extent),
+        extents: (u32, Extent, Extent),
         target: Size,
         orientation: Orientation,
     ) -> Self {
         let stored = turned(target, orientation);
+        let (width, across, down) = extents;
         let light = Light::new(layout, meaning, width);
         let shrink = Shrink::new(across, down, stored, layout.planes());
-        Self { light, shrink, stored, orientation }
+        Self { extents, light, shrink, stored, orientation }
     }
 
     /// For rows that hold exactly the pixels of a picture of `width` pixels across, of which `part` is used.
@@ -103,25 +107,63 @@ impl Rows {
 
     /// The working picture; `None` when rows are missing.
     pub(super) fn finish(self) -> Option<Raster> {
-        let mut planes = self.shrink.finish()?;
-        // A picture without colour in an RGB file is grey from here on: a third of the work in every stage.
-        if planes.windows(2).all(|pair| pair[0] == pair[1]) {
-            planes.truncate(1);
+        let planes = self.shrink.finish()?;
+        raster(planes, self.light.matrix.as_ref(), self.stored, self.orientation)
+    }
+
+    /// The working picture of all rows, which lie one behind the other: the cores take bands of it side by side. `None` when
+    /// rows are missing.
+    pub(super) fn finish_with(self, samples: &[u8]) -> Option<Raster> {
+        let Self { extents: (width, across, down), light, stored, orientation, .. } = self;
+        let (row_bytes, count) = (light.layout.row_bytes(width), light.layout.planes());
+        let height = stored.height as usize;
+        let bands = rayon::current_num_threads().min(height);
+        let band = |band: usize| {
+            let mut light = light.clone();
+            let rows = band * height / bands..(band + 1) * height / bands;
+            let mut shrink = Shrink::part(across, down, stored, count, rows);
+            let Range { start, end } = shrink.rows();
+            for row in samples.chunks_exact(row_bytes).take(end).skip(start) {
+                light.take(row);
+                shrink.push(&light.planes);
+            }
+            shrink.finish()
+        };
+        let parts: Option<Vec<_>> = (0..bands).into_par_iter().map(band).collect();
+        let mut parts = parts?.into_iter();
+        let mut planes = parts.next()?;
+        for below in parts {
+            planes.iter_mut().zip(below).for_each(|(plane, below)| plane.extend(below));
         }
-        if let Some(matrix) = &self.light.matrix {
-            apply_matrix(&mut planes, matrix);
-        }
-        let mut planes = planes.into_iter().map(|plane| upright(plane, self.stored, self.orientation));
-        let size = turned(self.stored, self.orientation);
-        Some(match (planes.next(), planes.next(), planes.next()) {
-            (Some(red), Some(green), Some(blue)) => Raster::colour(size, [red, green, blue]),
-            (Some(grey), ..) => Raster::grey(size, grey),
-            (None, ..) => return None,
-        })
+        raster(planes, light.matrix.as_ref(), stored, orientation)
     }
 }
 
+/// The upright picture of planes as they are stored.
+fn raster(
+    mut planes: Vec<Vec<f32>>,
+    matrix: Option<&Matrix>,
+    stored: Size,
+    orientation: Orientation,
+) -> Option<Raster> {
+    // A picture without colour in an RGB file is grey from here on: a third of the work in every stage.
+    if planes.windows(2).all(|pair| pair[0] == pair[1]) {
+        planes.truncate(1);
+    }
+    if let Some(matrix) = matrix {
+        apply_matrix(&mut planes, matrix);
+    }
+    let mut planes = planes.into_iter().map(|plane| upright(plane, stored, orientation));
+    let size = turned(stored, orientation);
+    Some(match (planes.next(), planes.next(), planes.next()) {
+        (Some(red), Some(green), Some(blue)) => Raster::colour(size, [red, green, blue]),
+        (Some(grey), ..) => Raster::grey(size, grey),
+        (None, ..) => return None,
+    })
+}
+
 /// One row in linear light, over white.
+#[derive(Clone)]
 struct Light {
     layout: Layout,
     way: Way,
@@ -132,6 +174,7 @@ struct Light {
 }
 
 /// From samples to light.
+#[derive(Clone)]
 enum Way {
     /// A table for each plane.
     Tables(Vec<Table>),

@@ -9,6 +9,8 @@
 //!  target   |      0       |      1       |      pixel 2 goes half to the left and half to the right
 //! ```
 
+use std::ops::Range;
+
 use crate::units::Size;
 
 /// The source pixels under one target pixel, along one axis.
@@ -120,6 +122,28 @@ impl Shrink {
             narrow: vec![0.0; row],
             planes: (0..planes).map(|_| Vec::with_capacity(target.len())).collect(),
         }
+    }
+
+    /// The same for some rows of the target only, which are given by [`Shrink::finish`]; the first row to come is then that
+    /// of [`Shrink::first_row`].
+    pub(super) fn part(width: Extent, height: Extent, target: Size, planes: usize, rows: Range<usize>) -> Self {
+        let mut part = Self::new(width, height, target, planes);
+        part.down = part.down[rows].to_vec();
+        part.row = part.first_row();
+        if let Some((_, top)) = &mut part.same {
+            *top = part.row;
+        }
+        part
+    }
+
+    /// The first source row that is looked at.
+    pub(super) fn first_row(&self) -> usize {
+        self.down.first().map_or(0, |span| span.start)
+    }
+
+    /// The source rows that are looked at.
+    pub(super) fn rows(&self) -> Range<usize> {
+        self.first_row()..self.down.last().map_or(0, |span| span.end)
     }
 
     /// Takes the next row: one slice for each plane, as wide as the source. Rows after the last are not looked at.

@@ -1,0 +1,36 @@
+//! The same page, to the byte, whatever the number of cores.
+
+use std::sync::Arc;
+
+use rayon::ThreadPoolBuilder;
+use tactograph::output::svg;
+use tactograph::pipeline::{Request, convert};
+use tactograph::profile::{Plan, Profile};
+
+fn page(picture: &[u8], plan: &Plan) -> String {
+    let fonts = || Arc::new(usvg::fontdb::Database::new());
+    let request =
+        Request { plan, limits: Default::default(), fonts: &fonts, title: "threads", fit: Default::default() };
+    svg::write(&convert(picture, &request, &mut |_| ()).expect("a sample can be converted").page)
+}
+
+#[test]
+fn one_two_and_three_threads_make_the_same_page() {
+    let profiles = ["swell-a4", "index-everest-d"].map(|name| Profile::named(name).expect("built in"));
+    for profile in profiles {
+        let plan = Plan::new(&profile).expect("built-in profiles make sense");
+        // a photograph that fills many bands, one in rows of blocks, and a drawing
+        for sample in ["samples/coffee.png", "samples/rocket.jpg", "samples/chart.svg"] {
+            let picture = std::fs::read(sample).expect("the sample is there");
+            let on = |threads: usize| {
+                let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be had");
+                pool.install(|| page(&picture, &plan))
+            };
+            let alone = on(1);
+            assert!(alone.contains("<path"), "{sample} has no lines");
+            for threads in [2, 3] {
+                assert!(on(threads) == alone, "{sample}, {}: {threads} threads make another page", profile.name);
+            }
+        }
+    }
+}
