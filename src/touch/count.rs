@@ -2,13 +2,14 @@
 
 use crate::raster::plane::Plane;
 
-/// Ink from which a pixel belongs to a patch.
+/// Share of the blackest ink from which a pixel belongs to a patch: dots that are pressed low are drawn grey.
 const BLACK: f32 = 0.5;
 
 /// The number of patches of ink, corners counting as contact.
 pub(super) fn patches(ink: &Plane) -> usize {
     let (width, height) = (ink.size.width as usize, ink.size.height as usize);
-    let mut unseen: Vec<bool> = ink.values.iter().map(|&value| value >= BLACK).collect();
+    let blackest = ink.values.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+    let mut unseen: Vec<bool> = ink.values.iter().map(|&value| value >= BLACK * blackest).collect();
     let mut open = Vec::new();
     let mut count = 0;
     for start in 0..unseen.len() {
