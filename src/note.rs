@@ -43,8 +43,8 @@ impl std::fmt::Display for Note {
             ),
             Self::Crowded(percent) => write!(
                 f,
-                "{percent} percent of the contours lie too close to others for fingers and were left out; larger paper (for swell \
-                 paper the profile swell-a3) or a part of the picture keeps more of them"
+                "{percent} percent of the contours lie too close to others for fingers and were left out; a larger figure (on larger \
+                 paper, such as that of the profile swell-a3) or a part of the picture keeps more of them"
             ),
             Self::TooBlack { percent, most } => write!(
                 f,
@@ -54,8 +54,7 @@ impl std::fmt::Display for Note {
             ),
             Self::UnevenDots => f.write_str(
                 "the dots of braille cells are no even grid: there is a wider step after every second column and every third row, so \
-                 shapes are felt less well than from an embosser that has a profile of its own, and the textures of green, red and \
-                 grey are hardly told apart",
+                 shapes are felt less well than from an embosser that has a profile of its own",
             ),
             Self::EmptyPage => f.write_str(
                 "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high and edges.low to get more",

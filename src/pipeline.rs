@@ -246,7 +246,7 @@ fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut W
             let frame = Frame::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
                 let drawn = lines::draw(edges, &frame, layout.figure, &plan.lines());
-                Drawn { lines: dots::pressed(drawn.lines, layout.figure, layout, plan), ..drawn }
+                dots::pressed(drawn, layout.figure, layout, plan)
             });
         }
         _ => "there are no contours",
@@ -273,7 +273,7 @@ fn draw_overview(
             let frame = Frame::new(edges.size, place);
             let lines = run(watch, Stage::Overview, || {
                 let drawn = lines::draw(edges, &frame, place, &plan.lines());
-                dots::pressed(drawn.lines, place, layout, plan)
+                dots::of_overview(drawn.lines, place, layout, plan)
             });
             return (!lines.is_empty()).then_some((place, lines));
         }

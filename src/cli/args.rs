@@ -35,7 +35,7 @@ right for red; dots for greys; nothing for white. Darker colours have larger gly
 lies below the figure.
 
 The page is in true millimetres: an SVG drawing to be changed in a program such as Inkscape, a PDF to be printed, or a \
-PNG picture. Print it at 100 % on swell paper and heat it.";
+PNG picture. Print it at 100 % on swell paper and heat it. With the profile of an embosser or a pin display it is dots.";
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -51,7 +51,7 @@ const CONVERT_LONG_ABOUT: &str = "\
 Makes a page of each picture.
 
 Formats read: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM and SVG. The format is told from the contents, not \
-from the name. Written are SVG, PDF and PNG, as the name for -o ends or --format says.
+from the name. Written are SVG, PDF and PNG, and dots for embossers and pin displays, as the name for -o ends or --format says.
 
 The page of photo.png is photo.svg beside it, unless -o or --out-dir say otherwise. Where that is the picture itself, \
 because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is a file that \
@@ -70,6 +70,8 @@ Examples:
         makes a picture for a printer of 600 dots per inch
   tactograph convert photos/*.jpg --out-dir pages --format pdf
         makes pages/NAME.pdf of every photo
+  tactograph convert coffee.png --profile index-basic-d -o coffee.idx
+        makes a page of dots for an embosser, and the overview on another sheet; -o coffee.png shows them
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
   tactograph convert coffee.png --crop 20%,10%,50%,70% --width-mm 120

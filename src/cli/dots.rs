@@ -106,9 +106,9 @@ pub(super) fn write(
         }
         Format::Gcode => pages.iter().map(gcode_of).collect::<Result<_, _>>()?,
         Format::Pixels => {
-            let pitch = plan.profile().dots.pitch;
             let with_pages = matrices.iter().zip(pages);
-            with_pages.map(|(matrix, page)| greys::write(matrix, pitch, device.heights(), &words(page))).collect()
+            let pitch = |page: &Page| page.press.as_ref().map_or(plan.profile().dots.pitch, |press| press.pitch);
+            with_pages.map(|(matrix, page)| greys::write(matrix, pitch(page), device.heights(), &words(page))).collect()
         }
         Format::Svg | Format::Pdf | Format::Png => Vec::new(), // not of dots
     })

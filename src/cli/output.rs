@@ -37,6 +37,11 @@ pub(super) fn check(path: &Path, product: Product, keep_others: bool) -> anyhow:
         Ok(found) => {
             refuse(&found, noun)?;
             if keep_others && found.is_file() && found.len() > 0 && !is_own(&path, product)? {
+                if product.has_no_seal() {
+                    bail!(
+                        "this file exists, and files of this format cannot tell whether somebody has changed them; name the {noun} with -o, or move that file away"
+                    );
+                }
                 bail!(
                     "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, or move that file away"
                 );

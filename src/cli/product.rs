@@ -130,6 +130,11 @@ impl Product {
         }
     }
 
+    /// Whether there is no room in it for a note of who wrote it: every byte is a dot.
+    pub(super) fn has_no_seal(self) -> bool {
+        matches!(self, Self::Page(Format::Ubrl | Format::Brf | Format::Idx | Format::Txt))
+    }
+
     /// How many bytes from its beginning [`Product::is_own`] needs of a file.
     pub(super) fn needs_of_file(self) -> u64 {
         match self {
@@ -147,7 +152,7 @@ impl Product {
             Self::Page(Format::Png | Format::Pixels) => png::is_as_written(head),
             Self::Page(Format::Pef) => pef::is_as_written(head),
             Self::Page(Format::Gcode) => gcode::is_as_written(head),
-            // There is no room for one where every byte is a dot, so these are never taken for ours.
+            // never taken for ours
             Self::Page(Format::Ubrl | Format::Brf | Format::Idx | Format::Txt) => false,
             // Whatever reads JSON and writes it again sets its spaces otherwise.
             Self::Trace => head.starts_with(json::MARK.as_bytes()),

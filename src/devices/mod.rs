@@ -183,6 +183,17 @@ impl Grid {
         Some(MmPoint::new(*self.columns.get(column)?, *self.rows.get(row)?))
     }
 
+    /// The column and row whose dot is nearest to a place, of two the first; none on an empty grid.
+    pub fn nearest(&self, at: MmPoint) -> Option<[usize; 2]> {
+        let nearest = |mm: f32, centres: &[f32]| {
+            let after = centres.partition_point(|&centre| centre < mm).min(centres.len().checked_sub(1)?);
+            let before = after.saturating_sub(1);
+            let off = |index: usize| (centres[index] - mm).abs();
+            Some(if off(before) <= off(after) { before } else { after })
+        };
+        Some([nearest(at.x, &self.columns)?, nearest(at.y, &self.rows)?])
+    }
+
     /// From the first dot's centre to the last one's; an empty grid's is empty.
     pub fn bounds(&self) -> MmRect {
         let end = |at: fn(&[f32]) -> Option<&f32>| [&self.columns, &self.rows].map(|of| at(of).copied().unwrap_or(0.0));

@@ -64,5 +64,11 @@ pub(super) const DEVICES: &[Device] = &[
     pins("monarch", "APH Monarch", 96, 40),
     pins("pins-120x60", "pin display of 120 x 60", 120, 60),
     // The widest and longest of the Enabling Technologies, Braillo and ViewPlus embossers when they emboss text: 15 x 14 inches.
-    Device { id: "braille-cells", name: "any braille embosser", family: Family::Cells, widest: 381.0, longest: 355.6 },
+    Device {
+        id: "braille-cells",
+        name: "a braille-cell embosser",
+        family: Family::Cells,
+        widest: 381.0,
+        longest: 355.6,
+    },
 ];

@@ -8,10 +8,11 @@ use std::collections::BTreeMap;
 use super::cells::{Cell, apart, centre, within};
 use super::{Params, dotted, thick, trace, walk, way};
 use crate::devices::Grid;
+use crate::geom::polyline;
 use crate::lines::Line;
 use crate::units::{MmPoint, MmRect};
 
-/// Fewer dots than this are no line.
+/// Fewer dots than this are no line, and no piece of a second row.
 const LEAST_DOTS: usize = 3;
 
 /// Lines on a grid, the weightiest first.
@@ -20,11 +21,9 @@ pub(super) fn on_grid(lines: &[Line], area: MmRect, grid: &Grid, params: &Params
     if left > right || top > bottom {
         return Vec::new();
     }
-    let gap = params.line_gap as i32;
-    let least = LEAST_DOTS.max((params.min_length / params.pitch).floor() as usize);
-    let mut taken = Taken { lines: BTreeMap::new(), gap };
-    let mut out = Vec::new();
-    for (number, line) in lines.iter().enumerate() {
+    let mut taken = Taken { lines: BTreeMap::new(), gap: params.line_gap as i32 };
+    let mut drawn: Vec<(&Line, Piece)> = Vec::new();
+    for line in lines {
         let (points, closed) = way(line);
         let mut cells: Vec<Cell> = trace::trace(&points, closed, grid);
         cells.iter_mut().for_each(|cell| *cell = [cell[0].clamp(left, right), cell[1].clamp(top, bottom)]);
@@ -33,34 +32,35 @@ pub(super) fn on_grid(lines: &[Line], area: MmRect, grid: &Grid, params: &Params
         let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
         let closed = closed || ends.is_some_and(|(&first, &last)| apart(first, last) <= 1);
         let cells = trace::thin(cells, closed);
-        let is_wide = params.is_wide(line);
-        let mut drawn = Vec::new();
-        for piece in taken.pieces(&cells, closed, is_wide) {
-            if piece.cells.len() < least {
-                continue;
-            }
-            let mut rows = vec![piece.cells.clone()];
-            if is_wide {
-                let mut second = thick::beside(&piece.cells, piece.closed);
-                second.retain(|&cell| {
-                    (left..=right).contains(&cell[0]) && (top..=bottom).contains(&cell[1]) && !taken.is_near(cell)
-                });
-                rows.push(second);
-            }
-            drawn.push(rows);
-        }
-        for mut rows in drawn {
-            // what the line itself has there already
-            rows[1..].iter_mut().for_each(|row| row.retain(|cell| !taken.lines.contains_key(cell)));
-            rows.iter().flatten().for_each(|&cell| taken.take(cell, number));
-            let run = |cells: &Vec<Cell>| {
-                dotted(cells.iter().map(|&cell| centre(cell, grid)).collect(), params.height(line), params)
-            };
-            let runs = rows.iter().filter(|row| !row.is_empty()).map(run).collect();
-            out.push(Line { strength: line.strength, runs });
+        let is_long = |piece: &Piece| {
+            let length = polyline::length(&centres(&piece.cells, grid));
+            piece.cells.len() >= LEAST_DOTS && length + SAME >= params.min_length
+        };
+        let pieces: Vec<Piece> = taken.pieces(&cells, closed).into_iter().filter(is_long).collect();
+        for piece in pieces {
+            piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
+            drawn.push((line, piece));
         }
     }
+    // Second rows come last and only where there is room, so that no line is cut for the sake of another's width.
+    let inside = |cell: Cell| (left..=right).contains(&cell[0]) && (top..=bottom).contains(&cell[1]);
+    let mut out = Vec::with_capacity(drawn.len());
+    for (number, (line, piece)) in drawn.iter().enumerate() {
+        let mut rows = vec![piece.cells.clone()];
+        if params.is_wide(line) {
+            let second = taken.second_row(number, piece, inside);
+            second.iter().for_each(|&cell| taken.take(cell, number));
+            rows.push(second);
+        }
+        rows.retain(|row| !row.is_empty());
+        let run = |row: &Vec<Cell>| dotted(centres(row, grid), params.height(line), params);
+        out.push(Line { strength: line.strength, runs: rows.iter().map(run).collect() });
+    }
     out
+}
+
+fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
+    cells.iter().map(|&cell| centre(cell, grid)).collect()
 }
 
 /// A stretch of a line that is far enough from all others.
@@ -69,59 +69,72 @@ struct Piece {
     closed: bool,
 }
 
-/// Dots of lines, each with the number of its line.
+/// Dots of lines, each with the number of the piece that it belongs to.
 struct Taken {
     lines: BTreeMap<Cell, usize>,
     gap: i32,
 }
 
 impl Taken {
-    fn take(&mut self, cell: Cell, line: usize) {
-        self.lines.entry(cell).or_insert(line);
+    fn take(&mut self, cell: Cell, piece: usize) {
+        self.lines.entry(cell).or_insert(piece);
+    }
+
+    /// The places from which a dot is nearer than the gap allows.
+    fn around(&self, cell: Cell) -> impl Iterator<Item = Cell> + use<> {
+        let gap = self.gap;
+        (-gap..=gap).flat_map(move |dy| (-gap..=gap).map(move |dx| [cell[0] + dx, cell[1] + dy]))
     }
 
     /// Steps to the nearest dot of another line; none beyond the gap.
     fn distance(&self, cell: Cell) -> Option<i32> {
-        let around = (-self.gap..=self.gap).flat_map(|dy| (-self.gap..=self.gap).map(move |dx| [dx, dy]));
-        let near = around.map(|[dx, dy]| [cell[0] + dx, cell[1] + dy]).filter(|near| self.lines.contains_key(near));
-        near.map(|near| apart(near, cell)).min()
+        self.around(cell).filter(|near| self.lines.contains_key(near)).map(|near| apart(near, cell)).min()
     }
 
-    fn is_near(&self, cell: Cell) -> bool {
-        self.distance(cell).is_some()
+    /// How many dots of a line further on it may come near itself again: at a right angle both arms are near for so long.
+    fn long(&self) -> usize {
+        (4 * self.gap + 4) as usize
     }
 
     /// How near each dot of a line is to other lines, and to the parts of its own that came long before.
-    fn distances(&self, cells: &[Cell], closed: bool, is_wide: bool) -> Vec<Option<i32>> {
-        // At a right angle both arms are this near for so long.
-        let long = (4 * self.gap + 4) as usize;
-        let n = cells.len();
+    fn distances(&self, cells: &[Cell], closed: bool) -> Vec<Option<i32>> {
+        let (n, long) = (cells.len(), self.long());
         let mut own: BTreeMap<Cell, usize> = BTreeMap::new();
         let mut out = Vec::with_capacity(n);
         for (i, &cell) in cells.iter().enumerate() {
-            let around = (-self.gap..=self.gap).flat_map(|dy| (-self.gap..=self.gap).map(move |dx| [dx, dy]));
-            let of_own = around
-                .map(|[dx, dy]| [cell[0] + dx, cell[1] + dy])
-                .filter(|&near| {
-                    let far = |j: usize| i - j > long && (!closed || n - (i - j) > long);
-                    own.get(&near).is_some_and(|&j| near == cell || far(j))
-                })
-                .map(|near| apart(near, cell))
-                .min();
-            let mut of_others = self.distance(cell);
-            if is_wide {
-                let second = [[cell[0] + 1, cell[1]], [cell[0], cell[1] + 1]];
-                of_others = second.into_iter().filter_map(|cell| self.distance(cell)).chain(of_others).min();
-            }
-            out.push(of_own.into_iter().chain(of_others).min());
+            let far = |j: usize| i - j > long && (!closed || n - (i - j) > long);
+            let is_own = |near: &Cell| own.get(near).is_some_and(|&j| *near == cell || far(j));
+            let of_own = self.around(cell).filter(is_own).map(|near| apart(near, cell)).min();
+            out.push(of_own.into_iter().chain(self.distance(cell)).min());
             own.insert(cell, i);
         }
         out
     }
 
+    /// The second row of a piece, where it keeps the gap from all other lines and from what lies across the piece itself.
+    fn second_row(&self, number: usize, piece: &Piece, inside: impl Fn(Cell) -> bool) -> Vec<Cell> {
+        let (n, long) = (piece.cells.len(), self.long());
+        // at which dots of the piece there is a dot of it, of either row
+        let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let mut row = thick::beside(&piece.cells, piece.closed);
+        row.retain(|&(i, cell)| {
+            let across = |j: usize| i.abs_diff(j) > long && (!piece.closed || n - i.abs_diff(j) > long);
+            let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
+                (Some(&j), _) => !across(j),
+                (None, other) => other.is_none_or(|&other| other == number),
+            };
+            let is_kept = inside(cell) && !self.lines.contains_key(&cell) && self.around(cell).all(is_free);
+            if is_kept {
+                own.insert(cell, i);
+            }
+            is_kept
+        });
+        thick::without_crumbs(row, LEAST_DOTS)
+    }
+
     /// What is left of a line.
-    fn pieces(&self, cells: &[Cell], closed: bool, is_wide: bool) -> Vec<Piece> {
-        let mut distances = self.distances(cells, closed, is_wide);
+    fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<Piece> {
+        let mut distances = self.distances(cells, closed);
         if distances.iter().all(Option::is_none) {
             return vec![Piece { cells: cells.to_vec(), closed }];
         }
@@ -151,12 +164,12 @@ impl Taken {
     }
 
     /// A line whose first dots touch another line may begin there: dots on the other line go, but one beside it stays, and it is
-    /// allowed the way out of its neighbourhood. A line that runs along the other is not.
+    /// allowed the way out of its neighbourhood, two dots for each step away. A line that runs along the other is not.
     fn allow_meeting(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) {
         let near = distances.iter().take_while(|distance| distance.is_some()).count();
         let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
         let Some(last) = touches else { return };
-        if near - last > (2 * self.gap + 2) as usize || last > (2 * self.gap + 2) as usize {
+        if near - last > (2 * self.gap) as usize || last > (2 * self.gap + 2) as usize {
             return;
         }
         let skipped = if distances[last] == Some(0) { last + 1 } else { last };
@@ -168,51 +181,75 @@ impl Taken {
 
 /// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
 const LEAST_STEP: f32 = 0.75;
-/// What rounding may take off a place, mm.
+/// What rounding may take off a length, mm.
 const SAME: f32 = 1e-3;
 
-/// Lines in `area` whose dots can be anywhere, the weightiest first. They keep their distance already; only where they meet, dots would
-/// fall on dots.
+/// Lines whose dots can be anywhere in `area`, the weightiest first. Their middles keep their distance already; where they meet, dots
+/// would fall on dots. Second rows come last, where they keep the gap from all other lines.
 pub(super) fn anywhere(lines: &[Line], area: MmRect, params: &Params) -> Vec<Line> {
     let area = area.inflate(SAME, SAME);
-    let mut placed = Placed { squares: BTreeMap::new(), least: LEAST_STEP * params.pitch };
-    let mut out = Vec::new();
+    let mut placed = Placed { squares: BTreeMap::new(), side: params.pitch };
+    let mut drawn: Vec<(&Line, Vec<MmPoint>, bool)> = Vec::new();
     for line in lines {
         let (points, closed) = way(line);
-        let dots = walk::along(&points, closed, params.pitch);
-        let rows = match params.is_wide(line) {
-            true => thick::both_sides(&dots, closed, params.pitch).into(),
-            false => vec![dots],
-        };
-        let free = |row: Vec<MmPoint>, placed: &mut Placed| {
-            row.into_iter().filter(|&at| area.contains_inclusive(at) && placed.place(at)).collect()
-        };
-        let rows: Vec<Vec<MmPoint>> = rows.into_iter().map(|row| free(row, &mut placed)).collect();
-        let runs = rows.into_iter().filter(|row| !row.is_empty());
-        let runs: Vec<_> = runs.map(|row| dotted(row, params.height(line), params)).collect();
-        if runs.iter().any(|run| run.points.len() >= LEAST_DOTS) {
-            out.push(Line { strength: line.strength, runs });
+        let mut dots = walk::along(&points, closed, params.pitch);
+        let own = drawn.len();
+        let least = LEAST_STEP * params.pitch;
+        dots.retain(|&at| area.contains_inclusive(at) && placed.is_free(at, least, |_| true));
+        if dots.len() >= LEAST_DOTS && polyline::length(&dots) + params.pitch >= params.min_length {
+            // a line may come near itself at a corner
+            dots.retain(|&at| {
+                let is_free = placed.is_free(at, least, |_| true);
+                is_free.then(|| placed.place(at, own)).is_some()
+            });
+            drawn.push((line, dots, closed));
         }
+    }
+    let mut out = Vec::with_capacity(drawn.len());
+    for (own, (line, dots, closed)) in drawn.iter().enumerate() {
+        let mut rows = vec![dots.clone()];
+        if params.is_wide(line) && dots.len() >= LEAST_DOTS {
+            let gap = (params.line_gap + 1) as f32 * params.pitch - SAME;
+            let mut second = Vec::new();
+            for (_, at) in thick::beside_anywhere(dots, *closed, params.pitch) {
+                let is_free = placed.is_free(at, LEAST_STEP * params.pitch, |_| true);
+                if area.contains_inclusive(at) && is_free && placed.is_free(at, gap, |piece| piece != own) {
+                    placed.place(at, own);
+                    second.push(at);
+                }
+            }
+            if second.len() >= LEAST_DOTS {
+                rows.push(second);
+            }
+        }
+        let runs = rows.into_iter().map(|row| dotted(row, params.height(line), params)).collect();
+        out.push(Line { strength: line.strength, runs });
     }
     out
 }
 
-/// Dots by the square that they lie in.
+/// Dots by the square that they lie in, each with the number of its line.
 struct Placed {
-    squares: BTreeMap<[i32; 2], Vec<MmPoint>>,
-    least: f32,
+    squares: BTreeMap<[i32; 2], Vec<(MmPoint, usize)>>,
+    /// Side of the squares, mm.
+    side: f32,
 }
 
 impl Placed {
-    /// Places a dot if there is room for it.
-    fn place(&mut self, at: MmPoint) -> bool {
-        let [x, y] = [at.x, at.y].map(|mm| (mm / self.least).floor() as i32);
-        let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| [x + dx, y + dy]));
+    fn square(&self, at: MmPoint) -> [i32; 2] {
+        [at.x, at.y].map(|mm| (mm / self.side).floor() as i32)
+    }
+
+    fn place(&mut self, at: MmPoint, line: usize) {
+        self.squares.entry(self.square(at)).or_default().push((at, line));
+    }
+
+    /// Whether no dot of the lines that matter is nearer than `gap` mm.
+    fn is_free(&self, at: MmPoint, gap: f32, matters: impl Fn(usize) -> bool) -> bool {
+        let [x, y] = self.square(at);
+        let reach = (gap / self.side).ceil() as i32;
+        let around = (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| [x + dx, y + dy]));
         let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
-        let free = near.all(|other| (*other - at).length() >= self.least);
-        if free {
-            self.squares.entry([x, y]).or_default().push(at);
-        }
-        free
+        near.all(|&(other, line)| !matters(line) || (other - at).length() >= gap)
     }
 }

@@ -1,37 +1,127 @@
-//! Heavy lines are two dots wide: a second row beside the first.
+//! Heavy lines are two dots wide: a second row on one side of the first, where there is room for it.
 
-use std::collections::BTreeSet;
-
-use super::cells::Cell;
+use super::cells::{Cell, apart};
+use super::trace::between;
 use crate::units::{MmPoint, MmVector};
 
-/// The second row of a line on a grid: below what runs flat, to the right of what runs steep, so that both rows have the same
-/// direction everywhere and the band is two dots wide throughout.
-pub(super) fn beside(cells: &[Cell], closed: bool) -> Vec<Cell> {
+/// The second row of a line on a grid, in its order: for each of its dots the number of the first row's that it lies beside. It is on the right of the line as it runs, and inside
+/// of rings.
+///
+/// ```text
+///   # # # # #          # # # # #       # first row, o second
+///   # o o o o          . . . . #
+///   # o . . .          o o o . #
+/// ```
+pub(super) fn beside(cells: &[Cell], closed: bool) -> Vec<(usize, Cell)> {
     let n = cells.len();
-    let first: BTreeSet<Cell> = cells.iter().copied().collect();
-    let mut seen = BTreeSet::new();
-    let mut out = Vec::with_capacity(n);
+    let turn = if closed && area(cells) < 0 { -1 } else { 1 };
+    let mut out: Vec<(usize, Cell)> = Vec::with_capacity(n);
     for (i, &[x, y]) in cells.iter().enumerate() {
         let before = if closed { cells[(i + n - 1) % n] } else { cells[i.saturating_sub(1)] };
         let after = if closed { cells[(i + 1) % n] } else { cells[(i + 1).min(n - 1)] };
-        let is_flat = (after[0] - before[0]).abs() >= (after[1] - before[1]).abs();
-        let cell = if is_flat { [x, y + 1] } else { [x + 1, y] };
-        if !first.contains(&cell) && seen.insert(cell) {
-            out.push(cell);
+        let [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+        let cell = if dx.abs() >= dy.abs() { [x, y + turn * dx.signum()] } else { [x - turn * dy.signum(), y] };
+        if let Some(&(_, last)) = out.last() {
+            // around the outside of a corner
+            out.extend(between(last, cell).map(|cell| (i, cell)));
         }
+        out.push((i, cell));
     }
+    let mut seen: Vec<Cell> = Vec::with_capacity(out.len());
+    out.retain(|(_, cell)| {
+        let is_new = !cells.contains(cell) && !seen.contains(cell);
+        seen.push(*cell);
+        is_new
+    });
     out
 }
 
-/// Two rows on both sides of a line whose dots can be anywhere, half a pitch from it each.
-pub(super) fn both_sides(dots: &[MmPoint], closed: bool, pitch: f32) -> [Vec<MmPoint>; 2] {
+/// Twice the area that a ring encloses; above 0 if it runs clockwise as a reader sees it.
+fn area(cells: &[Cell]) -> i32 {
+    let n = cells.len();
+    (0..n).map(|i| (cells[i], cells[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum()
+}
+
+/// A second row beside one whose dots can be anywhere, a pitch to the right of it.
+pub(super) fn beside_anywhere(dots: &[MmPoint], closed: bool, pitch: f32) -> Vec<(usize, MmPoint)> {
     let n = dots.len();
     let aside = |i: usize| {
         let before = if closed { dots[(i + n - 1) % n] } else { dots[i.saturating_sub(1)] };
         let after = if closed { dots[(i + 1) % n] } else { dots[(i + 1).min(n - 1)] };
         let along = (after - before).try_normalize().unwrap_or(MmVector::new(1.0, 0.0));
-        MmVector::new(-along.y, along.x) * (0.5 * pitch)
+        MmVector::new(-along.y, along.x) * pitch
     };
-    [1.0, -1.0].map(|side| (0..n).map(|i| dots[i] + aside(i) * side).collect())
+    (0..n).map(|i| (i, dots[i] + aside(i))).collect()
+}
+
+/// Leaves out single dots of a second row: pieces of fewer than `least` that follow one another.
+pub(super) fn without_crumbs(row: Vec<(usize, Cell)>, least: usize) -> Vec<Cell> {
+    let mut out = Vec::with_capacity(row.len());
+    let mut piece: Vec<Cell> = Vec::new();
+    let mut finish = |piece: &mut Vec<Cell>| {
+        if piece.len() >= least {
+            out.append(piece);
+        }
+        piece.clear();
+    };
+    for (_, cell) in row {
+        if piece.last().is_some_and(|&last| apart(last, cell) > 1) {
+            finish(&mut piece);
+        }
+        piece.push(cell);
+    }
+    finish(&mut piece);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn drawn(cells: &[Cell], closed: bool) -> String {
+        let first: BTreeSet<Cell> = cells.iter().copied().collect();
+        let second: BTreeSet<Cell> = beside(cells, closed).into_iter().map(|(_, cell)| cell).collect();
+        let all: Vec<Cell> = first.union(&second).copied().collect();
+        let range = |axis: usize| {
+            let values = all.iter().map(|cell| cell[axis]);
+            values.clone().min().unwrap_or(0)..=values.max().unwrap_or(0)
+        };
+        let sign = |cell: Cell| match (first.contains(&cell), second.contains(&cell)) {
+            (true, _) => '#',
+            (_, true) => 'o',
+            _ => '.',
+        };
+        range(1).map(|y| range(0).map(|x| sign([x, y])).collect::<String>() + "\n").collect()
+    }
+
+    #[test]
+    fn a_band_is_two_dots_wide_around_corners() {
+        let right_and_down: Vec<Cell> = (0..5).map(|x| [x, 0]).chain((1..5).map(|y| [4, y])).collect();
+        assert_eq!(drawn(&right_and_down, false), "#####\noooo#\n...o#\n...o#\n...o#\n");
+        let back: Vec<Cell> = right_and_down.into_iter().rev().collect();
+        assert_eq!(drawn(&back, false), "ooooo.\n#####o\n....#o\n....#o\n....#o\n....#o\n");
+    }
+
+    #[test]
+    fn a_ring_has_its_second_row_inside_whichever_way_it_runs() {
+        let side = |from: Cell, step: Cell| (0..5).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
+        let ring: Vec<Cell> = side([0, 0], [1, 0])
+            .chain(side([5, 0], [0, 1]))
+            .chain(side([5, 5], [-1, 0]))
+            .chain(side([0, 5], [0, -1]))
+            .collect();
+        let want = "######\n#oooo#\n#o..o#\n#o..o#\n#oooo#\n######\n";
+        assert_eq!(drawn(&ring, true), want);
+        let back: Vec<Cell> = ring.into_iter().rev().collect();
+        assert_eq!(drawn(&back, true), want);
+    }
+
+    #[test]
+    fn slanting_bands_have_no_holes() {
+        let slanting: Vec<Cell> = (0..6).map(|i| [i, i / 2]).collect();
+        assert_eq!(drawn(&slanting, false), "##....\noo##..\n..oo##\n....oo\n");
+        let steep: Vec<Cell> = (0..4).map(|i| [i, i]).collect();
+        assert_eq!(drawn(&steep, false), "#...\no#..\n.o#.\n..o#\n...o\n");
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! Wherever the line crosses the middle of a column or of a row, the dot nearest to it is taken. On a straight line that is
 //! one dot a column where it is flat, one a row where it is steep: Bresenham's line, and no dot lies further than half a step
-//! from the line. Where a line bends, dots may be left that touch both of their neighbours' neighbours:
+//! along an axis from the line, but for its ends and where it wavers. Where a line bends, dots may be left that touch both of their neighbours' neighbours:
 //!
 //! ```text
 //!   # #  .        # .  .        # # #        the last is a corner of the line itself, with two
@@ -84,12 +84,7 @@ fn filled(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     let end = first.filter(|_| closed && cells.len() > 1);
     for cell in cells.into_iter().chain(end) {
         if let Some(&last) = out.last() {
-            let steps = apart(last, cell);
-            for step in 1..steps {
-                let share = step as f32 / steps as f32;
-                let between = |axis: usize| last[axis] as f32 + (cell[axis] - last[axis]) as f32 * share;
-                out.push(nearest([between(0), between(1)]));
-            }
+            out.extend(between(last, cell));
         }
         out.push(cell);
     }
@@ -103,6 +98,15 @@ fn filled(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
 /// A line that comes back to itself within this many dots makes a clot, not a shape; the smallest ring with a dot of blank in it
 /// has eight.
 const CURL: usize = 7;
+
+/// The dots between two, each a neighbour of the next.
+pub(super) fn between(a: Cell, b: Cell) -> impl Iterator<Item = Cell> {
+    let steps = apart(a, b);
+    (1..steps).map(move |step| {
+        let share = step as f32 / steps as f32;
+        nearest([0, 1].map(|axis| a[axis] as f32 + (b[axis] - a[axis]) as f32 * share))
+    })
+}
 
 /// Leaves out dots without which their neighbours are neighbours still, but for true corners.
 pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {

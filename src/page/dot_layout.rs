@@ -1,18 +1,23 @@
 //! Where things lie on a device's grid of dots: as on paper, moved on to the grid.
 //!
-//! The picture takes whole columns and rows, from the middle between two dots to the middle between two others, so that no dot
-//! lies on its edge. The frame is a ring of dots, every so many, with as many empty dots inside it as make up its gap.
+//! From left to right the picture is centred on the grid, so that a flipped one takes the same dots, flipped; from top to bottom
+//! it begins in the middle between two rows. The frame is a ring of dots, every so many, with as many empty dots inside it as
+//! make up its gap.
 
 use super::layout::{FrameParams, Layout, MarkParams, Params, PressParams, Sheet};
 use super::{Dots, Run};
 use crate::devices::{Grid, Room};
 use crate::units::{MmPoint, MmRect, MmVector};
 
+/// Less than anything that is pressed, mm.
+const HAIR: f32 = 1e-3;
+
 /// A picture whose width is `aspect` times its height, as large as the device allows on a sheet that lies this way, but not
 /// wider than `widest`. None where the device does not take the sheet.
 pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, press: &PressParams) -> Option<Layout> {
     let room = press.device.room(size, press.pitch).ok()?;
-    let half = 0.5 * press.pitch;
+    // A dot of a grid stands for what is half a pitch around it; elsewhere bounds are those of the centres of dots.
+    let half = if matches!(room, Room::Grid(_)) { 0.5 * press.pitch } else { 0.0 };
     let usable = room.bounds().inflate(half, half);
     let overview = params.overview;
     let params = Params {
@@ -37,7 +42,7 @@ pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, pre
     Some(Layout { sheet: size, figure, overview, mark, room: Some(room) })
 }
 
-/// A band of one dot, and half a pitch for the grid: an even number of steps must fit around the picture.
+/// A band of one dot, and half a pitch for the grid, whose rows and columns are where they are.
 fn ring_params(frame: FrameParams, press: &PressParams) -> FrameParams {
     let gap = empty(frame, press) as f32 * press.pitch;
     FrameParams { width: 1.5 * press.pitch, dot: press.diameter, pitch: frame.pitch, gap }
@@ -48,7 +53,7 @@ fn empty(frame: FrameParams, press: &PressParams) -> i32 {
     (frame.gap / press.pitch).round().max(1.0) as i32
 }
 
-/// The same rectangle with its top left corner in the middle between four dots.
+/// The same rectangle in the middle of the columns, its top in the middle between two rows.
 fn on_grid(figure: MmRect, room: &Room, press: &PressParams) -> MmRect {
     let Room::Grid(grid) = room else { return figure };
     let corner = |mm: f32, centres: &[f32]| {
@@ -63,24 +68,21 @@ fn on_grid(figure: MmRect, room: &Room, press: &PressParams) -> MmRect {
         let around = [index.saturating_sub(1), index, index + 1].map(middle);
         around.into_iter().min_by(|a, b| (a - mm).abs().total_cmp(&(b - mm).abs())).unwrap_or(mm)
     };
-    let min = MmPoint::new(corner(figure.min.x, &grid.columns), corner(figure.min.y, &grid.rows));
-    MmRect::new(min, min + MmVector::new(figure.width(), figure.height()))
+    // a hair narrower, so that no column lies on an edge
+    let (middle, half) = (room.bounds().center().x, 0.5 * figure.width());
+    let top = corner(figure.min.y, &grid.rows);
+    let min = MmPoint::new(middle - half + HAIR, top);
+    MmRect::new(min, min + MmVector::new(figure.width() - 2.0 * HAIR, figure.height()))
 }
 
-/// The ends of the orientation mark on dots that are as many columns as rows apart.
+/// The ends of the orientation mark on dots that are as many columns as rows apart; the lower right one is the nearest, so that all
+/// of it keeps the margin.
 fn marked(points: Vec<MmPoint>, room: &Room) -> Vec<MmPoint> {
     let (Room::Grid(grid), [a, .., b]) = (room, &points[..]) else { return points };
-    let steps = nearest(a.x, &grid.columns).abs_diff(nearest(b.x, &grid.columns)).max(2);
-    let last = grid.columns.len().saturating_sub(1);
-    let corner = [grid.at(last.saturating_sub(steps), 0), grid.at(last, steps.min(grid.rows.len().saturating_sub(1)))];
-    corner.into_iter().flatten().collect()
-}
-
-fn nearest(mm: f32, centres: &[f32]) -> usize {
-    let after = centres.partition_point(|&centre| centre < mm).min(centres.len().saturating_sub(1));
-    let before = after.saturating_sub(1);
-    let off = |index: usize| centres.get(index).map_or(f32::MAX, |centre| (centre - mm).abs());
-    if off(before) < off(after) { before } else { after }
+    let (from, to) = (grid.nearest(*a), grid.nearest(*b));
+    let (Some([left, top]), Some([right, _])) = (from, to) else { return points };
+    let steps = (right - left).max(2);
+    [grid.at(right.saturating_sub(steps), top), grid.at(right, top + steps)].into_iter().flatten().collect()
 }
 
 /// A frame of one row of dots, where they can be anywhere.
@@ -96,20 +98,14 @@ pub(crate) fn ring(picture: MmRect, grid: &Grid, frame: FrameParams, press: &Pre
     let range = |from: f32, to: f32, centres: &[f32]| {
         let first = centres.partition_point(|&centre| centre < from) as i32;
         let last = centres.partition_point(|&centre| centre <= to) as i32 - 1;
-        // as far out as asked, and on to a whole number of steps where there is room
-        let [low, mut high] = [(first - out).max(0), (last + out).min(centres.len() as i32 - 1)];
-        let spare = (step - (high - low) % step) % step;
-        if spare > 0 && high + spare < centres.len() as i32 && spare <= 1 {
-            high += spare;
-        }
-        [low, high]
+        [(first - out).max(0), (last + out).min(centres.len() as i32 - 1)]
     };
     let [left, right] = range(picture.min.x, picture.max.x, &grid.columns);
     let [top, bottom] = range(picture.min.y, picture.max.y, &grid.rows);
+    // from both corners to the middle, so that a flipped picture has the flipped frame
     let steps = |low: i32, high: i32| {
-        // every step, and the other corner
-        let inner = (low..high).step_by(step as usize).filter(move |&at| at == low || high - at > 1);
-        inner.chain([high])
+        let half = (low..=(low + high) / 2).step_by(step as usize);
+        half.flat_map(move |at| [at, low + high - at])
     };
     let mut cells: Vec<(i32, i32)> = steps(left, right).flat_map(|x| [(x, top), (x, bottom)]).collect();
     cells.extend(steps(top, bottom).flat_map(|y| [(left, y), (right, y)]));

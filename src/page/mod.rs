@@ -80,6 +80,8 @@ impl Parts {
 pub struct Press {
     /// Where it can press dots.
     pub room: Room,
+    /// Distance of dots, mm.
+    pub pitch: f32,
     /// Diameter of a dot as it is felt, mm.
     pub diameter: f32,
     /// Whether it presses dots to different heights.

@@ -13,6 +13,10 @@ const PRESSED: &[&str] = &["page.width", "page.height", "page.orientation", "dot
 /// The keys of what only rhombuses can tell.
 const FRINGE: &[&str] = &["textures.fringe", "dots.device"];
 
+/// Those that say how large the sheet is, and how far dots are apart.
+const SHEET: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device"];
+const PITCH: &[&str] = &["dots.pitch", "dots.device"];
+
 /// The keys of the signs of colours.
 const PALETTE: &[&str] = &[
     "textures.palette.blue",
@@ -35,17 +39,30 @@ impl Profile {
             Orientation::Landscape => room(across).err(),
             Orientation::Auto => room(upright).err().and_then(|faults| room(across).err().map(|_| faults)),
         };
-        let fault = |what| Fault { place: self.place(PRESSED), what };
+        let mut faults = Vec::new();
+        let mut fault = |paths: &[&str], what| faults.push(Fault { place: self.place(paths), what });
+        for (path, value) in [("dots.line_gap", self.dots.line_gap), ("dots.texture_gap", self.dots.texture_gap)] {
+            if self.sound(&[path]) && value.fract() > 0.0 {
+                fault(&[path], format!("{path} is {value}, but dots are counted, give a whole number"));
+            }
+        }
         if self.figure.textures && self.textures.fringe && self.sound(FRINGE) {
             let what = format!(
                 "textures.fringe turns single rhombuses, and {} presses dots, which have no direction, set it to false",
                 device.name
             );
-            return vec![Fault { place: self.place(FRINGE), what }];
+            fault(FRINGE, what);
         }
-        let mut faults: Vec<Fault> = refused.unwrap_or_default().into_iter().map(fault).collect();
+        let has_pitch = device.pitches().find(self.dots.pitch).is_some();
+        let of_pitch = usize::from(!has_pitch);
+        let refused = refused.unwrap_or_default();
+        // what is wrong with the sheet is told first, and then the pitch
+        let of_sheet = refused.len().saturating_sub(of_pitch);
+        for (i, what) in refused.iter().enumerate() {
+            fault(if i < of_sheet { SHEET } else { PITCH }, what.clone());
+        }
         if let (Ok(room), true, true) =
-            (room(upright).or_else(|_| room(across)), faults.is_empty(), self.figure.textures)
+            (room(upright).or_else(|_| room(across)), refused.is_empty(), self.figure.textures)
         {
             faults.extend(self.carried_faults(device, &room));
         }
@@ -85,7 +102,7 @@ mod tests {
     /// A misspelt path would switch its rule off without a word.
     #[test]
     fn rules_name_keys_that_exist() {
-        let mut paths = PRESSED.iter().chain(PALETTE).chain(FRINGE);
+        let mut paths = PRESSED.iter().chain(PALETTE).chain(FRINGE).chain(SHEET).chain(PITCH);
         assert!(paths.all(|path| KEYS.iter().any(|key| key.path == *path)));
     }
 }

@@ -2,6 +2,7 @@
 //! where a stage works in pixels.
 
 use super::{Fault, Profile};
+use crate::devices::Device;
 use crate::page::layout;
 use crate::textures::Palette;
 use crate::{classes, dots, edges, lines, textures};
@@ -19,6 +20,11 @@ const STRENGTH_WINDOW: f32 = 1.0;
 const COLOUR_CELL: f32 = 1.0;
 
 impl Profile {
+    /// Distance of dots as the device has it, mm; profiles may be a hundredth off.
+    fn pitch(&self, device: &Device) -> f32 {
+        device.pitches().find(self.dots.pitch).unwrap_or(self.dots.pitch)
+    }
+
     /// What the layout of a page needs.
     pub(super) fn layout(&self) -> layout::Params {
         let Self { page, frame, overview, mark, dots, .. } = self;
@@ -36,7 +42,7 @@ impl Profile {
             mark: mark.on.then_some(layout::MarkParams { length: mark.length, width: mark.width, gap: mark.gap }),
             press: dots.device.map(|device| layout::PressParams {
                 device,
-                pitch: dots.pitch,
+                pitch: self.pitch(device),
                 diameter: device.diameter(),
             }),
         }
@@ -115,7 +121,7 @@ impl Plan {
         let Profile { dots, lines, .. } = &self.profile;
         let device = dots.device?;
         Some(dots::Params {
-            pitch: dots.pitch,
+            pitch: self.profile.pitch(device),
             diameter: device.diameter(),
             line_gap: dots.line_gap.round() as u32,
             heavy_from: dots.heavy_from,
@@ -130,7 +136,7 @@ impl Plan {
         let device = dots.device?;
         let textures::Params { density_blur, dense_from, white_from, palette, .. } = self.textures();
         Some(dots::textures::Params {
-            pitch: dots.pitch,
+            pitch: self.profile.pitch(device),
             diameter: device.diameter(),
             line_gap: dots.texture_gap.round() as u32,
             least_gap: dots.texture_gap.round().min(1.0) as u32,

@@ -19,9 +19,9 @@ fn every_format_of_dots_is_chosen_by_name_or_by_format() {
     for (profile, format, head) in [
         ("index-basic-d", "ubrl", "".as_bytes()),
         ("index-basic-d", "pef", b"<?xml"),
-        ("index-basic-d", "idx", b"\x1bDTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,CH33,LP29,LS50,BT0;\x1b\x07"),
+        ("index-basic-d", "idx", b"\x1bDTM0,BI0,FO0,MI1,DP1,TD0,GD0,PN0,CH33,LP29,LS50,BT0;\x1b\x07"),
         ("index-basic-d", "txt", b""),
-        ("index-basic-d-v3", "idx", b"\x1bDTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,PW81,PL114,LS4,BT0;\x1b\x07"),
+        ("index-basic-d-v3", "idx", b"\x1bDTM0,BI0,FO0,MI1,DP1,TD0,GD0,PN0,PW81,PL114,LS4,BT0;\x1b\x07"),
         ("braille-cells", "brf", b""),
         ("viewplus-columbia", "ubrl", b""),
         ("monarch", "txt", b""),
@@ -106,7 +106,7 @@ fn formats_that_do_not_go_with_the_profile_are_told_with_what_does() {
         ),
         (
             &["-o", "p.ubrl", "--profile", "braille-cells"],
-            "UBRL is not for any braille embosser, which takes brf or txt; take one of these, or SVG, PDF or PNG to look at",
+            "UBRL is not for a braille-cell embosser, which takes brf or txt; take one of these, or SVG, PDF or PNG to look at",
         ),
         (
             &["-o", "p.svg", "--copies", "2"],

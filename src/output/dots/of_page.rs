@@ -1,7 +1,7 @@
 //! The dots of a page: on its device's grid, or where they lie.
 
 use super::Matrix;
-use crate::devices::{Grid, Room};
+use crate::devices::Room;
 use crate::page::{Dots, Height, Page, Pen, Run};
 use crate::units::MmPoint;
 
@@ -11,8 +11,9 @@ impl Matrix {
         let Room::Grid(grid) = &page.press.as_ref()?.room else { return None };
         let mut matrix = Self::new(grid.columns.len(), grid.rows.len());
         for (at, height) in dots(page) {
-            let [x, y] = place(at, grid);
-            matrix.raise(x, y, 1 + height as u8);
+            if let Some([x, y]) = grid.nearest(at) {
+                matrix.raise(x, y, class(height));
+            }
         }
         Some(matrix)
     }
@@ -37,12 +38,11 @@ pub fn dots(page: &Page) -> Vec<(MmPoint, Height)> {
     out
 }
 
-/// The column and row nearest to a place.
-fn place(at: MmPoint, grid: &Grid) -> [usize; 2] {
-    [(at.x, &grid.columns), (at.y, &grid.rows)].map(|(mm, centres)| {
-        let after = centres.partition_point(|&centre| centre < mm).min(centres.len().saturating_sub(1));
-        let before = after.saturating_sub(1);
-        let off = |index: usize| centres.get(index).map_or(f32::MAX, |centre| (centre - mm).abs());
-        if off(before) < off(after) { before } else { after }
-    })
+/// The class of a height in a [`Matrix`].
+fn class(height: Height) -> u8 {
+    match height {
+        Height::Low => 1,
+        Height::Middle => 2,
+        Height::High => Matrix::HIGHEST,
+    }
 }
