@@ -1,0 +1,83 @@
+//! Run time against error on the page: at which working resolution does a finger notice nothing any more?
+//!
+//! ```text
+//! cargo run --release --example knee                       writes docs/speed/knee.csv and knee.svg (some ten minutes)
+//!   --rounds N             how often each setting is timed (default 5)
+//!   --profile NAME         another profile than swell-a4; of one of dots only a table is printed
+//!   --draw DIR             writes the pictures and the page of each, too
+//! ```
+//!
+//! **Settings**: working resolution (px for a millimetre of the page), edge scale (mm), and at which fraction of its size a
+//! JPEG is decoded before it is averaged to the working size ("as needed" is what the program does: the smallest that is not
+//! below the working size).
+//!
+//! **Pictures** (`pictures.rs`, `scene.rs`): drawn scenes of 12 megapixels whose outlines, steps and colours are known, with
+//! the blur and the grain of a camera; the photo-like picture of `bench-all` with 12 megapixels; samples.
+//!
+//! **Errors** (`compare.rs`): scenes are held against what was drawn, all others against the page of the highest resolution at
+//! the same scale. Lengths are in mm on the page:
+//!
+//! * *rms*, *p95*: distance from each line to the nearest true one and back, of places that have one within 1 mm, which is
+//!   about what a fingertip parts; *missing*, *extra*: the share of the length that has none.
+//! * *strength*: Spearman's rank correlation of the strength of lines with the true one, place by place.
+//! * *class*: the share of the area that is sorted into another class; of scenes, further than 2 mm from a true border.
+//! * *read*: the share of places that a fingertip of 1.0 mm reads as they are; see `tactograph::touch`.
+//!
+//! **Time**: of this thread alone (CPU), the stages called one after the other as the program calls them, from the file's bytes
+//! to the page's SVG. Settings run in turn, round after round, every second round in reverse; figures are medians.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
+
+mod clock;
+mod compare;
+mod dotted;
+#[path = "../accuracy/near.rs"]
+mod near;
+#[path = "../bench_all/photo.rs"]
+#[allow(dead_code, reason = "one of its pictures is used here")]
+mod photo;
+mod pictures;
+mod plot;
+mod rows;
+mod run;
+mod scene;
+mod sweep;
+
+use std::path::{Path, PathBuf};
+
+/// What is asked for.
+struct Args {
+    rounds: usize,
+    profile: String,
+    draw: Option<PathBuf>,
+}
+
+fn main() -> Result<(), String> {
+    let mut args = Args { rounds: 5, profile: "swell-a4".into(), draw: None };
+    let mut words = std::env::args().skip(1);
+    while let Some(word) = words.next() {
+        let value = words.next().ok_or(format!("{word} needs a value"))?;
+        match word.as_str() {
+            "--rounds" => args.rounds = value.parse().map_err(|_| "--rounds needs a whole number from 1 up")?,
+            "--profile" => args.profile = value,
+            "--draw" => args.draw = Some(value.into()),
+            _ => return Err(format!("{word} is not known; see the head of examples/knee/main.rs")),
+        }
+    }
+    if args.rounds == 0 {
+        return Err("--rounds needs a whole number from 1 up".into());
+    }
+    std::env::set_current_dir(env!("CARGO_MANIFEST_DIR")).map_err(|fault| fault.to_string())?;
+    let profile = rows::profile(&args.profile, &[])?;
+    let pictures = pictures::all(Path::new("target/knee"))?;
+    if profile.dots.device.is_some() {
+        return dotted::table(&args.profile, &pictures, args.rounds);
+    }
+    let rows = sweep::sweep(&args.profile, &pictures, args.rounds, args.draw.as_deref())?;
+    let folder = Path::new("docs/speed");
+    let told = |fault: std::io::Error| format!("{}: {fault}", folder.display());
+    std::fs::create_dir_all(folder).map_err(told)?;
+    std::fs::write(folder.join("knee.csv"), rows::csv(&rows)).map_err(told)?;
+    std::fs::write(folder.join("knee.svg"), plot::plot(&rows)).map_err(told)?;
+    print!("{}", rows::table(&rows));
+    Ok(())
+}

@@ -1,0 +1,76 @@
+//! The pictures, encoded once under target/knee.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::photo;
+use crate::scene::{SIZE, Scene};
+
+/// A picture as its file.
+pub(crate) struct Picture {
+    pub(crate) name: &'static str,
+    pub(crate) bytes: Vec<u8>,
+    /// What is drawn on it, where that is known.
+    pub(crate) scene: Option<Scene>,
+    /// Whether it can be decoded at a fraction of its size.
+    pub(crate) is_jpeg: bool,
+}
+
+/// Files that are made here; another edition makes them anew.
+const SCENES: [(&str, u32); 3] = [("scene-a", 2), ("scene-b", 3), ("scene-c", 4)];
+const EDITION: &str = "1";
+
+/// All pictures.
+///
+/// # Errors
+/// `cjpeg` (of libjpeg-turbo) is missing, or a file cannot be read or written.
+pub(crate) fn all(folder: &Path) -> Result<Vec<Picture>, String> {
+    fs::create_dir_all(folder).map_err(|fault| format!("{}: {fault}", folder.display()))?;
+    let made = |name: &str, pixels: &dyn Fn() -> Vec<u8>| {
+        let file = folder.join(format!("{name}-{EDITION}.jpg"));
+        if !file.is_file() {
+            eprintln!("making {}", file.display());
+            cjpeg(&pixels(), &file)?;
+        }
+        fs::read(&file).map_err(|fault| format!("{}: {fault}", file.display()))
+    };
+    let mut pictures = Vec::new();
+    for (name, seed) in SCENES {
+        let scene = Scene::new(seed);
+        let bytes = made(name, &|| scene.pixels())?;
+        pictures.push(Picture { name, bytes, scene: Some(scene), is_jpeg: true });
+    }
+    let bytes = made("photo-12", &|| photo::photo(SIZE[0], SIZE[1]).bytes())?;
+    pictures.push(Picture { name: "photo-12", bytes, scene: None, is_jpeg: true });
+    for name in
+        ["coffee.png", "astronaut.png", "chelsea.png", "rocket.jpg", "landscape.svg", "portrait.svg", "chart.svg"]
+    {
+        let bytes = fs::read(Path::new("samples").join(name)).map_err(|fault| format!("samples/{name}: {fault}"))?;
+        pictures.push(Picture { name, bytes, scene: None, is_jpeg: false });
+    }
+    Ok(pictures)
+}
+
+/// Quality 90 with colour at half resolution, as cameras write.
+fn cjpeg(pixels: &[u8], file: &Path) -> Result<(), String> {
+    let needs =
+        |fault| format!("cjpeg, which writes the pictures, does not run ({fault}): install libjpeg-turbo-progs");
+    let part = file.with_extension("part"); // a file has its name only when it is whole
+    let mut child = Command::new("cjpeg")
+        .args(["-quality", "90", "-sample", "2x2", "-outfile"])
+        .arg(&part)
+        .stdin(Stdio::piped())
+        .spawn()
+        .map_err(needs)?;
+    let written = child.stdin.take().map(|mut pipe| {
+        pipe.write_all(format!("P6 {} {} 255\n", SIZE[0], SIZE[1]).as_bytes())?;
+        pipe.write_all(pixels)
+    });
+    let ended = child.wait().map_err(needs)?;
+    if !(matches!(written, Some(Ok(()))) && ended.success()) {
+        return Err("cjpeg could not write a picture".into());
+    }
+    fs::rename(&part, file).map_err(|fault| format!("{}: {fault}", file.display()))
+}

@@ -1,0 +1,92 @@
+//! Every picture in every setting.
+
+use std::path::Path;
+
+use tactograph::profile::Plan;
+
+use crate::compare::{Sight, compare};
+use crate::pictures::Picture;
+use crate::rows::{Row, Setting, profile};
+use crate::run::{Outcome, run};
+
+/// px for a millimetre of the page.
+const RESOLUTIONS: [f32; 8] = [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0];
+/// Scales of edges, mm; the second is the default.
+const SCALES: [f32; 3] = [0.3, 0.45, 0.6];
+const DEFAULT_SCALE: f32 = SCALES[1];
+/// Where JPEG is also decoded at more than is needed.
+const DECODED: [f32; 4] = [2.0, 3.0, 4.0, 5.0];
+/// What pages without a known truth are held against: the most that a profile can ask for. Pictures of 12 MP have 17.
+const REFERENCE: f32 = 12.0;
+
+/// Measures.
+///
+/// # Errors
+/// A picture cannot be made into a page, or a page cannot be written to `draw`.
+pub(crate) fn sweep(name: &str, pictures: &[Picture], rounds: usize, draw: Option<&Path>) -> Result<Vec<Row>, String> {
+    let plan = |setting: &Setting| {
+        let changes = [("figure.resolution", setting.resolution), ("edges.scale", setting.scale)];
+        let told = |faults: Vec<_>| format!("{faults:?}");
+        Plan::new(&profile(name, &changes)?).map_err(told)
+    };
+    let outcome = |picture: &Picture, setting: &Setting| {
+        run(picture, &plan(setting)?, setting.eighths).map_err(|fault| format!("{}: {fault}", picture.name))
+    };
+    let mut rows: Vec<(usize, Row)> = Vec::new();
+    for (number, picture) in pictures.iter().enumerate() {
+        for scale in SCALES {
+            let reference = outcome(picture, &Setting { resolution: REFERENCE, scale, eighths: None })?;
+            let truth = picture
+                .scene
+                .as_ref()
+                .map_or_else(|| Sight::of_page(&reference), |scene| Sight::of_scene(scene, &reference));
+            for setting in settings(picture, &reference).into_iter().filter(|s| is(s.scale, scale)) {
+                eprintln!("{} {setting:?}", picture.name);
+                let page = outcome(picture, &setting)?;
+                let errors = compare(&truth, &page, is(scale, DEFAULT_SCALE))?;
+                if let Some(folder) = draw.filter(|_| setting.eighths.is_none()) {
+                    let file = folder.join(format!("{}-{}-{scale}.svg", picture.name, setting.resolution));
+                    std::fs::write(&file, &page.svg).map_err(|fault| format!("{}: {fault}", file.display()))?;
+                }
+                let is_scene = picture.scene.is_some();
+                let (picture, working) = (picture.name, page.working);
+                rows.push((number, Row { picture, is_scene, setting, working, times: Vec::new(), errors }));
+            }
+        }
+    }
+    for round in 0..rounds {
+        eprintln!("round {} of {rounds}", round + 1);
+        let mut order: Vec<usize> = (0..rows.len()).collect();
+        // neighbours in time are the settings of one picture
+        order.sort_by_key(|&i| rows[i].0);
+        if round % 2 == 1 {
+            order.reverse();
+        }
+        for i in order {
+            let (picture, row) = &mut rows[i];
+            let times = outcome(&pictures[*picture], &row.setting)?.times;
+            row.times.push(times);
+        }
+    }
+    Ok(rows.into_iter().map(|(_, row)| row).collect())
+}
+
+fn is(a: f32, b: f32) -> bool {
+    (a - b).abs() < 1e-6
+}
+
+fn settings(picture: &Picture, reference: &Outcome) -> Vec<Setting> {
+    let mut settings = Vec::new();
+    for scale in SCALES {
+        for resolution in RESOLUTIONS {
+            settings.push(Setting { resolution, scale, eighths: None });
+            if picture.is_jpeg && is(scale, DEFAULT_SCALE) && DECODED.contains(&resolution) {
+                let working = resolution * reference.place.width();
+                let enough = |eighths: &u32| (reference.source.width * eighths) as f32 >= 8.0 * working;
+                let more = [1, 2, 4, 8].into_iter().filter(enough).skip(1); // the first is as needed
+                settings.extend(more.map(|eighths| Setting { resolution, scale, eighths: Some(eighths) }));
+            }
+        }
+    }
+    settings
+}
