@@ -2,7 +2,7 @@
 
 use tactograph::classes::{Class, Classes};
 use tactograph::frame::Frame;
-use tactograph::touch::{Felt, Ink, Report};
+use tactograph::touch::{Ink, Report};
 use tactograph::units::{MmPoint, MmRect, PxPoint, Size};
 
 use crate::near::Near;
@@ -17,15 +17,18 @@ const GATE: f64 = 1.0;
 const STEP: f64 = 0.1;
 /// What lies nearer to the border of the figure is not judged, mm.
 const BORDER: f64 = 4.0;
-/// Nearer to a true border than this, the class is not judged, mm.
-const BESIDE: f32 = 2.0;
+/// Nearer to a true outline than this, the class is not judged, mm.
+const BESIDE: f64 = 2.0;
+/// Nearer to a true outline or to the border of the figure than this, what is felt is not judged, mm.
+const INSIDE: f64 = 7.0;
 
 /// What is held against one another.
 pub(crate) struct Sight<'a> {
     place: MmRect,
     paths: Vec<(Vec<P>, f64)>,
     class: Box<dyn Fn(MmPoint) -> Option<Class> + 'a>,
-    is_true: bool,
+    /// How far a place is from every true outline, mm, where that is known.
+    clearance: Option<Box<dyn Fn(MmPoint) -> f64 + 'a>>,
 }
 
 /// All figures of one page; not a number where there is nothing to judge.
@@ -71,11 +74,13 @@ impl<'a> Sight<'a> {
             [f64::from(at.x), f64::from(at.y)]
         };
         let paths = scene.outlines().iter().map(|o| (o.points.iter().map(to_mm).collect(), o.step)).collect();
-        let class = move |at: MmPoint| {
+        let to_px = move |at: MmPoint| {
             let px = frame.to_px(at);
-            Some(scene.class([f64::from(px.x), f64::from(px.y)]))
+            [f64::from(px.x), f64::from(px.y)]
         };
-        Self { place: page.place, paths, class: Box::new(class), is_true: true }
+        let class = move |at: MmPoint| Some(scene.class(to_px(at)));
+        let clearance = move |at: MmPoint| scene.clearance(to_px(at)) * f64::from(frame.mm_per_px());
+        Self { place: page.place, paths, class: Box::new(class), clearance: Some(Box::new(clearance)) }
     }
 
     /// A page.
@@ -86,7 +91,7 @@ impl<'a> Sight<'a> {
         };
         let place = page.place;
         let class = move |at: MmPoint| class_at(&page.classes, place, at);
-        Self { place, paths: page.lines.iter().map(path).collect(), class: Box::new(class), is_true: false }
+        Self { place, paths: page.lines.iter().map(path).collect(), class: Box::new(class), clearance: None }
     }
 
     /// Places along the lines, every [`STEP`], each with the number of its line.
@@ -106,6 +111,15 @@ impl<'a> Sight<'a> {
             }
         }
         places
+    }
+
+    /// Places a millimetre apart all over the figure, so far from its border.
+    fn places(&self, inside: f32) -> impl Iterator<Item = MmPoint> {
+        let place = self.place.inflate(-inside, -inside);
+        let (columns, rows) = (place.width() as u32, place.height() as u32);
+        let at =
+            move |column: u32, row: u32| MmPoint::new(column as f32 + 0.5, row as f32 + 0.5) + place.min.to_vector();
+        (0..rows).flat_map(move |row| (0..columns).map(move |column| at(column, row)))
     }
 
     fn judges(&self, p: P) -> bool {
@@ -180,48 +194,29 @@ fn to_segment(p: P, a: P, b: P) -> f64 {
 
 /// The share of places, every millimetre, whose class differs.
 fn other_class(truth: &Sight<'_>, seen: &Sight<'_>) -> f64 {
-    let place = truth.place;
-    let (mut judged, mut other) = (0, 0);
-    for row in 0..place.height() as u32 {
-        for column in 0..place.width() as u32 {
-            let at = MmPoint::new(column as f32 + 0.5, row as f32 + 0.5) + place.min.to_vector();
-            let class = (truth.class)(at);
-            if truth.is_true && !is_inside(truth, at, BESIDE) {
-                continue;
-            }
-            judged += 1;
-            other += u32::from((seen.class)(at) != class);
-        }
-    }
-    f64::from(other) / f64::from(judged)
-}
-
-/// Whether all is of one class so far around a place.
-fn is_inside(truth: &Sight<'_>, at: MmPoint, reach: f32) -> bool {
-    (0..8).all(|i| {
-        let (sin, cos) = (std::f32::consts::FRAC_PI_4 * i as f32).sin_cos();
-        (truth.class)(MmPoint::new(at.x + reach * cos, at.y + reach * sin)) == (truth.class)(at)
-    })
+    let is_judged = |at: &MmPoint| truth.clearance.as_ref().is_none_or(|clearance| clearance(*at) > BESIDE);
+    share(truth.places(0.0).filter(is_judged), |at| (seen.class)(at) != (truth.class)(at))
 }
 
 /// The share of places that are felt as what they are; where that is not known, as what is meant.
 fn read(truth: &Sight<'_>, svg: &str) -> Result<f64, String> {
     let ink = Ink::of(svg).map_err(|fault| fault.to_string())?;
     let felt = ink.felt(FINGER).map_err(|fault| fault.to_string())?;
-    if !truth.is_true {
-        return Ok(f64::from(Report::of(&ink, &felt).totals().2[0]));
-    }
-    let Felt { size, area, .. } = felt;
-    let (mut judged, mut right) = (0, 0);
-    for (i, place) in felt.places.iter().enumerate().filter(|(_, place)| place.judged) {
-        let (x, y) = (i % size.width as usize, i / size.width as usize);
-        let at = |i: usize, cells: u32, side: f32| (i as f32 + 0.5) / cells as f32 * side;
-        let at = MmPoint::new(at(x, size.width, area.width()), at(y, size.height, area.height()));
-        let class = (truth.class)(at + area.min.to_vector());
+    Ok(match &truth.clearance {
+        Some(clearance) => share(truth.places(INSIDE as f32).filter(|at| clearance(*at) > INSIDE), |at| {
+            felt.at(at).and_then(|place| place.felt) == (truth.class)(at)
+        }),
+        None => f64::from(Report::of(&ink, &felt).totals().2[0]),
+    })
+}
+
+fn share(places: impl Iterator<Item = MmPoint>, holds: impl Fn(MmPoint) -> bool) -> f64 {
+    let (mut judged, mut held) = (0, 0);
+    for at in places {
         judged += 1;
-        right += u32::from(place.felt == class);
+        held += u32::from(holds(at));
     }
-    Ok(f64::from(right) / f64::from(judged))
+    f64::from(held) / f64::from(judged)
 }
 
 /// Spearman's; equal values share their mean rank.

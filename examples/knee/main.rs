@@ -11,7 +11,7 @@
 //! JPEG is decoded before it is averaged to the working size ("as needed" is what the program does: the smallest that is not
 //! below the working size).
 //!
-//! **Pictures** (`pictures.rs`, `scene.rs`): drawn scenes of 12 megapixels whose outlines, steps and colours are known, with
+//! **Pictures** (`pictures.rs`, `scene.rs`): drawn scenes of 9 to 12 megapixels whose outlines, steps and colours are known, with
 //! the blur and the grain of a camera; the photo-like picture of `bench-all` with 12 megapixels; samples.
 //!
 //! **Errors** (`compare.rs`): scenes are held against what was drawn, all others against the page of the highest resolution at

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::photo;
-use crate::scene::{SIZE, Scene};
+use crate::scene::Scene;
 
 /// A picture as its file.
 pub(crate) struct Picture {
@@ -19,8 +19,10 @@ pub(crate) struct Picture {
 }
 
 /// Files that are made here; another edition makes them anew.
-const SCENES: [(&str, u32); 3] = [("scene-a", 2), ("scene-b", 3), ("scene-c", 4)];
-const EDITION: &str = "1";
+const SCENES: [(&str, u32); 3] = [("scene-4:3", 3), ("scene-3:2", 4), ("scene-16:9", 5)];
+const EDITION: &str = "2";
+/// Width and height of the photo-like picture, px.
+const PHOTO: [usize; 2] = [4000, 3000];
 
 /// All pictures.
 ///
@@ -28,21 +30,21 @@ const EDITION: &str = "1";
 /// `cjpeg` (of libjpeg-turbo) is missing, or a file cannot be read or written.
 pub(crate) fn all(folder: &Path) -> Result<Vec<Picture>, String> {
     fs::create_dir_all(folder).map_err(|fault| format!("{}: {fault}", folder.display()))?;
-    let made = |name: &str, pixels: &dyn Fn() -> Vec<u8>| {
-        let file = folder.join(format!("{name}-{EDITION}.jpg"));
+    let made = |name: &str, size: [usize; 2], pixels: &dyn Fn() -> Vec<u8>| {
+        let file = folder.join(format!("{}-{EDITION}.jpg", name.replace(':', "-")));
         if !file.is_file() {
             eprintln!("making {}", file.display());
-            cjpeg(&pixels(), &file)?;
+            cjpeg(&pixels(), size, &file)?;
         }
         fs::read(&file).map_err(|fault| format!("{}: {fault}", file.display()))
     };
     let mut pictures = Vec::new();
     for (name, seed) in SCENES {
         let scene = Scene::new(seed);
-        let bytes = made(name, &|| scene.pixels())?;
+        let bytes = made(name, scene.size, &|| scene.pixels())?;
         pictures.push(Picture { name, bytes, scene: Some(scene), is_jpeg: true });
     }
-    let bytes = made("photo-12", &|| photo::photo(SIZE[0], SIZE[1]).bytes())?;
+    let bytes = made("photo-12", PHOTO, &|| photo::photo(PHOTO[0], PHOTO[1]).bytes())?;
     pictures.push(Picture { name: "photo-12", bytes, scene: None, is_jpeg: true });
     for name in
         ["coffee.png", "astronaut.png", "chelsea.png", "rocket.jpg", "landscape.svg", "portrait.svg", "chart.svg"]
@@ -54,7 +56,7 @@ pub(crate) fn all(folder: &Path) -> Result<Vec<Picture>, String> {
 }
 
 /// Quality 90 with colour at half resolution, as cameras write.
-fn cjpeg(pixels: &[u8], file: &Path) -> Result<(), String> {
+fn cjpeg(pixels: &[u8], [width, height]: [usize; 2], file: &Path) -> Result<(), String> {
     let needs =
         |fault| format!("cjpeg, which writes the pictures, does not run ({fault}): install libjpeg-turbo-progs");
     let part = file.with_extension("part"); // a file has its name only when it is whole
@@ -65,7 +67,7 @@ fn cjpeg(pixels: &[u8], file: &Path) -> Result<(), String> {
         .spawn()
         .map_err(needs)?;
     let written = child.stdin.take().map(|mut pipe| {
-        pipe.write_all(format!("P6 {} {} 255\n", SIZE[0], SIZE[1]).as_bytes())?;
+        pipe.write_all(format!("P6 {width} {height} 255\n").as_bytes())?;
         pipe.write_all(pixels)
     });
     let ended = child.wait().map_err(needs)?;

@@ -115,9 +115,10 @@ fn head() -> String {
          <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n\
          <text x=\"{}\" y=\"22\" font-size=\"14\">Run time against error on an A4 page, pictures of 12 megapixels</text>\n\
          <text x=\"{}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of 0.45 mm; triangles: 0.3 mm; \
-         squares: 0.6 mm; crosses: JPEG decoded at more than is needed</text>\n\
+         squares: 0.6 mm;</text>\n\
+         <text x=\"{}\" y=\"60\">crosses: JPEG decoded at a larger fraction than is needed</text>\n\
          <text transform=\"translate(22 {down}) rotate(-90)\" text-anchor=\"middle\">distance of lines (RMS), mm on the page</text>\n",
-        LEFTS[0], LEFTS[0],
+        LEFTS[0], LEFTS[0], LEFTS[0],
     );
     for left in LEFTS {
         let (x, y) = (left + 0.5 * WIDTH, height - 20.0);

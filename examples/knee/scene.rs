@@ -6,8 +6,8 @@
 
 use tactograph::classes::Class;
 
-/// Width and height, px.
-pub(crate) const SIZE: [usize; 2] = [4000, 3000];
+/// Widths and heights, px: the shapes of cameras' pictures, of 9 to 12 megapixels.
+const SIZES: [[usize; 2]; 3] = [[4000, 3000], [4000, 2668], [4000, 2250]];
 /// Blur of lens and sensor, sigma, px.
 const BLUR: f64 = 1.0;
 /// Deviation of the grain, of 255.
@@ -120,6 +120,7 @@ impl Shape {
 
 /// A scene.
 pub(crate) struct Scene {
+    pub(crate) size: [usize; 2],
     sky: Paint,
     ground: Paint,
     wave: [f64; 3],
@@ -143,9 +144,10 @@ impl Scene {
         };
         let [sky, ground] = if seed % 2 == 0 { [Class::Blue, Class::Green] } else { [Class::Grey, Class::Yellow] };
         let (sky, ground) = (Paint::new(sky, 0.72), Paint::new(ground, 0.48));
-        let [width, height] = SIZE.map(|side| side as f64);
+        let size = SIZES[seed as usize % SIZES.len()];
+        let [width, height] = size.map(|side| side as f64);
         let wave = [height * (0.45 + 0.1 * roll()), 60.0 + 60.0 * roll(), width / (4.0 + 4.0 * roll())];
-        let mut scene = Self { sky, ground, wave, shapes: Vec::new(), seed };
+        let mut scene = Self { size, sky, ground, wave, shapes: Vec::new(), seed };
         for i in 0..SHAPES {
             let half = |roll: f64| 150.0 + 230.0 * roll;
             let (sin, cos) = (std::f64::consts::TAU * roll()).sin_cos();
@@ -191,13 +193,18 @@ impl Scene {
     /// Its outlines.
     pub(crate) fn outlines(&self) -> Vec<Outline> {
         let [level, high, long] = self.wave;
-        let wave = (0..=SIZE[0]).map(|x| [x as f64, level + high * (x as f64 / long).sin()]).collect();
+        let wave = (0..=self.size[0]).map(|x| [x as f64, level + high * (x as f64 / long).sin()]).collect();
         let mut outlines = vec![Outline { points: wave, step: self.sky.step(&self.ground) }];
         outlines.extend(self.shapes.iter().map(|shape| {
             let behind = if self.under(shape.at) > 0.0 { &self.ground } else { &self.sky };
             Outline { points: shape.outline(), step: shape.paint.step(behind) }
         }));
         outlines
+    }
+
+    /// How far a place is from every outline, px; exact near one.
+    pub(crate) fn clearance(&self, p: P) -> f64 {
+        self.shapes.iter().map(|shape| shape.depth(p).abs()).fold(self.under(p).abs(), f64::min)
     }
 
     /// The class at a place.
@@ -211,12 +218,12 @@ impl Scene {
     pub(crate) fn pixels(&self) -> Vec<u8> {
         let [sky, ground] = [self.sky.light(), self.ground.light()];
         let paints: Vec<[f64; 3]> = self.shapes.iter().map(|shape| shape.paint.light()).collect();
-        let mut pixels = Vec::with_capacity(3 * SIZE[0] * SIZE[1]);
-        for y in 0..SIZE[1] {
+        let mut pixels = Vec::with_capacity(3 * self.size[0] * self.size[1]);
+        for y in 0..self.size[1] {
             let near: Vec<usize> = (0..self.shapes.len())
                 .filter(|&i| (self.shapes[i].at[1] - y as f64).abs() < self.shapes[i].reach() + 10.0)
                 .collect();
-            for x in 0..SIZE[0] {
+            for x in 0..self.size[0] {
                 let p = [x as f64 + 0.5, y as f64 + 0.5];
                 let below = cover(self.under(p));
                 let mut light: [f64; 3] = std::array::from_fn(|c| sky[c] + (ground[c] - sky[c]) * below);

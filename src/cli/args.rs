@@ -4,6 +4,7 @@ mod calibrate;
 mod embossing;
 mod feel;
 mod fitting;
+mod quality;
 mod shared;
 mod trace;
 mod writing;
@@ -74,6 +75,8 @@ Examples:
         makes a page of dots for an embosser, and the overview on another sheet; -o coffee.png shows them
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
+  tactograph convert photo.jpg --quality draft
+        shows in less time what the page of a large picture will be like
   tactograph convert coffee.png --crop 20%,10%,50%,70% --width-mm 120
         draws a part of the picture, 120 mm wide
   tactograph convert coffee.png --sheets 2x2 -o large.pdf

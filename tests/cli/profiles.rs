@@ -118,3 +118,45 @@ fn detail_is_short_for_a_key_and_counts_after_set() {
         place.refuses(&["convert", "a.png", "--detail", wrong], 2, &[&what]);
     }
 }
+
+#[test]
+fn quality_is_short_for_keys_and_counts_before_set() {
+    let place = Place::new();
+    // 900 pixels are more than the page of the default profile asks for, so that fine sees more and draft less.
+    let is_dark = |x: u32, y: u32| (x.abs_diff(450)).pow(2) + (y.abs_diff(350)).pow(2) < 200 * 200;
+    let grey = |x, y| [if is_dark(x, y) { 40 } else { 220 }; 3];
+    let pixels = (0..700).flat_map(|y| (0..900).flat_map(move |x| grey(x, y)));
+    place.put("a.png", &png(900, 700, &pixels.collect::<Vec<u8>>()));
+    let page = |command: &str, words: &[&str]| {
+        let run = place.run(&[&[command, "a.png", "-q", "-o", "-"], words].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{words:?}");
+        run.out
+    };
+    let draft = ["--set", "figure.resolution=2", "--set", "edges.scale=0.6"];
+    let fine = ["--set", "figure.resolution=8"];
+    for command in ["convert", "trace"] {
+        let plain = page(command, &[]);
+        assert_eq!(page(command, &["--quality", "standard"]), plain);
+        assert_eq!(page(command, &["--quality", "draft"]), page(command, &draft));
+        assert_eq!(page(command, &["--quality", "fine"]), page(command, &fine));
+        assert_ne!(page(command, &draft), plain);
+        assert_ne!(page(command, &fine), plain);
+        // what is set goes before what is short for it, wherever it stands
+        let set = ["--set", "figure.resolution=4"];
+        assert_eq!(page(command, &[&set[..], &["--quality", "fine"]].concat()), plain);
+    }
+    let run = place.run(&["convert", "a.png", "--quality", "best"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("'best'") && run.err.contains("draft, standard, fine"), "{}", run.err);
+    assert_eq!(place.names(), ["a.png"]);
+}
+
+/// A draft is coarser and a fine page finer than the page of every profile, whatever it is pressed or printed with.
+#[test]
+fn every_built_in_profile_lies_between_draft_and_fine() {
+    for file in tactograph::profile::built_in() {
+        let profile = tactograph::profile::Profile::named(file.name).expect("a built-in profile");
+        let resolution = profile.figure.resolution;
+        assert!(2.0 < resolution && resolution < 8.0, "{} {resolution}", file.name);
+    }
+}
