@@ -9,7 +9,7 @@ use tactograph::raster::plane::Plane;
 use tactograph::units::{PxPoint, Size};
 
 /// The working resolution of the default profile.
-pub(crate) const PX_PER_MM: f32 = 5.0;
+pub(crate) const PX_PER_MM: f32 = 4.0;
 
 /// Numbers that look random, the same for the same seed (xorshift).
 pub(crate) struct Dice(u64);

@@ -39,7 +39,7 @@ pub(in crate::cli) struct Shared {
     /// How closely pictures are looked at: draft is quicker, fine is slower and hardly to be felt
     ///
     /// Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of the length of lines; a fingertip
-    /// parts about 1 mm): draft takes a quarter less time than standard, lines lie within 0.3 mm of where they should be,
+    /// parts about 1 mm): draft takes a fifth to a quarter less time than standard, lines lie within 0.3 mm of where they should be,
     /// and in a photo 4 % of their length is missing or other; standard: within 0.14 mm, 1.5 %; fine takes nearly
     /// twice the time: within 0.07 mm. A picture is never worked on at more pixels than it has, so that for small ones fine
     /// is the same as standard; of a small photo a draft draws a tenth or more of the lines otherwise.
