@@ -36,9 +36,10 @@ pub(in crate::cli) struct Shared {
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     pub(in crate::cli) detail: Option<String>,
 
-    /// How closely pictures are looked at: draft is quicker, fine is slower and hardly to be felt
+    /// How closely to look: draft, standard or fine
     ///
-    /// Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of the length of lines; a fingertip
+    /// A draft shows quickly what a page will be like; fine is for pictures of many pixels that are worth the wait, and is hardly to
+    /// be felt. Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of the length of lines; a fingertip
     /// parts about 1 mm): draft takes a fifth to a quarter less time than standard, lines lie within 0.3 mm of where they should be,
     /// and in a photo 4 % of their length is missing or other; standard: within 0.14 mm, 1.5 %; fine takes nearly
     /// twice the time: within 0.07 mm. A picture is never worked on at more pixels than it has, so that for small ones fine
@@ -46,7 +47,7 @@ pub(in crate::cli) struct Shared {
     ///
     /// Short for --set figure.resolution=2 --set edges.scale=0.6 (draft) and --set figure.resolution=8 (fine); standard
     /// changes nothing. Every --set counts after it. It does nothing for trace --full-resolution.
-    #[arg(long, value_enum, default_value_t = Quality::Standard)]
+    #[arg(long, value_enum, default_value_t = Quality::Standard, hide_possible_values = true)]
     quality: Quality,
 
     /// Tells how long each stage took, in milliseconds
