@@ -23,6 +23,9 @@
 //! * *class*: the share of the area that is sorted into another class; of scenes, further than 2 mm from a true border.
 //! * *read*: the share of places that a fingertip of 1.0 mm reads as they are; see `tactograph::touch`.
 //!
+//! The curves are not smooth: a working picture has whole pixels, and `tactograph::frame` scales both its sides by the longer one,
+//! so that lines at the far end of the shorter side lie up to half a working pixel off (0.1 mm at 5 px/mm), by luck.
+//!
 //! **Time**: of this thread alone (CPU), the stages called one after the other as the program calls them, from the file's bytes
 //! to the page's SVG. Settings run in turn, round after round, every second round in reverse; figures are medians.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]

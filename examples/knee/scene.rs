@@ -142,7 +142,8 @@ impl Scene {
             number += 1;
             chance(number, 1, seed)
         };
-        let [sky, ground] = if seed % 2 == 0 { [Class::Blue, Class::Green] } else { [Class::Grey, Class::Yellow] };
+        let [sky, ground] =
+            if seed.is_multiple_of(2) { [Class::Blue, Class::Green] } else { [Class::Grey, Class::Yellow] };
         let (sky, ground) = (Paint::new(sky, 0.72), Paint::new(ground, 0.48));
         let size = SIZES[seed as usize % SIZES.len()];
         let [width, height] = size.map(|side| side as f64);
