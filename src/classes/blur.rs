@@ -30,7 +30,7 @@ use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelI
 
 use super::hue::encoded;
 use crate::raster::Raster;
-use crate::raster::plane::{Plane, shrink};
+use crate::raster::plane::{Plane, Shrinker, shrink};
 use crate::units::{PxPoint, Size};
 
 /// Share that two cells exchange in a step, at most: above 0.25 a step overshoots.
@@ -191,9 +191,16 @@ pub(super) fn average(raster: &Raster, contours: &[Vec<PxPoint>], size: Size, si
     }
     let clear = clear_of(contours, from, beside);
     let weight = shrink(&clear, from, size).values;
+    // row by row: a whole plane of products would only be written to be read once
     let weighted = |plane: &Vec<f32>| {
-        let values: Vec<f32> = plane.iter().zip(&clear).map(|(value, clear)| value * clear).collect();
-        shrink(&values, from, size).values
+        let width = from.width as usize;
+        let mut shrinker = Shrinker::new(from, size);
+        let mut row = vec![0.0; width];
+        for (values, clear) in plane.chunks_exact(width).zip(clear.chunks_exact(width)) {
+            row.iter_mut().zip(values).zip(clear).for_each(|((row, value), clear)| *row = value * clear);
+            shrinker.push(&row);
+        }
+        shrinker.finish().values
     };
     let mut planes: Vec<Vec<f32>> = raster.planes().par_iter().map(weighted).collect();
     let mut total = [weight.clone()];

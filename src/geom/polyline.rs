@@ -43,38 +43,30 @@ pub fn smooth<const N: usize>(
     let total = arcs[n - 1];
     let (bell, per_sigma) = (&*BELL, STEPS as f32 / sigma);
     let reach = if closed { (3.0 * sigma).min(total / 2.0) } else { 3.0 * sigma };
+    let values: Vec<[f64; N]> = (0..ring).map(|i| value(i).map(f64::from)).collect();
     let mut out = Vec::with_capacity(n);
     for i in 0..ring {
         let reach = if closed { reach } else { reach.min(arcs[i]).min(total - arcs[i]) } + ROUNDING * sigma;
-        let mut sum = value(i).map(f64::from);
+        let mut sum = values[i];
         let mut weight = 1.0_f64;
-        for forward in [true, false] {
-            for step in 1..ring {
-                let (j, distance) = if forward {
-                    let j = i + step;
-                    if j < ring {
-                        (j, arcs[j] - arcs[i])
-                    } else if closed {
-                        (j - ring, arcs[j - ring] + total - arcs[i])
-                    } else {
-                        break;
-                    }
-                } else if i >= step {
-                    (i - step, arcs[i] - arcs[i - step])
-                } else if closed {
-                    (i + ring - step, arcs[i] + total - arcs[i + ring - step])
-                } else {
-                    break;
-                };
-                if distance > reach {
-                    break;
-                }
-                let k = bell[(distance * per_sigma) as usize];
-                for (s, v) in sum.iter_mut().zip(value(j)) {
-                    *s += k * f64::from(v);
-                }
-                weight += k;
+        // Adds what lies within reach; says whether there may be more behind it.
+        let mut add = |distance: f32, value: &[f64; N]| {
+            if distance > reach {
+                return false;
             }
+            let k = bell[(distance * per_sigma) as usize];
+            sum.iter_mut().zip(value).for_each(|(sum, v)| *sum += k * v);
+            weight += k;
+            true
+        };
+        let here = arcs[i];
+        let (before, after) = (arcs[..i].iter().zip(&values[..i]), arcs[i + 1..ring].iter().zip(&values[i + 1..]));
+        // forwards, in a ring over its seam to the places before; then the same backwards
+        if after.clone().all(|(arc, value)| add(arc - here, value)) && closed {
+            before.clone().all(|(arc, value)| add(arc + total - here, value));
+        }
+        if before.rev().all(|(arc, value)| add(here - arc, value)) && closed {
+            after.rev().all(|(arc, value)| add(here + total - arc, value));
         }
         out.push(sum.map(|s| (s / weight) as f32));
     }
