@@ -1,6 +1,9 @@
 //! JPEG: decoded at 1, 1/2, 1/4 or 1/8 of its size straight from the transform's coefficients, the smallest that is not
 //! smaller than the working size, and averaged the rest of the way.
 
+#[cfg(feature = "turbojpeg")]
+mod turbo;
+
 use std::cell::Cell;
 use std::io::{ErrorKind, Read};
 
@@ -60,7 +63,11 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     if (u32::from(came.0), u32::from(came.1)) != (scaled.width, scaled.height) {
         return Err(undecodable(FORMAT, format!("it cannot be scaled to {eighths}/8")));
     }
-    let mut pixels = decoder.decode().map_err(fault)?;
+    #[cfg(feature = "turbojpeg")]
+    let quick = (!head.icc_behind_size).then(|| turbo::pixels(bytes, kind, eighths, scaled)).flatten();
+    #[cfg(not(feature = "turbojpeg"))]
+    let quick = None;
+    let mut pixels = quick.map_or_else(|| decoder.decode().map_err(fault), Ok)?;
     let icc = decoder.icc_profile();
     drop(decoder); // and with it the coefficients
     if kind == Kind::Cmyk && head.adobe.is_none() {
@@ -103,12 +110,17 @@ struct Head {
     /// Whether the mark of JFIF is there, which allows YCbCr and grey only.
     jfif: bool,
     progressive: bool,
+    /// Whether a colour profile stands behind the size, where jpeg-decoder sees it only while decoding.
+    #[cfg(feature = "turbojpeg")]
+    icc_behind_size: bool,
 }
 
 impl Head {
     /// Walks the segments before the pixels.
     fn read(bytes: &[u8]) -> Self {
         let mut head = Self::default();
+        #[cfg(feature = "turbojpeg")]
+        let mut is_sized = false;
         let mut rest = bytes.get(2..).unwrap_or_default();
         // A segment: FF (any number of times), its kind, its length with the two bytes of the length, its data.
         while let [0xFF, kind, after @ ..] = rest {
@@ -128,6 +140,12 @@ impl Head {
                         _ => {}
                     }
                     head.progressive |= kind == 0xC2;
+                    #[cfg(feature = "turbojpeg")]
+                    {
+                        // tables of codes and arithmetic conditions have numbers among those of frames
+                        is_sized |= matches!(kind, 0xC0..=0xCF) && !matches!(kind, 0xC4 | 0xC8 | 0xCC);
+                        head.icc_behind_size |= is_sized && kind == 0xE2;
+                    }
                     rest = &after[length..];
                 }
                 _ => break,
