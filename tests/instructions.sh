@@ -54,7 +54,8 @@ mkdir -p "$out"
 count() { # count NAME PICTURE PAGE OPTIONS...: how many instructions the page takes
   local profile=$out/$1.callgrind picture=$2 page=$out/$3
   shift 3
-  valgrind --quiet --tool=callgrind --callgrind-out-file="$profile" \
+  # one thread: others spin while they wait, and how long they do is chance
+  RAYON_NUM_THREADS=1 valgrind --quiet --tool=callgrind --callgrind-out-file="$profile" \
     target/release/tactograph convert "$picture" -o "$page" --quiet "$@" || return
   awk '$1 == "summary:" || $1 == "totals:" { print $2; exit }' "$profile"
 }
