@@ -91,7 +91,7 @@ impl Stopped {
         let mut lines = vec![format!("timings of {file}:")];
         lines.extend(self.0.iter().map(|(name, row, is_beside)| match row {
             Row::Took(time) => {
-                let beside = if *is_beside { ", side by side" } else { "" };
+                let beside = if *is_beside { " side by side" } else { "" };
                 format!("  {name:<9} {:>9.1} ms{beside}", time.as_secs_f64() * 1000.0)
             }
             Row::Skipped(why) => format!("  {name:<9} skipped: {why}"),
@@ -127,7 +127,7 @@ mod tests {
             assert!(line.ends_with(" ms") && line.len() == table[1].len(), "not aligned: {line}");
         }
         for line in [&table[3], &table[4]] {
-            assert_eq!(line.strip_suffix(", side by side").map(str::len), Some(table[1].len()), "{line}");
+            assert_eq!(line.strip_suffix(" side by side").map(str::len), Some(table[1].len()), "{line}");
         }
         std::thread::sleep(Duration::from_millis(2)); // waiting for its turn is not work on the picture
         assert_eq!(stopped.table("a.png"), table);
