@@ -64,7 +64,9 @@ fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) ->
     let tensors = both(&wider(&own, thinner.reach()), &sides.rows_of_tensors());
     let mut gradient = Gradient::new(size, planes, params.sigma, tensors.clone());
     let rows = both(&wider(&tensors, gradient.reach()), &sides.rows_of_colours());
-    (thinner.start(tensors.start), gradient.start(rows.start), sides.start(rows.start, tensors.start));
+    thinner.start(tensors.start);
+    gradient.start(rows.start);
+    sides.start(rows.start, tensors.start);
 
     let mut lab = vec![vec![0.0; size.width as usize]; planes];
     for y in rows {
