@@ -56,7 +56,7 @@ pub(in crate::cli) struct Fitting {
     /// Exchanges left and right, marks and frames included
     ///
     /// For machines that press a page up from its back. Not for swell paper.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     mirror: bool,
 }
 
