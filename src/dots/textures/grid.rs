@@ -7,7 +7,7 @@ use crate::devices::Grid;
 use crate::lines::Line;
 use crate::units::MmPoint;
 
-/// The dots of each region.
+/// The dots of each region; none on a grid that has no patterns.
 pub(super) fn fill(field: &Field<'_>, lines: &[Line], grid: &Grid) -> Vec<Vec<MmPoint>> {
     let mut sets = vec![Vec::new(); field.classes.regions.len()];
     let width = grid.columns.len();
@@ -15,7 +15,8 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], grid: &Grid) -> Vec<Vec<Mm
     let rows = Steps::of(&grid.rows, field.area.min.y, field.area.max.y);
     let sign = |class| field.params.palette.sign(class);
     let patterns = Class::ALL.map(|class| (class, Pattern::of(sign(class), columns, rows)));
-    let pattern_of = |class: Class| patterns.iter().find(|(other, _)| *other == class).map(|(_, pattern)| *pattern);
+    let pattern_of =
+        |class: Class| patterns.iter().find(|(other, _)| *other == class).and_then(|(_, pattern)| *pattern);
     let taken = near_lines(lines, grid, field.params.line_gap as usize);
     let at = |dot: usize| MmPoint::new(grid.columns[dot % width], grid.rows[dot / width]);
     let owner = |dot: usize| {

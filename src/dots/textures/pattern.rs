@@ -140,6 +140,9 @@ const COARSE: f32 = 2.2;
 const DIAGONALS_TO: f32 = 2.6;
 /// Gaps between cells are wider than those in cells by more than this.
 const WIDE: f32 = 1.2;
+/// Patterns are counted in steps of the grid, and one finer than this has no steps that a finger knows, mm; a tenth of what
+/// devices have. Chosen by us.
+const FINEST: f32 = 0.1;
 /// Amount of texture, 0..=1, from which it is dense.
 pub(super) const DENSE_FROM: f32 = 0.6;
 
@@ -150,7 +153,7 @@ pub(super) struct Steps {
     count: i32,
     /// The one that patterns are counted from: the first of a cell, or the one in the middle of the picture.
     pub(super) origin: i32,
-    /// Mean distance, mm.
+    /// Mean distance, mm; 0 where there are fewer than two.
     mean: f32,
     /// Widest gap, mm.
     widest: f32,
@@ -179,12 +182,15 @@ impl Steps {
 }
 
 impl Pattern {
-    /// The pattern for a sign on a grid.
-    pub(super) fn of(sign: Sign, columns: Steps, rows: Steps) -> Self {
-        let pitch = columns.mean.min(rows.mean).max(f32::MIN_POSITIVE);
+    /// The pattern for a sign on a grid; none on one of a single column or row, which has no directions.
+    pub(super) fn of(sign: Sign, columns: Steps, rows: Steps) -> Option<Self> {
+        if ![columns, rows].iter().all(|steps| steps.mean >= FINEST) {
+            return None;
+        }
+        let pitch = columns.mean.min(rows.mean);
         let every = |mm: f32| (mm / pitch).round() as i32;
         let Sign::Rhombus { degrees } = sign else {
-            return Self::Spots { halvings: (2.0 * (SPOTS / pitch).log2()).round().max(1.0) as u32 };
+            return Some(Self::Spots { halvings: (2.0 * (SPOTS / pitch).log2()).round().max(1.0) as u32 });
         };
         let way = Way::nearest(degrees);
         let straight = |steps: Steps| {
@@ -196,7 +202,7 @@ impl Pattern {
                 Self::Rows { way, period: steps.count, second: if steps.count > 2 { steps.count - 1 } else { 0 } }
             }
         };
-        match way {
+        Some(match way {
             Way::Flat => straight(rows),
             Way::Upright => straight(columns),
             Way::Up | Way::Down => {
@@ -207,7 +213,7 @@ impl Pattern {
                     Self::Rows { way, period: 2 * rows, second: rows }
                 }
             }
-        }
+        })
     }
 
     /// The amount of texture from which the dot in column `x` and row `y` of the grid, counted from [`Steps::origin`], is
@@ -276,7 +282,8 @@ mod tests {
     }
 
     fn of(degrees: Option<f32>, pitch: f32) -> Pattern {
-        Pattern::of(degrees.map_or(Sign::Dot, |degrees| Sign::Rhombus { degrees }), even(pitch), even(pitch))
+        let sign = degrees.map_or(Sign::Dot, |degrees| Sign::Rhombus { degrees });
+        Pattern::of(sign, even(pitch), even(pitch)).expect("a grid of many dots")
     }
 
     fn drawn(pattern: Pattern, amount: f32) -> Vec<String> {
@@ -347,12 +354,25 @@ mod tests {
         let steps = Steps::of(&cells, 11.0, 105.0);
         assert_eq!((steps.count, steps.origin % 3), (3, 0));
         assert!(even(2.0).is_even() && even(2.0).origin == 30);
-        let flat = Pattern::of(Sign::Rhombus { degrees: 0.0 }, steps, steps);
+        let flat = Pattern::of(Sign::Rhombus { degrees: 0.0 }, steps, steps).expect("a grid of many dots");
         let set_at = |amount: f32| [0, 1, 2].map(|y| flat.needed_amount(7, y) <= amount);
         assert_eq!((set_at(0.0), set_at(1.0)), ([true, false, false], [true, false, true]));
         let few = Steps::of(&[3.0], 0.0, 9.0);
         assert!(few.is_even() && Steps::of(&[], 0.0, 9.0).is_even(), "a device with hardly a dot does no harm");
         assert_eq!(few.origin, 0);
+    }
+
+    #[test]
+    fn one_column_or_row_has_no_pattern() {
+        let of = |places: &[f32]| Steps::of(places, 0.0, 9.0);
+        let signs = [0.0, 45.0, 90.0, 135.0].map(|degrees| Sign::Rhombus { degrees }).into_iter().chain([Sign::Dot]);
+        for sign in signs {
+            for few in [&[][..], &[3.0], &[3.0, 3.0], &[3.0, 3.0 + 1e-6], &[3.0, f32::NAN]] {
+                assert_eq!(Pattern::of(sign, of(few), even(2.5)), None, "{sign:?}, columns at {few:?}");
+                assert_eq!(Pattern::of(sign, even(2.5), of(few)), None, "{sign:?}, rows at {few:?}");
+            }
+            assert!(Pattern::of(sign, of(&[3.0, 5.5]), even(2.5)).is_some(), "{sign:?}, two columns");
+        }
     }
 
     #[test]
