@@ -5,7 +5,7 @@
 //!   --seeds N                scenes of each kind (default 6); the same number again is of seeds never tuned to
 //!   --kinds                  also a table for each kind of scene
 //!   --set KEY=VALUE          another value of the profile
-//!   --dots PITCH             the same for an embosser of this pitch, mm, on `free` paper, or in braille `cells`
+//!   --dots PROFILE           the same for a built-in profile of dots
 //!   --page PICTURE FILE.svg  with --dots: draw the page of a picture instead
 //!   --chart FILE.svg         draw the chart of the textures instead (docs/textures/textures.svg)
 //! ```
@@ -32,7 +32,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use judge::Tally;
-use scenes::{FINE_PX, KINDS, QUICK_PX};
+use scenes::{FINE_PX, KINDS, QUICK_PX, Scene};
 use tactograph::output::svg;
 use tactograph::page::Class;
 use tactograph::pipeline::{Event, Request, Stage, Watch};
@@ -50,7 +50,8 @@ const UNTUNED: u64 = 1000;
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let value = |name: &str| args.iter().position(|arg| arg == name).and_then(|at| args.get(at + 1));
-    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    let dots = value("--dots");
+    let mut profile = Profile::named(dots.map_or("swell-a4", String::as_str)).expect("a built-in profile");
     for pair in args.windows(2).filter(|pair| pair[0] == "--set") {
         let (key, value) = pair[1].split_once('=').expect("--set KEY=VALUE");
         profile.set(key, value).expect("a key of the profile");
@@ -62,36 +63,48 @@ fn main() {
     }
     let seeds = value("--seeds").map_or(6, |number| number.parse().expect("--seeds N"));
     let kinds = args.iter().any(|arg| arg == "--kinds");
-    let page = |picture: &[u8]| page_of(picture, &plan, &mut |_| ());
-    if let Some(name) = value("--dots") {
-        let device = dots::Device::named(name).expect("--dots PITCH, free or cells");
-        let page = |picture: &[u8]| device.page_of(picture, &page(picture), &plan);
-        if let Some(at) = args.iter().position(|arg| arg == "--page") {
-            let picture = std::fs::read(&args[at + 1]).expect("--page PICTURE FILE.svg");
-            std::fs::write(&args[at + 2], svg::write(&page(&picture))).expect("the page can be written");
-            return;
-        }
-        readability("seeds tuned to", 0..seeds, kinds, &page);
-        readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &page);
-        samples(&|class, lightness, density, place| device.page_of_sample(class, lightness, density, place));
-        let mut dense = dots::Device::named(name).expect("it was there before");
-        dense.params.dense_from = f32::MIN_POSITIVE;
-        let dense = |picture: &[u8]| dense.page_of(picture, &page_of(picture, &plan, &mut |_| ()), &plan);
-        follows_lines(device.params.dense_from, UNTUNED..UNTUNED + seeds, &page, &dense);
-        return;
+    if dots.is_some() {
+        return of_dots(&profile, &args, seeds, kinds);
     }
-    readability("seeds tuned to", 0..seeds, kinds, &page);
-    readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &page);
+    let pages = |scene: &Scene| vec![(scene.clone(), page_of(&scene.picture, &plan, &mut |_| ()))];
+    readability("seeds tuned to", 0..seeds, kinds, &pages);
+    readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &pages);
     let params = plan.textures();
-    samples(&|class, lightness, density, place| chart::page_of_sample(class, lightness, density, place, &params));
+    samples(&|class, lightness, density| {
+        let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(80.0, 80.0));
+        (chart::page_of_sample(class, lightness, density, place, &params), place)
+    });
     profile.set("textures.dense_from", "0").expect("a key of the profile");
     let dense = Plan::new(&profile).expect("the values make sense");
-    let dense = |picture: &[u8]| page_of(picture, &dense, &mut |_| ());
-    follows_lines(plan.profile().textures.dense_from, UNTUNED..UNTUNED + seeds, &page, &dense);
+    let dense = |scene: &Scene| vec![(scene.clone(), page_of(&scene.picture, &dense, &mut |_| ()))];
+    follows_lines(plan.profile().textures.dense_from, UNTUNED..UNTUNED + seeds, &pages, &dense);
     follows_lightness(&plan.textures());
     distances(&plan);
     time(&plan);
 }
+
+/// The tables of a profile of dots, or the page of a picture.
+fn of_dots(profile: &Profile, args: &[String], seeds: u64, kinds: bool) {
+    let device = |profile: &Profile| dots::Device::of(profile).expect("a profile of dots");
+    let shipped = device(profile);
+    if let Some(at) = args.iter().position(|arg| arg == "--page") {
+        let picture = std::fs::read(&args[at + 1]).expect("--page PICTURE FILE.svg");
+        std::fs::write(&args[at + 2], svg::write(&shipped.page_of(&picture, None))).expect("the page can be written");
+        return;
+    }
+    let pages = |scene: &Scene| shipped.pages_of(scene);
+    readability("seeds tuned to", 0..seeds, kinds, &pages);
+    readability("seeds never tuned to", UNTUNED..UNTUNED + seeds, kinds, &pages);
+    samples(&|class, lightness, density| shipped.page_of_sample(class, lightness, density, 70.0));
+    let mut dense = profile.clone();
+    dense.set("textures.dense_from", "0").expect("a key of the profile");
+    let dense = device(&dense);
+    let dense = |scene: &Scene| dense.pages_of(scene);
+    follows_lines(shipped.params.dense_from, UNTUNED..UNTUNED + seeds, &pages, &dense);
+}
+
+/// The pages of a scene, each with what is on it.
+type Pages<'a> = dyn Fn(&Scene) -> Vec<(Scene, Page)> + 'a;
 
 fn page_of(picture: &[u8], plan: &Plan, watch: &mut Watch<'_>) -> Page {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
@@ -103,17 +116,17 @@ fn verdict(holds: bool) -> &'static str {
     if holds { "holds" } else { "MISSED" }
 }
 
-fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, page_of: &(dyn Fn(&[u8]) -> Page + Sync)) {
+fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, pages_of: &Pages<'_>) {
     println!("Read right, {name} ({} to {})", seeds.start, seeds.end - 1);
     let mut sums = [Tally::default(); 3];
     for (kind, kind_name) in KINDS.iter().enumerate() {
         let mut tallies = [Tally::default(); 3];
         for seed in seeds.clone() {
-            let scene = scenes::scene(kind, seed, FINE_PX);
-            let page = page_of(&scene.picture);
-            let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
-            for (tally, finger) in tallies.iter_mut().zip(FINGERS) {
-                tally.add(&judge::judge(&scene, &page, &ink.felt(finger).expect("there is such a finger")));
+            for (scene, page) in pages_of(&scenes::scene(kind, seed, FINE_PX)) {
+                let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
+                for (tally, finger) in tallies.iter_mut().zip(FINGERS) {
+                    tally.add(&judge::judge(&scene, &page, &ink.felt(finger).expect("there is such a finger")));
+                }
             }
         }
         for (sum, tally) in sums.iter_mut().zip(&tallies) {
@@ -134,13 +147,13 @@ fn readability(name: &str, seeds: std::ops::Range<u64>, kinds: bool, page_of: &(
     }
 }
 
-fn samples(page_of: &dyn Fn(Class, f32, f32, MmRect) -> Page) {
+/// `page_of` makes the page of a class at a lightness and a density, and says where its texture is.
+fn samples(page_of: &dyn Fn(Class, f32, f32) -> (Page, MmRect)) {
     println!("Read right, one texture at every density (0, 0.15, 0.3, 1) and lightness 0.88, 0.5, 0.1");
-    let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(80.0, 80.0));
     for class in Class::ALL {
         let mut least = [1.0_f32; 3];
         for (density, lightness) in [0.0, 0.15, 0.3, 1.0].into_iter().flat_map(|d| [0.88, 0.5, 0.1].map(|l| (d, l))) {
-            let page = page_of(class, lightness, density, place);
+            let (page, place) = page_of(class, lightness, density);
             let ink = Ink::of(&svg::write(&page)).expect("the page is a page");
             for (least, finger) in least.iter_mut().zip(FINGERS) {
                 let felt = ink.felt(finger).expect("there is such a finger");
@@ -153,18 +166,14 @@ fn samples(page_of: &dyn Fn(Class, f32, f32, MmRect) -> Page) {
 }
 
 /// How many glyphs there are where many lines are; `dense` makes the same pages with the densest texture all over.
-fn follows_lines(
-    full: f32,
-    seeds: std::ops::Range<u64>,
-    page_of: &dyn Fn(&[u8]) -> Page,
-    dense: &dyn Fn(&[u8]) -> Page,
-) {
+fn follows_lines(full: f32, seeds: std::ops::Range<u64>, pages_of: &Pages<'_>, dense: &Pages<'_>) {
     let mut all = Vec::new();
     for kind in [1, 2, 3, 5] {
         for seed in seeds.clone() {
             let scene = scenes::scene(kind, seed, FINE_PX);
-            let [page, full] = [page_of(&scene.picture), dense(&scene.picture)];
-            all.extend(Class::ALL.iter().flat_map(|&class| density::pairs(&page, &full, class)));
+            for ((_, page), (_, full)) in pages_of(&scene).iter().zip(&dense(&scene)) {
+                all.extend(Class::ALL.iter().flat_map(|&class| density::pairs(page, full, class)));
+            }
         }
     }
     let full = full.max(f32::MIN_POSITIVE);

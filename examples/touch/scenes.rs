@@ -11,7 +11,7 @@ use tactograph::page::Class;
 use crate::rng::Rng;
 
 /// Side of a square picture on the A4 profile, mm.
-const SIDE_MM: usize = 166;
+pub(crate) const SIDE_MM: usize = 166;
 /// Pixels of a scene for a millimetre.
 pub(crate) const FINE_PX: usize = 3;
 /// Pixels of a quick scene for a millimetre.
@@ -44,6 +44,30 @@ pub(crate) struct Scene {
     pub(crate) colours: Vec<[f32; 3]>,
     /// The truth in the middle of each pixel, row by row.
     pub(crate) truth: Vec<Truth>,
+}
+
+impl Scene {
+    /// The scene cut into so many squares across and as many down.
+    pub(crate) fn parts(&self, count: usize) -> Vec<Self> {
+        let side = self.side / count;
+        let corners = (0..count).flat_map(|row| (0..count).map(move |column| (column * side, row * side)));
+        corners.map(|(x, y)| self.part(x, y, side)).collect()
+    }
+
+    fn part(&self, left: usize, top: usize, side: usize) -> Self {
+        let rows = (top..top + side).map(|y| y * self.side + left..y * self.side + left + side);
+        let pixels = self.picture.len() - 3 * self.side * self.side;
+        let mut picture = format!("P6 {side} {side} 255\n").into_bytes();
+        for row in rows.clone() {
+            picture.extend(&self.picture[pixels + 3 * row.start..pixels + 3 * row.end]);
+        }
+        Self {
+            side,
+            picture,
+            colours: rows.clone().flat_map(|row| &self.colours[row]).copied().collect(),
+            truth: rows.flat_map(|row| &self.truth[row]).copied().collect(),
+        }
+    }
 }
 
 /// The scene of a kind and a seed, so many pixels a millimetre. Seed 0 stands upright, all others are turned.

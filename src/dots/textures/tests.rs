@@ -165,6 +165,8 @@ proptest! {
         let mirrored = Classes { region: (0..CELLS * CELLS).map(|i| classes.region[other(i) as usize]).collect(), ..classes.clone() };
         let palette = Palette { signs: Palette::PAPER.signs.map(crate::textures::Sign::mirrored) };
         let room = Room::Grid(grid(pitch));
+        // Without lines textures are sparse. Dense diagonal rows from 2.2 mm on are two dots thick, the second on one side of the
+        // first; on a picture that stands on its head it lies on the other.
         let here = fill(&classes, AREA, &[], &room, &params(pitch));
         let there = fill(&mirrored, AREA, &[], &room, &Params { palette, ..params(pitch) });
         let back = |(x, y, class): (i32, i32, Class)| if up_down { (x, 18_000 - y, class) } else { (16_000 - x, y, class) };
