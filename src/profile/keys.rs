@@ -313,7 +313,7 @@ table! {
         pitch: number(1.0 to 10.0, "mm");
         /// Empty dots between two lines, at least.
         line_gap: number(1.0 to 10.0, "dots");
-        /// Empty dots between a line and a texture; one is enough in areas that would have no texture otherwise.
+        /// Empty dots between a line and a texture; one is enough in areas that would lose more than half of their texture otherwise.
         texture_gap: number(0.0 to 10.0, "dots");
         /// Height of a colour step from which a line is two dots wide, or higher where the device has heights.
         heavy_from: number(1.0 to 600.0, "units of lightness");

@@ -50,7 +50,7 @@ const DEVICES: [Wanted; 6] = [
     Wanted {
         profile: "braillerap",
         pitch: "2.5",
-        fingers: &[(0.5, [0.97, 0.98, 0.98]), (1.0, [0.98, 0.98, 0.98]), (1.5, [0.9, 0.9, 0.95])],
+        fingers: &[(0.5, [0.97, 0.98, 0.98]), (1.0, [0.98, 0.98, 0.98]), (1.5, [0.9, 0.85, 0.95])],
         scenes: &[(2, 1000)],
     },
     Wanted {
@@ -64,6 +64,8 @@ const DEVICES: [Wanted; 6] = [
 fn device(profile: &str, pitch: &str) -> Device {
     let mut profile = Profile::named(profile).expect("it is built in");
     profile.set("dots.pitch", pitch).expect("a key of the profile");
+    // cells come without, for the reason that is tested here
+    profile.set("figure.textures", "true").expect("a key of the profile");
     Device::of(&profile).expect("it is one of dots")
 }
 

@@ -31,7 +31,7 @@ pub struct Params {
     pub diameter: f32,
     /// Empty dots between a line and a texture.
     pub line_gap: u32,
-    /// The same in an area that would have no texture otherwise, such as a bar of a chart; at most `line_gap`.
+    /// The same in an area that would lose more than half of its texture otherwise, such as a bar of a chart; at most `line_gap`.
     pub least_gap: u32,
     /// Sigma of the blur that makes the map of line density.
     pub density_blur: f32,
@@ -62,11 +62,14 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, params
     };
     let mut sets = filled(&field);
     let narrow = Params { line_gap: params.least_gap, ..*params };
-    if params.line_gap > params.least_gap && sets.iter().any(Vec::is_empty) {
-        // What has dots at the wider gap keeps it; dots at the wider gap are dots at the narrower one as well.
+    if params.line_gap > params.least_gap {
+        // Areas that the wider gap takes most of, such as a bar of a chart, keep the narrower one. Dots at the wider gap are dots at the
+        // narrower one as well, so neighbours keep their distance.
         field.params = &narrow;
         let closer = filled(&field);
-        sets.iter_mut().zip(closer).filter(|(set, _)| set.is_empty()).for_each(|(set, closer)| *set = closer);
+        for (set, closer) in sets.iter_mut().zip(closer).filter(|(set, closer)| 2 * set.len() < closer.len()) {
+            *set = closer;
+        }
     }
     let cell = area.area() / classes.size.area() as f32;
     let texture = |(region, at): (&Region, Vec<MmPoint>)| {
