@@ -9,6 +9,7 @@ mod fit;
 pub mod sheets;
 pub mod trace;
 
+pub use dots::title_of_overview;
 pub use fit::Fit;
 
 use crate::classes::{self, Classes};

@@ -29,7 +29,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // The same textures and lines as dots.
     ("dots", &["units", "geom", "raster", "frame", "classes", "lines", "textures", "devices"]),
     // No raster: a page has no pixels.
-    ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures", "devices", "dots"]),
+    ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures", "devices"]),
     // Contours as data, back in the pixels of the source.
     ("contours", &["units", "geom", "frame", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.

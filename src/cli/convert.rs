@@ -40,7 +40,7 @@ pub(super) fn run(args: &Convert) -> Exit {
             (drawn.pages.into_iter().map(called).collect(), drawn.notes)
         } else {
             let drawing = pipeline::convert(picture, &request, &mut |event| timings.watch(event))?;
-            let of_overview = args.title.as_ref().map(|title| format!("{title}, overview"));
+            let of_overview = args.title.as_deref().map(pipeline::title_of_overview);
             let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None));
             let figure = drawing.page.called(args.title.as_deref(), args.description());
             ([figure].into_iter().chain(overview).collect(), drawing.notes)

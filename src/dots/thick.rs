@@ -4,8 +4,8 @@ use super::cells::{Cell, apart};
 use super::trace::between;
 use crate::units::{MmPoint, MmVector};
 
-/// The second row of a line on a grid, in its order: for each of its dots the number of the first row's that it lies beside. It is on the right of the line as it runs, and inside
-/// of rings.
+/// The second row of a line on a grid, in its order: each of its dots with the number of the first row's dot that it lies beside. It
+/// is on the right of a line as it runs, and inside of rings.
 ///
 /// ```text
 ///   # # # # #          # # # # #       # first row, o second

@@ -15,7 +15,7 @@ use crate::units::MmRect;
 /// Lines in `area` as the device presses them; on a printed page they stay.
 pub(super) fn pressed(drawn: Drawn, area: MmRect, layout: &Layout, plan: &Plan) -> Drawn {
     let (Some(room), Some(params)) = (&layout.room, plan.dots()) else { return drawn };
-    // Where lines meet, a dot less is nothing lost; one line more or less in a hundred neither.
+    // What the grid has no room for counts as crowded out too, by length.
     let length = |lines: &[Line]| lines.iter().map(|line| line.runs.first().map_or(0.0, run_length)).sum::<f32>();
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let lines = dots::lines(&drawn.lines, area, room, &params);
@@ -32,6 +32,11 @@ pub(super) fn of_overview(lines: Vec<Line>, area: MmRect, layout: &Layout, plan:
     let (Some(room), Some(params)) = (&layout.room, plan.dots()) else { return lines };
     let heavy_from = if params.has_heights { 0.0 } else { f32::INFINITY };
     dots::lines(&lines, area, room, &dots::Params { heavy_from, ..params })
+}
+
+/// What the overview of a page is called, which has a sheet to itself.
+pub fn title_of_overview(title: &str) -> String {
+    format!("{title}, overview")
 }
 
 /// Textures of dots.
@@ -53,7 +58,7 @@ pub(super) fn assemble(
         .map(|(place, lines)| {
             let own = Figure { place, source, textures: Vec::new(), lines };
             let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
-            let title = format!("{}, overview", request.title);
+            let title = title_of_overview(request.title);
             finished(parts(title, description, own, layout, room, request), request)
         })
         .transpose()?;

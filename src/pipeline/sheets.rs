@@ -109,7 +109,7 @@ fn assemble(
         let description =
             format!("Overview of a picture on {} sheets. {}", names.len(), page::describe(&own, None, None));
         let frame = params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
-        let title = format!("{}, overview", request.title);
+        let title = super::title_of_overview(request.title);
         let parts = Parts {
             sheet: layout.sheet,
             orientation_mark: layout.mark,
