@@ -19,16 +19,17 @@ use std::time::Duration;
 
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, BenchmarkId, Criterion};
-use tactograph::frame::Frame;
-use tactograph::output::png::{Depth, Dpi};
-use tactograph::output::{pdf, png as page_png, svg};
-use tactograph::page::Page;
-use tactograph::page::layout::{self, Layout};
-use tactograph::pipeline::{Request, convert};
-use tactograph::profile::{Plan, Profile};
-use tactograph::raster::decode::{self, Limits, Options, Picture, Source};
-use tactograph::units::Size;
-use tactograph::{Error, classes, edges, lines, textures, touch};
+use tactograph::Error;
+use tactograph::internals::frame::Frame;
+use tactograph::internals::output::png::{Depth, Dpi};
+use tactograph::internals::output::{pdf, png as page_png, svg};
+use tactograph::internals::page::Page;
+use tactograph::internals::page::layout::{self, Layout};
+use tactograph::internals::pipeline::{Request, convert};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::raster::decode::{self, Limits, Options, Picture, Source};
+use tactograph::internals::units::Size;
+use tactograph::internals::{classes, edges, lines, textures, touch};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 

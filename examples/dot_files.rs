@@ -9,8 +9,8 @@
 use std::fs;
 use std::path::Path;
 
-use tactograph::devices::{Device, Room};
-use tactograph::output::dots::{Matrix, Words, brf, greys, index, pef, ubrl};
+use tactograph::internals::devices::{Device, Room};
+use tactograph::internals::output::dots::{Matrix, Words, brf, greys, index, pef, ubrl};
 
 /// Pages as the drivers name them, mm.
 const PAGES: [(&str, [f32; 2]); 11] = [

@@ -11,10 +11,10 @@ use std::sync::Arc;
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
-use tactograph::output::svg;
-use tactograph::pipeline::{Request, convert};
-use tactograph::profile::{Plan, Profile};
-use tactograph::raster::decode::Limits;
+use tactograph::internals::output::svg;
+use tactograph::internals::pipeline::{Request, convert};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::raster::decode::Limits;
 
 /// Samples with their size in pixels on the left, the profile of the page on the right, and the picture's name.
 const SAMPLES: &[(&str, [f32; 2], &str, &str)] = &[
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let picture = picture(&samples, name, size)?;
         side_by_side(&picture, &page)?.save_png(out.join(to))?;
     }
-    let sheets = tactograph::calibration::sheets(&plan("swell-a4")?)?;
+    let sheets = tactograph::internals::calibration::sheets(&plan("swell-a4")?)?;
     let first = sheets.first().ok_or("no calibration sheet")?;
     let first = Tree::from_str(&svg::write(first), &Options::default())?;
     on_grey(&first)?.save_png(out.join("calibration.png"))?;

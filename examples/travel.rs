@@ -19,9 +19,9 @@ mod sets;
 use std::error::Error;
 use std::time::Instant;
 
-use tactograph::output::dots::gcode::{self, Params};
-use tactograph::output::dots::tour::{self, Place};
-use tactograph::units::MmPoint;
+use tactograph::internals::output::dots::gcode::{self, Params};
+use tactograph::internals::output::dots::tour::{self, Place};
+use tactograph::internals::units::MmPoint;
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!(

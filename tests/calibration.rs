@@ -1,10 +1,11 @@
 //! The calibration sheet has what it says, where fingers can part it.
 
-use tactograph::calibration::sheets;
-use tactograph::page::{Class, Glyph, Page, Shape};
-use tactograph::profile::{Plan, Profile, built_in};
-use tactograph::units::MmPoint;
-use tactograph::{Error, output};
+use tactograph::Error;
+use tactograph::internals::calibration::sheets;
+use tactograph::internals::output;
+use tactograph::internals::page::{Class, Glyph, Page, Shape};
+use tactograph::internals::profile::{Plan, Profile, built_in};
+use tactograph::internals::units::MmPoint;
 
 fn plan(profile: &str, settings: &[(&str, &str)]) -> Plan {
     let mut profile = Profile::named(profile).expect("it is built in");

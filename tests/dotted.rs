@@ -10,11 +10,11 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use tactograph::Page;
-use tactograph::devices::{Grid, Room};
-use tactograph::output::dots::{Matrix, dots};
-use tactograph::page::{Height, Line, Pen, Run};
-use tactograph::profile::{Profile, built_in};
-use tactograph::units::MmPoint;
+use tactograph::internals::devices::{Grid, Room};
+use tactograph::internals::output::dots::{Matrix, dots};
+use tactograph::internals::page::{Height, Line, Pen, Run};
+use tactograph::internals::profile::{Profile, built_in};
+use tactograph::internals::units::MmPoint;
 
 type Cell = [i32; 2];
 

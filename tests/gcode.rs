@@ -10,9 +10,9 @@ use std::collections::BTreeSet;
 
 use machine::Sheet;
 use proptest::prelude::*;
-use tactograph::output::dots::gcode::{Params, Refused, is_as_written, write};
-use tactograph::output::dots::tour::{self, Place};
-use tactograph::units::MmPoint;
+use tactograph::internals::output::dots::gcode::{Params, Refused, is_as_written, write};
+use tactograph::internals::output::dots::tour::{self, Place};
+use tactograph::internals::units::MmPoint;
 
 /// How far above the bound a path may lie: the drawing's is 6 % above it, where the bound itself is low.
 const OVER_BOUND: f64 = 1.08;

@@ -8,9 +8,9 @@ mod page;
 mod samples;
 
 use tactograph::Page;
-use tactograph::geom::{nearest_on_segment, segment_distance};
-use tactograph::page::{Line, Shape};
-use tactograph::units::MmPoint;
+use tactograph::internals::geom::{nearest_on_segment, segment_distance};
+use tactograph::internals::page::{Line, Shape};
+use tactograph::internals::units::MmPoint;
 
 /// The default profile's promises, mm.
 const LINE_GAP: f32 = 3.0;
@@ -69,10 +69,10 @@ fn glyphs_lie_in_the_picture_and_apart() {
         for (i, glyph) in glyphs.iter().enumerate() {
             let inside = glyph.corners().iter().all(|corner| page.figure.place.contains_inclusive(*corner));
             assert!(inside, "{name}: the glyph at {:?} leaves the picture", glyph.at);
-            let touching = |other: &&&tactograph::page::Glyph| {
+            let touching = |other: &&&tactograph::internals::page::Glyph| {
                 // discs around both would do for dots; rhombuses are thinner across, so their outlines are compared
                 let near = (other.at - glyph.at).length() < other.radius() + glyph.radius();
-                let sides = |g: &tactograph::page::Glyph| {
+                let sides = |g: &tactograph::internals::page::Glyph| {
                     let c = g.corners();
                     [(c[0], c[1]), (c[1], c[2]), (c[2], c[3]), (c[3], c[0])]
                 };

@@ -10,11 +10,11 @@ mod page;
 #[path = "common/samples.rs"]
 mod samples;
 
-use tactograph::edges;
-use tactograph::frame::Frame;
-use tactograph::lines::{self, Line};
-use tactograph::raster::Raster;
-use tactograph::units::{MmPoint, MmRect, Size};
+use tactograph::internals::edges;
+use tactograph::internals::frame::Frame;
+use tactograph::internals::lines::{self, Line};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::units::{MmPoint, MmRect, Size};
 
 const SIDE: u32 = 300;
 /// Millimetres for a pixel.

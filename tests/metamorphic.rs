@@ -5,14 +5,14 @@ mod samples;
 
 use std::sync::Arc;
 
-use tactograph::classes::{self, Class};
-use tactograph::edges::{self, Edges};
-use tactograph::error::Error;
-use tactograph::frame::Frame;
-use tactograph::lines::{self, Line};
-use tactograph::raster::Raster;
-use tactograph::raster::decode::{Limits, Options, Source, decode};
-use tactograph::units::{MmPoint, MmRect, PxPoint, Size};
+use tactograph::internals::classes::{self, Class};
+use tactograph::internals::edges::{self, Edges};
+use tactograph::internals::error::Error;
+use tactograph::internals::frame::Frame;
+use tactograph::internals::lines::{self, Line};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::units::{MmPoint, MmRect, PxPoint, Size};
 
 /// Working pixels of the test pictures: enough for every kind of edge, few enough to be quick.
 const LONGEST: u32 = 400;

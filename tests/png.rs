@@ -5,9 +5,9 @@ mod page;
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
-use tactograph::output::png::{Depth, Dpi, is_as_written, write};
-use tactograph::output::svg;
-use tactograph::profile::Profile;
+use tactograph::internals::output::png::{Depth, Dpi, is_as_written, write};
+use tactograph::internals::output::svg;
+use tactograph::internals::profile::Profile;
 use tactograph::{Error, Page};
 
 const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="120" height="90">

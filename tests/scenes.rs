@@ -4,11 +4,11 @@
 mod drawn;
 
 use drawn::LINES;
-use tactograph::edges::{self, Edges};
-use tactograph::frame::Frame;
-use tactograph::lines::{self, Line};
-use tactograph::raster::Raster;
-use tactograph::units::{MmPoint, MmRect, Size};
+use tactograph::internals::edges::{self, Edges};
+use tactograph::internals::frame::Frame;
+use tactograph::internals::lines::{self, Line};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::units::{MmPoint, MmRect, Size};
 
 const SIDE: u32 = 300;
 /// Millimetres for a pixel: the scene is 100 mm wide.

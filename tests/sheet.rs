@@ -10,11 +10,11 @@ mod samples;
 
 use page::page_for;
 use tactograph::Note;
-use tactograph::geom::nearby::{Nearby, Segment};
-use tactograph::geom::nearest_on_segment;
-use tactograph::page::{Class, Dots, Page, Run, Shape, Texture};
-use tactograph::profile::{BuiltIn, Profile, built_in};
-use tactograph::units::{MmPoint, MmRect, MmVector};
+use tactograph::internals::geom::nearby::{Nearby, Segment};
+use tactograph::internals::geom::nearest_on_segment;
+use tactograph::internals::page::{Class, Dots, Page, Run, Shape, Texture};
+use tactograph::internals::profile::{BuiltIn, Profile, built_in};
+use tactograph::internals::units::{MmPoint, MmRect, MmVector};
 
 /// Numbers are kept in f32; this is more than adding up a few of them loses.
 const ROUNDING: f32 = 1e-3;

@@ -5,13 +5,13 @@ mod samples;
 
 use std::sync::Arc;
 
-use tactograph::geom::nearest_on_segment;
-use tactograph::page::spread::Grid;
-use tactograph::page::{Page, Run};
-use tactograph::pipeline::sheets::{Sheets, convert};
-use tactograph::pipeline::{Event, Fit, Request, Stage, Watch};
-use tactograph::profile::{Plan, Profile};
-use tactograph::units::{MmPoint, MmRect, MmVector};
+use tactograph::internals::geom::nearest_on_segment;
+use tactograph::internals::page::spread::Grid;
+use tactograph::internals::page::{Page, Run};
+use tactograph::internals::pipeline::sheets::{Sheets, convert};
+use tactograph::internals::pipeline::{Event, Fit, Request, Stage, Watch};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::units::{MmPoint, MmRect, MmVector};
 use tactograph::{Error, Note};
 
 /// The profile's own.

@@ -6,8 +6,8 @@ mod page;
 use std::io::Cursor;
 
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, RgbImage};
-use tactograph::note::Note;
-use tactograph::pipeline::{Drawing, Event, Stage};
+use tactograph::internals::note::Note;
+use tactograph::internals::pipeline::{Drawing, Event, Stage};
 
 /// Makes the page of a picture; gives it with the stages that ran and those that were skipped wholly or in part.
 fn run(picture: &DynamicImage, settings: &[(&str, &str)]) -> (Drawing, Vec<Stage>, Vec<(Stage, &'static str)>) {

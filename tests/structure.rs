@@ -6,7 +6,7 @@ mod page;
 mod samples;
 
 use roxmltree::{Document, Node};
-use tactograph::profile::Profile;
+use tactograph::internals::profile::Profile;
 
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
@@ -49,7 +49,7 @@ fn pages_have_the_structure_that_others_rely_on() {
         let name = sample.file_name().expect("a sample has a name").to_string_lossy().into_owned();
         let bytes = std::fs::read(&sample).expect("a sample can be read");
         let page = page::page_of(&bytes, &name, &[], &mut |_| ()).page;
-        let svg = tactograph::output::svg::write(&page);
+        let svg = tactograph::internals::output::svg::write(&page);
         let document = Document::parse(&svg).expect("a page is well-formed");
         let root = document.root_element();
         let root_values = ["width", "height", "viewBox"].map(|attribute| root.attribute(attribute));

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use rayon::ThreadPoolBuilder;
-use tactograph::output::svg;
-use tactograph::pipeline::{Request, convert};
-use tactograph::profile::{Plan, Profile};
+use tactograph::internals::output::svg;
+use tactograph::internals::pipeline::{Request, convert};
+use tactograph::internals::profile::{Plan, Profile};
 
 fn page(picture: &[u8], plan: &Plan) -> String {
     let fonts = || Arc::new(usvg::fontdb::Database::new());

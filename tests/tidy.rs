@@ -237,7 +237,7 @@ fn a_use_uphill_is_found_wherever_it_hides() {
         (1, "fn f() { ::std::io::stdout(); }"),
         (1, "fn f() { println!(); }"),
         (1, "fn f<'a>(x: &'a str) -> char { eprint!(\"{x}\"); '\"' }"),
-        (1, "use tactograph::units::Px;"),
+        (1, "use tactograph::internals::units::Px;"),
         (2, "#[cfg(test)] mod tests { fn f() {} }\nuse crate::output::svg;"),
         (2, "#[cfg(test)]\nuse crate::units::Px; use crate::output::svg;"),
     ] {

@@ -2,15 +2,16 @@
 
 use std::sync::Arc;
 
-use tactograph::contours::{Polyline, Trace};
-use tactograph::note::Note;
-use tactograph::output::json;
-use tactograph::pipeline::trace::{Request, Subject, Thresholds, Traced, trace};
-use tactograph::pipeline::{self, Event, Stage, Watch};
-use tactograph::profile::{Plan, Profile};
-use tactograph::raster::decode::Limits;
-use tactograph::units::{PxPoint, Size};
-use tactograph::{Error, frame, lines};
+use tactograph::Error;
+use tactograph::internals::contours::{Polyline, Trace};
+use tactograph::internals::note::Note;
+use tactograph::internals::output::json;
+use tactograph::internals::pipeline::trace::{Request, Subject, Thresholds, Traced, trace};
+use tactograph::internals::pipeline::{self, Event, Stage, Watch};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::raster::decode::Limits;
+use tactograph::internals::units::{PxPoint, Size};
+use tactograph::internals::{frame, lines};
 
 const IN_FULL: Subject = Subject::Edges { full_resolution: true };
 const AS_FOR_THE_PAGE: Subject = Subject::Edges { full_resolution: false };
@@ -219,7 +220,7 @@ fn the_lines_are_those_of_the_page() {
 fn is_the_same_line(
     polyline: &Polyline,
     line: &lines::Line,
-    to_mm: impl Fn(PxPoint) -> tactograph::units::MmPoint,
+    to_mm: impl Fn(PxPoint) -> tactograph::internals::units::MmPoint,
     name: &str,
 ) {
     let (points, widths) = (&polyline.points, polyline.width.as_ref().expect("lines have widths"));

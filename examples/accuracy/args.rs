@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use tactograph::edges::Params;
+use tactograph::internals::edges::Params;
 
 /// What is asked for.
 pub(crate) struct Args {

@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
-use tactograph::edges::{self, Edges, Params};
-use tactograph::raster::Raster;
-use tactograph::units::Size;
+use tactograph::internals::edges::{self, Edges, Params};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::units::Size;
 
 use crate::draw::Picture;
 use crate::measure::Traced;

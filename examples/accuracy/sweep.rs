@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use tactograph::edges::{self, Params};
-use tactograph::raster::Raster;
-use tactograph::raster::plane::shrink;
-use tactograph::units::Size;
+use tactograph::internals::edges::{self, Params};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::raster::plane::shrink;
+use tactograph::internals::units::Size;
 
 use crate::condition::{Condition, TIMED, mosaic};
 use crate::detector::{Time, raster, timed, traced};

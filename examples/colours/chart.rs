@@ -4,9 +4,9 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use tactograph::classes::class_of;
-use tactograph::pipeline::colours;
-use tactograph::profile::{Plan, Profile};
+use tactograph::internals::classes::class_of;
+use tactograph::internals::pipeline::colours;
+use tactograph::internals::profile::{Plan, Profile};
 
 const SATURATIONS: [f32; 6] = [1.0, 0.75, 0.5, 0.35, 0.22, 0.12];
 /// Steps of a panel along hue (2 degrees) and value, and the size of a step.
@@ -82,7 +82,7 @@ fn axes(out: &mut String, number: usize, saturation: f32, width: f32, height: f3
 }
 
 /// The name of the class of every step, rows from the top.
-fn names(saturation: f32, params: &tactograph::classes::Params) -> Vec<&'static str> {
+fn names(saturation: f32, params: &tactograph::internals::classes::Params) -> Vec<&'static str> {
     let (columns, rows) = STEPS;
     (0..columns * rows)
         .map(|i| {

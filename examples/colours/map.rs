@@ -4,9 +4,9 @@ use std::error::Error;
 use std::sync::Arc;
 
 use resvg::tiny_skia::{Color, Pixmap, PremultipliedColorU8};
-use tactograph::classes::{Class, Classes};
-use tactograph::pipeline::{Event, Request, Stage, colours};
-use tactograph::profile::{Plan, Profile};
+use tactograph::internals::classes::{Class, Classes};
+use tactograph::internals::pipeline::{Event, Request, Stage, colours};
+use tactograph::internals::profile::{Plan, Profile};
 
 /// Pixels of a cell.
 const CELL: u32 = 6;

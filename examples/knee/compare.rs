@@ -1,9 +1,9 @@
 //! How far a page lies from the truth: from what was drawn, or from the page of a higher resolution.
 
-use tactograph::classes::{Class, Classes};
-use tactograph::frame::Frame;
-use tactograph::touch::{Ink, Report};
-use tactograph::units::{MmPoint, MmRect, PxPoint, Size};
+use tactograph::internals::classes::{Class, Classes};
+use tactograph::internals::frame::Frame;
+use tactograph::internals::touch::{Ink, Report};
+use tactograph::internals::units::{MmPoint, MmRect, PxPoint, Size};
 
 use crate::near::Near;
 use crate::run::Outcome;
@@ -85,7 +85,7 @@ impl<'a> Sight<'a> {
 
     /// A page.
     pub(crate) fn of_page(page: &'a Outcome) -> Self {
-        let path = |line: &tactograph::lines::Line| {
+        let path = |line: &tactograph::internals::lines::Line| {
             let points = line.runs.iter().flat_map(|run| run.points.iter().map(|p| [f64::from(p.x), f64::from(p.y)]));
             (points.collect(), f64::from(line.strength))
         };

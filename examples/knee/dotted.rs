@@ -3,12 +3,12 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use tactograph::output::svg;
-use tactograph::page::{Page, Pen};
-use tactograph::pipeline::{Event, Request, Stage};
-use tactograph::profile::Plan;
-use tactograph::touch::{Ink, Report};
-use tactograph::units::MmPoint;
+use tactograph::internals::output::svg;
+use tactograph::internals::page::{Page, Pen};
+use tactograph::internals::pipeline::{Event, Request, Stage};
+use tactograph::internals::profile::Plan;
+use tactograph::internals::touch::{Ink, Report};
+use tactograph::internals::units::MmPoint;
 
 use crate::clock::{Clock, median};
 use crate::compare::FINGER;

@@ -21,9 +21,9 @@
 //!   about what a fingertip parts; *missing*, *extra*: the share of the length that has none.
 //! * *strength*: Spearman's rank correlation of the strength of lines with the true one, place by place.
 //! * *class*: the share of the area that is sorted into another class; of scenes, further than 2 mm from a true border.
-//! * *read*: the share of places that a fingertip of 1.0 mm reads as they are; see `tactograph::touch`.
+//! * *read*: the share of places that a fingertip of 1.0 mm reads as they are; see `tactograph::internals::touch`.
 //!
-//! The curves are not smooth: a working picture has whole pixels, and `tactograph::frame` scales both its sides by the longer one,
+//! The curves are not smooth: a working picture has whole pixels, and `tactograph::internals::frame` scales both its sides by the longer one,
 //! so that lines at the far end of the shorter side lie up to half a working pixel off (0.1 mm at 5 px/mm), by luck.
 //!
 //! **Time**: of this thread alone (CPU), the stages called one after the other as the program calls them, from the file's bytes

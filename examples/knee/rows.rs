@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use tactograph::profile::Profile;
-use tactograph::units::Size;
+use tactograph::internals::profile::Profile;
+use tactograph::internals::units::Size;
 
 use crate::clock::median;
 use crate::compare::Errors;
@@ -48,8 +48,9 @@ impl Row {
 /// # Errors
 /// There is no such profile or key.
 pub(crate) fn profile(name: &str, changes: &[(&str, f32)]) -> Result<Profile, String> {
-    let told =
-        |faults: Vec<tactograph::profile::Fault>| faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+    let told = |faults: Vec<tactograph::internals::profile::Fault>| {
+        faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
     let mut profile = Profile::named(name).map_err(told)?;
     for (key, value) in changes {
         profile.set(key, &value.to_string()).map_err(|fault| fault.to_string())?;

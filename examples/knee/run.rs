@@ -2,19 +2,20 @@
 
 use std::sync::Arc;
 
-use tactograph::classes::{self, Classes};
-use tactograph::edges;
-use tactograph::frame::Frame;
-use tactograph::lines::{self, Line};
-use tactograph::output::svg;
-use tactograph::page::layout::{self, Layout};
-use tactograph::page::{Figure, Overview, Page, Parts};
-use tactograph::profile::Plan;
-use tactograph::raster::Raster;
-use tactograph::raster::decode::{self, Limits, Options, Source};
-use tactograph::raster::plane::shrink;
-use tactograph::units::{MmRect, PxPoint, Size};
-use tactograph::{Error, textures};
+use tactograph::Error;
+use tactograph::internals::classes::{self, Classes};
+use tactograph::internals::edges;
+use tactograph::internals::frame::Frame;
+use tactograph::internals::lines::{self, Line};
+use tactograph::internals::output::svg;
+use tactograph::internals::page::layout::{self, Layout};
+use tactograph::internals::page::{Figure, Overview, Page, Parts};
+use tactograph::internals::profile::Plan;
+use tactograph::internals::raster::Raster;
+use tactograph::internals::raster::decode::{self, Limits, Options, Source};
+use tactograph::internals::raster::plane::shrink;
+use tactograph::internals::textures;
+use tactograph::internals::units::{MmRect, PxPoint, Size};
 
 use crate::clock::Clock;
 use crate::pictures::Picture;

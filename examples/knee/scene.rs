@@ -4,7 +4,7 @@
 //! Light mixes at an outline as in a lens: in linear light, over a Gaussian of about a pixel. Grain comes last. The step of a
 //! shape is anything from one that is hardly worth a line to a strong one.
 
-use tactograph::classes::Class;
+use tactograph::internals::classes::Class;
 
 /// Widths and heights, px: the shapes of cameras' pictures, of 9 to 12 megapixels.
 const SIZES: [[usize; 2]; 3] = [[4000, 3000], [4000, 2668], [4000, 2250]];

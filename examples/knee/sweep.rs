@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tactograph::profile::Plan;
+use tactograph::internals::profile::Plan;
 
 use crate::compare::{Sight, compare};
 use crate::pictures::Picture;

@@ -1,8 +1,8 @@
 //! Does ink grow as lightness falls, without steps?
 
-use tactograph::page::Class;
-use tactograph::textures::{Params, sample};
-use tactograph::units::{MmPoint, MmRect};
+use tactograph::internals::page::Class;
+use tactograph::internals::textures::{Params, sample};
+use tactograph::internals::units::{MmPoint, MmRect};
 
 /// Levels of a ramp.
 const LEVELS: usize = 256;

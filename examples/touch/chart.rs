@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use tactograph::output::svg;
-use tactograph::page::{Class, Figure, Page, Parts};
-use tactograph::textures::{Params, sample};
-use tactograph::units::{MmPoint, MmRect, MmVector, Size};
+use tactograph::internals::output::svg;
+use tactograph::internals::page::{Class, Figure, Page, Parts};
+use tactograph::internals::textures::{Params, sample};
+use tactograph::internals::units::{MmPoint, MmRect, MmVector, Size};
 
 /// Width and height of a sample, and how far apart they lie, mm.
 const SAMPLE: [f32; 2] = [44.0, 24.0];

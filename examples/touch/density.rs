@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use tactograph::Page;
-use tactograph::page::{Class, Line};
-use tactograph::units::MmPoint;
+use tactograph::internals::page::{Class, Line};
+use tactograph::internals::units::MmPoint;
 
 /// Sigma of the map of lines, mm: the profile's.
 const BLUR: f32 = 8.0;
@@ -32,7 +32,7 @@ pub(crate) fn pairs(page: &Page, dense: &Page, class: Class) -> Vec<(f32, f32)> 
     let mut pairs = Vec::new();
     let steps = |side: f32| (side / EVERY) as u32;
     for (i, j) in (0..steps(place.height())).flat_map(|j| (0..steps(place.width())).map(move |i| (i, j))) {
-        let at = place.min + tactograph::units::MmVector::new(i as f32 * EVERY, j as f32 * EVERY);
+        let at = place.min + tactograph::internals::units::MmVector::new(i as f32 * EVERY, j as f32 * EVERY);
         let (mut weight, mut lines, mut glyphs) = (0.0, 0.0, 0.0);
         for (site, density, is_there) in &sites {
             let square = (*site - at).square_length() / (WINDOW * WINDOW);

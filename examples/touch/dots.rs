@@ -6,13 +6,13 @@
 use std::sync::Arc;
 
 use tactograph::Page;
-use tactograph::devices::Room;
-use tactograph::dots::textures::{self, Params};
-use tactograph::page::layout::{self, Layout};
-use tactograph::page::{Class, Figure, Parts};
-use tactograph::pipeline::{Fit, Request};
-use tactograph::profile::{Plan, Profile};
-use tactograph::units::{MmPoint, MmRect, Size};
+use tactograph::internals::devices::Room;
+use tactograph::internals::dots::textures::{self, Params};
+use tactograph::internals::page::layout::{self, Layout};
+use tactograph::internals::page::{Class, Figure, Parts};
+use tactograph::internals::pipeline::{Fit, Request};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::units::{MmPoint, MmRect, Size};
 
 use crate::scenes::{SIDE_MM, Scene};
 

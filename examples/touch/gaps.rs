@@ -1,10 +1,10 @@
 //! Does every glyph keep its distance: from lines, from the picture's edge, from other glyphs?
 
 use tactograph::Page;
-use tactograph::geom::{nearest_on_segment, segment_distance};
-use tactograph::page::{Glyph, Shape};
-use tactograph::textures::Params;
-use tactograph::units::MmPoint;
+use tactograph::internals::geom::{nearest_on_segment, segment_distance};
+use tactograph::internals::page::{Glyph, Shape};
+use tactograph::internals::textures::Params;
+use tactograph::internals::units::MmPoint;
 
 /// Numbers of the page are a little off in f32, mm.
 const ROUNDING: f32 = 1e-3;

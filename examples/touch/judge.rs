@@ -1,8 +1,8 @@
 //! Is what is felt what was painted?
 
-use tactograph::page::{Class, Page};
-use tactograph::touch::{Felt, distances};
-use tactograph::units::{MmPoint, Size};
+use tactograph::internals::page::{Class, Page};
+use tactograph::internals::touch::{Felt, distances};
+use tactograph::internals::units::{MmPoint, Size};
 
 use crate::scenes::{Scene, Truth};
 
@@ -90,7 +90,7 @@ pub(crate) fn judge(scene: &Scene, page: &Page, felt: &Felt) -> Tally {
 
 /// One texture all over a page, and what is felt of it: the share of places, further than [`INSIDE`] from its edge, that are
 /// felt as `class`.
-pub(crate) fn share_of_sample(class: Class, felt: &Felt, place: tactograph::units::MmRect) -> f32 {
+pub(crate) fn share_of_sample(class: Class, felt: &Felt, place: tactograph::internals::units::MmRect) -> f32 {
     let inner = place.inflate(-INSIDE, -INSIDE);
     let (mut judged, mut right) = (0, 0);
     let steps = |side: f32| (side / EVERY) as u32;

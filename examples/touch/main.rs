@@ -12,7 +12,7 @@
 //!
 //! **Scenes** (`scenes.rs`): the paper's five bars, a ramp of each colour from dark to white, maps of twelve areas, stripes
 //! and discs of falling size, colour wheels; all but the first of a kind turned by any angle. **Read right** (`judge.rs`):
-//! the measure of `tactograph::touch` on the page's SVG, at every millimetre further than 7 mm from a border and not lighter
+//! the measure of `tactograph::internals::touch` on the page's SVG, at every millimetre further than 7 mm from a border and not lighter
 //! than 0.88. **Samples**: one texture all over a page, at every density and three lightnesses. **Density** (`density.rs`):
 //! the share of glyphs in a window of 8 mm against the map of lines. **Boldness** (`boldness.rs`): ink at 256 lightnesses.
 //! **Gaps** (`gaps.rs`): every glyph of every sample picture and 200 random scenes. **Time**: the textures of a full
@@ -33,13 +33,14 @@ use std::time::{Duration, Instant};
 
 use judge::Tally;
 use scenes::{FINE_PX, KINDS, QUICK_PX, Scene};
-use tactograph::output::svg;
-use tactograph::page::Class;
-use tactograph::pipeline::{Event, Request, Stage, Watch};
-use tactograph::profile::{Plan, Profile};
-use tactograph::touch::Ink;
-use tactograph::units::{MmPoint, MmRect};
-use tactograph::{Page, textures};
+use tactograph::Page;
+use tactograph::internals::output::svg;
+use tactograph::internals::page::Class;
+use tactograph::internals::pipeline::{Event, Request, Stage, Watch};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::textures;
+use tactograph::internals::touch::Ink;
+use tactograph::internals::units::{MmPoint, MmRect};
 
 const FINGERS: [f32; 3] = [0.5, 1.0, 1.5];
 /// Wanted of areas, of grey and of white, for each fingertip.

@@ -6,7 +6,7 @@
 
 use std::f32::consts::TAU;
 
-use tactograph::page::Class;
+use tactograph::internals::page::Class;
 
 use crate::rng::Rng;
 

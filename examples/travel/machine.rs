@@ -1,6 +1,6 @@
 //! A BrailleRAP that reads G-code as its firmware does, but forgives nothing.
 
-use tactograph::output::dots::tour::Place;
+use tactograph::internals::output::dots::tour::Place;
 
 /// What the firmware holds the axes to, hundredths of a millimetre: it goes no farther (MarlinBraille2).
 const BED: Place = [30_000, 42_000];

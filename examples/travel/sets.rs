@@ -1,6 +1,6 @@
 //! Sets of dots to travel through, in hundredths of a millimetre; always the same.
 
-use tactograph::output::dots::tour::Place;
+use tactograph::internals::output::dots::tour::Place;
 
 /// Each set with its name.
 pub(crate) fn all() -> Vec<(&'static str, Vec<Place>)> {

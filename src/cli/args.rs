@@ -186,7 +186,7 @@ pub(super) struct Convert {
     alt: Option<String>,
 
     /// Language of --title and --alt, so that a screen reader speaks them well: de, fr-CA and the like
-    #[arg(long, value_name = "TAG", requires = "alt", default_value = tactograph::page::LANGUAGE, value_parser = language)]
+    #[arg(long, value_name = "TAG", requires = "alt", default_value = tactograph::internals::page::LANGUAGE, value_parser = language)]
     lang: String,
 
     #[command(flatten)]

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use tactograph::profile::Plan;
-use tactograph::raster::decode::Limits;
+use tactograph::internals::profile::Plan;
+use tactograph::internals::raster::decode::Limits;
 use tactograph::{Error, Note};
 
 use super::args::Shared;

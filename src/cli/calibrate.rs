@@ -1,6 +1,6 @@
 //! `tactograph calibrate`: a profile in, sheets of samples out.
 
-use tactograph::calibration;
+use tactograph::internals::calibration;
 
 use super::args::Calibrate;
 use super::product::Product;

@@ -1,7 +1,7 @@
 //! `tactograph convert`: pictures in, pages out.
 
-use tactograph::output::{pdf, png, svg};
-use tactograph::pipeline::{self, Request, sheets};
+use tactograph::internals::output::{pdf, png, svg};
+use tactograph::internals::pipeline::{self, Request, sheets};
 use tactograph::{Error, Page};
 
 use super::Exit;

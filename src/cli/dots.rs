@@ -1,8 +1,8 @@
 //! Pages of dots in the files that embossers, braille programs and pin displays take.
 
-use tactograph::devices::{Device, Family, Room};
-use tactograph::output::dots::{Matrix, Words, art, brf, dots, gcode, greys, index, pef, ubrl};
-use tactograph::profile::Plan;
+use tactograph::internals::devices::{Device, Family, Room};
+use tactograph::internals::output::dots::{Matrix, Words, art, brf, dots, gcode, greys, index, pef, ubrl};
+use tactograph::internals::profile::Plan;
 use tactograph::{Error, Page};
 
 use super::args::Embossing;

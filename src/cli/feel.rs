@@ -1,6 +1,6 @@
 //! `tactograph feel`: a page in, what a fingertip feels of it out.
 
-use tactograph::touch::{self, Ink, Report as Felt};
+use tactograph::internals::touch::{self, Ink, Report as Felt};
 
 use super::args::Feel;
 use super::report::Report;

@@ -1,7 +1,7 @@
 //! What a command makes, in words and file names.
 
-use tactograph::output::dots::{gcode, pef};
-use tactograph::output::{json, pdf, png, svg};
+use tactograph::internals::output::dots::{gcode, pef};
+use tactograph::internals::output::{json, pdf, png, svg};
 
 /// What a command makes of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

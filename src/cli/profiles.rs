@@ -1,6 +1,6 @@
 //! `tactograph profiles`: which there are, and what is in them.
 
-use tactograph::profile::{BuiltIn, Profile, built_in, manual};
+use tactograph::internals::profile::{BuiltIn, Profile, built_in, manual};
 
 use super::Exit;
 use super::output;

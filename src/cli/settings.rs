@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tactograph::profile::{Fault, Plan, Profile, built_in};
+use tactograph::internals::profile::{Fault, Plan, Profile, built_in};
 
 use super::input;
 

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use tactograph::Page;
-use tactograph::output::pdf;
+use tactograph::internals::output::pdf;
 
 use super::args::Chosen;
 use super::product::{Format, Product};

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use tactograph::pipeline::{Event, Stage};
+use tactograph::internals::pipeline::{Event, Stage};
 
 /// A row of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! `tactograph trace`: pictures in, contours as data out.
 
-use tactograph::output::json;
-use tactograph::pipeline::trace::{Request, trace};
+use tactograph::internals::output::json;
+use tactograph::internals::pipeline::trace::{Request, trace};
 
 use super::Exit;
 use super::args::Trace;

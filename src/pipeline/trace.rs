@@ -66,8 +66,8 @@ pub struct Request<'a> {
 ///
 /// ```no_run
 /// use std::sync::Arc;
-/// use tactograph::pipeline::trace::{Request, Subject, Thresholds};
-/// use tactograph::profile::{Plan, Profile};
+/// use tactograph::internals::pipeline::trace::{Request, Subject, Thresholds};
+/// use tactograph::internals::profile::{Plan, Profile};
 ///
 /// let picture = std::fs::read("samples/coffee.png")?;
 /// let plan = Plan::new(&Profile::named("swell-a4").expect("built in")).expect("built-in profiles make sense");
@@ -79,7 +79,7 @@ pub struct Request<'a> {
 /// for contour in traced.trace.polylines.iter().filter(|contour| contour.closed) {
 ///     println!("a ring of {} points", contour.points.len());
 /// }
-/// std::fs::write("coffee.json", tactograph::output::json::write(&traced.trace))?;
+/// std::fs::write("coffee.json", tactograph::internals::output::json::write(&traced.trace))?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -47,7 +47,7 @@ fn every_format_of_dots_is_chosen_by_name_or_by_format() {
 /// The same dots in every format of a grid.
 #[test]
 fn formats_hold_the_same_dots() {
-    use tactograph::output::dots::ubrl;
+    use tactograph::internals::output::dots::ubrl;
     let place = Place::with_picture("a.png");
     let as_format = |format| page(&place, &["--profile", "dot-pad", "--format", format]);
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");

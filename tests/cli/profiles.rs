@@ -17,7 +17,7 @@ fn profiles_are_listed_and_shown() {
     let descriptions = run.out.lines().map(|line| line[13..].trim_start().len());
     assert!(descriptions.min() > Some(10), "a profile without description:\n{}", run.out);
     assert_eq!(run.out.matches("(default)").count(), 1);
-    for profile in tactograph::profile::built_in() {
+    for profile in tactograph::internals::profile::built_in() {
         let run = place.run(&["profiles", "show", profile.name]);
         assert_eq!((run.code, run.err.as_str()), (0, ""));
         // as it was written, with the range of each key behind it
@@ -32,13 +32,13 @@ fn profiles_are_listed_and_shown() {
 fn every_key_is_told_on_one_page() {
     let run = Place::new().run(&["profiles", "keys"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert_eq!(run.out, tactograph::profile::manual::write());
+    assert_eq!(run.out, tactograph::internals::profile::manual::write());
 }
 
 #[test]
 fn an_unknown_profile_is_wrong_usage() {
     let place = Place::with_picture("a.png");
-    let expected = tactograph::profile::Profile::named("swel-a4").expect_err("no such profile");
+    let expected = tactograph::internals::profile::Profile::named("swel-a4").expect_err("no such profile");
     let expected = format!("{}: {}", expected[0].place, expected[0].what);
     assert!(expected.contains("swell-a4"), "no suggestion: {expected}");
     place.refuses(&["profiles", "show", "swel-a4"], 2, &[&expected]);
@@ -154,8 +154,8 @@ fn quality_is_short_for_keys_and_counts_before_set() {
 /// A draft is coarser and a fine page finer than the page of every profile, whatever it is pressed or printed with.
 #[test]
 fn every_built_in_profile_lies_between_draft_and_fine() {
-    for file in tactograph::profile::built_in() {
-        let profile = tactograph::profile::Profile::named(file.name).expect("a built-in profile");
+    for file in tactograph::internals::profile::built_in() {
+        let profile = tactograph::internals::profile::Profile::named(file.name).expect("a built-in profile");
         let resolution = profile.figure.resolution;
         assert!(2.0 < resolution && resolution < 8.0, "{} {resolution}", file.name);
     }

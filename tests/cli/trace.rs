@@ -222,7 +222,7 @@ fn help_teaches_the_format_and_the_unit() {
         assert!(help.out.contains(word), "{word} is not in the help");
     }
     // What is said of --full-resolution's own thresholds is so.
-    let own = tactograph::edges::Params::default();
+    let own = tactograph::internals::edges::Params::default();
     assert!(help.out.contains(&format!("with --full-resolution {},{}]", own.low, own.high)));
     let words = help.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains(&format!("crumbs, which at full resolution are shorter than {} pixels", own.min_length)));

@@ -81,7 +81,7 @@ fn help_teaches_every_option() {
         assert!(!run.out.contains('\u{1b}'), "{args:?}: colours without a terminal");
     }
     let help = place.run(&["convert", "--help"]).out;
-    let limits = tactograph::raster::decode::Limits::default();
+    let limits = tactograph::internals::raster::decode::Limits::default();
     let (megapixels, memory) = (limits.megapixels.to_string(), limits.memory_mb.to_string());
     let defaults = [
         ("-o, --output <PAGE>", "the picture's name with the ending of the format, beside the picture"),

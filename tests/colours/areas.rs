@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use tactograph::classes::Classes;
-use tactograph::pipeline::{Request, colours};
-use tactograph::profile::{Plan, Profile};
+use tactograph::internals::classes::Classes;
+use tactograph::internals::pipeline::{Request, colours};
+use tactograph::internals::profile::{Plan, Profile};
 
 use crate::page;
 

@@ -1,8 +1,8 @@
 //! Skies and other smooth passages stay in one piece; what is clearly another colour stays another.
 
-use tactograph::classes::{self, Class, Classes};
-use tactograph::raster::Raster;
-use tactograph::units::Size;
+use tactograph::internals::classes::{self, Class, Classes};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::units::Size;
 
 use crate::scenes::{self, Dice, PX_PER_MM, decoded};
 

@@ -1,8 +1,8 @@
 //! Fringe classes through the fingertip: rows still say the class, rhombuses the side that a colour leans to.
 
-use tactograph::output::svg;
-use tactograph::page::{Class, Shape};
-use tactograph::touch;
+use tactograph::internals::output::svg;
+use tactograph::internals::page::{Class, Shape};
+use tactograph::internals::touch;
 
 use crate::page;
 

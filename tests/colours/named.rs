@@ -1,8 +1,8 @@
 //! The list of named colours, `named.csv`: what a person would say against what the program says.
 
-use tactograph::classes::class_of;
-use tactograph::pipeline::colours;
-use tactograph::profile::{Plan, Profile};
+use tactograph::internals::classes::class_of;
+use tactograph::internals::pipeline::colours;
+use tactograph::internals::profile::{Plan, Profile};
 
 /// Share of the names that must agree.
 const WANTED: f32 = 0.95;

@@ -1,12 +1,12 @@
 //! Drawn scenes whose areas have known classes.
 
-use tactograph::classes::{self, Class, Classes};
-use tactograph::edges;
-use tactograph::pipeline::colours;
-use tactograph::profile::{Plan, Profile};
-use tactograph::raster::Raster;
-use tactograph::raster::plane::Plane;
-use tactograph::units::{PxPoint, Size};
+use tactograph::internals::classes::{self, Class, Classes};
+use tactograph::internals::edges;
+use tactograph::internals::pipeline::colours;
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::raster::Raster;
+use tactograph::internals::raster::plane::Plane;
+use tactograph::internals::units::{PxPoint, Size};
 
 /// The working resolution of the default profile.
 pub(crate) const PX_PER_MM: f32 = 4.0;

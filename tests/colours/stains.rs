@@ -1,7 +1,7 @@
 //! How far the blur stains areas with their neighbours' colours or with outlines.
 
-use tactograph::classes::{self, Params};
-use tactograph::units::PxPoint;
+use tactograph::internals::classes::{self, Params};
+use tactograph::internals::units::PxPoint;
 
 use crate::scenes::{self, PX_PER_MM, Scene, Style};
 

@@ -1,10 +1,10 @@
 //! Where lines of a page run nearer to one another, or to themselves, than a finger can part them: measured on the finished
 //! lines alone, by a rule of its own, not by the one that made them.
 
-use tactograph::geom::nearby::{Nearby, Segment};
-use tactograph::geom::{crossing, nearest_on_segment};
-use tactograph::page::Line;
-use tactograph::units::{MmPoint, MmRect};
+use tactograph::internals::geom::nearby::{Nearby, Segment};
+use tactograph::internals::geom::{crossing, nearest_on_segment};
+use tactograph::internals::page::Line;
+use tactograph::internals::units::{MmPoint, MmRect};
 
 /// Lines are looked at every so often, mm.
 const STEP: f32 = 0.25;

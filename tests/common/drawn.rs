@@ -1,6 +1,6 @@
 //! How lines are drawn in the tests: as on a page of A4 swell paper, but from fainter steps on.
 
-use tactograph::lines;
+use tactograph::internals::lines;
 
 pub(crate) const LINES: lines::Params = lines::Params {
     width_min: 0.75,

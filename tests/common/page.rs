@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use tactograph::pipeline::{Drawing, Request, Watch};
-use tactograph::profile::{Plan, Profile};
-use tactograph::raster::decode::Limits;
+use tactograph::internals::pipeline::{Drawing, Request, Watch};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::raster::decode::Limits;
 
 /// Makes the page of a picture with the default profile and `settings` on top; the stages that ran or were skipped go to
 /// `watch`. No fonts, so that the page does not hang on the machine's.

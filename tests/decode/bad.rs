@@ -1,8 +1,8 @@
 //! Input that is no picture, or a damaged or a huge one.
 
 use tactograph::Error;
-use tactograph::raster::decode::{Limits, Options, Source, decode};
-use tactograph::units::Size;
+use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::units::Size;
 
 use crate::{decode_to, fault, folder, no_fonts, open, read, whole};
 

@@ -1,7 +1,7 @@
 //! Each format, and each thing that can go wrong with colours.
 
-use tactograph::raster::decode::Source;
-use tactograph::units::Size;
+use tactograph::internals::raster::decode::Source;
+use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
 use crate::{SCENE, SIZE, STEP, check, decode_to, grey, light, linear, open, quarters, read, scene, whole};

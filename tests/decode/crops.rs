@@ -1,7 +1,7 @@
 //! A part of a picture is what it would be if the rest had been cut off first.
 
 use tactograph::Error;
-use tactograph::raster::crop::Crop;
+use tactograph::internals::raster::crop::Crop;
 
 use super::*;
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tactograph::raster::decode::{Limits, Options, Source, decode};
-use tactograph::units::Size;
+use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
 use crate::{check, decode_to, fault, folder, open, read, whole};

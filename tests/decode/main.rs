@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use tactograph::Error;
-use tactograph::raster::Raster;
-use tactograph::raster::decode::{Limits, Options, Picture, Source, decode};
-use tactograph::units::Size;
+use tactograph::internals::raster::Raster;
+use tactograph::internals::raster::decode::{Limits, Options, Picture, Source, decode};
+use tactograph::internals::units::Size;
 
 /// The scene's quarters: red, green, blue, grey.
 const SCENE: [[u8; 3]; 4] = [[200, 40, 40], [40, 160, 60], [40, 60, 200], [128, 128, 128]];

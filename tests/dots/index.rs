@@ -1,7 +1,7 @@
 //! The language of Index embossers on random pages, against a model that turns text into text as the driver does; faults.
 
-use tactograph::devices::Device;
-use tactograph::output::dots::{index, ubrl};
+use tactograph::internals::devices::Device;
+use tactograph::internals::output::dots::{index, ubrl};
 
 use super::Random;
 

@@ -6,7 +6,7 @@ mod pef;
 mod recorded;
 mod text;
 
-use tactograph::output::dots::Matrix;
+use tactograph::internals::output::dots::Matrix;
 
 /// Numbers that are the same on every run: a linear congruential generator, with the constants of Knuth's MMIX.
 struct Random(u64);

@@ -1,7 +1,7 @@
 //! PEF, read back as XML.
 
 use roxmltree::{Document, Node};
-use tactograph::output::dots::{Matrix, Words, pef, ubrl};
+use tactograph::internals::output::dots::{Matrix, Words, pef, ubrl};
 
 use super::{Random, dots};
 

@@ -1,7 +1,7 @@
 //! Byte for byte what the drivers made.
 
-use tactograph::devices::{Device, Room};
-use tactograph::output::dots::{Matrix, brf, index, ubrl};
+use tactograph::internals::devices::{Device, Room};
+use tactograph::internals::output::dots::{Matrix, brf, index, ubrl};
 
 const PAGES: &str = include_str!("recorded/pages.ubrl");
 const GEOMETRY: &str = include_str!("recorded/geometry.txt");

@@ -1,6 +1,6 @@
 //! Unicode and ASCII braille, read back.
 
-use tactograph::output::dots::{Matrix, art, brf, ubrl};
+use tactograph::internals::output::dots::{Matrix, art, brf, ubrl};
 
 use super::{Random, dots};
 

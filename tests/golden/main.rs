@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use tactograph::Page;
-use tactograph::output::dots::{Matrix, Words, art, greys, ubrl};
-use tactograph::profile::Profile;
+use tactograph::internals::output::dots::{Matrix, Words, art, greys, ubrl};
+use tactograph::internals::profile::Profile;
 
 /// Resolution of the renderings: 1.6 px for a millimetre, so that every line and glyph leaves its mark in a small file.
 const DPI: f32 = 40.0;
@@ -36,7 +36,7 @@ fn pages_are_as_somebody_last_saw_them() {
         let name = sample.file_name().expect("a sample has a name").to_string_lossy().into_owned();
         let bytes = std::fs::read(&sample).expect("a sample can be read");
         let page = page::page_of(&bytes, &name, &[], &mut |_| ()).page;
-        let svg = tactograph::output::svg::write(&page);
+        let svg = tactograph::internals::output::svg::write(&page);
         let rendering = render(&svg);
         let file = |ending: &str| folder.join(format!("{name}.{ending}"));
         expected.extend(["txt", "svg", "png"].map(&file));

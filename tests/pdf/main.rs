@@ -10,7 +10,7 @@ mod samples;
 use reader::{Mark, Reader, string_of};
 use roxmltree::{Document, Node};
 use tactograph::Page;
-use tactograph::output::{pdf, svg};
+use tactograph::internals::output::{pdf, svg};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";

@@ -1,7 +1,7 @@
 //! Any text at all: it is answered, without a panic.
 
 use proptest::prelude::*;
-use tactograph::profile::{Fault, Profile, built_in};
+use tactograph::internals::profile::{Fault, Profile, built_in};
 
 use crate::named;
 

@@ -1,6 +1,6 @@
 //! Profiles with mistakes: what is said of them.
 
-use tactograph::profile::{Profile, built_in};
+use tactograph::internals::profile::{Profile, built_in};
 
 use crate::in_lines;
 

@@ -4,8 +4,8 @@ mod any;
 mod faults;
 mod palette;
 
-use tactograph::page::layout::Orientation;
-use tactograph::profile::{Fault, Kind, Profile, Value, built_in, manual};
+use tactograph::internals::page::layout::Orientation;
+use tactograph::internals::profile::{Fault, Kind, Profile, Value, built_in, manual};
 
 fn in_lines(faults: &[Fault]) -> String {
     faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("\n")

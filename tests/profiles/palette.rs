@@ -1,7 +1,7 @@
 //! `textures.palette`: which class is told by which sign.
 
-use tactograph::profile::{Profile, Value};
-use tactograph::textures::Sign;
+use tactograph::internals::profile::{Profile, Value};
+use tactograph::internals::textures::Sign;
 
 fn faults(text: &str) -> String {
     let text = format!("inherits = \"swell-a4\"\n{text}");

@@ -4,11 +4,11 @@
 use crate::dots::Device;
 use crate::judge::{self, Tally};
 use crate::scenes::{self, FINE_PX};
-use tactograph::dots::textures::carried;
-use tactograph::output::svg;
-use tactograph::page::{Class, Palette};
-use tactograph::profile::Profile;
-use tactograph::touch::Ink;
+use tactograph::internals::dots::textures::carried;
+use tactograph::internals::output::svg;
+use tactograph::internals::page::{Class, Palette};
+use tactograph::internals::profile::Profile;
+use tactograph::internals::touch::Ink;
 
 /// What must be read right on the pages of a profile.
 struct Wanted {

@@ -1,9 +1,9 @@
 //! Pages that somebody changed in an editor, and what is said of them.
 
-use tactograph::output::svg;
-use tactograph::page::Class;
-use tactograph::touch::{self, Ink, Report};
-use tactograph::units::{MmPoint, MmRect};
+use tactograph::internals::output::svg;
+use tactograph::internals::page::Class;
+use tactograph::internals::touch::{self, Ink, Report};
+use tactograph::internals::units::{MmPoint, MmRect};
 
 use crate::{chart, params};
 

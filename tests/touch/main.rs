@@ -27,12 +27,12 @@ mod scenes;
 
 use judge::Tally;
 use scenes::{FINE_PX, KINDS, QUICK_PX, Scene};
-use tactograph::output::svg;
-use tactograph::page::{Class, Page};
-use tactograph::profile::{Plan, Profile};
-use tactograph::textures::Params;
-use tactograph::touch::Ink;
-use tactograph::units::{MmPoint, MmRect};
+use tactograph::internals::output::svg;
+use tactograph::internals::page::{Class, Page};
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph::internals::textures::Params;
+use tactograph::internals::touch::Ink;
+use tactograph::internals::units::{MmPoint, MmRect};
 
 const FINGERS: [f32; 3] = [0.5, 1.0, 1.5];
 /// Shares that must be read right at each of them.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use tactograph::profile::built_in;
+use tactograph::internals::profile::built_in;
 
 use super::writing::Writing;
 

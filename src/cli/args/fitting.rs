@@ -2,10 +2,10 @@
 
 use clap::Args;
 use tactograph::Error;
-use tactograph::page::spread::Grid;
-use tactograph::pipeline::Fit;
-use tactograph::profile::Plan;
-use tactograph::raster::crop::Crop;
+use tactograph::internals::page::spread::Grid;
+use tactograph::internals::pipeline::Fit;
+use tactograph::internals::profile::Plan;
+use tactograph::internals::raster::crop::Crop;
 
 /// Options of `tactograph convert` that are chosen anew for each picture.
 #[derive(Debug, Args)]

@@ -1,8 +1,8 @@
 //! Options that all commands on pictures have.
 
 use clap::Args;
-use tactograph::profile::built_in;
-use tactograph::raster::decode::Limits;
+use tactograph::internals::profile::built_in;
+use tactograph::internals::raster::decode::Limits;
 
 use super::quality::Quality;
 

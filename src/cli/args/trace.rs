@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use tactograph::pipeline::trace::{Subject, Thresholds};
+use tactograph::internals::pipeline::trace::{Subject, Thresholds};
 
 use super::shared::Shared;
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use tactograph::output::png::{Depth, Dpi};
+use tactograph::internals::output::png::{Depth, Dpi};
 
 use crate::cli::places::is_std;
 use crate::cli::product::Format;
