@@ -3,6 +3,7 @@
 use super::blur::{Borders, Cells};
 use super::hue::{self, Shade, encoded};
 use super::{Class, Region};
+use crate::geom::components::{self, four_neighbours};
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
@@ -100,14 +101,14 @@ fn join<L: Copy + Ord>(
     suits: impl Fn(&[usize], L, &[(usize, usize)]) -> Option<f32>,
 ) -> Vec<L> {
     loop {
-        let areas = areas(&labels, size);
+        let areas = components::of_labels(&labels, size);
         let mut area_of = vec![0; labels.len()];
         for (number, area) in areas.iter().enumerate() {
             area.iter().for_each(|&cell| area_of[cell] = number);
         }
         let weight = |area: usize| (areas[area].len(), labels[areas[area][0]]);
         let choice = |number: usize| {
-            let beside = |&cell: &usize| neighbours(cell, size).map(move |other| (cell, other));
+            let beside = |&cell: &usize| four_neighbours(cell, size).map(move |other| (cell, other));
             let mut border: Vec<(usize, usize)> = areas[number].iter().flat_map(beside).collect();
             border.retain(|&(_, other)| weight(area_of[other]) > weight(number));
             border.sort_unstable_by_key(|&(cell, other)| (area_of[other], cell, other));
@@ -136,7 +137,7 @@ fn join<L: Copy + Ord>(
 pub(super) fn regions(labels: &[Label], grid: &Cells) -> (Vec<Option<u32>>, Vec<Region>) {
     let mut of_cell = vec![None; labels.len()];
     let mut regions = Vec::new();
-    for area in areas(labels, grid.size) {
+    for area in components::of_labels(labels, grid.size) {
         if let Some(class) = labels[area[0]] {
             for &cell in &area {
                 of_cell[cell] = Some(regions.len() as u32);
@@ -208,41 +209,6 @@ pub(super) fn fringe(
     let joined =
         join(labels, size, small, |area, (other, _), border| (region[area[0]] == other).then_some(border.len() as f32));
     joined.into_iter().map(|(_, leaning)| leaning).collect()
-}
-
-/// Connected cells (by their sides) of one label, in reading order of their first cell.
-fn areas<L: Copy + PartialEq>(labels: &[L], size: Size) -> Vec<Vec<usize>> {
-    let mut seen = vec![false; labels.len()];
-    let mut areas = Vec::new();
-    for start in 0..labels.len() {
-        if seen[start] {
-            continue;
-        }
-        seen[start] = true;
-        let mut area = vec![start];
-        let mut next = 0;
-        while next < area.len() {
-            for cell in neighbours(area[next], size) {
-                if !seen[cell] && labels[cell] == labels[start] {
-                    seen[cell] = true;
-                    area.push(cell);
-                }
-            }
-            next += 1;
-        }
-        areas.push(area);
-    }
-    areas
-}
-
-fn neighbours(cell: usize, size: Size) -> impl Iterator<Item = usize> {
-    let (width, height) = (size.width as usize, size.height as usize);
-    let (x, y) = (cell % width, cell / width);
-    let left = (x > 0).then(|| cell - 1);
-    let right = (x + 1 < width).then_some(cell + 1);
-    let above = (y > 0).then(|| cell - width);
-    let below = (y + 1 < height).then_some(cell + width);
-    [left, right, above, below].into_iter().flatten()
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use super::letters;
 use super::{CELLS_PER_MM, Felt, Ink, Place, Signs, distances};
+use crate::geom::components::{components, four_neighbours};
 use crate::page::{Class, Sign};
 use crate::units::Size;
 
@@ -176,32 +177,13 @@ fn names(felt: &Felt) -> Vec<(Vec<&'static str>, usize, usize)> {
         })
         .collect();
     let room = distances(&border, felt.size);
-    let mut seen = vec![false; width * height];
+    let is_named = |at: usize| key(at).is_some();
+    let linked = |at: usize| four_neighbours(at, felt.size).filter(move |&next| key(next) == key(at));
     let mut names = Vec::new();
-    let mut open = Vec::new();
-    for start in 0..width * height {
-        let Some((meant, felt_as)) = key(start).filter(|_| !seen[start]) else { continue };
-        let mut best = start;
-        seen[start] = true;
-        open.push(start);
-        while let Some(at) = open.pop() {
-            if room[at] > room[best] || (room[at] >= room[best] && at < best) {
-                best = at;
-            }
-            let (x, y) = (at % width, at / width);
-            let near = [
-                (x > 0).then(|| at - 1),
-                (x + 1 < width).then_some(at + 1),
-                (y > 0).then(|| at - width),
-                (y + 1 < height).then_some(at + width),
-            ];
-            for next in near.into_iter().flatten() {
-                if !seen[next] && key(next) == key(start) {
-                    seen[next] = true;
-                    open.push(next);
-                }
-            }
-        }
+    for area in components(width * height, is_named, linked) {
+        // of those with most room the first in reading order
+        let best = area.iter().copied().reduce(|a, b| if (room[b], a) > (room[a], b) { b } else { a });
+        let Some((best, (meant, felt_as))) = best.and_then(|best| Some((best, key(best)?))) else { continue };
         if room[best] >= ROOM_FOR_NAME {
             let mut name = vec![word(felt_as)];
             if felt_as != Some(meant) {

@@ -1,7 +1,6 @@
 //! A few dots that stand apart say nothing, a dot alone has no direction, and a single row of dots is felt as a line.
 
-use std::collections::BTreeMap;
-
+use crate::geom::components;
 use crate::textures::{Sign, unit};
 use crate::units::{MmPoint, MmVector};
 
@@ -53,47 +52,9 @@ pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, apart: Apart) {
 /// Keeps the dots of the groups that `stays` lets pass. Two dots are of one group if they are no more than `reach` apart and
 /// `belong` says so of the way between them.
 fn keep(dots: &mut Vec<MmPoint>, reach: f32, belong: impl Fn(MmVector) -> bool, stays: impl Fn(&[MmPoint]) -> bool) {
-    let mut kept = vec![false; dots.len()];
-    for group in groups(dots, reach, belong) {
+    let groups = components::of_points(dots, reach, belong);
+    components::retain(dots, &groups, |dots, group| {
         let places: Vec<MmPoint> = group.iter().map(|&dot| dots[dot]).collect();
-        if stays(&places) {
-            group.into_iter().for_each(|dot| kept[dot] = true);
-        }
-    }
-    let mut kept = kept.into_iter();
-    dots.retain(|_| kept.next() == Some(true));
-}
-
-/// The dots that belong together, as numbers.
-fn groups(dots: &[MmPoint], reach: f32, belong: impl Fn(MmVector) -> bool) -> Vec<Vec<usize>> {
-    let square = |at: MmPoint| ((at.y / reach).floor() as i32, (at.x / reach).floor() as i32);
-    let mut by_square: BTreeMap<(i32, i32), Vec<usize>> = BTreeMap::new();
-    for (number, &at) in dots.iter().enumerate() {
-        by_square.entry(square(at)).or_default().push(number);
-    }
-    let mut seen = vec![false; dots.len()];
-    let mut groups = Vec::new();
-    for start in 0..dots.len() {
-        if seen[start] {
-            continue;
-        }
-        seen[start] = true;
-        let mut group = vec![start];
-        let mut next = 0;
-        while next < group.len() {
-            let here = dots[group[next]];
-            let (row, column) = square(here);
-            for near in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (row + dy, column + dx))) {
-                for &other in by_square.get(&near).into_iter().flatten() {
-                    if !seen[other] && belong(dots[other] - here) {
-                        seen[other] = true;
-                        group.push(other);
-                    }
-                }
-            }
-            next += 1;
-        }
-        groups.push(group);
-    }
-    groups
+        stays(&places)
+    });
 }
