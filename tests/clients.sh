@@ -163,10 +163,10 @@ check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
 . tests/clients/prints.sh
 . tests/clients/dots.sh
 get_tools
-cargo build --quiet --bin tactograph --example render --example dot_files
+cargo build --quiet -p tactograph -p tactograph-tools --bin tactograph --bin render --bin dot_files
 program=target/debug/tactograph
-render=target/debug/examples/render
-dot_files=target/debug/examples/dot_files
+render=target/debug/render
+dot_files=target/debug/dot_files
 out=${KEEP:-$(mktemp -d)}
 mkdir -p "$out"
 : >"$out/differences"

@@ -1,9 +1,9 @@
-//! G-code for BrailleRAP, run on a machine that forgives nothing (`examples/travel/machine.rs`), and how far the needle
+//! G-code for BrailleRAP, run on a machine that forgives nothing (`tools/src/bin/travel/machine.rs`), and how far the needle
 //! travels.
 
-#[path = "../examples/travel/machine.rs"]
+#[path = "../tools/src/bin/travel/machine.rs"]
 mod machine;
-#[path = "../examples/travel/sets.rs"]
+#[path = "../tools/src/bin/travel/sets.rs"]
 mod sets;
 
 use std::collections::BTreeSet;

@@ -11,7 +11,7 @@
 //!
 //! The paper names the directions of the corrections and the four centres, not the numbers. Those here were set on a list of
 //! 182 named colours (`tests/colours/named.csv`), which tells what is met and what is missed.
-//! `docs/colours/classes.svg` shows the result; `cargo run --example colours -- chart` draws it.
+//! `docs/colours/classes.svg` shows the result; `cargo run -p tactograph-tools --bin colours -- chart` draws it.
 //!
 //! Every decision is a [`Shade`] first: how far a colour is of each class, 0 to 1. One half is the border. Areas are
 //! decided by the shades of all their cells, so a sky that hovers at a border does not fall to pieces.

@@ -1,5 +1,5 @@
 # Part of tests/clients.sh: the formats of dots, in the programs that read them. Uses its variables and functions; the files
-# come from examples/dot_files.rs.
+# come from tools/src/bin/dot_files.rs.
 #
 # The drivers of Index embossers and the rest of CUPS's way to braille are filters of cups-filters. The one for V4 and V5 looks
 # for a file of its own in a wrong place and then leaves the header out; a copy with that line corrected is made here.

@@ -1,5 +1,5 @@
 //! Can a fingertip tell the textures of dots, as profiles ship them? On embossers and pins every colour, in braille cells
-//! some. `cargo run --release --example touch -- --dots PROFILE` prints the same for more scenes.
+//! some. `cargo run --release -p tactograph-tools --bin touch -- --dots PROFILE` prints the same for more scenes.
 
 use crate::dots::Device;
 use crate::judge::{self, Tally};

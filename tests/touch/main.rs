@@ -1,28 +1,28 @@
-//! Can a fingertip tell the textures? The targets, on scenes whose colours are known. `cargo run --release --example touch`
+//! Can a fingertip tell the textures? The targets, on scenes whose colours are known. `cargo run --release -p tactograph-tools --bin touch`
 //! prints the same for more scenes; the scenes and the measures are that program's.
 
-#[path = "../../examples/touch/boldness.rs"]
+#[path = "../../tools/src/bin/touch/boldness.rs"]
 mod boldness;
-#[path = "../../examples/touch/chart.rs"]
+#[path = "../../tools/src/bin/touch/chart.rs"]
 #[allow(dead_code, reason = "the chart itself is drawn by the example")]
 mod chart;
-#[path = "../../examples/touch/density.rs"]
+#[path = "../../tools/src/bin/touch/density.rs"]
 mod density;
-#[path = "../../examples/touch/dots.rs"]
+#[path = "../../tools/src/bin/touch/dots.rs"]
 mod dots;
 mod dotted;
 mod edited;
-#[path = "../../examples/touch/gaps.rs"]
+#[path = "../../tools/src/bin/touch/gaps.rs"]
 mod gaps;
-#[path = "../../examples/touch/judge.rs"]
+#[path = "../../tools/src/bin/touch/judge.rs"]
 mod judge;
 #[path = "../common/page.rs"]
 mod page;
-#[path = "../../examples/touch/rng.rs"]
+#[path = "../../tools/src/bin/touch/rng.rs"]
 mod rng;
 #[path = "../common/samples.rs"]
 mod samples;
-#[path = "../../examples/touch/scenes.rs"]
+#[path = "../../tools/src/bin/touch/scenes.rs"]
 mod scenes;
 
 use judge::Tally;

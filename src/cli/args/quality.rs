@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-/// Three points of the curve of run time against error that `examples/knee` measures.
+/// Three points of the curve of run time against error that `tools/src/bin/knee` measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Quality {
     /// To see quickly what a page will be like

@@ -2,7 +2,7 @@
 //! the right; and the calibration sheet.
 //!
 //! ```text
-//! cargo run --release --example readme_pictures
+//! cargo run --release -p tactograph-tools --bin readme_pictures
 //! ```
 
 use std::error::Error;
@@ -29,7 +29,7 @@ const PX_PER_MM: f32 = 3.2;
 const MARGIN: f32 = 24.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(tactograph_tools::ROOT);
     let (samples, out) = (root.join("samples"), root.join("docs/readme"));
     std::fs::create_dir_all(&out)?;
     for &(name, size, profile, to) in SAMPLES {

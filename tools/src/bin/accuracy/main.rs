@@ -1,7 +1,7 @@
 //! How accurate the edges are, on drawn scenes whose truth is known, and how long they take.
 //!
 //! ```text
-//! cargo run --release --example accuracy                    one table: noise 0, 5 and 10, blur 0.7 px (some seconds)
+//! cargo run --release -p tactograph-tools --bin accuracy                    one table: noise 0, 5 and 10, blur 0.7 px (some seconds)
 //!   --quick                  every third scene
 //!   --all                    noise 0, 2, 5, 10, 20 and blur 0.7, 1, 2 px
 //!   --colour-noise           also with noise of its own in each channel of grey scenes (columns 5c, 10c)

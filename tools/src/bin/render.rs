@@ -1,7 +1,7 @@
 //! Renders an SVG page with resvg on white, and tells how far another program's rendering of it is away:
 //!
 //! ```text
-//! cargo run --example render -- PAGE.svg OUT.png [--dpi 100] [--against OTHER.png]
+//! cargo run -p tactograph-tools --bin render -- PAGE.svg OUT.png [--dpi 100] [--against OTHER.png]
 //! ```
 //!
 //! With `--against` it prints two numbers in percent: the mean difference of all pixels, and the share of pixels that

@@ -1,7 +1,7 @@
 //! Writes pages of random dots in every format of dots to a folder, for tests/clients/dots.sh to try on the programs that
 //! read them.
 //!
-//!     cargo run --example dot_files -- FOLDER
+//!     cargo run -p tactograph-tools --bin dot_files -- FOLDER
 //!
 //! `index.txt` lists a case for the drivers of Index embossers a line: name, PPD, page, pitch in hundredths of a millimetre,
 //! copies, impact. `NAME.ubrl` has the dots, `NAME.idx` what the driver must make of them.

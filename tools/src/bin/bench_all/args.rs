@@ -37,7 +37,7 @@ impl Args {
                 "--quick" => args.quick = true,
                 "--write" => args.write = true,
                 "--program" => args.program = Some(value()?.into()),
-                _ => return Err(format!("{word} is not known; see the head of examples/bench_all/main.rs")),
+                _ => return Err(format!("{word} is not known; see the head of tools/src/bin/bench_all/main.rs")),
             }
         }
         if args.write && (args.quick || args.only.is_some()) {

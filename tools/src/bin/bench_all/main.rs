@@ -1,8 +1,8 @@
 //! How fast the whole program is, beside others that do a part of its work, on pictures that are made here.
 //!
 //! ```text
-//! examples/bench_all/peers.sh                              once: installs the others and what writes the pictures
-//! cargo run --release --example bench-all                  all tables, as Markdown (some eight minutes)
+//! tools/src/bin/bench_all/peers.sh                              once: installs the others and what writes the pictures
+//! cargo run --release -p tactograph-tools --bin bench_all                  all tables, as Markdown (some eight minutes)
 //!   --quick            three rounds, nothing of 50 MP, no vtracer (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
 //!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "skipped", "growth"
@@ -72,16 +72,16 @@ fn decode(picture: Option<&Path>) -> Result<(), String> {
 
 fn measure() -> Result<(), String> {
     let args = Args::read(std::env::args().skip(1))?;
-    std::env::set_current_dir(env!("CARGO_MANIFEST_DIR")).map_err(|fault| fault.to_string())?;
-    // target/release/examples/bench-all
+    std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
+    // target/release/bench_all
     let this = std::env::current_exe().map_err(|fault| fault.to_string())?;
-    let profile = this.parent().and_then(Path::parent).ok_or("this program lies in no build folder")?;
+    let profile = this.parent().ok_or("this program lies in no build folder")?;
     let target = profile.parent().ok_or("this program lies in no build folder")?;
     let ours = Ours::build(target, profile, args.program.clone())?;
     let inputs = Inputs::make(target, args.quick)?;
     let peers = Peers::find(target);
     for line in &peers.missing {
-        eprintln!("{line}; run examples/bench_all/peers.sh");
+        eprintln!("{line}; run tools/src/bin/bench_all/peers.sh");
     }
     let bench = Bench { args: &args, ours: &ours, peers: &peers, inputs: &inputs };
 

@@ -53,7 +53,7 @@ impl Args {
                 "--peers" => args.peers = Some(value()?.into()),
                 "--sweep" => args.sweep = Some("docs/accuracy".into()),
                 "--csv" => args.csv = Some(value()?.into()),
-                _ => return Err(format!("{word} is not known; see the head of examples/accuracy/main.rs")),
+                _ => return Err(format!("{word} is not known; see the head of tools/src/bin/accuracy/main.rs")),
             }
         }
         Ok(args)

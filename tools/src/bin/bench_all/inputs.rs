@@ -113,7 +113,7 @@ fn cwebp(from: &Path, file: &Path) -> Result<(), String> {
 }
 
 fn needs(program: &str, fault: std::io::Error) -> String {
-    format!("{program}, which makes the pictures, does not run ({fault}): run examples/bench_all/peers.sh first")
+    format!("{program}, which makes the pictures, does not run ({fault}): run tools/src/bin/bench_all/peers.sh first")
 }
 
 fn png(picture: &Picture, deep: bool, file: &Path) -> Result<(), png::EncodingError> {

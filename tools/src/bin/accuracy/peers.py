@@ -4,13 +4,13 @@ Needs numpy, numba, opencv-python-headless and scikit-image. All in one line, fr
 
     python3 -m venv target/venv \
       && target/venv/bin/pip install numpy numba opencv-python-headless scikit-image \
-      && cargo run --release --example accuracy -- --export target/peers \
-      && target/venv/bin/python examples/accuracy/peers.py target/peers \
-      && cargo run --release --example accuracy -- --peers target/peers
+      && cargo run --release -p tactograph-tools --bin accuracy -- --export target/peers \
+      && target/venv/bin/python tools/src/bin/accuracy/peers.py target/peers \
+      && cargo run --release -p tactograph-tools --bin accuracy -- --peers target/peers
 
 Each detector gets the 8-bit picture and gives linked lines; thresholds are steps of 8 (low) and 16 (high) code values.
 Times are from the decoded picture to linked lines, one thread's work. Lines and times are written beside the pictures, in
-the form that examples/accuracy/peers.rs describes.
+the form that tools/src/bin/accuracy/peers.rs describes.
 """
 
 import json

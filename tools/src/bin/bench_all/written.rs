@@ -19,9 +19,9 @@ pub(crate) fn write(short: &Table, tables: &[Table], args: &Args) -> Result<(), 
     let readme = fs::read_to_string(README).map_err(|fault| format!("{README}: {fault}"))?;
     fs::write(README, between(&readme, &short.body())?).map_err(|fault| format!("{README}: {fault}"))?;
     let mut docs = format!(
-        "# How fast it is\n\n`cargo run --release --example bench-all -- --write` made these tables, on {}, with {} rounds. \
+        "# How fast it is\n\n`cargo run --release -p tactograph-tools --bin bench_all -- --write` made these tables, on {}, with {} rounds. \
          Other machines take other times; the ratios are what to look at. How each figure is taken stands at the head of \
-         [the program](../examples/bench_all/main.rs).\n\n",
+         [the program](../tools/src/bin/bench_all/main.rs).\n\n",
         machine(),
         args.runs
     );

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what bench-all runs beside our program, and what writes its pictures: from Debian as root, and from PyPI into an
-# environment of its own under target/bench. What cannot be had is told; bench-all leaves its rows out.
+# Installs what bench_all runs beside our program, and what writes its pictures: from Debian as root, and from PyPI into an
+# environment of its own under target/bench. What cannot be had is told; bench_all leaves its rows out.
 #
 # Inkscape is not among them: that of Debian 12 (1.2) traces bitmaps only in its window, by no command. What its window
 # runs is potrace, which is here.

@@ -1,7 +1,7 @@
 //! Can a fingertip tell the colours apart? Scenes whose colours are known become pages, and the pages are felt.
 //!
 //! ```text
-//! cargo run --release --example touch                     the table of targets (some minutes)
+//! cargo run --release -p tactograph-tools --bin touch                     the table of targets (some minutes)
 //!   --seeds N                scenes of each kind (default 6); the same number again is of seeds never tuned to
 //!   --kinds                  also a table for each kind of scene
 //!   --set KEY=VALUE          another value of the profile
@@ -215,7 +215,7 @@ fn distances(plan: &Plan) {
             look(&page_of(&scenes::scene(kind, UNTUNED + seed, QUICK_PX).picture, plan, &mut |_| ()));
         }
     }
-    let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+    let samples = std::path::Path::new(tactograph_tools::ROOT).join("samples");
     for entry in std::fs::read_dir(samples).expect("there are samples").flatten() {
         if entry.path().extension().is_some_and(|ending| ending != "md") {
             look(&page_of(&std::fs::read(entry.path()).expect("a sample can be read"), plan, &mut |_| ()));

@@ -27,11 +27,11 @@ impl Ours {
             return Ok(Self { program, pages });
         }
         if !profile.ends_with("release") {
-            return Err("this measures release builds: cargo run --release --example bench-all".into());
+            return Err("this measures release builds: cargo run --release -p tactograph-tools --bin bench_all".into());
         }
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let ended = Command::new(cargo)
-            .args(["build", "--release", "--bin", "tactograph", "--target-dir"])
+            .args(["build", "--release", "--package", "tactograph", "--bin", "tactograph", "--target-dir"])
             .arg(target)
             .status()
             .map_err(|fault| format!("cargo does not run: {fault}; name a program with --program"))?;

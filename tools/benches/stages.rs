@@ -1,15 +1,15 @@
 //! How long each stage takes, alone and in memory, on two samples and a made-up photograph of 3 megapixels.
 //!
 //! ```text
-//! cargo bench                               all of it (three minutes); tells what changed since the last time
-//! cargo bench --bench stages -- edges       one stage
-//! cargo bench --bench stages -- coffee      one picture
+//! cargo bench -p tactograph-tools                               all of it (three minutes); tells what changed since the last time
+//! cargo bench -p tactograph-tools --bench stages -- edges       one stage
+//! cargo bench -p tactograph-tools --bench stages -- coffee      one picture
 //! ```
 //!
 //! Stages are called as `src/pipeline.rs` calls them, with the parameters of swell-a4. The whole program beside others is
-//! `examples/bench_all/`; what CI watches are counted instructions (`tests/instructions.sh`), since times differ.
+//! `tools/src/bin/bench_all/`; what CI watches are counted instructions (`tests/instructions.sh`), since times differ.
 
-#[path = "../examples/bench_all/photo.rs"]
+#[path = "../src/bin/bench_all/photo.rs"]
 #[allow(dead_code, reason = "one of its pictures is used here")]
 mod photo;
 
@@ -30,14 +30,15 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::{self, Limits, Options, Picture, Source};
 use tactograph::internals::units::Size;
 use tactograph::internals::{classes, edges, lines, textures, touch};
+use tactograph_tools::ROOT;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Outcome<()> {
     let mut criterion = Criterion::default().configure_from_args();
     let pictures = [
-        ("coffee.png", std::fs::read("samples/coffee.png")?),
-        ("rocket.jpg", std::fs::read("samples/rocket.jpg")?),
+        ("coffee.png", std::fs::read(format!("{ROOT}/samples/coffee.png"))?),
+        ("rocket.jpg", std::fs::read(format!("{ROOT}/samples/rocket.jpg"))?),
         ("photo-3.png", photo_png()?),
     ];
     let profile = Profile::named("swell-a4").map_err(|faults| format!("{faults:?}"))?;

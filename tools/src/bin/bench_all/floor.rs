@@ -10,7 +10,7 @@ pub(crate) const MODE: &str = "--decode-png";
 
 /// What to run.
 pub(crate) fn command(picture: &Path) -> Vec<OsString> {
-    let this = std::env::current_exe().map_or_else(|_| "bench-all".into(), OsString::from);
+    let this = std::env::current_exe().map_or_else(|_| "bench_all".into(), OsString::from);
     vec![this, MODE.into(), picture.into()]
 }
 

@@ -81,7 +81,7 @@ impl Peers {
     }
 
     fn script(&self, name: &str, what: &str, picture: &Path, out: PathBuf) -> Option<Job> {
-        let script = Path::new("examples/bench_all/peers.py");
+        let script = Path::new("tools/src/bin/bench_all/peers.py");
         let python = self.python.as_ref()?;
         let command = [python.as_os_str(), script.as_os_str(), what.as_ref(), picture.as_os_str(), out.as_os_str()];
         Some(Job::new(name, command).writes(&out))

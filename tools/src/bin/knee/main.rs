@@ -1,7 +1,7 @@
 //! Run time against error on the page: at which working resolution does a finger notice nothing any more?
 //!
 //! ```text
-//! cargo run --release --example knee                       writes docs/speed/knee.csv and knee.svg (some ten minutes)
+//! cargo run --release -p tactograph-tools --bin knee                       writes docs/speed/knee.csv and knee.svg (some ten minutes)
 //!   --rounds N             how often each setting is timed (default 5)
 //!   --profile NAME         another profile than swell-a4; of one of dots only a table is printed
 //!   --draw DIR             writes the pictures and the page of each, too
@@ -12,7 +12,7 @@
 //! below the working size).
 //!
 //! **Pictures** (`pictures.rs`, `scene.rs`): drawn scenes of 9 to 12 megapixels whose outlines, steps and colours are known, with
-//! the blur and the grain of a camera; the photo-like picture of `bench-all` with 12 megapixels; samples.
+//! the blur and the grain of a camera; the photo-like picture of `bench_all` with 12 megapixels; samples.
 //!
 //! **Errors** (`compare.rs`): scenes are held against what was drawn, all others against the page of the highest resolution at
 //! the same scale. Lengths are in mm on the page:
@@ -63,13 +63,13 @@ fn main() -> Result<(), String> {
             "--rounds" => args.rounds = value.parse().map_err(|_| "--rounds needs a whole number from 1 up")?,
             "--profile" => args.profile = value,
             "--draw" => args.draw = Some(value.into()),
-            _ => return Err(format!("{word} is not known; see the head of examples/knee/main.rs")),
+            _ => return Err(format!("{word} is not known; see the head of tools/src/bin/knee/main.rs")),
         }
     }
     if args.rounds == 0 {
         return Err("--rounds needs a whole number from 1 up".into());
     }
-    std::env::set_current_dir(env!("CARGO_MANIFEST_DIR")).map_err(|fault| fault.to_string())?;
+    std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
     let profile = rows::profile(&args.profile, &[])?;
     let pictures = pictures::all(Path::new("target/knee"))?;
     if profile.dots.device.is_some() {

@@ -1,7 +1,7 @@
 //! How far BrailleRAP's needle travels over sets of dots: our order beside others and beside a bound that no order is below.
 //!
 //! ```text
-//! cargo run --release --example travel -- [FILE.gcode ...]
+//! cargo run --release -p tactograph-tools --bin travel -- [FILE.gcode ...]
 //! ```
 //!
 //! Prints a table in Markdown. Lengths in mm from the needle's zero over all dots until an A4 sheet (A3 for the last set) is
@@ -11,9 +11,7 @@
 //! the machine takes with the default speeds and the magnet's time, milliseconds what finding the order takes.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
-#[path = "travel/machine.rs"]
 mod machine;
-#[path = "travel/sets.rs"]
 mod sets;
 
 use std::error::Error;
