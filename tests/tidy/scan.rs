@@ -2,6 +2,7 @@
 //! more. Comments, literals and what only tests compile are left out first.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// The words of a source file's code, without comments, the insides of literals, and the items under `#[cfg(test)]`.
 pub(crate) fn scan(text: &str) -> Vec<Token> {
@@ -110,6 +111,8 @@ fn tokens(code: &str) -> Vec<Token> {
 /// A path that the code names, from its root `crate`, `std` or `tactograph` on.
 #[derive(Debug)]
 pub(crate) struct Use {
+    /// Number of the token that the rest of the path begins with.
+    pub(crate) at: usize,
     pub(crate) line: usize,
     pub(crate) path: Vec<String>,
 }
@@ -175,9 +178,77 @@ fn tree(tokens: &[Token], mut at: usize, mut path: Vec<String>, found: &mut Vec<
                 continue;
             }
         }
-        found.push(Use { line, path });
+        found.push(Use { at: at - 1, line, path });
         return at;
     }
+}
+
+/// A name that a `use` brings into a file.
+#[derive(Debug)]
+pub(crate) struct Import {
+    pub(crate) line: usize,
+    /// The name here: the last of the path, or what stands after `as`; `*` for all.
+    pub(crate) name: String,
+    /// From the crate's root on, without `crate`.
+    pub(crate) path: Vec<String>,
+    /// A re-export.
+    pub(crate) public: bool,
+    /// The tokens of the whole statement.
+    pub(crate) tokens: Range<usize>,
+}
+
+/// What the `use` statements of a file of the module `own` bring from this crate; those inside `mod name { }` are left to
+/// [`paths`].
+pub(crate) fn imports(tokens: &[Token], own: &[String]) -> Vec<Import> {
+    let text = |at: usize| tokens.get(at).map_or("", |token| &*token.text);
+    let mut imports = Vec::new();
+    let (mut depth, mut inline) = (0, None);
+    for at in 0..tokens.len() {
+        depth += i32::from(text(at) == "{") - i32::from(text(at) == "}");
+        if text(at) == "{" && at >= 2 && text(at - 2) == "mod" {
+            inline = inline.or(Some(depth));
+        }
+        inline = inline.filter(|begun| depth >= *begun);
+        if text(at) != "use" || inline.is_some() {
+            continue;
+        }
+        let end = (at..tokens.len()).find(|&end| text(end) == ";").unwrap_or(tokens.len());
+        let before = at.checked_sub(1).map_or("", text);
+        let mut found = Vec::new();
+        tree(tokens, at + 1, Vec::new(), &mut found);
+        for Use { at: last, line, mut path } in found {
+            path.pop_if(|last| last == "self");
+            let climbs = path.iter().take_while(|part| *part == "super").count();
+            let stays = own.len().saturating_sub(climbs);
+            let path = match path.first().map(String::as_str) {
+                Some("crate") => path[1..].to_vec(),
+                Some("self") => [own, &path[1..]].concat(),
+                Some("super") => [&own[..stays], &path[climbs..]].concat(),
+                Some("std" | "core" | "alloc" | "tactograph") | None => continue,
+                Some(_) => [own, &path[..]].concat(), // a child module, or another crate: then it resolves to nothing
+            };
+            let name = if text(last + 1) == "as" { text(last + 2) } else { path.last().map_or("", |last| last) };
+            let public = before == "pub" || before == ")";
+            imports.push(Import { line, name: name.into(), path, public, tokens: at..end });
+        }
+    }
+    imports
+}
+
+/// The names of the items that a file defines outside of all braces, child modules left out.
+pub(crate) fn definitions(tokens: &[Token]) -> BTreeSet<String> {
+    const KINDS: [&str; 8] = ["fn", "struct", "enum", "union", "const", "static", "type", "trait"];
+    let (mut depth, mut found) = (0, BTreeSet::new());
+    for three in tokens.windows(3) {
+        depth += i32::from(three[0].text == "{") - i32::from(three[0].text == "}");
+        let kind = &*three[0].text;
+        if depth == 0 && (KINDS.contains(&kind) || kind == "mod" && three[2].text == "{") {
+            found.insert(three[1].text.clone());
+        } else if depth == 0 && kind == "macro_rules" {
+            found.insert(three[2].text.clone());
+        }
+    }
+    found
 }
 
 /// Where the names that `lib.rs` exports come from: `Error` from `error`.
