@@ -1,12 +1,245 @@
-//! Measures of polylines.
+//! Polylines: one type with one rule of closedness, and what stages ask of polylines again and again.
+//!
+//! A closed polyline (a ring) goes on from its last vertex to its first. The flag alone says that it is closed: the first
+//! vertex is never repeated at the end. A vertex is a bare point, or a position with attributes such as strength or width.
 
 use std::sync::LazyLock;
 
-use lyon::geom::euclid::Point2D;
+use lyon::geom::euclid::{Point2D, Vector2D};
 
-/// Length of a polyline.
+/// What has a position in the plane.
+pub trait Located: Copy {
+    /// The unit of its coordinates.
+    type Unit;
+
+    /// Its position.
+    fn at(&self) -> Point2D<f32, Self::Unit>;
+}
+
+/// A vertex whose attributes can be interpolated and turned round.
+pub trait Blend: Located {
+    /// The vertex a share, 0..=1, of the way from this one to `other`.
+    #[must_use]
+    fn between(&self, other: &Self, share: f32) -> Self;
+
+    /// The same vertex of the polyline gone along backwards: what is told of its left and right changes sides.
+    #[must_use]
+    fn reversed(self) -> Self {
+        self
+    }
+}
+
+impl<U> Located for Point2D<f32, U> {
+    type Unit = U;
+
+    fn at(&self) -> Point2D<f32, U> {
+        *self
+    }
+}
+
+impl<U> Blend for Point2D<f32, U> {
+    fn between(&self, other: &Self, share: f32) -> Self {
+        self.lerp(*other, share)
+    }
+}
+
+/// A polyline that owns its vertices.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Polyline<V> {
+    /// Its vertices in order; of a ring the first is not repeated.
+    pub vertices: Vec<V>,
+    /// Whether it goes on from the last vertex to the first.
+    pub closed: bool,
+}
+
+/// A polyline whose vertices lie elsewhere, such as in one flat list of many.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PolylineRef<'a, V> {
+    /// Its vertices in order; of a ring the first is not repeated.
+    pub vertices: &'a [V],
+    /// Whether it goes on from the last vertex to the first.
+    pub closed: bool,
+}
+
+impl<V> Polyline<V> {
+    /// An open polyline.
+    pub fn open(vertices: Vec<V>) -> Self {
+        Self { vertices, closed: false }
+    }
+
+    /// The polyline as a borrowed view.
+    pub fn view(&self) -> PolylineRef<'_, V> {
+        PolylineRef { vertices: &self.vertices, closed: self.closed }
+    }
+}
+
+impl<V: Located> Polyline<V> {
+    /// The polyline along a path that is a ring if it comes back to where it began.
+    pub fn from_path(mut path: Vec<V>) -> Self {
+        let closed = path.len() > 2 && matches!(&path[..], [first, .., last] if first.at() == last.at());
+        path.truncate(path.len() - usize::from(closed));
+        Self { vertices: path, closed }
+    }
+
+    /// See [`PolylineRef::path`].
+    pub fn path(&self) -> impl Iterator<Item = &V> + Clone {
+        self.view().path()
+    }
+
+    /// See [`PolylineRef::segments`].
+    pub fn segments(&self) -> impl Iterator<Item = (&V, &V)> + Clone {
+        self.view().segments()
+    }
+
+    /// See [`PolylineRef::segment_count`].
+    pub fn segment_count(&self) -> usize {
+        self.view().segment_count()
+    }
+
+    /// See [`PolylineRef::length`].
+    pub fn length(&self) -> f32 {
+        self.view().length()
+    }
+
+    /// See [`PolylineRef::arc_lengths`].
+    pub fn arc_lengths(&self) -> Vec<f32> {
+        self.view().arc_lengths()
+    }
+
+    /// See [`PolylineRef::tangent`].
+    pub fn tangent(&self, i: usize) -> Vector2D<f32, V::Unit> {
+        self.view().tangent(i)
+    }
+
+    /// A ring cut open at vertex `start`, at which the open polyline begins and ends.
+    #[must_use]
+    pub fn opened_at(&self, start: usize) -> Self {
+        let (before, after) = self.vertices.split_at(start);
+        Self::open(after.iter().chain(before).chain(after.first()).copied().collect())
+    }
+}
+
+impl<V: Blend> Polyline<V> {
+    /// The same polyline gone along backwards. A ring still begins at its first vertex.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.reverse();
+        self
+    }
+
+    /// Turns the polyline round. A ring still begins at its first vertex.
+    pub fn reverse(&mut self) {
+        let from = usize::from(self.closed).min(self.vertices.len());
+        self.vertices[from..].reverse();
+        for vertex in &mut self.vertices {
+            *vertex = vertex.reversed();
+        }
+    }
+
+    /// The same polyline with vertices at even distances of about `spacing`; the first, and of an open one the last, stay.
+    /// A ring that is too short for three vertices comes out open, with its first vertex at both ends.
+    #[must_use]
+    pub fn resampled(&self, spacing: f32) -> Self {
+        let arcs = self.arc_lengths();
+        let total = arcs.last().copied().unwrap_or(0.0);
+        let steps = (total / spacing).round().max(1.0) as usize;
+        let n = self.vertices.len();
+        if n == 0 {
+            return Self { vertices: Vec::new(), closed: false };
+        }
+        let mut even = Vec::with_capacity(steps + 1);
+        let mut k = 0;
+        for step in 0..=steps {
+            let arc = total * step as f32 / steps as f32;
+            while k + 2 < arcs.len() && arcs[k + 1] < arc {
+                k += 1;
+            }
+            let next = if self.closed { (k + 1) % n } else { (k + 1).min(n - 1) };
+            let length = arcs.get(k + 1).map_or(0.0, |next| next - arcs[k]);
+            let share = if length > 0.0 { (arc - arcs[k]) / length } else { 0.0 };
+            even.push(self.vertices[k].between(&self.vertices[next], share));
+        }
+        let closed = self.closed && steps >= 3;
+        if self.closed {
+            even.truncate(steps);
+        }
+        if self.closed && !closed {
+            even.push(even[0]);
+        }
+        Self { vertices: even, closed }
+    }
+
+    /// Puts vertices between those that are farther than `longest` apart.
+    pub fn subdivide(&mut self, longest: f32) {
+        let distance = |a: &V, b: &V| (b.at() - a.at()).length();
+        if !self.segments().any(|(a, b)| distance(a, b) > longest) {
+            return;
+        }
+        let mut vertices = Vec::with_capacity(self.vertices.len() + 8);
+        for (a, b) in self.segments() {
+            let steps = (distance(a, b) / longest).ceil().max(1.0) as usize;
+            vertices.extend((0..steps).map(|k| a.between(b, k as f32 / steps as f32)));
+        }
+        if !self.closed {
+            vertices.extend(self.vertices.last());
+        }
+        self.vertices = vertices;
+    }
+}
+
+impl<'a, V: Located> PolylineRef<'a, V> {
+    /// The vertices in order; in a ring the first comes again at the end.
+    pub fn path(self) -> impl Iterator<Item = &'a V> + Clone {
+        let back = if self.closed { self.vertices.first() } else { None };
+        self.vertices.iter().chain(back)
+    }
+
+    /// The segments in order, as their two vertices; of a ring the one from the last vertex to the first comes last.
+    pub fn segments(self) -> impl Iterator<Item = (&'a V, &'a V)> + Clone {
+        let closing = if self.closed { self.vertices.last().zip(self.vertices.first()) } else { None };
+        self.vertices.windows(2).map(|pair| (&pair[0], &pair[1])).chain(closing)
+    }
+
+    /// How many segments there are.
+    pub fn segment_count(self) -> usize {
+        if self.closed { self.vertices.len() } else { self.vertices.len().saturating_sub(1) }
+    }
+
+    /// Length, of a ring all round.
+    pub fn length(self) -> f32 {
+        self.segments().map(|(a, b)| (b.at() - a.at()).length()).sum()
+    }
+
+    /// Length along the polyline from the first vertex to each; the first entry is 0. Of a ring there is one entry more than
+    /// vertices: its whole length. So the last entry is the length of the polyline.
+    pub fn arc_lengths(self) -> Vec<f32> {
+        let mut arcs = Vec::with_capacity(self.vertices.len() + 1);
+        arcs.extend(self.vertices.first().map(|_| 0.0));
+        let mut arc = 0.0;
+        arcs.extend(self.segments().map(|(a, b)| {
+            arc += (b.at() - a.at()).length();
+            arc
+        }));
+        arcs
+    }
+
+    /// The number of the vertex `steps` after vertex `i`, or before it if negative; none beyond the ends of an open polyline.
+    pub fn next(self, i: usize, steps: isize) -> Option<usize> {
+        let n = self.vertices.len() as isize;
+        let to = i as isize + steps;
+        if self.closed { Some(to.rem_euclid(n) as usize) } else { (0..n).contains(&to).then_some(to as usize) }
+    }
+
+    /// Unit direction of travel at vertex `i`, over its neighbours; zero if they are at one place.
+    pub fn tangent(self, i: usize) -> Vector2D<f32, V::Unit> {
+        let [before, after] = [-1, 1].map(|step| self.vertices[self.next(i, step).unwrap_or(i)].at());
+        (after - before).try_normalize().unwrap_or(Vector2D::zero())
+    }
+}
+
+/// Length of an open polyline through points.
 pub fn length<U>(points: &[Point2D<f32, U>]) -> f32 {
-    points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum()
+    PolylineRef { vertices: points, closed: false }.length()
 }
 
 /// Length of the way from the first point to each point; the first entry is 0.
@@ -92,6 +325,17 @@ mod tests {
     use super::*;
     use crate::units::MmPoint;
 
+    fn ring(count: usize, radius: f32) -> Polyline<MmPoint> {
+        let angles = (0..count).map(|i| i as f32 * std::f32::consts::TAU / count as f32);
+        let vertices = angles.map(|a| MmPoint::new(radius * a.cos(), radius * a.sin())).collect();
+        Polyline { vertices, closed: true }
+    }
+
+    fn square() -> Polyline<MmPoint> {
+        let corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)];
+        Polyline { vertices: corners.map(|(x, y)| MmPoint::new(x, y)).into(), closed: true }
+    }
+
     #[test]
     fn a_straight_line_stays_straight_and_keeps_its_ends() {
         let points: Vec<MmPoint> = (0..20).map(|i| MmPoint::new(i as f32, 2.0 * i as f32)).collect();
@@ -113,5 +357,64 @@ mod tests {
         let (least, most) = radii.iter().fold((f32::MAX, 0.0_f32), |(a, b), &r| (a.min(r), b.max(r)));
         assert!(most - least < 1e-3, "radii from {least} to {most}");
         assert!(smoothed[0] == smoothed[40], "the ring does not close");
+    }
+
+    #[test]
+    fn a_ring_has_its_closing_segment_in_all_measures() {
+        let square = square();
+        assert_eq!(square.segment_count(), 4);
+        assert_eq!(square.arc_lengths(), [0.0, 3.0, 6.0, 9.0, 12.0]);
+        assert!((square.length() - 12.0).abs() < 1e-6);
+        let open = Polyline::open(square.vertices.clone());
+        assert_eq!((open.segment_count(), open.arc_lengths().len()), (3, 4));
+        let across = square.tangent(0);
+        assert!((across.x - 0.5_f32.sqrt()).abs() < 1e-6 && (across.y + 0.5_f32.sqrt()).abs() < 1e-6);
+        assert_eq!(open.tangent(0), Vector2D::new(1.0, 0.0));
+        assert_eq!((square.view().next(3, 1), open.view().next(3, 1), open.view().next(0, -1)), (Some(0), None, None));
+    }
+
+    #[test]
+    fn a_path_back_to_its_start_is_a_ring() {
+        let square = square();
+        let path: Vec<MmPoint> = square.path().copied().collect();
+        assert_eq!(path.len(), 5);
+        assert_eq!(Polyline::from_path(path), square);
+        let open = Polyline::from_path(square.vertices.clone());
+        assert!(!open.closed && open.vertices.len() == 4);
+        assert_eq!(Polyline::from_path(Vec::<MmPoint>::new()), Polyline::default());
+    }
+
+    #[test]
+    fn turned_round_a_ring_begins_where_it_did() {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| square().vertices[i]);
+        assert_eq!(square().reversed().vertices, [a, d, c, b]);
+        assert_eq!(Polyline::open(vec![a, b, c, d]).reversed().vertices, [d, c, b, a]);
+    }
+
+    #[test]
+    fn a_ring_is_resampled_evenly_over_its_seam() {
+        let even = ring(7, 10.0).resampled(1.0);
+        assert!(even.closed && even.vertices.len() == 61, "{}", even.vertices.len());
+        assert!(even.segments().all(|(a, b)| ((*b - *a).length() - 1.0).abs() < 0.1));
+        let tiny = ring(7, 0.2).resampled(1.0);
+        assert!(!tiny.closed && tiny.vertices.first() == tiny.vertices.last());
+    }
+
+    #[test]
+    fn long_segments_are_divided_that_of_the_seam_too() {
+        let mut square = square();
+        square.subdivide(1.0);
+        assert_eq!((square.vertices.len(), square.closed), (12, true));
+        let mut open = Polyline::open(vec![MmPoint::new(0.0, 0.0), MmPoint::new(2.5, 0.0)]);
+        open.subdivide(1.0);
+        assert_eq!(open.vertices.len(), 4);
+        assert_eq!(open.vertices[3], MmPoint::new(2.5, 0.0));
+    }
+
+    #[test]
+    fn a_ring_is_opened_at_any_vertex() {
+        let open = square().opened_at(2);
+        assert_eq!(open.vertices.len(), 5);
+        assert!(!open.closed && open.vertices[0] == square().vertices[2] && open.vertices[4] == open.vertices[0]);
     }
 }
