@@ -1,14 +1,10 @@
 //! Pages of dots keep what their profiles promise, on every sample and every device: dots lie where the device presses them,
 //! lines are one dot wide and hold together, and empty dots lie between what fingers must tell apart.
 
-#[path = "common/page.rs"]
-mod page;
-#[path = "common/samples.rs"]
-mod samples;
-
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
+use crate::common::{page, samples};
 use tactograph::Page;
 use tactograph::internals::devices::{Grid, Room};
 use tactograph::internals::output::dots::{Matrix, dots};

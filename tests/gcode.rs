@@ -1,18 +1,14 @@
-//! G-code for BrailleRAP, run on a machine that forgives nothing (`tools/src/bin/travel/machine.rs`), and how far the needle
+//! G-code for BrailleRAP, run on a machine that forgives nothing (`tools/src/travel/machine.rs`), and how far the needle
 //! travels.
-
-#[path = "../tools/src/bin/travel/machine.rs"]
-mod machine;
-#[path = "../tools/src/bin/travel/sets.rs"]
-mod sets;
 
 use std::collections::BTreeSet;
 
-use machine::Sheet;
 use proptest::prelude::*;
 use tactograph::internals::output::dots::gcode::{Params, Refused, is_as_written, write};
 use tactograph::internals::output::dots::tour::{self, Place};
 use tactograph::internals::units::MmPoint;
+use tactograph_tools::travel::machine::{self, Sheet};
+use tactograph_tools::travel::sets;
 
 /// How far above the bound a path may lie: the drawing's is 6 % above it, where the bound itself is low.
 const OVER_BOUND: f64 = 1.08;

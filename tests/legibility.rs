@@ -1,12 +1,6 @@
 //! What a fingertip needs holds on every page, measured on the finished marks alone: widths, lengths, gaps, ink.
 
-#[path = "common/apart.rs"]
-mod apart;
-#[path = "common/page.rs"]
-mod page;
-#[path = "common/samples.rs"]
-mod samples;
-
+use crate::common::{apart, page, samples};
 use tactograph::Page;
 use tactograph::internals::geom::{nearest_on_segment, segment_distance};
 use tactograph::internals::page::{Line, Shape};

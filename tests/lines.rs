@@ -1,15 +1,7 @@
 //! Lines for fingers, on pictures that nobody has looked at: noise, spirals, stars and scenes thrown together. And less
 //! detail is a part of more.
 
-#[path = "common/apart.rs"]
-mod apart;
-#[path = "common/drawn.rs"]
-mod drawn;
-#[path = "common/page.rs"]
-mod page;
-#[path = "common/samples.rs"]
-mod samples;
-
+use crate::common::{apart, drawn, page, samples};
 use tactograph::internals::edges;
 use tactograph::internals::frame::Frame;
 use tactograph::internals::lines::{self, Line};

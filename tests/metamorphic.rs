@@ -1,10 +1,8 @@
 //! A picture turned, flipped or shifted must give the page turned, flipped or shifted: no direction is special.
 
-#[path = "common/samples.rs"]
-mod samples;
-
 use std::sync::Arc;
 
+use crate::common::samples;
 use tactograph::internals::classes::{self, Class};
 use tactograph::internals::edges::{self, Edges};
 use tactograph::internals::error::Error;

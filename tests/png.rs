@@ -1,8 +1,6 @@
 //! PNG pages are what they claim to be: the true size to one pixel, black and white, the drawing of the SVG.
 
-#[path = "common/page.rs"]
-mod page;
-
+use crate::common::page;
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tactograph::internals::output::png::{Depth, Dpi, is_as_written, write};

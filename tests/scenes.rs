@@ -1,9 +1,6 @@
 //! Drawn scenes with a known truth: the height of a step, its place, the middle of a pen stroke, which of two lines stays.
 
-#[path = "common/drawn.rs"]
-mod drawn;
-
-use drawn::LINES;
+use crate::common::drawn::LINES;
 use tactograph::internals::edges::{self, Edges};
 use tactograph::internals::frame::Frame;
 use tactograph::internals::lines::{self, Line};

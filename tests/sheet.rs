@@ -1,14 +1,8 @@
 //! The sheet: on every profile and sample nothing leaves the margins, touches its neighbour or falls below what the profile
 //! promises, and changing one number does to the page what a person would expect.
 
-#[path = "common/apart.rs"]
-mod apart;
-#[path = "common/page.rs"]
-mod page;
-#[path = "common/samples.rs"]
-mod samples;
-
-use page::page_for;
+use crate::common::page::page_for;
+use crate::common::{apart, samples};
 use tactograph::Note;
 use tactograph::internals::geom::nearby::{Nearby, Segment};
 use tactograph::internals::geom::nearest_on_segment;

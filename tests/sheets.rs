@@ -1,10 +1,8 @@
 //! A picture on several sheets: laid by their ticks they show one picture, and each can be told by touch.
 
-#[path = "common/samples.rs"]
-mod samples;
-
 use std::sync::Arc;
 
+use crate::common::samples;
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::internals::page::spread::Grid;
 use tactograph::internals::page::{Page, Run};

@@ -1,10 +1,8 @@
 //! What a page does not need is not done: the stages tell what ran and what was skipped.
 
-#[path = "common/page.rs"]
-mod page;
-
 use std::io::Cursor;
 
+use crate::common::page;
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, RgbImage};
 use tactograph::internals::note::Note;
 use tactograph::internals::pipeline::{Drawing, Event, Stage};

@@ -1,10 +1,6 @@
 //! The ids, layers and data that other programs rely on are in every page (the shape is in `src/output/svg.rs`).
 
-#[path = "common/page.rs"]
-mod page;
-#[path = "common/samples.rs"]
-mod samples;
-
+use crate::common::{page, samples};
 use roxmltree::{Document, Node};
 use tactograph::internals::profile::Profile;
 

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! What was learned by measuring (a fingertip of 1.5 mm is the hard case; coherence, and the share read right in the scenes
-//! of `tools/src/bin/touch`):
+//! of `tools/src/touch`):
 //!
 //! * **A row must outlast the blur.** A fingertip f leaves the fraction exp(-2 pi^2 f^2 / d^2) of rows at a distance d: at
 //!   1.5 mm 0.02 of rows 3.4 mm apart, 0.06 of rows 4.0 mm apart. The share of all places that is read right at 1.5 mm

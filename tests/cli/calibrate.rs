@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn a_pdf_has_all_sheets_and_their_key_is_told() {

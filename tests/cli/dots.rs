@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 /// The picture's page in a format, from standard output.
 #[track_caller]

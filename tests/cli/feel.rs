@@ -1,6 +1,6 @@
 //! `tactograph feel`: what is said of a page, and of what is none.
 
-use crate::common::*;
+use crate::cli::common::*;
 
 /// A place with a page of a drawing in it: half blue, half white.
 fn with_page() -> Place {

@@ -1,6 +1,6 @@
 //! Parts of a picture, sizes on the sheet, and pages with less or the other way round.
 
-use crate::common::*;
+use crate::cli::common::*;
 
 fn page(place: &Place, words: &[&str]) -> String {
     let run = place.run(&[&["convert", "a.png", "-q", "-o", "-"], words].concat());

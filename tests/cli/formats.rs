@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 /// The format that a file really has.
 #[track_caller]

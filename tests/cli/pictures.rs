@@ -3,7 +3,7 @@
 use std::io::{Read, Write};
 use std::process::Stdio;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn each_bad_picture_has_its_own_line() {

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn the_page_lies_beside_the_picture() {

@@ -1,6 +1,6 @@
 //! Profiles and their values.
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn profiles_are_listed_and_shown() {

@@ -1,6 +1,6 @@
 //! Several pictures in one run.
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn several_pictures_go_to_a_directory_and_are_told_in_order() {

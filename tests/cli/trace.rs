@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 /// The trace in a text, after a look at whether it is what was promised.
 #[track_caller]

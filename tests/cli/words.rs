@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn timings_are_told_for_every_stage() {

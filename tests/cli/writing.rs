@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::*;
+use crate::cli::common::*;
 
 #[test]
 fn an_old_page_is_replaced_when_the_new_one_is_complete() {

@@ -7,7 +7,7 @@ use tactograph::internals::classes::Classes;
 use tactograph::internals::pipeline::{Request, colours};
 use tactograph::internals::profile::{Plan, Profile};
 
-use crate::page;
+use crate::common::page;
 
 const SAMPLES: [&str; 7] =
     ["astronaut.png", "bars.svg", "chelsea.png", "coffee.png", "landscape.svg", "portrait.svg", "rocket.jpg"];

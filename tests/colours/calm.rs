@@ -4,7 +4,7 @@ use tactograph::internals::classes::{self, Class, Classes};
 use tactograph::internals::raster::Raster;
 use tactograph::internals::units::Size;
 
-use crate::scenes::{self, Dice, PX_PER_MM, decoded};
+use crate::colours::scenes::{self, Dice, PX_PER_MM, decoded};
 
 /// A picture of 120 by 80 mm whose colour (sRGB) is given for a place (0..1), with slow noise on saturation and hue, as haze has
 /// it, and grain.

@@ -4,7 +4,7 @@ use tactograph::internals::output::svg;
 use tactograph::internals::page::{Class, Shape};
 use tactograph::internals::touch;
 
-use crate::page;
+use crate::common::page;
 
 /// Colours that are typical of their class or lean to a neighbour: class, the neighbour, and three shades, sRGB.
 const COLOURS: [(Class, Option<Class>, [u32; 3]); 12] = [

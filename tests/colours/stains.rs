@@ -3,7 +3,7 @@
 use tactograph::internals::classes::{self, Params};
 use tactograph::internals::units::PxPoint;
 
-use crate::scenes::{self, PX_PER_MM, Scene, Style};
+use crate::colours::scenes::{self, PX_PER_MM, Scene, Style};
 
 const STYLES: [Style; 6] = [
     Style { name: "no outline", outline: 0.0, ink: 0.0, softness: 0.5, noise: 0.0 },

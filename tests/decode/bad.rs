@@ -4,7 +4,7 @@ use tactograph::Error;
 use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
 use tactograph::internals::units::Size;
 
-use crate::{decode_to, fault, folder, no_fonts, open, read, whole};
+use crate::decode::{decode_to, fault, folder, no_fonts, open, read, whole};
 
 #[test]
 fn what_is_no_picture_is_named() {

@@ -4,7 +4,7 @@ use tactograph::internals::raster::decode::Source;
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
-use crate::{SCENE, SIZE, STEP, check, decode_to, grey, light, linear, open, quarters, read, scene, whole};
+use crate::decode::{SCENE, SIZE, STEP, check, decode_to, grey, light, linear, open, quarters, read, scene, whole};
 
 #[test]
 fn every_format_shows_the_scene() {

@@ -7,7 +7,7 @@ use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
-use crate::{check, decode_to, fault, folder, open, read, whole};
+use crate::decode::{check, decode_to, fault, folder, open, read, whole};
 
 #[test]
 fn nothing_outside_a_drawing_is_reached() {

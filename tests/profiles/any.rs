@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use tactograph::internals::profile::{Fault, Profile, built_in};
 
-use crate::named;
+use crate::profiles::named;
 
 /// Scraps of profiles, to come nearer to real mistakes than random letters do.
 const SCRAPS: &[&str] = &[

@@ -2,7 +2,7 @@
 
 use tactograph::internals::profile::{Profile, built_in};
 
-use crate::in_lines;
+use crate::profiles::in_lines;
 
 /// The faults of a text as the program prints them, one on a line.
 fn faults(text: &str) -> String {

@@ -5,7 +5,7 @@ use tactograph::internals::textures::Sign;
 
 fn faults(text: &str) -> String {
     let text = format!("inherits = \"swell-a4\"\n{text}");
-    Profile::from_toml(&text, "my.toml").map_or_else(|faults| crate::in_lines(&faults), |_| "none".into())
+    Profile::from_toml(&text, "my.toml").map_or_else(|faults| crate::profiles::in_lines(&faults), |_| "none".into())
 }
 
 #[test]

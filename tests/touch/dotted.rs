@@ -1,14 +1,14 @@
 //! Can a fingertip tell the textures of dots, as profiles ship them? On embossers and pins every colour, in braille cells
 //! some. `cargo run --release -p tactograph-tools --bin touch -- --dots PROFILE` prints the same for more scenes.
 
-use crate::dots::Device;
-use crate::judge::{self, Tally};
-use crate::scenes::{self, FINE_PX};
 use tactograph::internals::dots::textures::carried;
 use tactograph::internals::output::svg;
 use tactograph::internals::page::{Class, Palette};
 use tactograph::internals::profile::Profile;
 use tactograph::internals::touch::Ink;
+use tactograph_tools::touch::dots::Device;
+use tactograph_tools::touch::judge::{self, Tally};
+use tactograph_tools::touch::scenes::{self, FINE_PX};
 
 /// What must be read right on the pages of a profile.
 struct Wanted {

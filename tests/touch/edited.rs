@@ -5,7 +5,9 @@ use tactograph::internals::page::Class;
 use tactograph::internals::touch::{self, Ink, Report};
 use tactograph::internals::units::{MmPoint, MmRect};
 
-use crate::{chart, params};
+use tactograph_tools::touch::chart;
+
+use crate::touch::params;
 
 /// A page with one texture, as an editor would get it.
 fn page(class: Class) -> String {
@@ -52,7 +54,7 @@ fn a_page_with_other_signs_is_read_by_them() {
     let sea_and_sand = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
         <rect width=\"150\" height=\"200\" fill=\"#24c\"/><rect x=\"150\" width=\"150\" height=\"200\" fill=\"#fd0\"/></svg>";
     let signs = [("textures.palette.blue", "rhombus 90"), ("textures.palette.yellow", "rhombus 0")];
-    let page = svg::write(&crate::page::page_of(sea_and_sand.as_bytes(), "sea", &signs, &mut |_| ()).page);
+    let page = svg::write(&crate::common::page::page_of(sea_and_sand.as_bytes(), "sea", &signs, &mut |_| ()).page);
     let classes = report(&page).classes;
     assert_eq!(classes.iter().map(|of| of.class).collect::<Vec<_>>(), [Class::Blue, Class::Yellow]);
     assert!(classes.iter().all(|of| of.right > 0.98 && of.judged > 1500.0), "{classes:?}");

@@ -9,10 +9,6 @@
 //! Stages are called as `src/pipeline.rs` calls them, with the parameters of swell-a4. The whole program beside others is
 //! `tools/src/bin/bench_all/`; what CI watches are counted instructions (`tests/instructions.sh`), since times differ.
 
-#[path = "../src/bin/bench_all/photo.rs"]
-#[allow(dead_code, reason = "one of its pictures is used here")]
-mod photo;
-
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Duration;
@@ -30,7 +26,7 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::{self, Limits, Options, Picture, Source};
 use tactograph::internals::units::Size;
 use tactograph::internals::{classes, edges, lines, textures, touch};
-use tactograph_tools::ROOT;
+use tactograph_tools::{ROOT, photo};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 

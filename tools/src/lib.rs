@@ -1,4 +1,13 @@
-//! What the measuring programs share.
+//! What the measuring programs share with one another and with the project's tests.
+
+pub mod near;
+pub mod photo;
+pub mod rng;
+pub mod touch;
+pub mod travel;
 
 /// The root of the project, where `samples`, `docs` and `target` are.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// A point of a scene, px.
+pub type P = [f64; 2];

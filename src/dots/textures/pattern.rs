@@ -22,7 +22,7 @@
 //!   0.83 to 0.93 of it right, with a quarter of it left out 0.97 and more. Each is the same after a quarter turn.
 //! * **Two levels** are enough: lightness and lines together say which. A level more would be bundles of rows.
 //!
-//! Read right on the pages that profiles ship, with two empty dots round lines, of the scenes of `tools/src/bin/touch` (`--dots
+//! Read right on the pages that profiles ship, with two empty dots round lines, of the scenes of `tools/src/touch` (`--dots
 //! PROFILE`; all kinds, seeds 1000 to 1005, never tuned to; in brackets seeds 0 to 5; the last two rows before narrow areas kept
 //! one empty dot):
 //!

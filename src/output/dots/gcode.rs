@@ -66,7 +66,7 @@ pub struct Params {
     /// its user choose bands of 2 mm or blocks of 12 mm, which are in use; it says nothing of slipping, and no measurement
     /// is known. So 12 mm is the most that is known to be done. It costs travel: for a drawing of lines some 60 % over paths
     /// that go anywhere (5.4 m instead of 3.3 m for 1,070 dots; 2.4 minutes instead of 2.0), for text 12 %, for textures nothing
-    /// (`tools/src/bin/travel/main.rs`).
+    /// (`tools/src/bin/travel.rs`).
     pub most_back: f32,
     /// A comment in the first line.
     pub title: String,

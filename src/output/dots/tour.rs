@@ -15,7 +15,7 @@
 //! 3. 2-opt and Or-opt with neighbour lists until no change is a gain: about n changes of up to n steps each, mostly few.
 //! 4. Up to 10,000 small upsets, each taken back unless 2-opt and Or-opt make a gain of it.
 //!
-//! 20,000 dots take 0.16 s, 2,000 dots 0.06 s. `tools/src/bin/travel/main.rs` tells lengths and times: without
+//! 20,000 dots take 0.16 s, 2,000 dots 0.06 s. `tools/src/bin/travel.rs` tells lengths and times: without
 //! a limit to `most_back` paths are 1 to 3 % above the bound of Held and Karp for up to some 3,000 dots at random, in text
 //! and in textures, 6 % in drawings where the bound itself is low.
 

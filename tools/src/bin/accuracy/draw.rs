@@ -4,8 +4,8 @@
 //! outline covers. A lens of Gaussian blur and square pixels then weigh the cells; the weights are integrals of the
 //! continuous blur over each cell, so no edge is moved by sampling. Everything is in code values 0..=255.
 
-use crate::rng::Rng;
 use crate::scene::{Fill, P, Scene};
+use tactograph_tools::rng::Rng;
 
 /// Cells along the side of a pixel. With 4, the value of a pixel on a step of 100 differs from the exact integral by less
 /// than half a code value (tested), evenly on both sides of the edge, so that the edge stays in place.

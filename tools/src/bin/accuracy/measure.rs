@@ -3,10 +3,10 @@
 //! Traced lines are walked in steps of at most a quarter of a pixel, so every measure is weighted by length. What lies
 //! nearer than [`BORDER`] to the picture's border is not judged, traced or true.
 
-use crate::near::Near;
 use crate::scene::{Curve, Family, P, Scene};
 use crate::shapes::{SPACING, moved};
 use crate::sums::{STEP_CLASS, Sums, rank_correlation};
+use tactograph_tools::near::Near;
 
 /// Width of the strip along the picture's border that is not judged, px.
 const BORDER: f64 = 10.0;

@@ -1,7 +1,6 @@
 //! A scene and the truth about it, in pixels: x right, y down, pixel centres at +0.5.
 
-/// A place in a scene.
-pub(crate) type P = [f64; 2];
+pub(crate) use tactograph_tools::P;
 /// Red, green and blue in code values.
 pub(crate) type Colour = [f64; 3];
 

@@ -5,7 +5,7 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::photo::{self, Picture};
+use tactograph_tools::photo::{self, Picture};
 
 /// Changes whenever the pictures do; files made by another are made anew.
 const EDITION: &str = "2";

@@ -27,7 +27,6 @@ mod measured;
 mod numbers;
 mod ours;
 mod peers;
-mod photo;
 mod rounds;
 mod stages;
 mod table;

@@ -5,9 +5,9 @@ use tactograph::internals::frame::Frame;
 use tactograph::internals::touch::{Ink, Report};
 use tactograph::internals::units::{MmPoint, MmRect, PxPoint, Size};
 
-use crate::near::Near;
 use crate::run::Outcome;
 use crate::scene::{P, Scene};
+use tactograph_tools::near::Near;
 
 /// A fingertip, mm.
 pub(crate) const FINGER: f32 = 1.0;

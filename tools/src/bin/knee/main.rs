@@ -33,11 +33,6 @@
 mod clock;
 mod compare;
 mod dotted;
-#[path = "../accuracy/near.rs"]
-mod near;
-#[path = "../bench_all/photo.rs"]
-#[allow(dead_code, reason = "one of its pictures is used here")]
-mod photo;
 mod pictures;
 mod plot;
 mod rows;

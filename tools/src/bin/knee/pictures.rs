@@ -5,7 +5,6 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::photo;
 use crate::scene::Scene;
 
 /// A picture as its file.
@@ -44,7 +43,7 @@ pub(crate) fn all(folder: &Path) -> Result<Vec<Picture>, String> {
         let bytes = made(name, scene.size, &|| scene.pixels())?;
         pictures.push(Picture { name, bytes, scene: Some(scene), is_jpeg: true });
     }
-    let bytes = made("photo-12", PHOTO, &|| photo::photo(PHOTO[0], PHOTO[1]).bytes())?;
+    let bytes = made("photo-12", PHOTO, &|| tactograph_tools::photo::photo(PHOTO[0], PHOTO[1]).bytes())?;
     pictures.push(Picture { name: "photo-12", bytes, scene: None, is_jpeg: true });
     for name in
         ["coffee.png", "astronaut.png", "chelsea.png", "rocket.jpg", "landscape.svg", "portrait.svg", "chart.svg"]

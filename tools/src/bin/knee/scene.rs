@@ -17,8 +17,7 @@ const SHAPES: usize = 26;
 /// Least distance of two shapes, px: 7 mm and more on an A4 page, so that no line makes way for another.
 const APART: f64 = 125.0;
 
-/// A place, in pixels of a scene or mm on the page.
-pub(crate) type P = [f64; 2];
+pub(crate) use tactograph_tools::P;
 
 /// Hues in the middle of their classes, degrees; grey has none.
 const HUES: [(Class, f64); 5] =

@@ -1,9 +1,9 @@
 //! One contour to a scene: straight, round, wavy, with corners, fading, of equal lightness.
 
 use super::{FAINT_STEPS, STEPS, greys, middle, start};
-use crate::rng::Rng;
 use crate::scene::{Curve, Family, Fill, P, Scene};
 use crate::shapes::{self, direction, half_plane, moved, sides, whole_line};
+use tactograph_tools::rng::Rng;
 
 /// One of 36 angles, 5 degrees apart.
 pub(super) fn straight(number: usize) -> Scene {

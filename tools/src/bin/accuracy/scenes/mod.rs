@@ -5,8 +5,8 @@ mod close;
 mod lone;
 mod quiet;
 
-use crate::rng::Rng;
 use crate::scene::{Family, P, Scene};
+use tactograph_tools::rng::Rng;
 
 /// Radii of the discs, px; each is drawn twice.
 const RADII: [f64; 13] = [5.0, 6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 30.0, 45.0, 60.0, 90.0, 130.0, 200.0];

@@ -14,13 +14,15 @@ use tactograph::internals::pipeline::{Fit, Request};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::units::{MmPoint, MmRect, Size};
 
-use crate::scenes::{SIDE_MM, Scene};
+use super::scenes::{SIDE_MM, Scene};
 
 /// A profile of dots.
-pub(crate) struct Device {
+pub struct Device {
     plan: Plan,
-    pub(crate) room: Room,
-    pub(crate) params: Params,
+    /// Where it can put dots.
+    pub room: Room,
+    /// Its textures.
+    pub params: Params,
     sheet: [f32; 2],
     /// Parts of a scene along each side.
     parts: usize,
@@ -28,7 +30,7 @@ pub(crate) struct Device {
 
 impl Device {
     /// The device of a profile; none if it is not one of dots.
-    pub(crate) fn of(profile: &Profile) -> Option<Self> {
+    pub fn of(profile: &Profile) -> Option<Self> {
         let mut profile = profile.clone();
         // it has a sheet to itself, and is not felt here
         profile.set("overview", "false").expect("a key of the profile");
@@ -40,7 +42,7 @@ impl Device {
     }
 
     /// The pages of a scene at its size, each with the part of the scene that is on it.
-    pub(crate) fn pages_of(&self, scene: &Scene) -> Vec<(Scene, Page)> {
+    pub fn pages_of(&self, scene: &Scene) -> Vec<(Scene, Page)> {
         let width = SIDE_MM as f32 / self.parts as f32;
         let pages = scene.parts(self.parts).into_iter().map(|part| {
             let page = self.page_of(&part.picture, Some(width));
@@ -50,7 +52,7 @@ impl Device {
     }
 
     /// The page of a picture, so many millimetres wide or as large as it can be.
-    pub(crate) fn page_of(&self, picture: &[u8], width: Option<f32>) -> Page {
+    pub fn page_of(&self, picture: &[u8], width: Option<f32>) -> Page {
         let fonts = || Arc::new(usvg::fontdb::Database::new());
         let fit = Fit { width, ..Fit::default() };
         let request = Request { plan: &self.plan, limits: Default::default(), fonts: &fonts, title: "scene", fit };
@@ -58,7 +60,7 @@ impl Device {
     }
 
     /// One texture on a square of the sheet, and where it lies: in the middle, with sides of `side` mm.
-    pub(crate) fn page_of_sample(&self, class: Class, lightness: f32, density: f32, side: f32) -> (Page, MmRect) {
+    pub fn page_of_sample(&self, class: Class, lightness: f32, density: f32, side: f32) -> (Page, MmRect) {
         let middle = self.room.bounds().center();
         let half = MmPoint::new(0.5 * side, 0.5 * side).to_vector();
         let place = MmRect::new(middle - half, middle + half);

@@ -1,9 +1,9 @@
 //! The nearest of many points, through a grid.
 
-use crate::scene::P;
+use crate::P;
 
 /// Points sorted into square cells.
-pub(crate) struct Near {
+pub struct Near {
     points: Vec<P>,
     /// Side of a cell, px; also how far [`Near::nearest`] sees.
     reach: f64,
@@ -15,7 +15,8 @@ pub(crate) struct Near {
 }
 
 impl Near {
-    pub(crate) fn new(points: Vec<P>, size: [usize; 2], reach: f64) -> Self {
+    /// Points of a picture of `size` pixels, sorted for searches as far as `reach`.
+    pub fn new(points: Vec<P>, size: [usize; 2], reach: f64) -> Self {
         let [columns, rows] = size.map(|n| (n as f64 / reach).ceil() as usize + 1);
         let mut near = Self { points, reach, columns, rows, order: Vec::new(), starts: vec![0; columns * rows + 1] };
         let cells: Vec<usize> = near.points.iter().map(|&p| near.cell(p)).collect();
@@ -41,7 +42,7 @@ impl Near {
     }
 
     /// Number and distance of the nearest point, if it is not farther than the reach.
-    pub(crate) fn nearest(&self, p: P) -> Option<(usize, f64)> {
+    pub fn nearest(&self, p: P) -> Option<(usize, f64)> {
         let [column, row] = self.place(p);
         let mut best = (usize::MAX, self.reach * self.reach);
         for row in row.saturating_sub(1)..(row + 2).min(self.rows) {

@@ -19,7 +19,7 @@ const DENSITIES: [(f32, &str); 4] =
 const LIGHTNESSES: [(f32, &str); 3] = [(0.85, "pale"), (0.5, "pure"), (0.2, "dark")];
 
 /// A page with one texture on it.
-pub(crate) fn page_of_sample(class: Class, lightness: f32, density: f32, place: MmRect, params: &Params) -> Page {
+pub fn page_of_sample(class: Class, lightness: f32, density: f32, place: MmRect, params: &Params) -> Page {
     let texture = sample(class, lightness, density, place, params);
     let figure = Figure { place, source: Size::new(1, 1), textures: vec![texture], lines: Vec::new() };
     let parts = Parts::of([place.max.x + place.min.x, place.max.y + place.min.y], figure);
@@ -27,7 +27,7 @@ pub(crate) fn page_of_sample(class: Class, lightness: f32, density: f32, place: 
 }
 
 /// The chart as an SVG drawing in millimetres.
-pub(crate) fn chart(params: &Params) -> String {
+pub fn chart(params: &Params) -> String {
     let rows = Class::ALL.len() * LIGHTNESSES.len();
     let (width, height) = (LEFT + STEP[0] * DENSITIES.len() as f32, TOP + STEP[1] * rows as f32);
     let mut text = format!(

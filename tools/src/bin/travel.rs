@@ -11,15 +11,13 @@
 //! the machine takes with the default speeds and the magnet's time, milliseconds what finding the order takes.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
-mod machine;
-mod sets;
-
 use std::error::Error;
 use std::time::Instant;
 
 use tactograph::internals::output::dots::gcode::{self, Params};
 use tactograph::internals::output::dots::tour::{self, Place};
 use tactograph::internals::units::MmPoint;
+use tactograph_tools::travel::{machine, sets};
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!(

@@ -8,10 +8,13 @@
 use std::num::NonZero;
 
 /// Samples of 16 bits, three to a pixel, row by row.
-pub(crate) struct Picture {
-    pub(crate) width: usize,
-    pub(crate) height: usize,
-    pub(crate) rgb: Vec<u16>,
+pub struct Picture {
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// All samples.
+    pub rgb: Vec<u16>,
 }
 
 impl Picture {
@@ -37,7 +40,7 @@ impl Picture {
     }
 
     /// The same in 8 bits.
-    pub(crate) fn bytes(&self) -> Vec<u8> {
+    pub fn bytes(&self) -> Vec<u8> {
         self.rgb.iter().map(|&sample| (sample >> 8) as u8).collect()
     }
 }
@@ -148,7 +151,7 @@ const THINGS: u32 = 90;
 const GRAIN: f32 = 4.0 / 255.0;
 
 /// A photograph of a made-up scene.
-pub(crate) fn photo(width: usize, height: usize) -> Picture {
+pub fn photo(width: usize, height: usize) -> Picture {
     let things: Vec<Thing> = (0..THINGS).map(Thing::nth).collect();
     let scale = width as f32;
     Picture::paint(width, height, |column, row| {
@@ -183,7 +186,7 @@ pub(crate) fn photo(width: usize, height: usize) -> Picture {
 }
 
 /// A picture full of texture: a lawn, blade by blade.
-pub(crate) fn lawn(width: usize, height: usize) -> Picture {
+pub fn lawn(width: usize, height: usize) -> Picture {
     let mut lawn = Picture::paint(width, height, |_, _| [0.1, 0.16, 0.05]);
     let blades = width * height / 90;
     for i in 0..blades as u32 {
@@ -211,11 +214,11 @@ pub(crate) fn lawn(width: usize, height: usize) -> Picture {
 }
 
 /// Nothing but noise, each sample on its own.
-pub(crate) fn noise(width: usize, height: usize) -> Picture {
+pub fn noise(width: usize, height: usize) -> Picture {
     Picture::paint(width, height, |x, y| std::array::from_fn(|c| chance(x as u32, y as u32, c as u32)))
 }
 
 /// A blank sheet.
-pub(crate) fn white(width: usize, height: usize) -> Picture {
+pub fn white(width: usize, height: usize) -> Picture {
     Picture::paint(width, height, |_, _| [1.0; 3])
 }

@@ -4,7 +4,7 @@ use tactograph::internals::page::{Class, Page};
 use tactograph::internals::touch::{Felt, distances};
 use tactograph::internals::units::{MmPoint, Size};
 
-use crate::scenes::{Scene, Truth};
+use super::scenes::{Scene, Truth};
 
 /// Places nearer to a border than this are not judged, mm.
 const INSIDE: f32 = 7.0;
@@ -18,25 +18,26 @@ const EVERY: f32 = 1.0;
 
 /// How many places of each class (white is the sixth) were judged, and as what they were felt.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Tally {
+pub struct Tally {
     /// For each class painted, how often each was felt.
-    pub(crate) felt: [[u32; 6]; 6],
+    pub felt: [[u32; 6]; 6],
 }
 
 /// The place of a class in a tally; blank is the last.
-pub(crate) fn index(class: Option<Class>) -> usize {
+pub fn index(class: Option<Class>) -> usize {
     class.and_then(|class| Class::ALL.iter().position(|other| *other == class)).unwrap_or(5)
 }
 
 impl Tally {
-    pub(crate) fn add(&mut self, other: &Self) {
+    /// Adds what another scene gave.
+    pub fn add(&mut self, other: &Self) {
         for (row, more) in self.felt.iter_mut().zip(other.felt) {
             row.iter_mut().zip(more).for_each(|(count, more)| *count += more);
         }
     }
 
     /// How many places of these classes were judged, and the share that was felt right.
-    pub(crate) fn share(&self, classes: std::ops::Range<usize>) -> (u32, f32) {
+    pub fn share(&self, classes: std::ops::Range<usize>) -> (u32, f32) {
         let judged: u32 = classes.clone().flat_map(|class| self.felt[class]).sum();
         let right: u32 = classes.map(|class| self.felt[class][class]).sum();
         (judged, if judged > 0 { right as f32 / judged as f32 } else { f32::NAN })
@@ -76,7 +77,7 @@ fn judged(scene: &Scene, mm_per_px: f32) -> Vec<(usize, usize, Option<Class>)> {
 }
 
 /// Holds what is felt on the page of a scene against the scene.
-pub(crate) fn judge(scene: &Scene, page: &Page, felt: &Felt) -> Tally {
+pub fn judge(scene: &Scene, page: &Page, felt: &Felt) -> Tally {
     let place = page.figure.place;
     let mm_per_px = place.width() / scene.side as f32;
     let mut tally = Tally::default();
@@ -90,7 +91,7 @@ pub(crate) fn judge(scene: &Scene, page: &Page, felt: &Felt) -> Tally {
 
 /// One texture all over a page, and what is felt of it: the share of places, further than [`INSIDE`] from its edge, that are
 /// felt as `class`.
-pub(crate) fn share_of_sample(class: Class, felt: &Felt, place: tactograph::internals::units::MmRect) -> f32 {
+pub fn share_of_sample(class: Class, felt: &Felt, place: tactograph::internals::units::MmRect) -> f32 {
     let inner = place.inflate(-INSIDE, -INSIDE);
     let (mut judged, mut right) = (0, 0);
     let steps = |side: f32| (side / EVERY) as u32;

@@ -17,7 +17,7 @@ const LEAST: f32 = 20.0;
 
 /// Pairs of a local density of lines, 0..=1, and the share of glyphs that are there of those in the densest texture.
 /// `dense` is the same page with the densest texture all over.
-pub(crate) fn pairs(page: &Page, dense: &Page, class: Class) -> Vec<(f32, f32)> {
+pub fn pairs(page: &Page, dense: &Page, class: Class) -> Vec<(f32, f32)> {
     let key = |at: MmPoint| ((at.x * 100.0).round() as i32, (at.y * 100.0).round() as i32);
     let glyphs = |page: &Page| -> Vec<MmPoint> {
         let textures = page.figure.textures.iter().filter(|texture| texture.class == class);
@@ -69,7 +69,7 @@ fn lines_near(lines: &[Line], at: MmPoint) -> f32 {
 }
 
 /// Pearson's correlation.
-pub(crate) fn correlation(pairs: &[(f32, f32)]) -> f32 {
+pub fn correlation(pairs: &[(f32, f32)]) -> f32 {
     let count = pairs.len() as f32;
     let mean = |value: &dyn Fn(&(f32, f32)) -> f32| pairs.iter().map(value).sum::<f32>() / count;
     let (a, b) = (mean(&|p| p.0), mean(&|p| p.1));

@@ -9,16 +9,17 @@ const LEVELS: usize = 256;
 
 /// How the ink of a class follows lightness at one density.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Boldness {
+pub struct Boldness {
     /// Spearman's rank correlation of ink with darkness, over all levels that are not white.
-    pub(crate) rank: f32,
+    pub rank: f32,
     /// Largest change of ink from one level to the next, as a share of full ink.
-    pub(crate) jump: f32,
+    pub jump: f32,
     /// Whether ink never falls as lightness falls, and is none at white.
-    pub(crate) monotone: bool,
+    pub monotone: bool,
 }
 
-pub(crate) fn measure(class: Class, density: f32, params: &Params) -> Boldness {
+/// Measures the ink of a class at all levels of lightness.
+pub fn measure(class: Class, density: f32, params: &Params) -> Boldness {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(260.0, 260.0));
     let ink: Vec<f32> = (0..LEVELS)
         .map(|level| {
@@ -45,5 +46,5 @@ fn rank_correlation(values: &[f32]) -> f32 {
     };
     let pairs: Vec<(f32, f32)> =
         values.iter().rev().enumerate().map(|(place, value)| (place as f32, rank(*value))).collect();
-    crate::density::correlation(&pairs)
+    super::density::correlation(&pairs)
 }

@@ -37,7 +37,7 @@ fn between(one: &Glyph, other: &Glyph) -> f32 {
 }
 
 /// Everything on a page that is nearer than it may be, and every glyph that is too small.
-pub(crate) fn faults(page: &Page, params: &Params) -> Vec<String> {
+pub fn faults(page: &Page, params: &Params) -> Vec<String> {
     let glyphs: Vec<&Glyph> = page.figure.textures.iter().flat_map(|texture| &texture.glyphs).collect();
     let runs = page.figure.lines.iter().flat_map(|line| &line.runs);
     let segments: Vec<(MmPoint, MmPoint, f32)> =

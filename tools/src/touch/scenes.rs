@@ -11,20 +11,20 @@ use tactograph::internals::page::Class;
 use crate::rng::Rng;
 
 /// Side of a square picture on the A4 profile, mm.
-pub(crate) const SIDE_MM: usize = 166;
+pub const SIDE_MM: usize = 166;
 /// Pixels of a scene for a millimetre.
-pub(crate) const FINE_PX: usize = 3;
+pub const FINE_PX: usize = 3;
 /// Pixels of a quick scene for a millimetre.
-pub(crate) const QUICK_PX: usize = 1;
+pub const QUICK_PX: usize = 1;
 /// Points of a pixel that are averaged along each side.
 const FINE: usize = 2;
 
 /// The kinds of scenes.
-pub(crate) const KINDS: [&str; 6] = ["bars", "ramps", "map", "stripes", "discs", "wheel"];
+pub const KINDS: [&str; 6] = ["bars", "ramps", "map", "stripes", "discs", "wheel"];
 
 /// What lies at a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Truth {
+pub enum Truth {
     /// This colour, of this HSL lightness.
     Colour(Class, f32),
     /// Nothing.
@@ -35,20 +35,20 @@ pub(crate) enum Truth {
 
 /// A picture and what is on it.
 #[derive(Debug, Clone)]
-pub(crate) struct Scene {
+pub struct Scene {
     /// Width and height, px.
-    pub(crate) side: usize,
+    pub side: usize,
     /// The picture as a PPM file.
-    pub(crate) picture: Vec<u8>,
+    pub picture: Vec<u8>,
     /// The colour in the middle of each pixel, row by row.
-    pub(crate) colours: Vec<[f32; 3]>,
+    pub colours: Vec<[f32; 3]>,
     /// The truth in the middle of each pixel, row by row.
-    pub(crate) truth: Vec<Truth>,
+    pub truth: Vec<Truth>,
 }
 
 impl Scene {
     /// The scene cut into so many squares across and as many down.
-    pub(crate) fn parts(&self, count: usize) -> Vec<Self> {
+    pub fn parts(&self, count: usize) -> Vec<Self> {
         let side = self.side / count;
         let corners = (0..count).flat_map(|row| (0..count).map(move |column| (column * side, row * side)));
         corners.map(|(x, y)| self.part(x, y, side)).collect()
@@ -71,9 +71,9 @@ impl Scene {
 }
 
 /// The scene of a kind and a seed, so many pixels a millimetre. Seed 0 stands upright, all others are turned.
-pub(crate) fn scene(kind: usize, seed: u64, px_per_mm: usize) -> Scene {
+pub fn scene(kind: usize, seed: u64, px_per_mm: usize) -> Scene {
     let mut rng = Rng::new(seed * 8 + kind as u64);
-    let turn = if seed == 0 { 0.0 } else { rng.between(0.0, TAU) };
+    let turn = if seed == 0 { 0.0 } else { rng.between_f32(0.0, TAU) };
     match kind {
         0 => paint(px_per_mm, turn, bars()),
         1 => paint(px_per_mm, turn, ramps(&mut rng)),
@@ -112,7 +112,7 @@ fn hsl(hue: f32, saturation: f32, lightness: f32) -> [f32; 3] {
 }
 
 fn lightness_for(class: Class, rng: &mut Rng) -> f32 {
-    rng.between(if class == Class::Yellow { 0.42 } else { 0.15 }, 0.86)
+    rng.between_f32(if class == Class::Yellow { 0.42 } else { 0.15 }, 0.86)
 }
 
 /// The paper's five bars: 26 mm of colour each on white.
@@ -126,7 +126,7 @@ fn bars() -> impl Fn(f32, f32) -> Spot {
 
 /// A band for each class from dark to white.
 fn ramps(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
-    let hues = [(); 5].map(|()| rng.between(0.0, 1.0));
+    let hues = [(); 5].map(|()| rng.between_f32(0.0, 1.0));
     move |x, y| {
         let band = (x + 75.0) / 30.0;
         let lightness = 0.12 + 0.88 * (y + 75.0) / 150.0;
@@ -145,9 +145,9 @@ fn map(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
             let class = rng.below(6);
             let spot = Class::ALL.get(class).map_or(BLANK, |&class| {
                 let lightness = lightness_for(class, rng);
-                colour(class, rng.between(0.0, 1.0), lightness)
+                colour(class, rng.between_f32(0.0, 1.0), lightness)
             });
-            (rng.between(-80.0, 80.0), rng.between(-80.0, 80.0), spot)
+            (rng.between_f32(-80.0, 80.0), rng.between_f32(-80.0, 80.0), spot)
         })
         .collect();
     move |x, y| {
@@ -162,7 +162,7 @@ fn stripes(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
     let (mut at, mut width, mut class) = (-110.0, 34.0, rng.below(5));
     while at < 110.0 {
         let lightness = lightness_for(Class::ALL[class], rng);
-        list.push((at, colour(Class::ALL[class], rng.between(0.0, 1.0), lightness)));
+        list.push((at, colour(Class::ALL[class], rng.between_f32(0.0, 1.0), lightness)));
         at += width;
         width = (width * 0.85_f32).max(4.0);
         class = (class + 1 + rng.below(4)) % 5;
@@ -177,11 +177,11 @@ fn discs(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
     while diameter >= 4.0 {
         for _ in 0..200 {
             let room = 80.0 - 0.5 * diameter;
-            let (x, y) = (rng.between(-room, room), rng.between(-room, room));
+            let (x, y) = (rng.between_f32(-room, room), rng.between_f32(-room, room));
             if list.iter().all(|other| (other.0 - x).hypot(other.1 - y) > 0.5 * diameter + other.2 + 5.0) {
                 let class = Class::ALL[rng.below(5)];
                 let lightness = lightness_for(class, rng);
-                list.push((x, y, 0.5 * diameter, colour(class, rng.between(0.0, 1.0), lightness)));
+                list.push((x, y, 0.5 * diameter, colour(class, rng.between_f32(0.0, 1.0), lightness)));
                 break;
             }
         }
@@ -192,7 +192,7 @@ fn discs(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
 
 /// All hues round a grey hub, light or dark.
 fn wheel(rng: &mut Rng) -> impl Fn(f32, f32) -> Spot {
-    let (lightness, hub, start) = (rng.between(0.42, 0.8), rng.between(0.2, 0.85), rng.between(0.0, 360.0));
+    let (lightness, hub, start) = (rng.between_f32(0.42, 0.8), rng.between_f32(0.2, 0.85), rng.between_f32(0.0, 360.0));
     move |x, y| {
         let (radius, hue) = (x.hypot(y), (y.atan2(x).to_degrees() + start).rem_euclid(360.0));
         let class = match hue {

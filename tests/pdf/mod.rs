@@ -1,12 +1,9 @@
 //! PDF files are what they claim to be: the true size, the marks of the SVG, its layers, words for those who cannot see it.
 //! What other people's programs say to them is in `tests/clients.sh`.
 
-#[path = "../common/page.rs"]
-mod page;
 mod reader;
-#[path = "../common/samples.rs"]
-mod samples;
 
+use crate::common::{page, samples};
 use reader::{Mark, Reader, string_of};
 use roxmltree::{Document, Node};
 use tactograph::Page;

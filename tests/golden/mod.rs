@@ -5,14 +5,10 @@
 //! golden` writes what the program makes now, and fails, so that nobody forgets to look at the difference and at the
 //! renderings before committing them; under CI it is refused.
 
-#[path = "../common/page.rs"]
-mod page;
-#[path = "../common/samples.rs"]
-mod samples;
-
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use crate::common::{page, samples};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use tactograph::Page;
 use tactograph::internals::output::dots::{Matrix, Words, art, greys, ubrl};
@@ -56,7 +52,11 @@ fn pages_are_as_somebody_last_saw_them() {
     faults
         .extend(there.filter(|path| !expected.contains(path)).map(|path| format!("{} has no sample", path.display())));
     assert!(!update, "golden pages are written: look at them, then run the test without UPDATE");
-    assert!(faults.is_empty(), "{}\nIf the new pages are better: UPDATE=1 cargo test --test golden", faults.join("\n"));
+    assert!(
+        faults.is_empty(),
+        "{}\nIf the new pages are better: UPDATE=1 cargo test --test suite golden::",
+        faults.join("\n")
+    );
 }
 
 /// Pages of dots, for one embosser and for each kind of pin display: as Unicode braille, and for the displays as plain text and
@@ -107,7 +107,11 @@ fn pages_of_dots_are_as_somebody_last_saw_them() {
     faults
         .extend(there.filter(|path| !expected.contains(path)).map(|path| format!("{} has no sample", path.display())));
     assert!(!update, "golden pages of dots are written: look at them, then run the test without UPDATE");
-    assert!(faults.is_empty(), "{}\nIf the new pages are better: UPDATE=1 cargo test --test golden", faults.join("\n"));
+    assert!(
+        faults.is_empty(),
+        "{}\nIf the new pages are better: UPDATE=1 cargo test --test suite golden::",
+        faults.join("\n")
+    );
 }
 
 /// The page in black on white.

@@ -9,13 +9,13 @@ const PRESS: f64 = 0.025;
 
 /// A sheet that has come out of the machine.
 #[derive(Debug, Default)]
-pub(crate) struct Sheet {
+pub struct Sheet {
     /// Dots in the order in which they were pressed, hundredths of a millimetre.
-    pub(crate) dots: Vec<Place>,
+    pub dots: Vec<Place>,
     /// Way of the needle over the paper, from its zero until the paper is out, hundredths of a millimetre.
-    pub(crate) travel: f64,
+    pub travel: f64,
     /// Time for it, s.
-    pub(crate) seconds: f64,
+    pub seconds: f64,
 }
 
 #[derive(Debug, Default)]
@@ -33,7 +33,7 @@ struct Machine {
 
 /// Runs `gcode` on a machine whose needle reaches `limits` and whose paper is `length` long, in hundredths of a millimetre.
 /// The machine starts as Marlin does: millimetres, absolute places, nothing homed.
-pub(crate) fn run(gcode: &str, limits: Place, length: i32) -> Result<Sheet, String> {
+pub fn run(gcode: &str, limits: Place, length: i32) -> Result<Sheet, String> {
     let mut machine = Machine::default();
     let Some(text) = gcode.strip_suffix("\r\n") else { return Err("the last line has no end".into()) };
     for (number, line) in text.split("\r\n").enumerate() {

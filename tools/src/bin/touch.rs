@@ -19,20 +19,9 @@
 //! A4 figure, the least of twenty runs.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
-mod boldness;
-mod chart;
-mod density;
-mod dots;
-mod gaps;
-mod judge;
-mod rng;
-mod scenes;
-
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use judge::Tally;
-use scenes::{FINE_PX, KINDS, QUICK_PX, Scene};
 use tactograph::Page;
 use tactograph::internals::output::svg;
 use tactograph::internals::page::Class;
@@ -41,6 +30,9 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::textures;
 use tactograph::internals::touch::Ink;
 use tactograph::internals::units::{MmPoint, MmRect};
+use tactograph_tools::touch::judge::{self, Tally};
+use tactograph_tools::touch::scenes::{self, FINE_PX, KINDS, QUICK_PX, Scene};
+use tactograph_tools::touch::{boldness, chart, density, dots, gaps};
 
 const FINGERS: [f32; 3] = [0.5, 1.0, 1.5];
 /// Wanted of areas, of grey and of white, for each fingertip.

@@ -5,7 +5,5 @@ mod areas;
 mod calm;
 mod fringe;
 mod named;
-#[path = "../common/page.rs"]
-mod page;
 mod scenes;
 mod stains;

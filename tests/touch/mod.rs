@@ -1,38 +1,19 @@
-//! Can a fingertip tell the textures? The targets, on scenes whose colours are known. `cargo run --release -p tactograph-tools --bin touch`
-//! prints the same for more scenes; the scenes and the measures are that program's.
+//! Can a fingertip tell the textures? The targets, on scenes whose colours are known. `cargo run
+//! --release -p tactograph-tools --bin touch` prints the same for more scenes; the scenes and the measures are that program's.
 
-#[path = "../../tools/src/bin/touch/boldness.rs"]
-mod boldness;
-#[path = "../../tools/src/bin/touch/chart.rs"]
-#[allow(dead_code, reason = "the chart itself is drawn by the example")]
-mod chart;
-#[path = "../../tools/src/bin/touch/density.rs"]
-mod density;
-#[path = "../../tools/src/bin/touch/dots.rs"]
-mod dots;
 mod dotted;
 mod edited;
-#[path = "../../tools/src/bin/touch/gaps.rs"]
-mod gaps;
-#[path = "../../tools/src/bin/touch/judge.rs"]
-mod judge;
-#[path = "../common/page.rs"]
-mod page;
-#[path = "../../tools/src/bin/touch/rng.rs"]
-mod rng;
-#[path = "../common/samples.rs"]
-mod samples;
-#[path = "../../tools/src/bin/touch/scenes.rs"]
-mod scenes;
 
-use judge::Tally;
-use scenes::{FINE_PX, KINDS, QUICK_PX, Scene};
+use crate::common::{page, samples};
 use tactograph::internals::output::svg;
 use tactograph::internals::page::{Class, Page};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::textures::Params;
 use tactograph::internals::touch::Ink;
 use tactograph::internals::units::{MmPoint, MmRect};
+use tactograph_tools::touch::judge::{self, Tally};
+use tactograph_tools::touch::scenes::{self, FINE_PX, KINDS, QUICK_PX, Scene};
+use tactograph_tools::touch::{boldness, chart, density, gaps};
 
 const FINGERS: [f32; 3] = [0.5, 1.0, 1.5];
 /// Shares that must be read right at each of them.

@@ -2,9 +2,7 @@
 //!
 //! Each fault names its file and line, and all of them are told at once. `tidy/scan.rs` reads the sources.
 
-#[path = "tidy/circles.rs"]
 mod circles;
-#[path = "tidy/scan.rs"]
 mod scan;
 
 use std::collections::BTreeMap;
@@ -177,7 +175,7 @@ impl House {
             }
         }
         if own_top != "lib" && !program && !MAY_USE.iter().any(|(module, _)| *module == own_top) {
-            faults.push(format!("{file}:1: module `{own_top}` has no row in the table of tests/tidy.rs"));
+            faults.push(format!("{file}:1: module `{own_top}` has no row in the table of tests/tidy/main.rs"));
         }
         faults
     }
@@ -189,7 +187,7 @@ impl House {
         }
         let used = self.exports.get(item).map_or(item, String::as_str);
         if !MAY_USE.iter().any(|(module, _)| *module == used) {
-            return Some("this names no module of the table in tests/tidy.rs".into());
+            return Some("this names no module of the table in tests/tidy/main.rs".into());
         }
         let allowed = MAY_USE.iter().find(|(module, _)| *module == own).map_or(&[][..], |(_, uses)| uses);
         let fine = own == "lib" || own == used || EVERYWHERE.contains(&used) || allowed.contains(&used);

@@ -3,7 +3,7 @@
 use tactograph::internals::output::dots::tour::Place;
 
 /// Each set with its name.
-pub(crate) fn all() -> Vec<(&'static str, Vec<Place>)> {
+pub fn all() -> Vec<(&'static str, Vec<Place>)> {
     vec![
         ("random, few", random(150, [19_000, 25_000], 1)),
         ("random", random(2_000, [19_000, 25_000], 2)),
@@ -16,12 +16,12 @@ pub(crate) fn all() -> Vec<(&'static str, Vec<Place>)> {
 }
 
 /// As many dots as a machine presses in half an hour, on A3.
-pub(crate) fn large() -> Vec<Place> {
+pub fn large() -> Vec<Place> {
     random(20_000, [29_700, 37_300], 3)
 }
 
 /// Numbers that look random: Knuth's linear congruence, upper bits.
-pub(crate) fn numbers(seed: u64) -> impl FnMut(usize) -> usize {
+pub fn numbers(seed: u64) -> impl FnMut(usize) -> usize {
     let mut state = seed;
     move |below| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

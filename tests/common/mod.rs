@@ -1,0 +1,6 @@
+//! What several tests share.
+
+pub(crate) mod apart;
+pub(crate) mod drawn;
+pub(crate) mod page;
+pub(crate) mod samples;

@@ -1,0 +1,27 @@
+//! The library and the program from outside. One program, so that the library is linked once: `cargo test --test suite
+//! golden::` runs a part of it. Only `tests/tidy`, which needs no library, stands alone.
+
+mod calibration;
+#[cfg(feature = "cli")]
+mod cli;
+mod colours;
+mod common;
+mod decode;
+mod dots;
+mod dotted;
+mod gcode;
+mod golden;
+mod legibility;
+mod lines;
+mod metamorphic;
+mod pdf;
+mod png;
+mod profiles;
+mod scenes;
+mod sheet;
+mod sheets;
+mod skips;
+mod structure;
+mod threads;
+mod touch;
+mod trace;
