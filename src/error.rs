@@ -102,13 +102,15 @@ pub enum Error {
         /// The sheet's size.
         sheet: String,
     },
-    /// Calibration is about what is printed; dots have one size.
+    /// Calibration is about widths, sizes and gaps of ink; those of dots are the device's own.
     #[error(
-        "calibration sheets are for printed pages, and {device} presses dots of one size; take a profile for printing, such as swell-a4"
+        "calibration sheets are for printed pages, and {device} makes dots of one diameter, in {heights}; take a profile for printing, such as swell-a4"
     )]
     NotPrinted {
-        /// What presses the pages.
+        /// The device that makes the dots.
         device: &'static str,
+        /// How many heights its dots have, in words.
+        heights: &'static str,
     },
     /// The device cannot press what is asked for.
     #[error("{0}")]

@@ -18,7 +18,7 @@ use crate::edges::{self, Edges};
 use crate::frame::Frame;
 use crate::lines::{self, Drawn, Line};
 use crate::page::layout::Layout;
-use crate::page::{self, Dots, Figure, Overview, Page, Parts, Texture, frame_dots};
+use crate::page::{self, Dots, Figure, Medium, Overview, Page, Parts, Print, Texture, frame};
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Fonts, Limits, Options, Source};
@@ -117,19 +117,18 @@ pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> 
     let plan = request.plan;
     let Marks { figure, overview, shares, layout, is_flat, mut notes } =
         draw(picture, request, &|size| request.fit.layout(size, plan), watch)?;
-    let (page, overview) = run(watch, Stage::Page, || match &layout.room {
-        Some(room) => dots::assemble(figure, overview, shares, &layout, room, request),
-        None => Ok((assemble(figure, overview, shares, &layout, request)?, None)),
+    let (page, overview) = run(watch, Stage::Page, || match &layout.medium {
+        Medium::Print(_) => Ok((assemble(figure, overview, shares, &layout, request)?, None)),
+        Medium::Dots(medium) => dots::assemble(figure, overview, shares, &layout, medium, request),
     })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
-    match plan.profile().dots.device {
-        None => notes.extend(too_black(page.black_share(), plan)),
-        Some(device) if device.family == Family::Cells => notes.push(Note::UnevenDots),
-        Some(_) => {}
+    match &layout.medium {
+        Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
+        Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
     }
     Ok(Drawing { page, overview, notes })
 }
@@ -318,10 +317,9 @@ fn draw_textures(
         None => "figure.textures is off",
         Some(classes) if classes.regions.is_empty() => "the picture is white",
         Some(classes) => {
-            let params = plan.textures();
-            return run(watch, Stage::Textures, || match &layout.room {
-                Some(room) => dots::textures(classes, layout.figure, lines, room, plan),
-                None => textures::fill(classes, layout.figure, lines, &params),
+            return run(watch, Stage::Textures, || match &layout.medium {
+                Medium::Print(_) => textures::fill(classes, layout.figure, lines, &plan.textures()),
+                Medium::Dots(medium) => dots::textures(classes, layout.figure, lines, medium, plan),
             });
         }
     };
@@ -338,15 +336,16 @@ fn assemble(
     request: &Request<'_>,
 ) -> Result<Page, Error> {
     let params = request.plan.layout();
-    let frame = |place| params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
-    let overview = overview.map(|(place, lines)| Overview { place, frame: frame(place), lines });
+    let around = |place| params.frame.as_ref().map_or_else(Dots::default, |params| frame::printed(place, params));
+    let overview = overview.map(|(place, lines)| Overview { place, frame: around(place), lines });
     let parts = Parts {
         title: request.title.to_owned(),
         description: page::describe(&figure, overview.as_ref(), shares),
         origin: origin(request, figure.source),
-        frame: frame(figure.place),
+        frame: around(figure.place),
         orientation_mark: layout.mark.clone(),
         overview,
+        medium: layout.medium.clone(),
         ..Parts::of(layout.sheet, figure)
     };
     finished(parts, request)
@@ -355,16 +354,16 @@ fn assemble(
 /// The page of these marks, as it is printed.
 fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, Error> {
     // Up to here every mark has the size that fingers meet.
-    if parts.press.is_none() {
-        parts.narrowed(request.plan.profile().print.swell);
+    if let Medium::Print(print) = parts.medium {
+        parts.narrowed(print.swell);
     }
     let page = Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))?;
     Ok(if request.fit.mirrored { page.mirrored() } else { page })
 }
 
 /// What the maker is told when more of the figure is black than the profile allows.
-fn too_black(share: f32, plan: &Plan) -> Option<Note> {
-    let most = plan.profile().print.max_black;
+fn too_black(share: f32, print: &Print) -> Option<Note> {
+    let most = print.max_black;
     let percent = |share: f32| (100.0 * share).round() as u32;
     (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
 }

@@ -6,9 +6,9 @@ use std::sync::OnceLock;
 
 use crate::common::{page, samples};
 use tactograph::Page;
-use tactograph::internals::devices::{Grid, Room};
+use tactograph::internals::devices::{DotArea, Grid};
 use tactograph::internals::output::dots::{Matrix, dots};
-use tactograph::internals::page::{Height, Line, Pen, Run};
+use tactograph::internals::page::{Height, Line, Medium, Pen, Run};
 use tactograph::internals::profile::{Profile, built_in};
 use tactograph::internals::units::MmPoint;
 
@@ -39,10 +39,17 @@ fn made() -> Vec<(String, Profile, Page)> {
     pages.into_iter().filter_map(|(name, profile, page)| Some((name, profile, page?))).collect()
 }
 
+fn area(page: &Page) -> &DotArea {
+    match &page.medium {
+        Medium::Print(_) => panic!("a page of dots"),
+        Medium::Dots(dots) => &dots.area,
+    }
+}
+
 fn grid(page: &Page) -> Option<&Grid> {
-    match &page.press.as_ref()?.room {
-        Room::Grid(grid) => Some(grid),
-        Room::Free(_) => None,
+    match area(page) {
+        DotArea::Grid(grid) => Some(grid),
+        DotArea::Free(_) => None,
     }
 }
 
@@ -71,15 +78,15 @@ fn cells_of(line: &Line, grid: &Grid, name: &str) -> Vec<Cell> {
 fn every_dot_is_one_that_the_device_presses_and_none_is_pressed_twice() {
     for (name, _, page) in pages() {
         let all = dots(page);
-        match &page.press.as_ref().expect("a page of dots").room {
-            Room::Grid(grid) => {
+        match area(page) {
+            DotArea::Grid(grid) => {
                 let mut places = BTreeSet::new();
                 for (at, height) in &all {
                     assert!(places.insert(cell(*at, grid, name)), "{name}: a dot is pressed twice, {at:?} {height}");
                 }
                 assert_eq!(Matrix::of(page).map(|matrix| matrix.count()), Some(all.len()), "{name}");
             }
-            Room::Free(reach) => {
+            DotArea::Free(reach) => {
                 let reach = reach.inflate(1e-3, 1e-3);
                 assert!(all.iter().all(|(at, _)| reach.contains_inclusive(*at)), "{name}: a dot is out of reach");
             }
@@ -192,8 +199,8 @@ fn dots_anywhere_lie_in_even_steps() {
 fn heights_are_those_that_the_device_has() {
     for (name, profile, page) in pages() {
         let heights: BTreeSet<Height> = dots(page).into_iter().map(|(_, height)| height).collect();
-        match profile.dots.device.map(|device| device.heights()) {
-            Some(1) => assert!(heights.iter().all(|&height| height == Height::High), "{name}: {heights:?}"),
+        match profile.dots.device.map(|device| device.has_heights()) {
+            Some(false) => assert!(heights.iter().all(|&height| height == Height::High), "{name}: {heights:?}"),
             _ => assert!(heights.len() <= 3, "{name}"),
         }
         let strokes = page.figure.lines.iter().flat_map(|line| &line.runs).filter(|run| run.pen == Pen::Stroke);

@@ -24,7 +24,7 @@ use flow::{Block, Marks, Sheet};
 use crate::Error;
 use crate::classes::Class;
 use crate::page::layout::FrameParams;
-use crate::page::{Dots, Figure, Page, Parts};
+use crate::page::{Dots, Figure, MediumParams, Page, Parts};
 use crate::profile::{Plan, Profile};
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
@@ -60,12 +60,13 @@ struct Section {
 /// The calibration sheets for a profile, as many as the samples take; one page each.
 ///
 /// # Errors
-/// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of dots, which have one size
-/// and one distance.
+/// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of dots, whose size
+/// the device gives.
 pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let profile = plan.profile();
-    if let Some(device) = profile.dots.device {
-        return Err(Error::NotPrinted { device: device.name });
+    if let MediumParams::Dots { device, .. } = plan.medium() {
+        let heights = if device.has_heights() { "three heights" } else { "one height" };
+        return Err(Error::NotPrinted { device: device.name, heights });
     }
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
     let room = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);

@@ -5,7 +5,7 @@ use crate::classes::Class;
 use crate::lines::{Line, Run};
 use crate::page::Dots;
 use crate::page::braille;
-use crate::page::frame_dots;
+use crate::page::frame as frames;
 use crate::page::layout::FrameParams;
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -80,7 +80,7 @@ pub(super) fn braille_trial(diameter: f32) -> Block {
 pub(super) fn frame(params: &FrameParams) -> Block {
     let corner = MmPoint::new(params.width, params.width);
     let inner = MmRect::new(corner, corner + MmVector::from(FRAMED));
-    let at = frame_dots::around(inner, &FrameParams { gap: 0.0, ..*params }).at;
+    let at = frames::printed(inner, &FrameParams { gap: 0.0, ..*params }).at;
     let size = MmVector::from(FRAMED) + MmVector::splat(2.0 * params.width);
     Block { size, marks: Marks { frame: at, ..Marks::default() }, ..Block::default() }
 }

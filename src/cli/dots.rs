@@ -1,7 +1,8 @@
 //! Pages of dots in the files that embossers, braille programs and pin displays take.
 
-use tactograph::internals::devices::{Device, Family, Room};
+use tactograph::internals::devices::{Device, DotArea, Family};
 use tactograph::internals::output::dots::{Matrix, Words, art, brf, dots, gcode, greys, index, pef, ubrl};
+use tactograph::internals::page::{DotMedium, Medium};
 use tactograph::internals::profile::Plan;
 use tactograph::{Error, Page};
 
@@ -107,8 +108,11 @@ pub(super) fn write(
         Format::Gcode => pages.iter().map(gcode_of).collect::<Result<_, _>>()?,
         Format::Pixels => {
             let with_pages = matrices.iter().zip(pages);
-            let pitch = |page: &Page| page.press.as_ref().map_or(plan.profile().dots.pitch, |press| press.pitch);
-            with_pages.map(|(matrix, page)| greys::write(matrix, pitch(page), device.heights(), &words(page))).collect()
+            let of = |(matrix, page): (&Matrix, &Page)| match &page.medium {
+                Medium::Print(_) => None,
+                Medium::Dots(dots) => Some(greys::write(matrix, dots.pitch, dots.device.has_heights(), &words(page))),
+            };
+            with_pages.filter_map(of).collect()
         }
         Format::Svg | Format::Pdf | Format::Png => Vec::new(), // not of dots
     })
@@ -119,7 +123,7 @@ fn words(page: &Page) -> Words<'_> {
 }
 
 fn gcode_of(page: &Page) -> Result<Vec<u8>, Error> {
-    let Some(Room::Free(reach)) = page.press.as_ref().map(|press| &press.room) else { return Ok(Vec::new()) };
+    let Medium::Dots(DotMedium { area: DotArea::Free(reach), .. }) = &page.medium else { return Ok(Vec::new()) };
     let params = gcode::Params {
         limits: [reach.width(), reach.height()],
         origin: [reach.min.x, reach.min.y],

@@ -3,7 +3,7 @@
 //! The table is [`Device::ALL`]. Sizes of paper come from the drivers: Index from those of CUPS (cups-filters) and
 //! BrailleUtils, ViewPlus, Romeo and Juliet from libembosser, BrailleRAP from DesktopBrailleRAP.
 
-mod room;
+mod area;
 mod table;
 
 use crate::units::{MmPoint, MmRect};
@@ -73,7 +73,7 @@ pub enum Pitches {
 
 /// Where on a sheet a device can put dots.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Room {
+pub enum DotArea {
     /// On columns and rows.
     Grid(Grid),
     /// Anywhere in a rectangle, for the centres of dots. Its top left corner is the device's zero.
@@ -108,9 +108,9 @@ impl Device {
             // DesktopBrailleRAP takes 2.4 on paper and 1.8 on cans. Narrower than a dot of 1.6 they would cut the paper in
             // two; wider than 5, two fingertips apart, dots are no line any more. Both ends chosen by us.
             Family::BrailleRap { .. } => Pitches::Between(1.6, 5.0),
-            Family::ViewPlus => Pitches::Listed(&[room::DOT_20_DPI]),
-            Family::Pins { .. } => Pitches::Listed(&[room::PIN]),
-            Family::Cells => Pitches::Listed(&[room::CELL_DOT]),
+            Family::ViewPlus => Pitches::Listed(&[area::DOT_20_DPI]),
+            Family::Pins { .. } => Pitches::Listed(&[area::PIN]),
+            Family::Cells => Pitches::Listed(&[area::CELL_DOT]),
         }
     }
 
@@ -128,16 +128,16 @@ impl Device {
         }
     }
 
-    /// How many heights of dots it has that fingers tell apart. ViewPlus embossers have eight, of which blind readers told the
-    /// lower three apart best (Kouroupetroglou et al. 2016).
-    pub fn heights(&self) -> u8 {
-        if self.family == Family::ViewPlus { 3 } else { 1 }
+    /// Whether it has three heights of dots that fingers tell apart, and not just one. ViewPlus embossers have eight, of which
+    /// blind readers told the lower three apart best (Kouroupetroglou et al. 2016).
+    pub fn has_heights(&self) -> bool {
+        self.family == Family::ViewPlus
     }
 
     /// The only sheet of a pin display: its field, mm. None for devices that take paper.
     pub fn field(&self) -> Option<[f32; 2]> {
         match self.family {
-            Family::Pins { columns, rows } => Some([columns, rows].map(|pins| f32::from(pins) * room::PIN)),
+            Family::Pins { columns, rows } => Some([columns, rows].map(|pins| f32::from(pins) * area::PIN)),
             _ => None,
         }
     }
@@ -146,8 +146,8 @@ impl Device {
     ///
     /// # Errors
     /// All faults at once, each a line that says what the device can do instead.
-    pub fn room(&self, sheet: [f32; 2], pitch: f32) -> Result<Room, Vec<String>> {
-        room::of(self, sheet, pitch)
+    pub fn dot_area(&self, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
+        area::of(self, sheet, pitch)
     }
 }
 
@@ -201,7 +201,7 @@ impl Grid {
     }
 }
 
-impl Room {
+impl DotArea {
     /// The rectangle that holds the centres of all dots.
     pub fn bounds(&self) -> MmRect {
         match self {

@@ -1,6 +1,6 @@
 //! The devices.
 
-use super::{Device, Family, Paper, room};
+use super::{Device, Family, Paper, area};
 
 const fn index_v3(id: &'static str, name: &'static str, paper: Paper, widest: f32, longest: f32) -> Device {
     Device { id, name, family: Family::IndexV3 { paper }, widest, longest }
@@ -19,7 +19,7 @@ const fn viewplus(id: &'static str, name: &'static str, widest: f32, longest: f3
 }
 
 const fn pins(id: &'static str, name: &'static str, columns: u16, rows: u16) -> Device {
-    let [widest, longest] = [columns as f32 * room::PIN, rows as f32 * room::PIN];
+    let [widest, longest] = [columns as f32 * area::PIN, rows as f32 * area::PIN];
     Device { id, name, family: Family::Pins { columns, rows }, widest, longest }
 }
 

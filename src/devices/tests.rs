@@ -3,8 +3,8 @@
 use super::*;
 
 fn grid(id: &str, sheet: [f32; 2], pitch: f32) -> Grid {
-    match Device::named(id).expect("in the table").room(sheet, pitch) {
-        Ok(Room::Grid(grid)) => grid,
+    match Device::named(id).expect("in the table").dot_area(sheet, pitch) {
+        Ok(DotArea::Grid(grid)) => grid,
         other => panic!("{id}: {other:?}"),
     }
 }
@@ -36,7 +36,7 @@ fn dots_lie_on_the_sheet_in_ascending_order() {
             Pitches::Between(least, most) => vec![least, 2.4, most],
         };
         for (sheet, pitch) in sheets.iter().flat_map(|sheet| pitches.iter().map(move |pitch| (*sheet, *pitch))) {
-            let room = device.room(sheet, pitch).unwrap_or_else(|faults| panic!("{}: {faults:?}", device.id));
+            let room = device.dot_area(sheet, pitch).unwrap_or_else(|faults| panic!("{}: {faults:?}", device.id));
             let (bounds, radius) = (room.bounds(), 0.5 * device.diameter());
             assert!(
                 bounds.min.x >= radius - 1e-3 && bounds.min.y >= radius - 1e-3,
@@ -48,7 +48,7 @@ fn dots_lie_on_the_sheet_in_ascending_order() {
                 "{} {sheet:?}: {bounds:?}",
                 device.id
             );
-            let Room::Grid(grid) = room else { continue };
+            let DotArea::Grid(grid) = room else { continue };
             assert!(!grid.columns.is_empty() && !grid.rows.is_empty(), "{} {sheet:?}", device.id);
             for lines in [&grid.columns, &grid.rows] {
                 assert!(lines.windows(2).all(|pair| pair[1] - pair[0] >= pitch - 1e-3), "{} {sheet:?}", device.id);
@@ -87,7 +87,7 @@ fn the_stylus_of_a_braillerap_reaches_what_its_program_says() {
         ("braillerap-xl", [210.0, 297.0], [208.4, 250.0]),
         ("braillerap-xl", [297.0, 420.0], [295.4, 373.0]),
     ] {
-        let room = Device::named(id).and_then(|device| device.room(sheet, 2.4).ok());
+        let room = Device::named(id).and_then(|device| device.dot_area(sheet, 2.4).ok());
         let bounds = room.expect("room").bounds();
         let size = [bounds.width(), bounds.height()];
         assert!((0..2).all(|i| (size[i] - want[i]).abs() < 1e-3), "{id}: {size:?}");
@@ -103,7 +103,7 @@ fn limits_are_exact() {
             Pitches::Listed(pitches) => pitches[0],
             Pitches::Between(_, most) => most,
         };
-        let fine = |sheet| device.room(sheet, pitch).is_ok();
+        let fine = |sheet| device.dot_area(sheet, pitch).is_ok();
         let [wide, long] = [device.widest, device.longest];
         assert!(fine([wide, long]) && !fine([wide + 0.05, long]) && !fine([wide, long + 0.05]), "{}", device.id);
         assert!(fine([25.4, 100.0]) && !fine([25.3, 100.0]) && !fine([100.0, 25.3]), "{}", device.id);
@@ -127,7 +127,7 @@ fn cells_stand_apart_and_in_the_middle() {
 #[test]
 fn all_faults_are_told_with_what_the_device_can_do() {
     let faults =
-        |id: &str, sheet, pitch| Device::named(id).expect("in the table").room(sheet, pitch).expect_err("a fault");
+        |id: &str, sheet, pitch| Device::named(id).expect("in the table").dot_area(sheet, pitch).expect_err("a fault");
     assert_eq!(
         faults("index-everest-d-v5", [300.0, 700.0], 1.8),
         [
@@ -159,7 +159,12 @@ fn all_faults_are_told_with_what_the_device_can_do() {
     );
     for odd in [f32::NAN, f32::INFINITY, -1.0, 0.0] {
         for device in Device::ALL {
-            assert_eq!(device.room([odd, odd], odd).map_err(|faults| faults.is_empty()), Err(false), "{}", device.id);
+            assert_eq!(
+                device.dot_area([odd, odd], odd).map_err(|faults| faults.is_empty()),
+                Err(false),
+                "{}",
+                device.id
+            );
         }
     }
 }

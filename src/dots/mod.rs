@@ -15,7 +15,7 @@ mod thick;
 mod trace;
 mod walk;
 
-use crate::devices::Room;
+use crate::devices::DotArea;
 use crate::lines::{Height, Line, Pen, Run};
 use crate::units::{MmPoint, MmRect};
 
@@ -61,21 +61,21 @@ impl Params {
 }
 
 /// The dots of lines, the weightiest first; all of them lie in `area`. A line that is left with too few of its dots is left out.
-pub fn lines(lines: &[Line], area: MmRect, room: &Room, params: &Params) -> Vec<Line> {
+pub fn lines(lines: &[Line], area: MmRect, room: &DotArea, params: &Params) -> Vec<Line> {
     match room {
-        Room::Grid(grid) => clear::on_grid(lines, area, grid, params),
-        Room::Free(_) => clear::anywhere(lines, area, params),
+        DotArea::Grid(grid) => clear::on_grid(lines, area, grid, params),
+        DotArea::Free(_) => clear::anywhere(lines, area, params),
     }
 }
 
 /// The dots of one run by itself, such as a mark beside the picture.
-pub fn mark(points: &[MmPoint], room: &Room, params: &Params) -> Run {
+pub fn mark(points: &[MmPoint], room: &DotArea, params: &Params) -> Run {
     let points = match room {
-        Room::Grid(grid) => {
+        DotArea::Grid(grid) => {
             let traced = trace::trace(points, false, grid);
             traced.into_iter().map(|cell| cells::centre(cell, grid)).collect()
         }
-        Room::Free(_) => walk::along(points, false, params.pitch),
+        DotArea::Free(_) => walk::along(points, false, params.pitch),
     };
     dotted(points, Height::High, params)
 }

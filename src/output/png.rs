@@ -74,8 +74,7 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
         return Err(too_fine());
     }
     // Heights are greys, which black and white would make all or nothing of.
-    let has_heights = page.press.as_ref().is_some_and(|press| press.has_heights);
-    let depth = if has_heights { Depth::Grey } else { depth };
+    let depth = if page.medium.has_heights() { Depth::Grey } else { depth };
     let mut png = SIGNATURE.to_vec();
     let bits = match depth {
         Depth::Bilevel => 1,

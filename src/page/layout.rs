@@ -15,124 +15,26 @@
 //!  +--------------------------+
 //! ```
 
-use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
+use super::dot_layout;
+use super::medium::{DotMedium, Medium, MediumParams, Print};
+use super::sheet::Sheet;
+use crate::devices::Device;
+use crate::units::MmRect;
 
-use super::{Run, dot_layout};
-use crate::devices::{Device, Room};
-use crate::units::{MmPoint, MmRect, MmVector};
-
-/// Which way up a sheet lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Orientation {
-    /// The way in which the picture becomes larger; upright when there is no difference.
-    #[default]
-    Auto,
-    /// The longer side up and down.
-    Portrait,
-    /// The longer side across.
-    Landscape,
-}
-
-impl Orientation {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Auto, Self::Portrait, Self::Landscape];
-    /// Their names, in the same order.
-    pub const NAMES: [&str; 3] = ["auto", "portrait", "landscape"];
-
-    /// Its name, as profiles have it.
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize]
-    }
-}
-
-/// Measures of the sheet, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Params {
-    /// Both sides of the sheet, in any order.
-    pub sheet: [f32; 2],
-    /// Which of them is across.
-    pub orientation: Orientation,
-    /// Blank on all four sides.
-    pub margin: f32,
-    /// Frames, if there are any.
-    pub frame: Option<FrameParams>,
-    /// The overview, if there is one.
-    pub overview: Option<OverviewParams>,
-    /// The orientation mark, if there is one.
-    pub mark: Option<MarkParams>,
-    /// The device, if the page is one of dots.
-    pub press: Option<PressParams>,
-}
-
-/// A device that presses a page as dots.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PressParams {
-    /// The device.
-    pub device: &'static Device,
-    /// Distance of its dots, mm.
-    pub pitch: f32,
-    /// Diameter of a dot as it is felt, mm.
-    pub diameter: f32,
-}
-
-/// Measures of a frame, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrameParams {
-    /// Width of the band of dots.
-    pub width: f32,
-    /// Diameter of a dot.
-    pub dot: f32,
-    /// Distance of dots.
-    pub pitch: f32,
-    /// Blank between the band and the picture.
-    pub gap: f32,
-}
-
-/// Measures of the overview.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OverviewParams {
-    /// Its width and height as a share of the figure's.
-    pub scale: f32,
-    /// Blank between the two frames, mm.
-    pub gap: f32,
-}
-
-/// Measures of the orientation mark, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MarkParams {
-    /// Length of the bar from end to end, with its round ends.
-    pub length: f32,
-    /// Width of the bar.
-    pub width: f32,
-    /// Least blank between the bar and the frame (or the figure, where there is no frame).
-    pub gap: f32,
-}
-
-/// Places on the sheet, mm.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Layout {
-    /// Width and height of the sheet as it lies.
-    pub sheet: [f32; 2],
-    /// The picture itself.
-    pub figure: MmRect,
-    /// The overview's picture; of a page of dots, on a sheet of its own.
-    pub overview: Option<MmRect>,
-    /// The orientation mark.
-    pub mark: Option<Run>,
-    /// Where dots can be, on a page of dots.
-    pub room: Option<Room>,
-}
+pub use super::sheet::{FrameParams, Layout, MarkParams, Orientation, OverviewParams, Params};
 
 /// Lays out a picture whose width is `aspect` times its height, as large as the sheet allows but not wider than `widest`,
 /// centred from left to right and beginning at the top margin, or as far below it as the orientation mark needs.
 pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
-    let [short, long] = {
-        let [a, b] = params.sheet;
-        [a.min(b), a.max(b)]
-    };
-    if let Some(press) = &params.press {
-        return fit_dots(aspect, widest, [short, long], params, press);
+    let [a, b] = params.sheet;
+    let upright = [a.min(b), a.max(b)];
+    match params.medium {
+        MediumParams::Print(print) => fit_print(aspect, widest, upright, params, print),
+        MediumParams::Dots { device, pitch } => fit_dots(aspect, widest, upright, params, (device, pitch)),
     }
+}
+
+fn fit_print(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params, print: Print) -> Layout {
     let (upright, across) = (Sheet::new([short, long], params), Sheet::new([long, short], params));
     let sheet = match params.orientation {
         Orientation::Portrait => upright,
@@ -140,107 +42,44 @@ pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
         Orientation::Auto if across.figure_width(aspect) > upright.figure_width(aspect) => across,
         Orientation::Auto => upright,
     };
-    sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest))
+    let at = sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest));
+    let medium = Medium::Print(print);
+    Layout { sheet: sheet.size, figure: at.figure, overview: at.overview, mark: at.mark, medium }
 }
 
-/// The same for a page of dots. A sheet that the device does not take in any of the ways allowed has no room for a figure.
-fn fit_dots(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params, press: &PressParams) -> Layout {
-    let ways = match params.orientation {
+/// The same for dots. On a sheet that the device takes in none of the orientations allowed, the figure is empty.
+fn fit_dots(
+    aspect: f32,
+    widest: f32,
+    [short, long]: [f32; 2],
+    params: &Params,
+    (device, pitch): (&'static Device, f32),
+) -> Layout {
+    let orientations = match params.orientation {
         Orientation::Portrait => &[[short, long]][..],
         Orientation::Landscape => &[[long, short]],
         Orientation::Auto => &[[short, long], [long, short]],
     };
-    let laid_out = ways.iter().filter_map(|&size| dot_layout::fit(aspect, widest, size, params, press));
+    let on_sheet = |&size: &[f32; 2]| {
+        let medium = DotMedium::on(device, pitch, size)?;
+        Some(dot_layout::fit(aspect, widest, size, params, medium))
+    };
     let larger = |a: Layout, b: Layout| if b.figure.width() > a.figure.width() { b } else { a };
-    let none = Layout { sheet: ways[0], figure: MmRect::zero(), overview: None, mark: None, room: None };
-    laid_out.reduce(larger).unwrap_or(none)
-}
-
-/// A sheet as it lies.
-pub(super) struct Sheet<'a> {
-    params: &'a Params,
-    size: [f32; 2],
-    /// From the picture to the outer edge of its frame.
-    border: f32,
-}
-
-impl<'a> Sheet<'a> {
-    pub(super) fn new(size: [f32; 2], params: &'a Params) -> Self {
-        Self { params, size, border: params.frame.map_or(0.0, |frame| frame.width + frame.gap) }
-    }
-
-    /// Width and height within the margins.
-    fn room(&self) -> [f32; 2] {
-        self.size.map(|side| side - 2.0 * self.params.margin)
-    }
-
-    /// What lies one below the other beside the pictures themselves, and the height of both pictures as a share of the
-    /// figure's.
-    fn stack(&self) -> (f32, f32) {
-        match self.params.overview {
-            Some(overview) => (4.0 * self.border + overview.gap, 1.0 + overview.scale),
-            None => (2.0 * self.border, 1.0),
-        }
-    }
-
-    /// How far, across and down added up, the top right corner of the figure's frame must lie from the corner of what can be
-    /// printed to keep its distance from the mark: u to the left of that corner and v down, it lies (u + v) / sqrt 2 from
-    /// the line that cuts the corner there.
-    fn cut(&self) -> f32 {
-        let cut = |mark: MarkParams| leg(mark) + mark.width + SQRT_2 * (0.5 * mark.width + mark.gap);
-        self.params.mark.map_or(0.0, cut)
-    }
-
-    /// The greatest width of a figure; 0 where there is no room.
-    pub(super) fn figure_width(&self, aspect: f32) -> f32 {
-        let [width, height] = self.room();
-        let (fixed, share) = self.stack();
-        let free = width - 2.0 * self.border;
-        let by_height = (height - fixed) / share * aspect;
-        // The narrower the figure, the less it has to go down below the mark.
-        let by_mark = (height - fixed - self.cut() + 0.5 * free) / (share / aspect + 0.5);
-        free.min(by_height).min(by_mark).max(0.0)
-    }
-
-    pub(super) fn lay_out(&self, aspect: f32, width: f32) -> Layout {
-        let Params { margin, overview, mark, .. } = *self.params;
-        let size = MmVector::new(width, width / aspect);
-        let middle = 0.5 * self.size[0];
-        let place = |top: f32, size: MmVector| {
-            let corner = MmPoint::new(middle - 0.5 * size.x, top);
-            MmRect::new(corner, corner + size)
-        };
-        let beside = 0.5 * self.room()[0] - 0.5 * width - self.border;
-        let down = (self.cut() - beside).max(0.0);
-        let figure = place(margin + down + self.border, size);
-        let overview =
-            overview.map(|overview| place(figure.max.y + overview.gap + 2.0 * self.border, size * overview.scale));
-        let mark = mark.map(|mark| bar(MmPoint::new(self.size[0] - margin, margin), mark));
-        Layout { sheet: self.size, figure, overview, mark, room: None }
-    }
-}
-
-/// How far the middle line of a mark reaches across, and as far down.
-fn leg(mark: MarkParams) -> f32 {
-    (mark.length - mark.width).max(0.0) * FRAC_1_SQRT_2
-}
-
-/// How far a mark reaches down and to the left from the corner that it cuts off, ink and all.
-pub(super) fn reach(mark: MarkParams) -> f32 {
-    leg(mark) + mark.width
-}
-
-/// The bar that cuts off a corner of what can be printed; all of its ink lies within.
-pub(super) fn bar(corner: MmPoint, mark: MarkParams) -> Run {
-    let inner = corner + MmVector::new(-0.5 * mark.width, 0.5 * mark.width);
-    let points = vec![inner - MmVector::new(leg(mark), 0.0), inner + MmVector::new(0.0, leg(mark))];
-    Run::stroke(mark.width, points)
+    orientations.iter().filter_map(on_sheet).reduce(larger).unwrap_or_else(|| Layout {
+        sheet: orientations[0],
+        figure: MmRect::zero(),
+        overview: None,
+        mark: None,
+        medium: Medium::Dots(DotMedium::without_dots(device, pitch)),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geom::nearest_on_segment;
+    use crate::page::Run;
+    use crate::units::MmPoint;
 
     fn params() -> Params {
         Params {
@@ -250,7 +89,7 @@ mod tests {
             frame: Some(FrameParams { width: 3.0, dot: 0.8, pitch: 1.6, gap: 5.0 }),
             overview: Some(OverviewParams { scale: 0.4, gap: 12.0 }),
             mark: Some(MarkParams { length: 12.0, width: 2.0, gap: 5.0 }),
-            press: None,
+            medium: MediumParams::Print(Print::default()),
         }
     }
 
@@ -312,7 +151,10 @@ mod tests {
                 assert!(side_is_full || height_is_full, "{aspect}: the picture could be larger: {layout:?}");
                 if boxes[0].min.y > 10.01 {
                     // at an end of the bar the way is longer than straight across
-                    assert!(gap < 5.0 * SQRT_2 + 1.5, "{aspect}: further down than the mark needs: {gap}");
+                    assert!(
+                        gap < 5.0 * std::f32::consts::SQRT_2 + 1.5,
+                        "{aspect}: further down than the mark needs: {gap}"
+                    );
                 }
             }
         }

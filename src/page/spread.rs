@@ -11,8 +11,9 @@
 
 use std::str::FromStr;
 
-use super::layout::{self, MarkParams, Orientation};
-use super::{Dots, Figure, Glyph, Line, Run, Texture, braille, frame_dots};
+use super::parts::{Dots, Figure, Glyph, Line, Run, Texture};
+use super::sheet::{self, FrameParams, MarkParams, Orientation, Params};
+use super::{braille, frame};
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
 /// How many sheets there are.
@@ -96,7 +97,7 @@ pub struct Spread {
 
 /// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not wider
 /// than `widest`, in their middle. None where the sheets have no room.
-pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &layout::Params) -> Option<Spread> {
+pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
     let [a, b] = params.sheet;
     let (short, long) = (a.min(b), a.max(b));
     let upright = || over([short, long], aspect, widest, grid, overlap, params);
@@ -112,15 +113,8 @@ pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &layout::
     }
 }
 
-fn over(
-    sheet: [f32; 2],
-    aspect: f32,
-    widest: f32,
-    grid: Grid,
-    overlap: f32,
-    params: &layout::Params,
-) -> Option<Spread> {
-    let mark = |mark: MarkParams| (layout::reach(mark), mark.gap.max(GAP));
+fn over(sheet: [f32; 2], aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
+    let mark = |mark: MarkParams| (sheet::reach(mark), mark.gap.max(GAP));
     let (mark_height, gap) = params.mark.map_or((0.0, GAP), mark);
     let row = mark_height.max(braille::size(&[0], braille::PRINTED).y);
     let corner = MmPoint::new(params.margin + BAND, params.margin + row + gap + BAND);
@@ -139,7 +133,7 @@ fn over(
     let half = MmVector::new(0.5 * width, 0.5 * width / aspect);
     let middle = MmPoint::new(0.5 * room.x, 0.5 * room.y);
     let figure = MmRect::new(middle - half, middle + half);
-    let mark = params.mark.map(|mark| layout::bar(MmPoint::new(sheet[0] - params.margin, params.margin), mark));
+    let mark = params.mark.map(|mark| sheet::bar(MmPoint::new(sheet[0] - params.margin, params.margin), mark));
     Some(Spread { grid, sheet, figure, mark, window, corner, overlap })
 }
 
@@ -160,8 +154,8 @@ pub struct Cut {
 
 impl Spread {
     /// What every sheet shows of a figure, row by row. Sheets on which nothing of the picture lies are left out.
-    pub fn cut(&self, figure: &Figure, frame: Option<&layout::FrameParams>, margin: f32) -> Vec<Cut> {
-        let dots = frame.map_or_else(Dots::default, |frame| frame_dots::around(figure.place, frame));
+    pub fn cut(&self, figure: &Figure, params: Option<&FrameParams>, margin: f32) -> Vec<Cut> {
+        let dots = params.map_or_else(Dots::default, |params| frame::printed(figure.place, params));
         let shown = self.grid.sheets().filter(|&(column, row)| self.shows(column, row, figure.place));
         shown.map(|(column, row)| self.one(column, row, figure, &dots, margin)).collect()
     }

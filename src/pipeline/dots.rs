@@ -3,22 +3,21 @@
 use super::{Request, finished, origin};
 use crate::Error;
 use crate::classes::Classes;
-use crate::devices::Room;
 use crate::dots;
 use crate::geom::polyline;
 use crate::lines::{Drawn, Line, Run};
 use crate::page::layout::Layout;
-use crate::page::{self, Dots, Figure, Page, Parts, Press, Texture, dot_layout, frame_dots};
+use crate::page::{self, DotMedium, Dots, Figure, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
 /// Lines in `area` as the device presses them; on a printed page they stay.
 pub(super) fn pressed(drawn: Drawn, area: MmRect, layout: &Layout, plan: &Plan) -> Drawn {
-    let (Some(room), Some(params)) = (&layout.room, plan.dots()) else { return drawn };
+    let Medium::Dots(medium) = &layout.medium else { return drawn };
     // What the grid has no room for counts as crowded out too, by length.
     let length = |lines: &[Line]| lines.iter().map(|line| line.runs.first().map_or(0.0, run_length)).sum::<f32>();
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
-    let lines = dots::lines(&drawn.lines, area, room, &params);
+    let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     Drawn { lines, crowded_out: 1.0 - (1.0 - drawn.crowded_out) * kept }
 }
@@ -29,9 +28,9 @@ fn run_length(run: &Run) -> f32 {
 
 /// The lines of the overview: all of one width and, where there are heights, high.
 pub(super) fn of_overview(lines: Vec<Line>, area: MmRect, layout: &Layout, plan: &Plan) -> Vec<Line> {
-    let (Some(room), Some(params)) = (&layout.room, plan.dots()) else { return lines };
-    let heavy_from = if params.has_heights { 0.0 } else { f32::INFINITY };
-    dots::lines(&lines, area, room, &dots::Params { heavy_from, ..params })
+    let Medium::Dots(medium) = &layout.medium else { return lines };
+    let heavy_from = if medium.device.has_heights() { 0.0 } else { f32::INFINITY };
+    dots::lines(&lines, area, &medium.area, &dots::Params { heavy_from, ..plan.dots(medium) })
 }
 
 /// What the overview of a page is called, which has a sheet to itself.
@@ -40,8 +39,14 @@ pub fn title_of_overview(title: &str) -> String {
 }
 
 /// Textures of dots.
-pub(super) fn textures(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, plan: &Plan) -> Vec<Texture> {
-    plan.dot_textures().map_or_else(Vec::new, |params| dots::textures::fill(classes, area, lines, room, &params))
+pub(super) fn textures(
+    classes: &Classes,
+    area: MmRect,
+    lines: &[Line],
+    medium: &DotMedium,
+    plan: &Plan,
+) -> Vec<Texture> {
+    dots::textures::fill(classes, area, lines, &medium.area, &plan.dot_textures(medium))
 }
 
 /// The page of a figure, and that of its overview, which has a sheet to itself: one of dots has no room for both.
@@ -50,7 +55,7 @@ pub(super) fn assemble(
     overview: Option<(MmRect, Vec<Line>)>,
     shares: Option<[f32; 5]>,
     layout: &Layout,
-    room: &Room,
+    medium: &DotMedium,
     request: &Request<'_>,
 ) -> Result<(Page, Option<Page>), Error> {
     let source = figure.source;
@@ -59,14 +64,14 @@ pub(super) fn assemble(
             let own = Figure { place, source, textures: Vec::new(), lines };
             let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
             let title = title_of_overview(request.title);
-            finished(parts(title, description, own, layout, room, request), request)
+            finished(parts(title, description, own, layout, medium, request), request)
         })
         .transpose()?;
     let mut description = page::describe(&figure, None, shares);
     if overview.is_some() {
         description += " An overview of lines only follows on the next sheet.";
     }
-    let page = finished(parts(request.title.to_owned(), description, figure, layout, room, request), request)?;
+    let page = finished(parts(request.title.to_owned(), description, figure, layout, medium, request), request)?;
     Ok((page, overview))
 }
 
@@ -75,33 +80,19 @@ fn parts(
     description: String,
     figure: Figure,
     layout: &Layout,
-    room: &Room,
+    medium: &DotMedium,
     request: &Request<'_>,
 ) -> Parts {
-    let plan = request.plan;
-    let params = plan.dots();
-    let mark = |run: &Run| params.map(|params| dots::mark(&run.points, room, &params));
+    let params = request.plan.dots(medium);
+    let mark = |run: &Run| dots::mark(&run.points, &medium.area, &params);
+    let around = |params| frame::dotted(figure.place, &params, medium);
     Parts {
         title,
         description,
         origin: origin(request, figure.source),
-        frame: frame(figure.place, room, plan),
-        orientation_mark: layout.mark.as_ref().and_then(mark),
-        press: params.map(|params| Press {
-            room: room.clone(),
-            pitch: params.pitch,
-            diameter: params.diameter,
-            has_heights: params.has_heights,
-        }),
+        frame: request.plan.layout().frame.map_or_else(Dots::default, around),
+        orientation_mark: layout.mark.as_ref().map(mark),
+        medium: layout.medium.clone(),
         ..Parts::of(layout.sheet, figure)
-    }
-}
-
-fn frame(place: MmRect, room: &Room, plan: &Plan) -> Dots {
-    let layout = plan.layout();
-    let (Some(frame), Some(press)) = (layout.frame, layout.press) else { return Dots::default() };
-    match room {
-        Room::Grid(grid) => dot_layout::ring(place, grid, frame, &press),
-        Room::Free(_) => frame_dots::around(place, &dot_layout::row(frame, &press)),
     }
 }

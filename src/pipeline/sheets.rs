@@ -3,7 +3,7 @@
 use super::{Marks, Request, Stage, Watch, draw, finished, origin, run, too_black};
 use crate::page::layout::{self, Layout};
 use crate::page::spread::{self, Cut, Grid, Spread};
-use crate::page::{self, Dots, Figure, Line, Page, Parts, frame_dots};
+use crate::page::{self, Dots, Figure, Line, Medium, MediumParams, Page, Parts, Print, frame};
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 
@@ -21,25 +21,29 @@ pub struct Sheets {
 /// every stage.
 ///
 /// # Errors
-/// When the picture cannot be read or drawn, or the sheets have no room for it; see [`Error`].
+/// When the picture cannot be read or drawn, the sheets have no room for it, or the page is one of dots; see [`Error`].
 pub fn convert(
     picture: &[u8],
     grid: Option<Grid>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
+    let print = match request.plan.medium() {
+        MediumParams::Print(print) => print,
+        MediumParams::Dots { device, .. } => return Err(Error::OneSheet { device: device.name }),
+    };
     let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
     let Marks { figure, overview, shares, is_flat, mut notes, .. } =
-        draw(picture, request, &|size| places(size, grid(size)?, request), watch)?;
+        draw(picture, request, &|size| places(size, grid(size)?, print, request), watch)?;
     let grid = grid(figure.source)?;
-    let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, grid, request))?;
+    let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, (grid, print), request))?;
     if pages.iter().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
     } else if request.plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
     let blackest = pages.iter().map(Page::black_share).fold(0.0, f32::max);
-    notes.extend(too_black(blackest, request.plan));
+    notes.extend(too_black(blackest, &print));
     Ok(Sheets { pages, notes })
 }
 
@@ -56,11 +60,12 @@ fn fewest(size: Size, request: &Request<'_>) -> Result<Grid, Error> {
 }
 
 /// The figure in the space of all sheets together, the overview on a sheet of its own.
-fn places(size: Size, grid: Grid, request: &Request<'_>) -> Result<Layout, Error> {
+fn places(size: Size, grid: Grid, print: Print, request: &Request<'_>) -> Result<Layout, Error> {
     let spread = spread_of(size, grid, request)?;
     let params = request.plan.layout();
     let overview = params.overview.map(|_| overview_sheet(size, request).figure);
-    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark: spread.mark, room: None })
+    let medium = Medium::Print(print);
+    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark: spread.mark, medium })
 }
 
 fn aspect(size: Size) -> f32 {
@@ -89,7 +94,7 @@ fn assemble(
     figure: &Figure,
     overview: Option<(MmRect, Vec<Line>)>,
     shares: Option<[f32; 5]>,
-    grid: Grid,
+    (grid, print): (Grid, Print),
     request: &Request<'_>,
 ) -> Result<Vec<Page>, Error> {
     let params = request.plan.layout();
@@ -108,13 +113,13 @@ fn assemble(
         let own = Figure { place, source: figure.source, textures: Vec::new(), lines };
         let description =
             format!("Overview of a picture on {} sheets. {}", names.len(), page::describe(&own, None, None));
-        let frame = params.frame.as_ref().map_or_else(Dots::default, |frame| frame_dots::around(place, frame));
+        let frame = params.frame.as_ref().map_or_else(Dots::default, |params| frame::printed(place, params));
         let title = super::title_of_overview(request.title);
         let parts = Parts {
             sheet: layout.sheet,
             orientation_mark: layout.mark,
             frame,
-            ..parts(title, description, own, grid, request)
+            ..parts(title, description, own, (grid, print), request)
         };
         pages.push(finished(parts, request)?);
     }
@@ -128,7 +133,7 @@ fn assemble(
             frame,
             registration: ticks,
             labels: vec![label],
-            ..parts(title, description, figure, grid, request)
+            ..parts(title, description, figure, (grid, print), request)
         };
         pages.push(finished(parts, request)?);
     }
@@ -136,8 +141,14 @@ fn assemble(
 }
 
 /// What all sheets have, with nothing beside the figure.
-fn parts(title: String, description: String, figure: Figure, grid: Grid, request: &Request<'_>) -> Parts {
+fn parts(
+    title: String,
+    description: String,
+    figure: Figure,
+    (grid, print): (Grid, Print),
+    request: &Request<'_>,
+) -> Parts {
     let mut origin = origin(request, figure.source);
     origin.push(("sheets".to_owned(), grid.to_string()));
-    Parts { title, description, origin, ..Parts::of([0.0, 0.0], figure) }
+    Parts { title, description, origin, medium: Medium::Print(print), ..Parts::of([0.0, 0.0], figure) }
 }

@@ -2,7 +2,7 @@
 
 use super::{Fault, Profile};
 use crate::classes::Class;
-use crate::devices::{Device, Family, Room};
+use crate::devices::{Device, DotArea, Family};
 use crate::dots::textures::carried;
 use crate::page::layout::Orientation;
 use crate::textures::Palette;
@@ -33,11 +33,11 @@ impl Profile {
         let (Some(device), true) = (self.dots.device, self.sound(PRESSED)) else { return Vec::new() };
         let [short, long] = [self.page.width.min(self.page.height), self.page.width.max(self.page.height)];
         let (upright, across) = ([short, long], [long, short]);
-        let room = |sheet| device.room(sheet, self.dots.pitch);
+        let area = |sheet| device.dot_area(sheet, self.dots.pitch);
         let refused = match self.page.orientation {
-            Orientation::Portrait => room(upright).err(),
-            Orientation::Landscape => room(across).err(),
-            Orientation::Auto => room(upright).err().and_then(|faults| room(across).err().map(|_| faults)),
+            Orientation::Portrait => area(upright).err(),
+            Orientation::Landscape => area(across).err(),
+            Orientation::Auto => area(upright).err().and_then(|faults| area(across).err().map(|_| faults)),
         };
         let mut faults = Vec::new();
         let mut fault = |paths: &[&str], what| faults.push(Fault { place: self.place(paths), what });
@@ -61,24 +61,24 @@ impl Profile {
         for (i, what) in refused.iter().enumerate() {
             fault(if i < of_sheet { SHEET } else { PITCH }, what.clone());
         }
-        if let (Ok(room), true, true) =
-            (room(upright).or_else(|_| room(across)), refused.is_empty(), self.figure.textures)
+        if let (Ok(area), true, true) =
+            (area(upright).or_else(|_| area(across)), refused.is_empty(), self.figure.textures)
         {
-            faults.extend(self.carried_faults(device, &room));
+            faults.extend(self.carried_faults(device, &area));
         }
         faults
     }
 
     /// The classes that the patterns of a grid cannot tell apart. Cells of text carry few directions whatever the palette; the maker
     /// of such a page is told, and not refused.
-    fn carried_faults(&self, device: &Device, room: &Room) -> Vec<Fault> {
+    fn carried_faults(&self, device: &Device, area: &DotArea) -> Vec<Fault> {
         let palette = [self.palette.blue, self.palette.green, self.palette.yellow, self.palette.red, self.palette.grey];
         // those that no device tells apart are told as such
         let told = (0..5).any(|i| (0..i).any(|j| !palette[i].differs_from(palette[j])));
         if told || device.family == Family::Cells {
             return Vec::new();
         }
-        let alike = carried(&Palette { signs: palette }, room).err().unwrap_or_default();
+        let alike = carried(&Palette { signs: palette }, area).err().unwrap_or_default();
         let fault = |(a, b): (Class, Class)| {
             let what = format!(
                 "the dots of {} {} mm apart lie in rows at 0, 45, 90 or 135 degrees, if they are near enough, and cannot tell {} from {}, \

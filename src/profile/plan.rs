@@ -3,7 +3,7 @@
 
 use super::{Fault, Profile};
 use crate::devices::Device;
-use crate::page::layout;
+use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
 use crate::{classes, dots, edges, lines, textures};
 
@@ -25,9 +25,17 @@ impl Profile {
         device.pitches().find(self.dots.pitch).unwrap_or(self.dots.pitch)
     }
 
+    /// What pages are made for.
+    pub(super) fn medium(&self) -> MediumParams {
+        match self.dots.device {
+            None => MediumParams::Print(Print { swell: self.print.swell, max_black: self.print.max_black }),
+            Some(device) => MediumParams::Dots { device, pitch: self.pitch(device) },
+        }
+    }
+
     /// What the layout of a page needs.
     pub(super) fn layout(&self) -> layout::Params {
-        let Self { page, frame, overview, mark, dots, .. } = self;
+        let Self { page, frame, overview, mark, .. } = self;
         layout::Params {
             sheet: [page.width, page.height],
             orientation: page.orientation,
@@ -40,11 +48,7 @@ impl Profile {
             }),
             overview: overview.on.then_some(layout::OverviewParams { scale: overview.scale, gap: overview.gap }),
             mark: mark.on.then_some(layout::MarkParams { length: mark.length, width: mark.width, gap: mark.gap }),
-            press: dots.device.map(|device| layout::PressParams {
-                device,
-                pitch: self.pitch(device),
-                diameter: device.diameter(),
-            }),
+            medium: self.medium(),
         }
     }
 }
@@ -73,6 +77,11 @@ impl Plan {
         &self.profile
     }
 
+    /// What pages are made for.
+    pub fn medium(&self) -> MediumParams {
+        self.profile.medium()
+    }
+
     /// How a page is laid out.
     pub fn layout(&self) -> layout::Params {
         self.profile.layout()
@@ -98,10 +107,13 @@ impl Plan {
     /// How lines are drawn.
     pub fn lines(&self) -> lines::Params {
         let Profile { edges, lines, .. } = &self.profile;
-        let drawn = self.dots().map_or([lines.width_min, lines.width_max, lines.min_gap], |dots| {
-            [dots.diameter, dots.diameter, dots.centres() - dots.diameter]
-        });
-        let [width_min, width_max, min_gap] = drawn;
+        let [width_min, width_max, min_gap] = match self.medium() {
+            MediumParams::Print(_) => [lines.width_min, lines.width_max, lines.min_gap],
+            MediumParams::Dots { device, pitch } => {
+                let dots = self.dots_of(device, pitch);
+                [dots.diameter, dots.diameter, dots.centres() - dots.diameter]
+            }
+        };
         lines::Params {
             width_min,
             width_max,
@@ -117,34 +129,36 @@ impl Plan {
     }
 
     /// How lines become dots, on a page of dots.
-    pub(crate) fn dots(&self) -> Option<dots::Params> {
+    pub fn dots(&self, medium: &DotMedium) -> dots::Params {
+        self.dots_of(medium.device, medium.pitch)
+    }
+
+    fn dots_of(&self, device: &Device, pitch: f32) -> dots::Params {
         let Profile { dots, lines, .. } = &self.profile;
-        let device = dots.device?;
-        Some(dots::Params {
-            pitch: self.profile.pitch(device),
+        dots::Params {
+            pitch,
             diameter: device.diameter(),
             line_gap: dots.line_gap.round() as u32,
             heavy_from: dots.heavy_from,
-            has_heights: device.heights() > 1,
+            has_heights: device.has_heights(),
             min_length: lines.min_length,
-        })
+        }
     }
 
     /// How textures of dots are drawn, on a page of dots.
-    pub fn dot_textures(&self) -> Option<dots::textures::Params> {
+    pub fn dot_textures(&self, medium: &DotMedium) -> dots::textures::Params {
         let Profile { dots, .. } = &self.profile;
-        let device = dots.device?;
         let textures::Params { density_blur, dense_from, white_from, palette, .. } = self.textures();
-        Some(dots::textures::Params {
-            pitch: self.profile.pitch(device),
-            diameter: device.diameter(),
+        dots::textures::Params {
+            pitch: medium.pitch,
+            diameter: medium.diameter(),
             line_gap: dots.texture_gap.round() as u32,
             least_gap: dots.texture_gap.round().min(1.0) as u32,
             density_blur,
             dense_from,
             white_from,
             palette,
-        })
+        }
     }
 
     /// How colours are sorted in a picture of so many pixels for a millimetre of the page.

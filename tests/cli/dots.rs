@@ -155,5 +155,11 @@ fn calibration_is_for_what_is_printed() {
     let run = place.run(&["calibrate", "-o", "s.ubrl"]);
     assert_eq!((run.code, run.err.lines().count()), (2, 1), "{}", run.err);
     let run = place.run(&["calibrate", "--profile", "braillerap", "-o", "s.pdf"]);
-    assert!(run.code == 1 && run.err.contains("presses dots of one size"), "{}", run.err);
+    assert!(run.code == 1 && run.err.contains("makes dots of one diameter, in one height;"), "{}", run.err);
+    let run = place.run(&["calibrate", "--profile", "viewplus-columbia", "-o", "s.pdf"]);
+    assert!(
+        run.code == 1 && run.err.contains("ViewPlus Columbia makes dots of one diameter, in three heights;"),
+        "{}",
+        run.err
+    );
 }

@@ -1,6 +1,6 @@
 //! Byte for byte what the drivers made.
 
-use tactograph::internals::devices::{Device, Room};
+use tactograph::internals::devices::{Device, DotArea};
 use tactograph::internals::output::dots::{Matrix, brf, index, ubrl};
 
 const PAGES: &str = include_str!("recorded/pages.ubrl");
@@ -63,8 +63,8 @@ fn index_headers_and_grids_are_those_of_the_drivers() {
         let params = index::Params::new(device, sheet, pitch, 1, 1).expect("no fault");
         let want = [b"\x1b", header.as_bytes(), b"\x1b\x07\x1b\x06\x1a"].concat();
         assert_eq!(index::write(&[], &params), want, "{line}");
-        match device.room(sheet, pitch) {
-            Ok(Room::Grid(grid)) => {
+        match device.dot_area(sheet, pitch) {
+            Ok(DotArea::Grid(grid)) => {
                 assert_eq!(format!("{}x{}", grid.columns.len(), grid.rows.len()), size, "{line}");
             }
             // The drivers do not ask whether the embosser takes the page; we do.

@@ -88,7 +88,7 @@ fn pages_of_dots_are_as_somebody_last_saw_them() {
             } else if name != "index-basic-d" {
                 let words = Words { title: &picture, description: "", language: "" };
                 files.push(("txt", art::write(&matrices).into_bytes()));
-                files.push(("png", greys::write(&matrices[0], profile.dots.pitch, device.heights(), &words)));
+                files.push(("png", greys::write(&matrices[0], profile.dots.pitch, device.has_heights(), &words)));
             }
             for (ending, now) in files {
                 let path = folder.join(format!("{picture}.{name}.{ending}"));

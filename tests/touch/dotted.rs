@@ -114,7 +114,7 @@ fn colours_are_read_right_on_embossers_and_pins() {
 fn braille_cells_carry_blue_yellow_and_grey_and_say_so() {
     let cells = device("braille-cells", "2.34");
     let (green, red, grey) = (Class::Green, Class::Red, Class::Grey);
-    assert_eq!(carried(&Palette::PAPER, &cells.room), Err(vec![(green, red), (green, grey), (red, grey)]));
+    assert_eq!(carried(&Palette::PAPER, &cells.area), Err(vec![(green, red), (green, grey), (red, grey)]));
     let sum = felt(&cells, &[(0, 0), (0, 1000)], &[1.0])[0];
     for (index, class) in Class::ALL.iter().enumerate() {
         let share = sum.share(index..index + 1).1;

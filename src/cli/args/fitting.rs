@@ -2,6 +2,7 @@
 
 use clap::Args;
 use tactograph::Error;
+use tactograph::internals::page::MediumParams;
 use tactograph::internals::page::spread::Grid;
 use tactograph::internals::pipeline::Fit;
 use tactograph::internals::profile::Plan;
@@ -71,13 +72,20 @@ impl Fitting {
     pub(in crate::cli) fn is_for_several_sheets(&self, plan: &Plan) -> bool {
         let page = &plan.profile().page;
         let is_wider = self.width_mm.is_some_and(|width| width > page.width.min(page.height));
-        plan.profile().dots.device.is_none() && (self.sheets.is_some() || is_wider)
+        match plan.medium() {
+            MediumParams::Print(_) => self.sheets.is_some() || is_wider,
+            MediumParams::Dots { .. } => false,
+        }
     }
 
     /// What does not go together with the profile.
     pub(in crate::cli) fn fault(&self, plan: &Plan) -> Option<String> {
-        let device = plan.profile().dots.device?;
-        self.sheets.map(|_| Error::OneSheet { device: device.name }.to_string())
+        match plan.medium() {
+            MediumParams::Print(_) => None,
+            MediumParams::Dots { device, .. } => {
+                self.sheets.map(|_| Error::OneSheet { device: device.name }.to_string())
+            }
+        }
     }
 
     /// What they change in the profile, as `KEY=VALUE`.

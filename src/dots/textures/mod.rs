@@ -16,7 +16,7 @@ mod tests;
 pub use pattern::{Way, carried};
 
 use crate::classes::{Class, Classes, Region};
-use crate::devices::Room;
+use crate::devices::DotArea;
 use crate::lines::Line;
 use crate::raster::plane::Plane;
 use crate::textures::{Borders, Glyph, Palette, Shape, Texture, boldness_of, density};
@@ -48,7 +48,7 @@ pub struct Params {
 /// sign of a texture is the one that its dots make. Where there is room for a few dots only, none are set.
 ///
 /// Fringes ([`Classes::fringe`]) are not shown: a single dot has no direction to turn.
-pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, params: &Params) -> Vec<Texture> {
+pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &DotArea, params: &Params) -> Vec<Texture> {
     let mut field = Field {
         borders: Borders::new(classes, area),
         density: density::map(lines, area, params.density_blur),
@@ -57,8 +57,8 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &Room, params
         params,
     };
     let filled = |field: &Field<'_>| match room {
-        Room::Grid(grid) => grid::fill(field, lines, grid),
-        Room::Free(part) => free::fill(field, lines, *part),
+        DotArea::Grid(grid) => grid::fill(field, lines, grid),
+        DotArea::Free(part) => free::fill(field, lines, *part),
     };
     let mut sets = filled(&field);
     let narrow = Params { line_gap: params.least_gap, ..*params };
@@ -123,7 +123,7 @@ fn amount(lightness: f32, density: f32, params: &Params) -> Option<f32> {
 
 /// The texture of a class at one lightness (HSL, 0..=1) and one density of lines (0..=1) all over `area`: a sample for charts
 /// and tests.
-pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, room: &Room, params: &Params) -> Texture {
+pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, room: &DotArea, params: &Params) -> Texture {
     let size = crate::units::Size::new(1, 1);
     let colour = [(255.0 * lightness).round() as u8; 3];
     let classes = Classes {
@@ -141,8 +141,8 @@ pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, room: &R
         params,
     };
     let mut sets = match room {
-        Room::Grid(grid) => grid::fill(&field, &[], grid),
-        Room::Free(part) => free::fill(&field, &[], *part),
+        DotArea::Grid(grid) => grid::fill(&field, &[], grid),
+        DotArea::Free(part) => free::fill(&field, &[], *part),
     };
     let shape = Shape::Dot { diameter: params.diameter };
     let glyphs = sets.pop().unwrap_or_default().into_iter().map(|at| Glyph { at, shape }).collect();

@@ -55,7 +55,7 @@
 
 use super::strays::Apart;
 use crate::classes::Class;
-use crate::devices::{Grid, Room};
+use crate::devices::{DotArea, Grid};
 use crate::textures::{Palette, Sign};
 
 /// The directions that rows of dots can have on a grid: along its rows and columns, and its two diagonals.
@@ -91,9 +91,9 @@ impl Way {
 }
 
 /// The sign that dots make of a sign of the palette.
-pub(super) fn sign(sign: Sign, room: &Room) -> Sign {
+pub(super) fn sign(sign: Sign, room: &DotArea) -> Sign {
     match (sign, room) {
-        (Sign::Rhombus { degrees }, Room::Grid(_)) => Sign::Rhombus { degrees: Way::nearest(degrees).degrees() },
+        (Sign::Rhombus { degrees }, DotArea::Grid(_)) => Sign::Rhombus { degrees: Way::nearest(degrees).degrees() },
         _ => sign,
     }
 }
@@ -105,12 +105,14 @@ pub(super) fn sign(sign: Sign, room: &Room) -> Sign {
 ///
 /// # Errors
 /// All pairs of classes that feel alike, in the order of [`Class::ALL`].
-pub fn carried(palette: &Palette, room: &Room) -> Result<(), Vec<(Class, Class)>> {
+pub fn carried(palette: &Palette, room: &DotArea) -> Result<(), Vec<(Class, Class)>> {
     let is_even = |places: &[f32]| Steps::of(places, 0.0, 0.0).is_even();
     let is_apart = |places: &[f32]| Steps::of(places, 0.0, 0.0).mean > DIAGONALS_TO;
     let without_diagonals = match room {
-        Room::Grid(Grid { columns, rows }) => [columns, rows].iter().any(|places| !is_even(places) || is_apart(places)),
-        Room::Free(_) => false,
+        DotArea::Grid(Grid { columns, rows }) => {
+            [columns, rows].iter().any(|places| !is_even(places) || is_apart(places))
+        }
+        DotArea::Free(_) => false,
     };
     let felt = |class| match sign(palette.sign(class), room) {
         Sign::Rhombus { degrees } if without_diagonals && matches!(Way::nearest(degrees), Way::Up | Way::Down) => {
@@ -382,10 +384,10 @@ mod tests {
 
     #[test]
     fn palettes_that_a_device_cannot_carry_are_told() {
-        let grid = |rows: Vec<f32>| Room::Grid(Grid { columns: (0..40).map(|i| i as f32 * 2.5).collect(), rows });
+        let grid = |rows: Vec<f32>| DotArea::Grid(Grid { columns: (0..40).map(|i| i as f32 * 2.5).collect(), rows });
         let even = grid((0..40).map(|i| i as f32 * 2.5).collect());
         let cells = grid((0..30).map(|i| (i / 3) as f32 * 10.0 + (i % 3) as f32 * 2.5).collect());
-        let free = Room::Free(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0)));
+        let free = DotArea::Free(MmRect::new(MmPoint::zero(), MmPoint::new(90.0, 90.0)));
         let mut leaning = Palette::PAPER;
         leaning.signs[0] = Sign::Rhombus { degrees: 30.0 };
         leaning.signs[1] = Sign::Rhombus { degrees: 60.0 };
@@ -394,7 +396,7 @@ mod tests {
         assert_eq!(carried(&Palette::PAPER, &free), Ok(()));
         assert_eq!(carried(&Palette::PAPER, &cells), Err(vec![(green, red), (green, grey), (red, grey)]));
         let coarse: Vec<f32> = (0..40).map(|i| i as f32 * 3.0).collect();
-        let coarse = Room::Grid(Grid { columns: coarse.clone(), rows: coarse });
+        let coarse = DotArea::Grid(Grid { columns: coarse.clone(), rows: coarse });
         assert_eq!(carried(&Palette::PAPER, &coarse), Err(vec![(green, red), (green, grey), (red, grey)]));
         assert_eq!(carried(&leaning, &free), Ok(()));
         assert_eq!(carried(&leaning, &even), Err(vec![(Class::Blue, green)]));

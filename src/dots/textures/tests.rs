@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Params, fill, sample};
 use crate::classes::{Class, Classes, Region};
-use crate::devices::{Grid, Room};
+use crate::devices::{DotArea, Grid};
 use crate::lines::{Height, Line, Pen, Run};
 use crate::raster::plane::Plane;
 use crate::textures::{Palette, Shape, Texture};
@@ -41,8 +41,8 @@ fn grid(pitch: f32) -> Grid {
     Grid { columns: places(80.0), rows: places(90.0) }
 }
 
-fn free() -> Room {
-    Room::Free(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)))
+fn free() -> DotArea {
+    DotArea::Free(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)))
 }
 
 /// Areas round `seats` (in cells), each of a class, or blank from 5 on.
@@ -95,8 +95,8 @@ proptest! {
         let place = |k: i32| MmPoint::new(80.0 + (way.0 + k * way.2) as f32 * pitch, 90.0 + (way.1 + k * way.3) as f32 * pitch);
         let lines = [line((0..20).map(place).collect())];
         let params = Params { line_gap: gap, least_gap: gap, ..params(pitch) };
-        let textures = fill(&classes, AREA, &lines, &Room::Grid(grid(pitch)), &params);
-        prop_assert_eq!(&textures, &fill(&classes, AREA, &lines, &Room::Grid(grid(pitch)), &params));
+        let textures = fill(&classes, AREA, &lines, &DotArea::Grid(grid(pitch)), &params);
+        prop_assert_eq!(&textures, &fill(&classes, AREA, &lines, &DotArea::Grid(grid(pitch)), &params));
         prop_assert!(lightness < 0.92 || textures.is_empty(), "there is a texture on white");
         let step = |from: f32, to: f32| ((to - from) / pitch).round() as i32;
         let mut all: BTreeMap<(i32, i32), Class> = BTreeMap::new();
@@ -164,7 +164,7 @@ proptest! {
         let other = |i: u32| if up_down { (CELLS - 1 - i / CELLS) * CELLS + i % CELLS } else { i / CELLS * CELLS + CELLS - 1 - i % CELLS };
         let mirrored = Classes { region: (0..CELLS * CELLS).map(|i| classes.region[other(i) as usize]).collect(), ..classes.clone() };
         let palette = Palette { signs: Palette::PAPER.signs.map(crate::textures::Sign::mirrored) };
-        let room = Room::Grid(grid(pitch));
+        let room = DotArea::Grid(grid(pitch));
         // Without lines textures are sparse. Dense diagonal rows from 2.2 mm on are two dots thick, the second on one side of the
         // first; on a picture that stands on its head it lies on the other.
         let here = fill(&classes, AREA, &[], &room, &params(pitch));
@@ -181,7 +181,7 @@ proptest! {
 
 #[test]
 fn darker_and_nearer_to_lines_is_the_same_dots_and_more() {
-    for (room, pitch) in [1.27, 1.6, 2.0, 2.5].map(|p| (Room::Grid(grid(p)), p)).into_iter().chain([(free(), 2.5)]) {
+    for (room, pitch) in [1.27, 1.6, 2.0, 2.5].map(|p| (DotArea::Grid(grid(p)), p)).into_iter().chain([(free(), 2.5)]) {
         for class in Class::ALL {
             let of = |lightness, density| dots(&[sample(class, lightness, density, AREA, &room, &params(pitch))]);
             let (far, near) = (of(0.85, 0.0), of(0.2, 1.0));
@@ -202,7 +202,7 @@ fn a_grid_of_one_column_or_row_has_no_texture() {
     let places = |count: usize| (0..count).map(|i| 25.0 + i as f32 * 2.5).collect::<Vec<f32>>();
     let classes = areas(&[(15.0, 30.0, 0), (30.0, 15.0, 1), (45.0, 30.0, 4)], 0.1);
     for (columns, rows) in [(0, 0), (1, 1), (1, 40), (40, 1)] {
-        let room = Room::Grid(Grid { columns: places(columns), rows: places(rows) });
+        let room = DotArea::Grid(Grid { columns: places(columns), rows: places(rows) });
         let lines = [line(vec![MmPoint::new(60.0, 60.0)])];
         assert_eq!(fill(&classes, AREA, &lines, &room, &params(2.5)), [], "{columns} x {rows}");
         let of = |class| sample(class, 0.1, 1.0, AREA, &room, &params(2.5)).glyphs;
@@ -218,7 +218,8 @@ fn band(width: f32, height: f32) -> usize {
     let cells = region.iter().flatten().count() as u32;
     let regions = vec![Region { class: Class::Blue, colour: [0; 3], cells }];
     let classes = Classes { size, region, regions, lightness: Plane::filled(size, 0.1), fringe: Vec::new() };
-    let textures = fill(&classes, AREA, &[line(vec![MmPoint::new(16.0, 36.0)])], &Room::Grid(grid(2.5)), &params(2.5));
+    let textures =
+        fill(&classes, AREA, &[line(vec![MmPoint::new(16.0, 36.0)])], &DotArea::Grid(grid(2.5)), &params(2.5));
     textures.iter().map(|texture| texture.glyphs.len()).sum()
 }
 
@@ -233,7 +234,7 @@ fn one_row_and_a_few_dots_are_no_texture() {
 fn regions_of_a_class_share_their_rows() {
     let two = areas(&[(15.0, 30.0, 1), (30.0, 30.0, 5), (45.0, 30.0, 1)], 0.3);
     let one = areas(&[(30.0, 30.0, 1), (99.0, 99.0, 5)], 0.3);
-    let room = Room::Grid(grid(1.6));
+    let room = DotArea::Grid(grid(1.6));
     let [two, one] = [two, one].map(|classes| dots(&fill(&classes, AREA, &[], &room, &params(1.6))));
     assert!(two.len() > 200 && two.is_subset(&one));
 }

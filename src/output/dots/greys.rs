@@ -14,10 +14,10 @@ pub const GREYS: [u8; 4] = [255, 170, 85, 0];
 /// Of zlib-rs, 1..=9. The pictures are small.
 const LEVEL: u32 = 9;
 
-/// One page as PNG, whose dots are `pitch` mm apart. A device with one height (`heights` is 1) gets black for every dot.
+/// One page as PNG, whose dots are `pitch` mm apart. A device with one height (no `has_heights`) gets black for every dot.
 ///
 /// A matrix without columns or rows comes out as one white pixel, since there are no smaller pictures.
-pub fn write(matrix: &Matrix, pitch: f32, heights: u8, words: &Words<'_>) -> Vec<u8> {
+pub fn write(matrix: &Matrix, pitch: f32, has_heights: bool, words: &Words<'_>) -> Vec<u8> {
     let [width, height] = [matrix.columns(), matrix.rows()].map(|dots| dots.max(1));
     let mut header = [width, height].map(|dots| u32::try_from(dots).unwrap_or(u32::MAX).to_be_bytes()).concat();
     header.extend([8, 0, 0, 0, 0]); // bits, grey, zlib, filters of rows, not interlaced
@@ -26,7 +26,7 @@ pub fn write(matrix: &Matrix, pitch: f32, heights: u8, words: &Words<'_>) -> Vec
     for y in 0..height {
         let grey = |x| match matrix.height(x, y) {
             0 => GREYS[0],
-            _ if heights <= 1 => GREYS[3],
+            _ if !has_heights => GREYS[3],
             height => GREYS[usize::from(height.min(Matrix::HIGHEST))],
         };
         let row: Vec<u8> = std::iter::once(0).chain((0..width).map(grey)).collect(); // filter 0: as it is
@@ -60,9 +60,9 @@ mod tests {
     fn a_pixel_is_a_dot() {
         let matrix = Matrix::drawn(".-+#\n#...\n");
         let words = Words { title: "A < B\u{1}", description: "", language: "en" };
-        let seen = |pitch, heights| pixels(&write(&matrix, pitch, heights, &words));
-        assert_eq!(seen(1.27, 3), (4, 2, vec![255, 170, 85, 0, 0, 255, 255, 255], Some(787)));
-        assert_eq!(seen(2.5, 1), (4, 2, vec![255, 0, 0, 0, 0, 255, 255, 255], Some(400)));
-        assert_eq!(pixels(&write(&Matrix::new(0, 7), 2.5, 1, &words)).2, [255]);
+        let seen = |pitch, has_heights| pixels(&write(&matrix, pitch, has_heights, &words));
+        assert_eq!(seen(1.27, true), (4, 2, vec![255, 170, 85, 0, 0, 255, 255, 255], Some(787)));
+        assert_eq!(seen(2.5, false), (4, 2, vec![255, 0, 0, 0, 0, 255, 255, 255], Some(400)));
+        assert_eq!(pixels(&write(&Matrix::new(0, 7), 2.5, false, &words)).2, [255]);
     }
 }

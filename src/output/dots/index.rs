@@ -37,7 +37,7 @@ impl Params {
     /// For a sheet of this width and length, mm, dots this far apart, mm, so many copies (1 to 999), and a number for how hard
     /// dots are struck (1, as usual, to 3).
     ///
-    /// Whether the device takes the sheet is not asked here: [`Device::room`] tells.
+    /// Whether the device takes the sheet is not asked here: [`Device::dot_area`] tells.
     ///
     /// # Errors
     /// All faults at once, each a line that says what can be.

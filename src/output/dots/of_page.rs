@@ -1,14 +1,14 @@
 //! The dots of a page: on its device's grid, or where they lie.
 
 use super::Matrix;
-use crate::devices::Room;
-use crate::page::{Dots, Height, Page, Pen, Run};
+use crate::devices::DotArea;
+use crate::page::{DotMedium, Dots, Height, Medium, Page, Pen, Run};
 use crate::units::MmPoint;
 
 impl Matrix {
     /// The dots of a page of dots, each at its height. None if the page is printed, or its device has no grid.
     pub fn of(page: &Page) -> Option<Self> {
-        let Room::Grid(grid) = &page.press.as_ref()?.room else { return None };
+        let Medium::Dots(DotMedium { area: DotArea::Grid(grid), .. }) = &page.medium else { return None };
         let mut matrix = Self::new(grid.columns.len(), grid.rows.len());
         for (at, height) in dots(page) {
             if let Some([x, y]) = grid.nearest(at) {

@@ -9,7 +9,7 @@
 use std::fs;
 use std::path::Path;
 
-use tactograph::internals::devices::{Device, Room};
+use tactograph::internals::devices::{Device, DotArea};
 use tactograph::internals::output::dots::{Matrix, Words, brf, greys, index, pef, ubrl};
 
 /// Pages as the drivers name them, mm.
@@ -54,11 +54,11 @@ fn main() -> Outcome<()> {
     let basic = Device::named("index-basic-d-v3").ok_or("no Basic-D V3")?;
     let params = index::Params::new(basic, [210.0, 297.0], 2.0, 1, 1).map_err(|all| all.join("\n"))?;
     let eight = [random.page(104, 144)];
-    put("eight.png", &greys::write(&eight[0], 2.0, 1, &Words::default()))?;
+    put("eight.png", &greys::write(&eight[0], 2.0, false, &Words::default()))?;
     put("eight.ubrl", ubrl::write(&eight).as_bytes())?;
     put("eight.idx", &index::write(&eight, &params))?;
     let six = [random.page(74, 108)];
-    put("six.png", &greys::write(&six[0], 2.5, 1, &Words::default()))?;
+    put("six.png", &greys::write(&six[0], 2.5, false, &Words::default()))?;
     put("six.brf", brf::write(&six).as_bytes())?;
     // All cells of six dots in the order of Unicode.
     let mut cells = Matrix::new(2 * 64, 3);
@@ -75,7 +75,7 @@ fn main() -> Outcome<()> {
         steps.raise(x, 0, x as u8);
         steps.raise(3 - x, 1, x as u8);
     }
-    put("heights.png", &greys::write(&steps, 1.27, 3, &Words { title: "Heights", ..Words::default() }))?;
+    put("heights.png", &greys::write(&steps, 1.27, true, &Words { title: "Heights", ..Words::default() }))?;
 
     let words = [
         ("plain", Words { title: "A page", description: "Of dots.", language: "en-GB" }),
@@ -103,8 +103,8 @@ fn index_cases(folder: &Path, random: &mut Random) -> Outcome<()> {
                 let (copies, impact) = (1 + random.below(3) as u16, 1 + random.below(3) as u8);
                 let params = index::Params::new(device, *sheet, pitch, copies, impact).map_err(|all| all.join("\n"))?;
                 // The driver counts dots on sheets that the embosser does not take, too; such a page is a small one here.
-                let (columns, rows) = match device.room(*sheet, pitch) {
-                    Ok(Room::Grid(grid)) => (grid.columns.len(), grid.rows.len()),
+                let (columns, rows) = match device.dot_area(*sheet, pitch) {
+                    Ok(DotArea::Grid(grid)) => (grid.columns.len(), grid.rows.len()),
                     _ => (16, 16),
                 };
                 let pages: Vec<Matrix> = (0..1 + random.below(2)).map(|_| random.page(columns, rows)).collect();

@@ -6,10 +6,10 @@
 use std::sync::Arc;
 
 use tactograph::Page;
-use tactograph::internals::devices::Room;
+use tactograph::internals::devices::DotArea;
 use tactograph::internals::dots::textures::{self, Params};
 use tactograph::internals::page::layout::{self, Layout};
-use tactograph::internals::page::{Class, Figure, Parts};
+use tactograph::internals::page::{Class, Figure, Medium, Parts};
 use tactograph::internals::pipeline::{Fit, Request};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::units::{MmPoint, MmRect, Size};
@@ -20,7 +20,7 @@ use super::scenes::{SIDE_MM, Scene};
 pub struct Device {
     plan: Plan,
     /// Where it can put dots.
-    pub room: Room,
+    pub area: DotArea,
     /// Its textures.
     pub params: Params,
     sheet: [f32; 2],
@@ -35,10 +35,11 @@ impl Device {
         // it has a sheet to itself, and is not felt here
         profile.set("overview", "false").expect("a key of the profile");
         let plan = Plan::new(&profile).expect("the values make sense");
-        let Layout { figure, room, sheet, .. } = layout::fit(1.0, f32::MAX, &plan.layout());
-        let (room, params) = (room?, plan.dot_textures()?);
+        let Layout { figure, medium, sheet, .. } = layout::fit(1.0, f32::MAX, &plan.layout());
+        let Medium::Dots(medium) = medium else { return None };
+        let params = plan.dot_textures(&medium);
         let parts = (SIDE_MM as f32 / figure.width()).ceil() as usize;
-        Some(Self { plan, room, params, sheet, parts })
+        Some(Self { plan, area: medium.area, params, sheet, parts })
     }
 
     /// The pages of a scene at its size, each with the part of the scene that is on it.
@@ -61,10 +62,10 @@ impl Device {
 
     /// One texture on a square of the sheet, and where it lies: in the middle, with sides of `side` mm.
     pub fn page_of_sample(&self, class: Class, lightness: f32, density: f32, side: f32) -> (Page, MmRect) {
-        let middle = self.room.bounds().center();
+        let middle = self.area.bounds().center();
         let half = MmPoint::new(0.5 * side, 0.5 * side).to_vector();
         let place = MmRect::new(middle - half, middle + half);
-        let texture = textures::sample(class, lightness, density, place, &self.room, &self.params);
+        let texture = textures::sample(class, lightness, density, place, &self.area, &self.params);
         let figure = Figure { place, source: Size::new(1, 1), textures: vec![texture], lines: Vec::new() };
         let parts = Parts { title: "dots".into(), ..Parts::of(self.sheet, figure) };
         (Page::new(parts).expect("all dots lie on the sheet"), place)

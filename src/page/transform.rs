@@ -1,21 +1,22 @@
-//! How wide marks are printed, and how much of a page is black.
+//! Changes of every mark of a page: narrower, for paper on which ink swells, and mirrored, for the back of the sheet.
 
-use std::f32::consts::FRAC_PI_4;
+use super::medium::Medium;
+use super::parts::{Dots, Glyph, Line, Page, Parts, Run, Shape};
+use crate::units::{MmPoint, MmRect};
 
-use super::{Dots, Glyph, Line, Page, Parts, Pen, Run, Shape};
-
-/// The narrowest that a tick is printed, mm: to be found by looking as well.
+/// The narrowest that a tick is printed, mm: ticks are aligned by eye as well as by touch.
 const LEAST_TICK: f32 = 0.5;
 
 impl Parts {
-    /// Makes all marks but labels, whose dots are those to be printed, narrower by `swell` mm, half of it on each side: what is printed so that, risen, it has the size that
-    /// it has now. A mark that is no wider than that would vanish; a [`Plan`](crate::profile::Plan) has none.
+    /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now once they have
+    /// risen. Labels stay: their dots already have the size to be printed. A mark that is no wider than `swell` would vanish; a
+    /// [`Plan`](crate::profile::Plan) has none.
     pub fn narrowed(&mut self, swell: f32) {
         if swell <= 0.0 {
             return;
         }
         self.orientation_mark.iter_mut().for_each(|run| narrow_run(run, swell));
-        // no key says how wide ticks are, so no plan is refused for them
+        // No key says how wide ticks are, so no plan is refused for them.
         self.registration.iter_mut().for_each(|run| narrow_run(run, swell.min(run.width - LEAST_TICK)));
         narrow_dots(&mut self.frame, swell);
         narrow_lines(&mut self.figure.lines, swell);
@@ -59,16 +60,59 @@ fn narrow_dots(dots: &mut Dots, swell: f32) {
 }
 
 impl Page {
-    /// Share of the figure that is black, 0..=1: the ink of its lines and glyphs by its area. Where lines meet, ink that lies
-    /// on ink counts twice, which is a thousandth or two.
-    pub fn black_share(&self) -> f32 {
-        let of_run = |run: &Run| match run.pen {
-            Pen::Stroke => run.width * crate::geom::polyline::length(&run.points),
-            Pen::Dots(_) => run.points.len() as f32 * FRAC_PI_4 * run.width * run.width,
+    /// The same page with left and right exchanged, marks and frames included: for a machine that embosses a
+    /// sheet from its back.
+    #[must_use]
+    pub fn mirrored(mut self) -> Self {
+        // Dots change places with each other, even where they do not lie in the middle of the sheet.
+        let width = match &self.parts.medium {
+            Medium::Print(_) => self.parts.sheet[0],
+            Medium::Dots(dots) => dots.area.bounds().min.x + dots.area.bounds().max.x,
         };
-        let lines: f32 = self.figure.lines.iter().flat_map(|line| &line.runs).map(of_run).sum();
-        let glyphs: f32 = self.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(Glyph::area).sum();
-        (lines + glyphs) / self.figure.place.area().max(f32::MIN_POSITIVE)
+        let parts = &mut self.parts;
+        let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration);
+        runs.for_each(|run| mirror_run(run, width));
+        parts.labels.iter_mut().for_each(|dots| mirror_dots(dots, width));
+        mirror_dots(&mut parts.frame, width);
+        mirror_rect(&mut parts.figure.place, width);
+        mirror_lines(&mut parts.figure.lines, width);
+        for texture in &mut parts.figure.textures {
+            texture.sign = texture.sign.mirrored();
+            texture.glyphs.iter_mut().for_each(|glyph| mirror_glyph(glyph, width));
+        }
+        if let Some(overview) = &mut parts.overview {
+            mirror_rect(&mut overview.place, width);
+            mirror_dots(&mut overview.frame, width);
+            mirror_lines(&mut overview.lines, width);
+        }
+        self
+    }
+}
+
+fn mirror(at: &mut MmPoint, width: f32) {
+    at.x = width - at.x;
+}
+
+fn mirror_rect(rect: &mut MmRect, width: f32) {
+    (rect.min.x, rect.max.x) = (width - rect.max.x, width - rect.min.x);
+}
+
+fn mirror_dots(dots: &mut Dots, width: f32) {
+    dots.at.iter_mut().for_each(|at| mirror(at, width));
+}
+
+fn mirror_run(run: &mut Run, width: f32) {
+    run.points.iter_mut().for_each(|at| mirror(at, width));
+}
+
+fn mirror_lines(lines: &mut [Line], width: f32) {
+    lines.iter_mut().flat_map(|line| &mut line.runs).for_each(|run| mirror_run(run, width));
+}
+
+fn mirror_glyph(glyph: &mut Glyph, width: f32) {
+    mirror(&mut glyph.at, width);
+    if let Shape::Rhombus { degrees, .. } = &mut glyph.shape {
+        *degrees = 180.0 - *degrees;
     }
 }
 
@@ -76,7 +120,6 @@ impl Page {
 mod tests {
     use super::*;
     use crate::geom::nearest_on_segment;
-    use crate::units::MmPoint;
 
     /// Every corner of the narrow rhombus lies half of the swelling from the sides of the wide one, so that swelling by that
     /// much on each side gives the wide one.

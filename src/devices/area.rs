@@ -1,6 +1,6 @@
 //! Where a device can put dots on a sheet, and what is wrong with sheets and pitches it has no room for.
 
-use super::{Device, Family, Grid, Room, SAME, same};
+use super::{Device, DotArea, Family, Grid, SAME, same};
 use crate::units::{MmPoint, MmRect};
 
 /// From dot to dot at 20 dots per inch, mm.
@@ -43,7 +43,7 @@ mod index {
     pub(super) const REACH: i64 = 30_100;
 }
 
-pub(super) fn of(device: &Device, sheet: [f32; 2], pitch: f32) -> Result<Room, Vec<String>> {
+pub(super) fn of(device: &Device, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
     let mut faults = faults_of_sheet(device, sheet);
     let pitches = device.pitches();
     let pitch = match pitches.find(pitch) {
@@ -55,18 +55,18 @@ pub(super) fn of(device: &Device, sheet: [f32; 2], pitch: f32) -> Result<Room, V
         }
     };
     Ok(match device.family {
-        Family::IndexV3 { .. } => Room::Grid(of_index(sheet, pitch, index::MARGINS_V3)),
-        Family::IndexV4 => Room::Grid(of_index(sheet, pitch, index::MARGINS_V4)),
-        Family::BrailleRap { across } => Room::Free(within(sheet, [across, sheet[1] - HELD], device.diameter())),
-        Family::ViewPlus => Room::Grid(Grid {
+        Family::IndexV3 { .. } => DotArea::Grid(of_index(sheet, pitch, index::MARGINS_V3)),
+        Family::IndexV4 => DotArea::Grid(of_index(sheet, pitch, index::MARGINS_V4)),
+        Family::BrailleRap { across } => DotArea::Free(within(sheet, [across, sheet[1] - HELD], device.diameter())),
+        Family::ViewPlus => DotArea::Grid(Grid {
             columns: steps(0.5 * DOT_20_DPI, DOT_20_DPI, whole(sheet[0], DOT_20_DPI)),
             rows: steps(0.5 * DOT_20_DPI, DOT_20_DPI, whole(sheet[1], DOT_20_DPI)),
         }),
-        Family::Pins { columns, rows } => Room::Grid(Grid {
+        Family::Pins { columns, rows } => DotArea::Grid(Grid {
             columns: steps(0.5 * PIN, PIN, usize::from(columns)),
             rows: steps(0.5 * PIN, PIN, usize::from(rows)),
         }),
-        Family::Cells => Room::Grid(of_cells(sheet, device.diameter())),
+        Family::Cells => DotArea::Grid(of_cells(sheet, device.diameter())),
     })
 }
 

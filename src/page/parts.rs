@@ -1,0 +1,200 @@
+//! What a page is made of, and the check that it goes through.
+
+use std::f32::consts::FRAC_PI_4;
+
+use super::medium::{Medium, Print};
+use crate::units::{MmPoint, MmRect, Size};
+
+pub use crate::classes::Class;
+pub use crate::lines::{Height, Line, Pen, Run};
+pub use crate::textures::{Glyph, Palette, Shape, Sign, Texture};
+
+/// The language of the descriptions that are made here (BCP 47).
+pub const LANGUAGE: &str = "en";
+
+/// A finished page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Page {
+    pub(super) parts: Parts,
+}
+
+/// What a page is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parts {
+    /// Width and height of the sheet, mm.
+    pub sheet: [f32; 2],
+    /// What the page is called.
+    pub title: String,
+    /// What is on it, in plain words.
+    pub description: String,
+    /// The language of title and description as in BCP 47, such as `en`.
+    pub language: String,
+    /// How it was made: program, profile and every parameter, as name and value.
+    pub origin: Vec<(String, String)>,
+    /// The band of fine dots around the figure; empty if there is none.
+    pub frame: Dots,
+    /// The short bar across the top right corner that tells which way up the sheet lies, if there is one.
+    pub orientation_mark: Option<Run>,
+    /// Ticks by which sheets that belong together are laid side by side; few pages have any.
+    pub registration: Vec<Run>,
+    /// The textured figure.
+    pub figure: Figure,
+    /// The smaller picture of lines only, if there is one.
+    pub overview: Option<Overview>,
+    /// Braille and other dots that name or number what is on the page; one entry a size. Few pages have any.
+    pub labels: Vec<Dots>,
+    /// What the page is made for; of dots, every mark is a dot that the device can raise.
+    pub medium: Medium,
+}
+
+impl Parts {
+    /// A printed figure on a sheet (width and height, mm) with nothing beside it and no words.
+    pub fn of(sheet: [f32; 2], figure: Figure) -> Self {
+        Self {
+            sheet,
+            title: String::new(),
+            description: String::new(),
+            language: LANGUAGE.into(),
+            origin: Vec::new(),
+            frame: Dots::default(),
+            orientation_mark: None,
+            registration: Vec::new(),
+            figure,
+            overview: None,
+            labels: Vec::new(),
+            medium: Medium::Print(Print::default()),
+        }
+    }
+}
+
+/// Discs of one size.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Dots {
+    /// Diameter of each, mm.
+    pub diameter: f32,
+    /// Centres.
+    pub at: Vec<MmPoint>,
+}
+
+/// The main picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Where the picture lies on the sheet.
+    pub place: MmRect,
+    /// Size of the upright source picture, px.
+    pub source: Size,
+    /// One texture a region.
+    pub textures: Vec<Texture>,
+    /// One line a contour, weightiest first.
+    pub lines: Vec<Line>,
+}
+
+/// The small picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overview {
+    /// Where it lies on the sheet.
+    pub place: MmRect,
+    /// Its band of fine dots; empty if there is none.
+    pub frame: Dots,
+    /// Its lines.
+    pub lines: Vec<Line>,
+}
+
+/// A mark that cannot be on a page.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{what} lies at {at}, off the sheet of {sheet}")]
+pub struct OffSheet {
+    what: &'static str,
+    at: String,
+    sheet: String,
+}
+
+impl Page {
+    /// Makes a page of its parts.
+    ///
+    /// # Errors
+    /// If a mark is not finite or reaches beyond the sheet.
+    pub fn new(parts: Parts) -> Result<Self, OffSheet> {
+        let [width, height] = parts.sheet;
+        let on_sheet = |what, at: MmPoint, radius: f32| {
+            // NaN fails every comparison, so it is caught here as well
+            let inside =
+                at.x - radius >= 0.0 && at.y - radius >= 0.0 && at.x + radius <= width && at.y + radius <= height;
+            let sheet = || format!("{width} x {height} mm");
+            if inside {
+                Ok(())
+            } else {
+                Err(OffSheet { what, at: format!("{} mm, {} mm", at.x, at.y), sheet: sheet() })
+            }
+        };
+        let overview = parts.overview.iter();
+        let frames = [&parts.frame].into_iter().chain(overview.clone().map(|o| &o.frame));
+        let labels = parts.labels.iter().map(|dots| ("a dot of a label", dots));
+        for (what, dots) in frames.map(|dots| ("a dot of a frame", dots)).chain(labels) {
+            dots.at.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * dots.diameter))?;
+        }
+        let lines = parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines));
+        let runs = lines.flat_map(|line| &line.runs).map(|run| ("a line", run));
+        for (what, run) in runs.chain(
+            parts.orientation_mark.iter().chain(&parts.registration).map(|run| ("a mark beside the picture", run)),
+        ) {
+            run.points.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * run.width))?;
+        }
+        for texture in &parts.figure.textures {
+            texture.glyphs.iter().try_for_each(|glyph| on_sheet("a glyph", glyph.at, glyph.radius()))?;
+        }
+        Ok(Self { parts })
+    }
+
+    /// The same page with words of its maker's: a title, and a description with its language (BCP 47, such as `en`). What is
+    /// not given stays.
+    #[must_use]
+    pub fn called(mut self, title: Option<&str>, description: Option<(&str, &str)>) -> Self {
+        if let Some(title) = title {
+            self.parts.title = title.to_owned();
+        }
+        if let Some((description, language)) = description {
+            (self.parts.description, self.parts.language) = (description.to_owned(), language.to_owned());
+        }
+        self
+    }
+
+    /// How high the dots of frames are pressed.
+    pub fn height_of_frame(&self) -> Height {
+        self.height(Height::Middle)
+    }
+
+    /// How high the dots of textures are pressed.
+    pub fn height_of_textures(&self) -> Height {
+        self.height(Height::Low)
+    }
+
+    fn height(&self, height: Height) -> Height {
+        if self.medium.has_heights() { height } else { Height::High }
+    }
+
+    /// Share of the figure that is black, 0..=1: the ink of its lines and glyphs by its area. Where lines meet, ink that lies
+    /// on ink counts twice, which is a thousandth or two.
+    pub fn black_share(&self) -> f32 {
+        let of_run = |run: &Run| match run.pen {
+            Pen::Stroke => run.width * crate::geom::polyline::length(&run.points),
+            Pen::Dots(_) => run.points.len() as f32 * FRAC_PI_4 * run.width * run.width,
+        };
+        let lines: f32 = self.figure.lines.iter().flat_map(|line| &line.runs).map(of_run).sum();
+        let glyphs: f32 = self.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(Glyph::area).sum();
+        (lines + glyphs) / self.figure.place.area().max(f32::MIN_POSITIVE)
+    }
+
+    /// Whether there is neither a line nor a glyph on it.
+    pub fn is_empty(&self) -> bool {
+        self.figure.lines.is_empty() && self.figure.textures.is_empty()
+    }
+}
+
+impl std::ops::Deref for Page {
+    type Target = Parts;
+
+    fn deref(&self) -> &Parts {
+        &self.parts
+    }
+}

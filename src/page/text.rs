@@ -1,0 +1,137 @@
+//! A page in words: the description that is read aloud, and all marks as plain text, so that a diff shows in what two pages
+//! differ.
+
+use std::fmt::{Display, Formatter, Result};
+
+use super::medium::{DotMedium, Medium};
+use super::parts::{Class, Dots, Figure, Line, Overview, Page, Pen, Run, Shape};
+use crate::devices::DotArea;
+
+/// A description for people who do not see the page: its size, how many contours, the share of each colour (in the order of
+/// [`Class::ALL`], 0..=1, the rest is white).
+pub fn describe(figure: &Figure, overview: Option<&Overview>, shares: Option<[f32; 5]>) -> String {
+    let (width, height) = (figure.place.width().round(), figure.place.height().round());
+    let mut text = format!("Tactile graphic, {width} by {height} millimetres, {}.", contours(figure.lines.len()));
+    if let Some(shares) = shares {
+        text += &colours(shares);
+    }
+    if let Some(overview) = overview {
+        let (width, height) = (overview.place.width().round(), overview.place.height().round());
+        let count = contours(overview.lines.len());
+        text += &format!(" Below it an overview of lines only, {width} by {height} millimetres, {count}.");
+    }
+    text
+}
+
+fn contours(count: usize) -> String {
+    match count {
+        0 => "no contours".into(),
+        1 => "1 contour".into(),
+        _ => format!("{count} contours"),
+    }
+}
+
+/// The colours, most frequent first, in whole percent.
+fn colours(shares: [f32; 5]) -> String {
+    let white = 1.0 - shares.iter().sum::<f32>();
+    let mut named: Vec<(&str, u32)> = Class::ALL
+        .iter()
+        .map(|class| class.name())
+        .zip(shares)
+        .chain([("white", white)])
+        .map(|(name, share)| (name, (100.0 * share).round() as u32))
+        .filter(|(_, percent)| *percent > 0)
+        .collect();
+    named.sort_by_key(|(_, percent)| std::cmp::Reverse(*percent));
+    let list: Vec<String> = named.iter().map(|(name, percent)| format!("{name} {percent} percent")).collect();
+    format!(" Colours: {}.", list.join(", "))
+}
+
+impl Display for Page {
+    /// Writes all marks, one a row, in millimetres with two decimals.
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        writeln!(f, "sheet {} x {}", self.sheet[0], self.sheet[1])?;
+        match &self.medium {
+            Medium::Print(_) => {}
+            Medium::Dots(DotMedium { area: DotArea::Grid(grid), .. }) => {
+                writeln!(f, "grid of {} x {} dots", grid.columns.len(), grid.rows.len())?;
+            }
+            Medium::Dots(DotMedium { area: DotArea::Free(_), .. }) => writeln!(f, "dots anywhere")?,
+        }
+        writeln!(f, "title {}", self.title)?;
+        writeln!(f, "description {}", self.description)?;
+        write_dots(f, "frame", &self.frame)?;
+        if let Some(mark) = &self.orientation_mark {
+            write!(f, "orientation mark")?;
+            write_run(f, mark)?;
+        }
+        for tick in &self.registration {
+            write!(f, "tick")?;
+            write_run(f, tick)?;
+        }
+        let place = self.figure.place;
+        writeln!(f, "figure {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
+        for texture in &self.figure.textures {
+            writeln!(f, "texture {}: {} glyphs", texture.class.name(), texture.glyphs.len())?;
+            for glyph in &texture.glyphs {
+                match glyph.shape {
+                    Shape::Rhombus { length, thickness, .. } => {
+                        writeln!(f, "  {:.2} {:.2} rhombus {length:.2} x {thickness:.2}", glyph.at.x, glyph.at.y)?;
+                    }
+                    Shape::Dot { diameter } => writeln!(f, "  {:.2} {:.2} dot {diameter:.2}", glyph.at.x, glyph.at.y)?,
+                }
+            }
+        }
+        self.figure.lines.iter().try_for_each(|line| write_line(f, line))?;
+        if let Some(overview) = &self.overview {
+            let place = overview.place;
+            write_dots(f, "overview frame", &overview.frame)?;
+            writeln!(f, "overview {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
+            overview.lines.iter().try_for_each(|line| write_line(f, line))?;
+        }
+        self.labels.iter().try_for_each(|label| write_dots(f, "label", label))
+    }
+}
+
+fn write_dots(f: &mut Formatter<'_>, name: &str, dots: &Dots) -> Result {
+    if dots.at.is_empty() {
+        return Ok(());
+    }
+    let range = |values: Vec<f32>| values.into_iter().fold((f32::MAX, f32::MIN), |(a, b), v| (a.min(v), b.max(v)));
+    let (left, right) = range(dots.at.iter().map(|at| at.x).collect());
+    let (top, bottom) = range(dots.at.iter().map(|at| at.y).collect());
+    let (count, diameter) = (dots.at.len(), dots.diameter);
+    writeln!(f, "{name} of {count} dots {diameter:.2}: {left:.2} {top:.2} to {right:.2} {bottom:.2}")
+}
+
+fn write_line(f: &mut Formatter<'_>, line: &Line) -> Result {
+    writeln!(f, "line of strength {:.1}, length {:.1}", line.strength, line.length())?;
+    for run in &line.runs {
+        write_run(f, run)?;
+    }
+    Ok(())
+}
+
+fn write_run(f: &mut Formatter<'_>, run: &Run) -> Result {
+    match run.pen {
+        Pen::Stroke => write!(f, "  {:.2} wide:", run.width)?,
+        Pen::Dots(height) => write!(f, "  dots {:.2} wide, {height}:", run.width)?,
+    }
+    for at in &run.points {
+        write!(f, " {:.2},{:.2}", at.x, at.y)?;
+    }
+    writeln!(f)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_named_by_their_share() {
+        assert_eq!(
+            colours([0.25, 0.0, 0.0, 0.5, 0.004]),
+            " Colours: red 50 percent, blue 25 percent, white 25 percent."
+        );
+    }
+}
