@@ -1,12 +1,13 @@
-//! How far every cell of a grid is from the nearest marked one: P. Felzenszwalb and D. Huttenlocher, Distance transforms of
-//! sampled functions, 2012: the lower envelope of parabolas along the columns, then along the rows.
+//! The Euclidean distance transform of a grid of cells, by the lower envelope of parabolas along the columns, then
+//! along the rows (P. Felzenszwalb and D. Huttenlocher, Distance transforms of sampled functions, 2012).
 
 use crate::units::Size;
 
-/// The square that stands for "there is none": it only must be larger than that of any distance in a grid.
+/// Stands for an infinite squared distance: larger than the square of any distance in a grid.
 const FAR: f32 = 1e12;
 
-/// The distance of each cell from the nearest marked cell, in cells between their centres; infinite where nothing is marked.
+/// The distance of each cell from the nearest marked cell, in cells between their centres; infinite where nothing is
+/// marked.
 pub fn distances(marked: &[bool], size: Size) -> Vec<f32> {
     let (width, height) = (size.width as usize, size.height as usize);
     let mut squares: Vec<f32> = marked.iter().map(|&here| if here { 0.0 } else { FAR }).collect();
@@ -81,7 +82,8 @@ mod tests {
                 let (x, y) = place(i);
                 let to = |j: usize| (place(j).0 - x).hypot(place(j).1 - y);
                 let want = (0..marked.len()).filter(|&j| marked[j]).map(to).fold(f32::INFINITY, f32::min);
-                prop_assert!((want.is_infinite() && found.is_infinite()) || (want - found).abs() < 1e-3, "{i}: {found}, not {want}");
+                let is_same = (want.is_infinite() && found.is_infinite()) || (want - found).abs() < 1e-3;
+                prop_assert!(is_same, "{i}: {found}, not {want}");
             }
         }
     }

@@ -1,14 +1,14 @@
 //! The ink of a page, drawn by resvg from its SVG: textures class by class, and lines.
 //!
-//! Nothing is known of a page but what is drawn on it, the ids of its layers and the sign that each stands for, so pages that somebody changed in an editor
-//! are felt as they are: what is hidden, moved or turned there is so here.
+//! Only what is drawn counts, with the ids of the layers and the sign that each layer states. So a page that was
+//! changed in an editor is judged as it is now: what is hidden, moved or turned there is so here.
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use usvg::roxmltree::{Document, Node};
 use usvg::{ImageHrefResolver, Tree};
 
-use super::measure::PX_PER_MM;
-use super::{Error, Signs};
+use super::measure::{FINGERS, PX_PER_MM};
+use super::signs::Signs;
 use crate::page::{Class, Sign};
 use crate::raster::decode::checked_document;
 use crate::raster::plane::Plane;
@@ -24,7 +24,8 @@ const SIGN: &str = "data-sign";
 /// Millimetres of a CSS pixel.
 const MM_PER_PX: f32 = 25.4 / 96.0;
 
-/// Blank around all ink, mm: wider than the fingertip and the window reach in earnest, so that the border is felt as one.
+/// Blank around all ink, mm: wider than the blur of the fingertip and of the window, so that the border of a texture
+/// is felt as one.
 const MARGIN: f32 = 8.0;
 
 /// Longest side that is felt, mm: a little more than A2. Ink takes 64 pixels a square millimetre.
@@ -34,14 +35,49 @@ const LONGEST: f32 = 700.0;
 const RESOURCES: &[&str] =
     &["defs", "style", "clipPath", "mask", "linearGradient", "radialGradient", "pattern", "symbol", "marker", "filter"];
 
+/// Why a page cannot be felt.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The text is no SVG that can be drawn.
+    #[error("this is not an SVG page that can be read: {0}; give a page that tactograph made")]
+    NotSvg(String),
+    /// None of the ids of a page is there.
+    #[error(
+        "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
+         -grey); give a page that tactograph made"
+    )]
+    NotAPage,
+    /// More than there is room for.
+    #[error(
+        "the figure is {width} x {height} mm, and at most {longest} x {longest} mm can be felt; \
+         check the page's size in mm"
+    )]
+    TooLarge {
+        /// Width of all that is drawn, mm.
+        width: f32,
+        /// Its height, mm.
+        height: f32,
+        /// The limit, mm.
+        longest: f32,
+    },
+    /// There is no such fingertip.
+    #[error(
+        "a fingertip of {0} mm is not known; give one from {low} to {high} mm",
+        low = FINGERS.start(),
+        high = FINGERS.end()
+    )]
+    Finger(f32),
+}
+
 /// The ink of a page's figure.
 #[derive(Debug, Clone)]
 pub struct Ink {
-    /// The part of the sheet that is looked at: whole millimetres, with blank around all ink.
+    /// The part of the sheet that is judged: whole millimetres, with blank around all ink.
     pub area: MmRect,
     /// For each class with a texture on the page its ink, 0 white and 1 black, at [`PX_PER_MM`].
     pub textures: Vec<(Class, Plane)>,
-    /// The signs of the classes, as the layers say; the paper's where they do not.
+    /// The signs of the classes as the layers state them, and those of the default palette where they do not.
     pub signs: Signs,
     /// The ink of the figure's lines.
     pub lines: Plane,
@@ -61,8 +97,8 @@ impl Ink {
         if present.is_empty() && group(FIGURE).is_none() {
             return Err(Error::NotAPage);
         }
-        let said = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(|sign| sign.parse().ok());
-        let signs: Vec<(Class, Option<Sign>)> = present.iter().map(|(name, layer)| (name.0, said(layer))).collect();
+        let stated = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(|sign| sign.parse().ok());
+        let signs: Vec<(Class, Option<Sign>)> = present.iter().map(|(name, layer)| (name.0, stated(layer))).collect();
         let lines = tree(&only(svg, &document, LINES))?;
         let trees = present
             .iter()
@@ -197,7 +233,8 @@ mod tests {
             ("hello", "not an SVG"),
             ("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>", "figure"),
             (
-                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><g id='figure'><g id='lines'><path d='M0,0h9999' stroke='#000'/></g></g></svg>",
+                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><g id='figure'><g id='lines'>\
+                 <path d='M0,0h9999' stroke='#000'/></g></g></svg>",
                 "mm",
             ),
         ] {

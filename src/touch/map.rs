@@ -1,13 +1,17 @@
-//! What is felt, as a picture: the pattern and the name of the class that is felt, place by place.
+//! What is felt, as a picture: the pattern and the name of the class that is felt, cell by cell.
 //!
-//! Colours help who sees them; the patterns and the words say the same without. Places that are too near to a border or a line to
-//! be judged are pale. Where something else is felt than is meant, crosses lie over the pattern and the name says what it
-//! should be; where it could be either, rings.
+//! Patterns and words say the same as the colours. Cells that are too near to a border or a line to be judged are pale.
+//! Where another class is felt than is meant, crosses lie over the pattern and the name states the class that is meant;
+//! where the reading is unclear, rings.
 
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
+use super::distance::distances;
+use super::felt::{Cell, Felt};
+use super::ink::Ink;
 use super::letters;
-use super::{CELLS_PER_MM, Felt, Ink, Place, Signs, distances};
+use super::measure::CELLS_PER_MM;
+use super::signs::Signs;
 use crate::geom::components::{components, four_neighbours};
 use crate::page::{Class, Sign};
 use crate::units::Size;
@@ -18,19 +22,14 @@ const PX_PER_MM: u32 = 4;
 const LETTERS: f32 = 13.0;
 /// Period of the patterns, px: lines 3 mm apart.
 const PERIOD: f32 = 12.0;
-/// An area gets a name if a place in it is this far from its border, in cells of half a millimetre.
-const ROOM_FOR_NAME: f32 = 7.0;
+/// An area gets a name if one of its cells is this far from its border, in cells of half a millimetre.
+const NAME_FROM: f32 = 7.0;
 /// Samples of the legend, px.
 const SAMPLE: u32 = 30;
 const COLUMN: u32 = 190;
 const ROW: u32 = 44;
 
-/// All words that a map may have.
-#[cfg(test)]
-pub(super) const WORDS: [&str; 10] =
-    ["BLUE", "GREEN", "YELLOW", "RED", "GREY", "BLANK", "WRONG", "UNCLEAR", "NOT JUDGED", "NOT"];
-
-/// How a place looks on the map.
+/// How a cell looks on the map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Look {
     felt: Option<Class>,
@@ -61,9 +60,9 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
     let lines = ink.lines.shrunk(size);
     for y in 0..size.height {
         for x in 0..size.width {
-            let place = &felt.places[(y / per_cell * cells.width + x / per_cell) as usize];
+            let cell = &felt.cells[(y / per_cell * cells.width + x / per_cell) as usize];
             let line = lines.values[(y * size.width + x) as usize];
-            let shown = look(place).map_or([255.0; 3], |look| colour(look, signs, x as f32 + 0.5, y as f32 + 0.5));
+            let shown = look(cell).map_or([255.0; 3], |look| colour(look, signs, x as f32 + 0.5, y as f32 + 0.5));
             set(&mut canvas, x, y, shown.map(|value| value * (1.0 - line) + 40.0 * line));
         }
     }
@@ -87,16 +86,19 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
     canvas.encode_png().ok()
 }
 
-/// A place without texture is left blank.
-fn look(place: &Place) -> Option<Look> {
-    let meant = place.meant?;
-    let mark = match () {
-        () if !place.judged => Mark::None,
-        () if !place.clear => Mark::Unclear,
-        () if place.felt != Some(meant) => Mark::Wrong,
-        () => Mark::None,
+/// How a cell is drawn; a cell without texture is left blank.
+fn look(cell: &Cell) -> Option<Look> {
+    let meant = cell.meant?;
+    let mark = if !cell.judged {
+        Mark::None
+    } else if !cell.clear {
+        Mark::Unclear
+    } else if cell.felt != Some(meant) {
+        Mark::Wrong
+    } else {
+        Mark::None
     };
-    Some(Look { felt: place.felt, mark, pale: !place.judged })
+    Some(Look { felt: cell.felt, mark, pale: !cell.judged })
 }
 
 fn legend(signs: &Signs) -> Vec<(&'static str, Look)> {
@@ -169,7 +171,7 @@ fn set(canvas: &mut Pixmap, x: u32, y: u32, colour: [f32; 3]) {
 /// The words on the areas, with the cell where they have most room.
 fn names(felt: &Felt) -> Vec<(Vec<&'static str>, usize, usize)> {
     let (width, height) = (felt.size.width as usize, felt.size.height as usize);
-    let key = |at: usize| felt.places[at].meant.map(|meant| (meant, felt.places[at].felt));
+    let key = |at: usize| felt.cells[at].meant.map(|meant| (meant, felt.cells[at].felt));
     let border: Vec<bool> = (0..width * height)
         .map(|at| {
             let (x, y) = (at % width, at / width);
@@ -184,7 +186,7 @@ fn names(felt: &Felt) -> Vec<(Vec<&'static str>, usize, usize)> {
         // of those with most room the first in reading order
         let best = area.iter().copied().reduce(|a, b| if (room[b], a) > (room[a], b) { b } else { a });
         let Some((best, (meant, felt_as))) = best.and_then(|best| Some((best, key(best)?))) else { continue };
-        if room[best] >= ROOM_FOR_NAME {
+        if room[best] >= NAME_FROM {
             let mut name = vec![word(felt_as)];
             if felt_as != Some(meant) {
                 name.extend(["NOT", word(Some(meant))]);

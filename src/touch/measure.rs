@@ -1,17 +1,20 @@
-//! The measure: what a fingertip that slides over ink makes of it.
+//! The model: what a fingertip that slides over ink feels, by the structure tensor of the blurred ink.
 //!
 //! ```text
 //! ink (8 px/mm) -> blur (fingertip) -> minus its own wide blur -> gradient -> structure tensor over a window -> Feel
 //! ```
 //!
-//! A fingertip of size f is a Gaussian of sigma f mm: what is finer is one lump under it. From the lumps their mean over the
-//! window is taken away, because a border or a fading texture is no texture. What is left is a landscape; the structure
-//! tensor of its slopes (gradients, per mm, averaged over the window) says whether they all run one way. Slopes that are
-//! small beside the ink are not felt at all: they are measured against a tenth of it.
+//! A fingertip of size f is a Gaussian of sigma f mm: finer detail merges under it. The mean over the window is
+//! subtracted from the blurred ink, because a border or a gradual change of ink is no texture. The structure tensor
+//! of the remaining slopes (gradients per mm, averaged over the window; J. Bigun and G. Granlund, Optimal orientation
+//! detection of linear symmetry, 1987) gives their coherence and direction. Slopes that are small compared with the
+//! ink are not felt: the denominator of the coherence has a tenth of the ink added.
 
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
+/// Sizes of fingertips that can be asked for, mm: beyond the largest, the window is no wider than the fingertip.
+pub const FINGERS: std::ops::RangeInclusive<f32> = 0.3..=2.5;
 /// Resolution of ink, px per mm: 0.125 mm is a fifth of the smallest glyph and less than half of the finest fingertip.
 pub const PX_PER_MM: u32 = 8;
 /// Resolution of what is felt, cells per mm. The window is wider by far.
@@ -20,25 +23,25 @@ pub const CELLS_PER_MM: u32 = 2;
 pub const WINDOW: f32 = 3.0;
 /// Less ink than this (share of the area, over the window) is felt as blank.
 pub const BLANK: f32 = 0.004;
-/// Slopes below this share of the ink, over the size of the fingertip, count as flat.
+/// Slopes below this share of the ink, divided by the size of the fingertip, count as flat.
 const FAINT: f32 = 0.10;
 
-/// Coherence from which a direction is felt, by the size of the fingertip, mm. A fine fingertip feels the glyphs
-/// themselves, whose sides run many ways; a broad one feels only rows.
+/// Coherence from which a direction is felt, by the size of the fingertip, mm. A fine fingertip feels single glyphs,
+/// whose sides have many directions; a broad one feels only rows.
 const DIRECTED_FROM: [(f32, f32); 3] = [(0.5, 0.12), (1.0, 0.30), (1.5, 0.35)];
 
-/// What is felt at one place.
+/// What is felt in one cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Feel {
     /// Ink over the window, 0..=1.
     pub ink: f32,
-    /// How much the slopes run one way, 0..=1.
+    /// Coherence of the slopes: 0 no common direction, 1 all the same.
     pub coherence: f32,
-    /// The way that rows run, degrees counter-clockwise from the x axis as a reader sees the page, 0..180.
+    /// Direction of the rows, degrees counter-clockwise from the x axis as a reader sees the page, 0..180.
     pub degrees: f32,
 }
 
-/// What is felt all over an area: [`CELLS_PER_MM`] cells a millimetre, rows from the top.
+/// What is felt over an area: [`CELLS_PER_MM`] cells a millimetre, rows from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Feels {
     /// Cells from left to right and from top to bottom.
@@ -47,7 +50,8 @@ pub struct Feels {
     pub cells: Vec<Feel>,
 }
 
-/// The coherence from which a fingertip of `finger` mm feels a direction; between the three measured sizes on a straight line.
+/// The coherence from which a fingertip of `finger` mm feels a direction; linear between the three
+/// measured sizes.
 pub fn directed_from(finger: f32) -> f32 {
     let [(first, least), .., (_, most)] = DIRECTED_FROM;
     if finger <= first {
@@ -57,16 +61,16 @@ pub fn directed_from(finger: f32) -> f32 {
     pair.map_or(most, |pair| pair[0].1 + (pair[1].1 - pair[0].1) * (finger - pair[0].0) / (pair[1].0 - pair[0].0))
 }
 
-/// Feels `ink` ([`PX_PER_MM`], 0 white and 1 black, sides of whole millimetres) with a fingertip of `finger` mm. Beyond the
-/// border the nearest pixel counts, so leave some blank round the texture.
+/// Feels `ink` ([`PX_PER_MM`], 0 white and 1 black, sides of whole millimetres) with a fingertip of `finger` mm.
+/// Beyond the border the nearest pixel counts, so leave some blank round the texture.
 pub fn feel(ink: &Plane, finger: f32) -> Feels {
     let per_cell = PX_PER_MM / CELLS_PER_MM;
     let size = Size::new(ink.size.width / per_cell, ink.size.height / per_cell);
     let window = WINDOW * CELLS_PER_MM as f32;
-    let mut lumps = ink.clone().blurred(finger * PX_PER_MM as f32);
-    let wide = lumps.shrunk(size).blurred(window);
-    take_away(&mut lumps, &wide);
-    let [xx, xy, yy] = slopes(&lumps, size).map(|plane| plane.blurred(window));
+    let mut blurred = ink.clone().blurred(finger * PX_PER_MM as f32);
+    let wide = blurred.shrunk(size).blurred(window);
+    subtract(&mut blurred, &wide);
+    let [xx, xy, yy] = slopes(&blurred, size).map(|plane| plane.blurred(window));
     let mean = ink.shrunk(size).blurred(window);
     let cells = (0..size.len()).map(|i| {
         let (xx, xy, yy, ink) = (xx.values[i], xy.values[i], yy.values[i], mean.values[i]);
@@ -79,8 +83,8 @@ pub fn feel(ink: &Plane, finger: f32) -> Feels {
     Feels { size, cells: cells.collect() }
 }
 
-/// Takes a coarse plane over the same area away from a fine one.
-fn take_away(fine: &mut Plane, coarse: &Plane) {
+/// Subtracts a coarse plane over the same area from a fine one.
+fn subtract(fine: &mut Plane, coarse: &Plane) {
     let width = fine.size.width as usize;
     let scale = coarse.size.width as f32 / fine.size.width as f32;
     for (y, row) in fine.values.chunks_exact_mut(width).enumerate() {
@@ -133,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn the_way_of_waves_is_felt_as_a_reader_sees_it() {
+    fn the_direction_of_waves_is_felt_as_a_reader_sees_it() {
         for degrees in [0.0, 20.0, 45.0, 90.0, 110.0, 135.0, 170.0] {
             for finger in [0.5, 1.0, 1.5] {
                 let felt = middle(&feel(&waves(degrees, 3.6), finger));

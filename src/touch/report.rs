@@ -1,10 +1,18 @@
 //! What was felt, in numbers and in sentences that can be read aloud.
 
 use std::fmt;
+use std::iter::Sum;
+use std::ops::Add;
 
+use super::felt::{Cell, Felt, JUDGED_FROM};
+use super::ink::Ink;
 use super::measure::{CELLS_PER_MM, PX_PER_MM};
-use super::{Felt, Ink, JUDGED_FROM, Place, count};
+use crate::geom::components::{components, eight_neighbours};
 use crate::page::Class;
+use crate::raster::plane::Plane;
+
+/// Share of the blackest ink from which a pixel belongs to a glyph: dots that are pressed low are drawn grey.
+const BLACK: f32 = 0.5;
 
 /// What was felt on a page.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,70 +28,122 @@ pub struct Report {
 pub struct OfClass {
     /// The class that is meant.
     pub class: Class,
-    /// The area of its textures, mm^2.
-    pub area: f32,
-    /// The part of it that is far enough from lines and borders to be judged, mm^2.
-    pub judged: f32,
-    /// Share of the judged area that is clearly felt as the class, 0..=1; 0 where nothing is judged.
-    pub right: f32,
-    /// Share that is clearly felt as another.
-    pub wrong: f32,
-    /// Share that could as well be felt as another; the three sum to 1.
-    pub unclear: f32,
+    /// How much of its textured area is felt as what.
+    pub areas: Areas,
     /// The class that most of the wrong part is felt as, and `None` in it for blank.
     pub mostly_felt_as: Option<Option<Class>>,
-    /// Ink in the area, 0..=1.
+    /// Ink in the textured area, 0..=1.
     pub ink: f32,
     /// Glyphs to a square centimetre.
     pub density: f32,
+}
+
+/// A textured area in four parts, mm^2.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Areas {
+    /// What is clearly felt as the class that is meant.
+    pub right: f32,
+    /// What could as well be felt as another class.
+    pub unclear: f32,
+    /// What is clearly felt as another class.
+    pub wrong: f32,
+    /// What is nearer to a line or a border than [`JUDGED_FROM`].
+    pub not_judged: f32,
+}
+
+impl Areas {
+    /// The sum of all parts, mm^2.
+    pub fn textured(&self) -> f32 {
+        self.judged() + self.not_judged
+    }
+
+    /// The part that is judged, mm^2.
+    pub fn judged(&self) -> f32 {
+        self.right + self.unclear + self.wrong
+    }
+
+    /// The right part as a share of the judged part, 0..=1; 0 where nothing is judged.
+    pub fn right_of_judged(&self) -> f32 {
+        share(self.right, self.judged())
+    }
+}
+
+impl Add for Areas {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            right: self.right + other.right,
+            unclear: self.unclear + other.unclear,
+            wrong: self.wrong + other.wrong,
+            not_judged: self.not_judged + other.not_judged,
+        }
+    }
+}
+
+impl Sum for Areas {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.fold(Self::default(), Self::add)
+    }
+}
+
+/// A part of a whole, 0..=1; 0 of nothing.
+fn share(part: f32, whole: f32) -> f32 {
+    if whole > 0.0 { part / whole } else { 0.0 }
 }
 
 impl Report {
     /// The report on `felt`, which was felt in `ink`.
     pub fn of(ink: &Ink, felt: &Felt) -> Self {
         let classes = ink.textures.iter().map(|(class, plane)| {
-            let cell = 1.0 / (CELLS_PER_MM * CELLS_PER_MM) as f32;
-            let area_of = |wanted: &dyn Fn(&Place) -> bool| {
-                let of_class = felt.places.iter().filter(|place| place.meant == Some(*class));
-                of_class.filter(|place| wanted(place)).count() as f32 * cell
-            };
-            let area = area_of(&|_| true);
-            let judged = area_of(&|place| place.judged);
-            let right = area_of(&|place| place.judged && place.clear && place.felt == Some(*class));
-            let unclear = area_of(&|place| place.judged && !place.clear);
-            let share = |part: f32| if judged > 0.0 { part / judged } else { 0.0 };
-            let felt_as = |other: Option<Class>| area_of(&|place| place.judged && place.clear && place.felt == other);
-            let others = Class::ALL.map(Some).into_iter().chain([None]).filter(|other| *other != Some(*class));
-            let mostly = others.map(|other| (felt_as(other), other)).max_by(|a, b| a.0.total_cmp(&b.0));
+            let areas = areas_of(felt, *class);
             let inked = plane.values.iter().sum::<f32>() / (PX_PER_MM * PX_PER_MM) as f32;
-            let per_area = |amount: f32| if area > 0.0 { amount / area } else { 0.0 };
             OfClass {
                 class: *class,
-                area,
-                judged,
-                right: share(right),
-                wrong: share(judged - right - unclear),
-                unclear: share(unclear),
-                mostly_felt_as: mostly.filter(|(size, _)| *size > 0.0).map(|(_, other)| other),
-                ink: per_area(inked).min(1.0),
-                density: 100.0 * per_area(count::patches(plane) as f32),
+                areas,
+                mostly_felt_as: mostly_felt_as(felt, *class),
+                ink: share(inked, areas.textured()).min(1.0),
+                density: 100.0 * share(glyphs(plane) as f32, areas.textured()),
             }
         });
-        Self { finger: felt.finger, classes: classes.filter(|of| of.area > 0.0).collect() }
+        Self { finger: felt.finger, classes: classes.filter(|of| of.areas.textured() > 0.0).collect() }
     }
 
-    /// The sums over all classes: area, judged area (mm^2), and the shares of right, wrong and unclear in it.
-    pub fn totals(&self) -> (f32, f32, [f32; 3]) {
-        let sum = |value: &dyn Fn(&OfClass) -> f32| self.classes.iter().map(value).sum::<f32>();
-        let judged = sum(&|of| of.judged);
-        let share = |value: f32| if judged > 0.0 { value / judged } else { 0.0 };
-        let shares = [
-            share(sum(&|of| of.right * of.judged)),
-            share(sum(&|of| of.wrong * of.judged)),
-            share(sum(&|of| of.unclear * of.judged)),
-        ];
-        (sum(&|of| of.area), judged, shares)
+    /// The areas of all classes together: a share of this total is the mean of the classes' shares, weighted by their
+    /// textured areas.
+    pub fn total(&self) -> Areas {
+        self.classes.iter().map(|of| of.areas).sum()
     }
+}
+
+/// How many glyphs there are in ink: the 8-connected components of its dark pixels.
+fn glyphs(ink: &Plane) -> usize {
+    let blackest = ink.values.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+    let is_ink = |at: usize| ink.values[at] >= BLACK * blackest;
+    components(ink.values.len(), is_ink, |at| eight_neighbours(at, ink.size).filter(|&near| is_ink(near))).len()
+}
+
+/// The area of all cells that pass, mm^2.
+fn area_of<'a>(cells: impl Iterator<Item = &'a Cell>, passes: impl Fn(&Cell) -> bool) -> f32 {
+    cells.filter(|cell| passes(cell)).count() as f32 / (CELLS_PER_MM * CELLS_PER_MM) as f32
+}
+
+fn areas_of(felt: &Felt, class: Class) -> Areas {
+    let area =
+        |passes: &dyn Fn(&Cell) -> bool| area_of(felt.cells.iter(), |cell| cell.meant == Some(class) && passes(cell));
+    Areas {
+        right: area(&|cell| cell.judged && cell.clear && cell.felt == Some(class)),
+        unclear: area(&|cell| cell.judged && !cell.clear),
+        wrong: area(&|cell| cell.judged && cell.clear && cell.felt != Some(class)),
+        not_judged: area(&|cell| !cell.judged),
+    }
+}
+
+fn mostly_felt_as(felt: &Felt, class: Class) -> Option<Option<Class>> {
+    let judged = |cell: &Cell| cell.meant == Some(class) && cell.judged && cell.clear;
+    let others = Class::ALL.map(Some).into_iter().chain([None]).filter(|other| *other != Some(class));
+    let areas = others.map(|other| (area_of(felt.cells.iter(), |cell| judged(cell) && cell.felt == other), other));
+    areas.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(area, _)| *area > 0.0).map(|(_, other)| other)
 }
 
 impl fmt::Display for Report {
@@ -91,35 +151,35 @@ impl fmt::Display for Report {
         if self.classes.is_empty() {
             return writeln!(f, "There are no textures on this page: a fingertip feels blank paper and lines.");
         }
-        writeln!(f, "What a fingertip of {} mm feels, colour by colour:", self.finger)?;
-        let (area, judged, [right, wrong, unclear]) = self.totals();
+        writeln!(f, "What a fingertip of {} mm feels, in shares of the textured area of each colour:", self.finger)?;
+        let total = self.total();
         for of in &self.classes {
-            write!(f, "{}: {} of the textured area. ", of.class.name(), Percent(of.area / area))?;
-            if of.judged > 0.0 {
-                write!(f, "Felt right {}, ", Percent(of.right))?;
-                write!(f, "unclear {}, wrong {}", Percent(of.unclear), Percent(of.wrong))?;
-                if let Some(other) = of.mostly_felt_as {
-                    write!(f, " (mostly as {})", other.map_or("blank paper", Class::name))?;
-                }
-                write!(f, ". ")?;
-            } else {
-                write!(f, "Too narrow everywhere to be judged. ")?;
+            let of_all = Percent(share(of.areas.textured(), total.textured()));
+            write!(f, "{}, {of_all} of all textures: {}", of.class.name(), Shares(of.areas))?;
+            if let Some(other) = of.mostly_felt_as {
+                write!(f, ". Wrong is mostly felt as {}", other.map_or("blank paper", Class::name))?;
             }
-            writeln!(f, "Ink {}, {:.1} glyphs to a square centimetre.", Percent(of.ink), of.density)?;
+            writeln!(f, ". Ink {}, {:.1} glyphs to a square centimetre.", Percent(of.ink), of.density)?;
         }
-        if judged > 0.0 {
-            let shares = format!("right {}, unclear {}, wrong {}", Percent(right), Percent(unclear), Percent(wrong));
-            writeln!(f, "All textures: {shares}.")?;
-        }
-        let share = Percent(judged / area);
-        writeln!(
-            f,
-            "{share} of the textured area is judged: what lies {JUDGED_FROM} mm or more from lines and borders."
-        )
+        writeln!(f, "All textures: {}.", Shares(total))?;
+        let nearer = format_args!("What lies nearer than {JUDGED_FROM} mm to a line or a border is not judged");
+        writeln!(f, "{nearer}: a fingertip feels both sides there.")
     }
 }
 
-/// A share as a reader says it. Nothing is called all or none that is not.
+/// The four parts of an area as shares of it.
+struct Shares(Areas);
+
+impl fmt::Display for Shares {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |part: f32| Percent(share(part, self.0.textured()));
+        let Areas { right, unclear, wrong, not_judged } = self.0;
+        write!(f, "right {}, unclear {}, wrong {}, ", percent(right), percent(unclear), percent(wrong))?;
+        write!(f, "not judged {}", percent(not_judged))
+    }
+}
+
+/// A share in whole percent. Nothing is written as 0 or 100 that is not.
 struct Percent(f32);
 
 impl fmt::Display for Percent {
@@ -136,9 +196,22 @@ impl fmt::Display for Percent {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::Size;
 
     #[test]
-    fn shares_are_said_as_they_are() {
+    fn glyphs_are_connected_by_sides_and_corners() {
+        let picture = ["#..#", ".#.#", "....", "#..#"];
+        let values = picture.iter().flat_map(|row| row.chars().map(|c| f32::from(u8::from(c == '#')))).collect();
+        assert_eq!(glyphs(&Plane { size: Size::new(4, 4), values }), 4);
+    }
+
+    fn of(class: Class, [right, unclear, wrong, not_judged]: [f32; 4]) -> OfClass {
+        let areas = Areas { right, unclear, wrong, not_judged };
+        OfClass { class, areas, mostly_felt_as: (wrong > 0.0).then_some(None), ink: 0.06, density: 10.25 }
+    }
+
+    #[test]
+    fn shares_are_written_as_they_are() {
         for (share, want) in [(0.0, "0 %"), (0.001, "under 1 %"), (0.5, "50 %"), (0.997, "over 99 %"), (1.0, "100 %")] {
             assert_eq!(Percent(share).to_string(), want);
         }
@@ -146,7 +219,24 @@ mod tests {
 
     #[test]
     fn a_page_without_textures_is_told_so() {
-        let told = Report { finger: 1.0, classes: Vec::new() }.to_string();
-        assert!(told.starts_with("There are no textures"), "{told}");
+        let text = Report { finger: 1.0, classes: Vec::new() }.to_string();
+        assert!(text.starts_with("There are no textures"), "{text}");
+    }
+
+    #[test]
+    fn the_total_is_the_mean_of_the_lines_by_textured_area_and_counts_what_is_not_judged() {
+        let classes = vec![of(Class::Blue, [5.0, 0.0, 0.0, 95.0]), of(Class::Red, [150.0, 30.0, 60.0, 60.0])];
+        let report = Report { finger: 1.0, classes };
+        let lines = [
+            "What a fingertip of 1 mm feels, in shares of the textured area of each colour:",
+            "blue, 25 % of all textures: right 5 %, unclear 0 %, wrong 0 %, not judged 95 %. \
+             Ink 6 %, 10.2 glyphs to a square centimetre.",
+            "red, 75 % of all textures: right 50 %, unclear 10 %, wrong 20 %, not judged 20 %. \
+             Wrong is mostly felt as blank paper. Ink 6 %, 10.2 glyphs to a square centimetre.",
+            "All textures: right 39 %, unclear 8 %, wrong 15 %, not judged 39 %.",
+            "What lies nearer than 7 mm to a line or a border is not judged: a fingertip feels both sides there.",
+        ];
+        assert_eq!(report.to_string(), lines.join("\n") + "\n");
+        assert!((report.total().right_of_judged() - 155.0 / 245.0).abs() < 1e-6);
     }
 }

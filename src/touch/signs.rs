@@ -1,4 +1,4 @@
-//! Which sign stands for which class on a page, and which of them is felt.
+//! Which sign stands for which class on a page, and which class a fingertip reads.
 
 use super::measure::{BLANK, Feel, directed_from};
 use crate::page::{Class, Palette, Sign};
@@ -16,11 +16,11 @@ pub struct Signs {
 }
 
 impl Signs {
-    /// The signs of a page with these layers, each with the sign that it says. A layer that says none has the paper's. So has
-    /// a class without a layer, unless a layer has a sign that cannot be told from it.
+    /// The signs of a page with these layers, each with the sign that it states. A layer that states none has that of
+    /// the default palette. So has a class without a layer, unless a layer has a sign that cannot be told from it.
     pub(super) fn of_layers(layers: &[(Class, Option<Sign>)]) -> Self {
         let present: Vec<(Class, Sign)> =
-            layers.iter().map(|&(class, said)| (class, said.unwrap_or(Palette::PAPER.sign(class)))).collect();
+            layers.iter().map(|&(class, stated)| (class, stated.unwrap_or(Palette::PAPER.sign(class)))).collect();
         let of_class = |class: Class| {
             let own = present.iter().find(|(other, _)| *other == class).map(|(_, sign)| *sign);
             let paper = Palette::PAPER.sign(class);

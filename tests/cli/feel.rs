@@ -13,19 +13,25 @@ fn with_page() -> Place {
     place
 }
 
+/// The percentage that follows `word` in a line of the report.
+fn percent(line: &str, word: &str) -> u32 {
+    let number = line.split_once(&format!("{word} ")).and_then(|(_, rest)| rest.split_once(" %"));
+    number.and_then(|(number, _)| number.parse().ok()).unwrap_or_else(|| panic!("{word} is not in {line:?}"))
+}
+
 #[test]
 fn a_page_is_told_in_sentences() {
     let place = with_page();
     let run = place.run(&["feel", "page.svg"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let lines: Vec<&str> = run.out.lines().collect();
-    assert_eq!(lines[0], "What a fingertip of 1 mm feels, colour by colour:");
-    assert!(
-        lines[1].starts_with("blue: 100 % of the textured area. Felt right 100 %, unclear 0 %, wrong 0 %."),
-        "{}",
-        run.out
-    );
-    assert!(lines[3].ends_with("what lies 7 mm or more from lines and borders."), "{}", run.out);
+    assert_eq!(lines[0], "What a fingertip of 1 mm feels, in shares of the textured area of each colour:");
+    let (judged, not_judged) = (percent(lines[1], "right"), percent(lines[1], "not judged"));
+    assert!(lines[1].starts_with("blue, 100 % of all textures: right "), "{}", run.out);
+    assert!(judged > 50 && (99..=101).contains(&(judged + not_judged)), "the border is not judged: {}", run.out);
+    let of_total = |word| percent(lines[2], word) == percent(lines[1], word);
+    assert!(lines[2].starts_with("All textures: ") && of_total("right") && of_total("not judged"), "{}", run.out);
+    assert!(lines[3].starts_with("What lies nearer than 7 mm to a line or a border is not judged"), "{}", run.out);
     assert!(lines.iter().all(|line| !line.contains(['|', '\t', '\u{1b}'])), "nothing for eyes only: {}", run.out);
     assert_eq!(place.names(), ["page.svg", "sea.svg"], "nothing is written that was not asked for");
 }

@@ -41,7 +41,7 @@ fn read(picture: &str, truth: impl Fn(f32, f32) -> Option<(Class, Option<Class>)
     let fine_columns = fine.size.width as usize;
     let place = page.figure.place;
     let (mut all, mut class_read, mut leaning_read) = (0, 0, 0);
-    for (i, (broad, fine)) in broad.places.iter().zip(&fine.places).enumerate() {
+    for (i, (broad, fine)) in broad.cells.iter().zip(&fine.cells).enumerate() {
         let mm = |cell: usize| (cell as f32 + 0.5) / touch::CELLS_PER_MM as f32;
         let (column, row) = (i % fine_columns, i / fine_columns);
         let x = (ink.area.min.x + mm(column) - place.min.x) / place.width();

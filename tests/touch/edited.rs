@@ -2,6 +2,7 @@
 
 use tactograph::internals::output::svg;
 use tactograph::internals::page::Class;
+use tactograph::internals::touch::report::OfClass;
 use tactograph::internals::touch::{self, Ink, Report};
 use tactograph::internals::units::{MmPoint, MmRect};
 
@@ -20,14 +21,18 @@ fn report(page: &str) -> Report {
     Report::of(&ink, &ink.felt(1.0).expect("there is such a finger"))
 }
 
+fn wrong_of_judged(of: &OfClass) -> f32 {
+    of.areas.wrong / of.areas.judged()
+}
+
 #[test]
 fn a_page_as_made_is_felt_as_meant() {
     for class in Class::ALL {
         let report = report(&page(class));
         assert_eq!(report.classes.len(), 1);
         let of = report.classes[0];
-        assert!(of.class == class && of.right > 0.999 && of.judged > 1500.0, "{of:?}");
-        assert!((of.area / (70.0 * 60.0) - 1.0).abs() < 0.2, "the area is that of the glyphs: {}", of.area);
+        assert!(of.class == class && of.areas.right_of_judged() > 0.999 && of.areas.judged() > 1500.0, "{of:?}");
+        assert!((of.areas.textured() / (70.0 * 60.0) - 1.0).abs() < 0.2, "the area is that of the glyphs: {of:?}");
     }
 }
 
@@ -37,10 +42,10 @@ fn a_texture_that_was_turned_is_felt_as_another_and_told_so() {
     let page =
         page(Class::Blue).replacen("id=\"texture-blue\"", "id=\"texture-blue\" transform=\"rotate(-45 55 50)\"", 1);
     let report = report(&page);
-    let of = report.classes[0];
-    assert!(of.wrong > 0.99 && of.mostly_felt_as == Some(Some(Class::Green)), "{of:?}");
-    let told = report.to_string();
-    assert!(told.contains("wrong 100 % (mostly as green)"), "{told}");
+    let of = &report.classes[0];
+    assert!(wrong_of_judged(of) > 0.99 && of.mostly_felt_as == Some(Some(Class::Green)), "{of:?}");
+    let text = report.to_string();
+    assert!(text.contains(": right 0 %, unclear") && text.contains("Wrong is mostly felt as green."), "{text}");
 }
 
 #[test]
@@ -57,18 +62,21 @@ fn a_page_with_other_signs_is_read_by_them() {
     let page = svg::write(&crate::common::page::page_of(sea_and_sand.as_bytes(), "sea", &signs, &mut |_| ()).page);
     let classes = report(&page).classes;
     assert_eq!(classes.iter().map(|of| of.class).collect::<Vec<_>>(), [Class::Blue, Class::Yellow]);
-    assert!(classes.iter().all(|of| of.right > 0.98 && of.judged > 1500.0), "{classes:?}");
+    assert!(classes.iter().all(|of| of.areas.right_of_judged() > 0.98 && of.areas.judged() > 1500.0), "{classes:?}");
 
     // by the paper's signs, each is the other
     let untold = report(&page.replace("data-sign=", "data-was=")).classes;
-    assert!(untold.iter().all(|of| of.right < 0.01 && of.wrong > 0.98), "{untold:?}");
+    assert!(untold.iter().all(|of| of.areas.right_of_judged() < 0.01 && wrong_of_judged(of) > 0.98), "{untold:?}");
     let unreadable = report(&page.replace("data-sign=\"rhombus", "data-sign=\"rhomb")).classes;
     assert_eq!(unreadable, untold);
 
     // alone on its page, blue is not taken for the yellow of the paper
     let alone = page.replace("id=\"texture-yellow\"", "id=\"sand\"");
     let classes = report(&alone).classes;
-    assert!(classes.len() == 1 && classes[0].class == Class::Blue && classes[0].right > 0.98, "{classes:?}");
+    assert!(
+        classes.len() == 1 && classes[0].class == Class::Blue && classes[0].areas.right_of_judged() > 0.98,
+        "{classes:?}"
+    );
 }
 
 #[test]

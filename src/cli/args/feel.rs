@@ -14,9 +14,9 @@ editor, as long as its layers have their ids (texture-blue and so on).
 The textures are blurred as by a fingertip, and then their direction is read: rows across are blue, up to the right \
 green, up and down yellow, down to the right red; no direction is grey; or what the page's layers say, if its profile \
 has a palette of its own. Things drawn beside the layers are not looked at. For each colour on the page the report says, \
-in percent of the area that can be judged, how much is felt right, how much is unclear (it could as well be another \
-colour), and how much is wrong. Nearer than 7 mm to a line or to another colour nothing is judged. Last come how much of \
-the area is ink, and how many glyphs there are.
+in percent of the area of its textures, how much is felt right, how much is unclear (it could as well be another \
+colour), how much is wrong, and how much is not judged: what lies nearer than 7 mm to a line or to another colour. Then \
+come how much of the area is ink, and how many glyphs there are. The last lines say the same of all textures together.
 
 This is a model that compares textures well. It does not replace a reader.";
 

@@ -206,7 +206,7 @@ fn read(truth: &Sight<'_>, svg: &str) -> Result<f64, String> {
         Some(clearance) => share(truth.places(INSIDE as f32).filter(|at| clearance(*at) > INSIDE), |at| {
             felt.at(at).and_then(|place| place.felt) == (truth.class)(at)
         }),
-        None => f64::from(Report::of(&ink, &felt).totals().2[0]),
+        None => f64::from(Report::of(&ink, &felt).total().right_of_judged()),
     })
 }
 
