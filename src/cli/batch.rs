@@ -9,7 +9,7 @@ use tactograph::{Error, Note};
 use super::args::Shared;
 use super::fonts::SystemFonts;
 use super::places::{self, Job, Names, Target};
-use super::product::Product;
+use super::product::{Format, Product};
 use super::report::Report;
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
@@ -150,7 +150,7 @@ fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failu
         ([file], Some(path)) => output::to_file(path, file, noun).map_err(|error| about(&job.target, error))?,
         (files, None) => {
             let instead = match product {
-                Product::Page(format) if format.is_of_dots() => "name a file, or add --no-overview",
+                Product::Page(Format::Dots(_)) => "name a file, or add --no-overview",
                 _ => "add --format pdf, or name a file",
             };
             let what = format!("{} sheets do not go into one file of this format; {instead}", files.len());

@@ -3,7 +3,7 @@
 use tactograph::internals::calibration;
 
 use super::args::Calibrate;
-use super::product::Product;
+use super::product::{Format, Product};
 use super::report::Report;
 use super::{Exit, places, settings, sheets};
 
@@ -11,17 +11,21 @@ use super::{Exit, places, settings, sheets};
 pub(super) fn run(args: &Calibrate) -> Exit {
     let report = Report::of_pictures(1, args.quiet);
     let (chosen, mut faults) = args.writing.choose(Some(&args.output));
-    if chosen.format.is_of_dots() {
-        faults.push(format!(
-            "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or .png",
-            chosen.format.name().to_uppercase()
-        ));
-    }
+    let drawing = match chosen.format {
+        Format::Drawing(format) => Some(format),
+        Format::Dots(format) => {
+            faults.push(format!(
+                "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or .png",
+                format.name().to_uppercase()
+            ));
+            None
+        }
+    };
     faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
     faults.iter().for_each(|what| report.usage(what));
-    let plan = match settings::plan(&args.profile, &args.set) {
-        Ok(plan) if faults.is_empty() => plan,
-        plan => {
+    let (plan, format) = match (settings::plan(&args.profile, &args.set), drawing) {
+        (Ok(plan), Some(format)) if faults.is_empty() => (plan, format),
+        (plan, _) => {
             plan.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
             return Exit::Usage;
         }
@@ -33,7 +37,7 @@ pub(super) fn run(args: &Calibrate) -> Exit {
             return Exit::Failed;
         }
     };
-    match sheets::write(&calibration::title(&plan), &pages, chosen, &args.output) {
+    match sheets::write(&calibration::title(&plan), &pages, (format, chosen), &args.output) {
         Ok(names) => {
             pages.iter().for_each(|page| report.done(&page.description));
             names.iter().for_each(|name| report.done(&format!("wrote {name}")));

@@ -1,6 +1,6 @@
 //! `tactograph convert`: pictures in, pages out.
 
-use tactograph::internals::output::{pdf, png, svg};
+use tactograph::internals::output::{pdf, png, svg, write_dots};
 use tactograph::internals::pipeline::{self, Request, sheets};
 use tactograph::{Error, Page};
 
@@ -8,7 +8,7 @@ use super::Exit;
 use super::args::{Chosen, Convert};
 use super::batch::{self, Made, Order};
 use super::dots;
-use super::product::{Format, Product};
+use super::product::{DrawingFormat, Format, Product};
 
 /// Converts all pictures and tells what became of each, in their order.
 pub(super) fn run(args: &Convert) -> Exit {
@@ -47,10 +47,10 @@ pub(super) fn run(args: &Convert) -> Exit {
         };
         let title = args.title.as_deref().unwrap_or(title);
         let files = timings.step("write", || match (&pages[..], chosen.format) {
-            _ if chosen.format.is_of_dots() => dots::write(title, &pages, chosen.format, &common.plan, &args.embossing),
-            ([page], _) => write(page, chosen).map(|file| vec![file]),
-            (pages, Format::Pdf) => Ok(vec![pdf::write(title, pages)]),
-            (pages, _) => pages.iter().map(|page| write(page, chosen)).collect(),
+            (pages, Format::Dots(format)) => write_dots(title, pages, format, args.embossing.numbers()),
+            ([page], Format::Drawing(format)) => write(page, format, chosen).map(|file| vec![file]),
+            (pages, Format::Drawing(DrawingFormat::Pdf)) => Ok(vec![pdf::write(title, pages)]),
+            (pages, Format::Drawing(format)) => pages.iter().map(|page| write(page, format, chosen)).collect(),
         })?;
         Ok(Made { files, notes })
     })
@@ -60,18 +60,10 @@ pub(super) fn run(args: &Convert) -> Exit {
 ///
 /// # Errors
 /// If a PNG would have too many pixels.
-pub(super) fn write(page: &Page, chosen: Chosen) -> Result<Vec<u8>, Error> {
-    Ok(match chosen.format {
-        // the others are written together
-        Format::Svg
-        | Format::Ubrl
-        | Format::Brf
-        | Format::Pef
-        | Format::Idx
-        | Format::Gcode
-        | Format::Pixels
-        | Format::Txt => svg::write(page).into_bytes(),
-        Format::Pdf => pdf::write(&page.title, std::slice::from_ref(page)),
-        Format::Png => png::write(page, chosen.dpi, chosen.depth)?,
+pub(super) fn write(page: &Page, format: DrawingFormat, chosen: Chosen) -> Result<Vec<u8>, Error> {
+    Ok(match format {
+        DrawingFormat::Svg => svg::write(page).into_bytes(),
+        DrawingFormat::Pdf => pdf::write(&page.title, std::slice::from_ref(page)),
+        DrawingFormat::Png => png::write(page, chosen.dpi, chosen.depth)?,
     })
 }

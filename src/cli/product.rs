@@ -1,5 +1,7 @@
 //! What a command makes, in words and file names.
 
+pub(super) use tactograph::internals::output::{DotFormat, DrawingFormat, Format};
+
 use tactograph::internals::output::dots::{gcode, pef};
 use tactograph::internals::output::{json, pdf, png, svg};
 
@@ -12,82 +14,10 @@ pub(super) enum Product {
     Trace,
 }
 
-/// A format of pages.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Format {
-    /// A drawing, to be changed.
-    Svg,
-    /// A document, to be printed.
-    Pdf,
-    /// A picture.
-    Png,
-    /// Dots as Unicode braille, for CUPS.
-    Ubrl,
-    /// Dots as ASCII braille, for any embosser.
-    Brf,
-    /// Dots in the Portable Embosser Format.
-    Pef,
-    /// Dots in the language of Index embossers.
-    Idx,
-    /// Dots for BrailleRAP.
-    Gcode,
-    /// Dots as a picture of a pixel a dot.
-    Pixels,
-    /// Dots as plain text.
-    Txt,
-}
-
 /// How much of a trace is looked at: its mark stands at its top.
 const HEAD_BYTES: u64 = 64 << 10;
 /// Largest file that can be a page of ours, which is far smaller.
 const MOST_BYTES: u64 = 256 << 20;
-
-impl Format {
-    /// All of them, the usual one first.
-    pub(super) const ALL: [Self; 10] = [
-        Self::Svg,
-        Self::Pdf,
-        Self::Png,
-        Self::Ubrl,
-        Self::Brf,
-        Self::Pef,
-        Self::Idx,
-        Self::Gcode,
-        Self::Pixels,
-        Self::Txt,
-    ];
-
-    /// As `--format` has it.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Pdf => "pdf",
-            Self::Png => "png",
-            Self::Ubrl => "ubrl",
-            Self::Brf => "brf",
-            Self::Pef => "pef",
-            Self::Idx => "idx",
-            Self::Gcode => "gcode",
-            Self::Pixels => "pixels",
-            Self::Txt => "txt",
-        }
-    }
-
-    /// How the names of its files end.
-    pub(super) fn ending(self) -> &'static str {
-        if self == Self::Pixels { "png" } else { self.name() }
-    }
-
-    /// The format of files whose names end so.
-    pub(super) fn of_ending(ending: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.ending().eq_ignore_ascii_case(ending))
-    }
-
-    /// Whether it says where dots are and nothing else.
-    pub(super) fn is_of_dots(self) -> bool {
-        !matches!(self, Self::Svg | Self::Pdf | Self::Png)
-    }
-}
 
 impl Product {
     /// What it is called in messages.
@@ -117,7 +47,7 @@ impl Product {
     /// How the names of its files end.
     pub(super) fn ending(self) -> &'static str {
         match self {
-            Self::Page(format) => format.ending(),
+            Self::Page(format) => format.extension(),
             Self::Trace => "json",
         }
     }
@@ -132,7 +62,7 @@ impl Product {
 
     /// Whether there is no room in it for a note of who wrote it: every byte is a dot.
     pub(super) fn has_no_seal(self) -> bool {
-        matches!(self, Self::Page(Format::Ubrl | Format::Brf | Format::Idx | Format::Txt))
+        matches!(self, Self::Page(Format::Dots(DotFormat::Ubrl | DotFormat::Brf | DotFormat::Idx | DotFormat::Txt)))
     }
 
     /// How many bytes from its beginning [`Product::is_own`] needs of a file.
@@ -147,13 +77,15 @@ impl Product {
     pub(super) fn is_own(self, head: &[u8]) -> bool {
         match self {
             // Pages carry a number that fits their bytes only as long as nobody changes them.
-            Self::Page(Format::Svg) => svg::is_as_written(head),
-            Self::Page(Format::Pdf) => pdf::is_as_written(head),
-            Self::Page(Format::Png | Format::Pixels) => png::is_as_written(head),
-            Self::Page(Format::Pef) => pef::is_as_written(head),
-            Self::Page(Format::Gcode) => gcode::is_as_written(head),
+            Self::Page(Format::Drawing(DrawingFormat::Svg)) => svg::is_as_written(head),
+            Self::Page(Format::Drawing(DrawingFormat::Pdf)) => pdf::is_as_written(head),
+            Self::Page(Format::Drawing(DrawingFormat::Png) | Format::Dots(DotFormat::Pixels)) => {
+                png::is_as_written(head)
+            }
+            Self::Page(Format::Dots(DotFormat::Pef)) => pef::is_as_written(head),
+            Self::Page(Format::Dots(DotFormat::Gcode)) => gcode::is_as_written(head),
             // never taken for ours
-            Self::Page(Format::Ubrl | Format::Brf | Format::Idx | Format::Txt) => false,
+            Self::Page(Format::Dots(DotFormat::Ubrl | DotFormat::Brf | DotFormat::Idx | DotFormat::Txt)) => false,
             // Whatever reads JSON and writes it again sets its spaces otherwise.
             Self::Trace => head.starts_with(json::MARK.as_bytes()),
         }

@@ -7,7 +7,7 @@ use tactograph::Page;
 use tactograph::internals::output::pdf;
 
 use super::args::Chosen;
-use super::product::{Format, Product};
+use super::product::{DrawingFormat, Format, Product};
 use super::{convert, output, places};
 
 /// A file and the bytes that go there.
@@ -23,9 +23,14 @@ struct File {
 ///
 /// # Errors
 /// What is in the way, with the file that it is about. All files are looked at before the first is written.
-pub(super) fn write(title: &str, pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<String>, (String, String)> {
-    let product = Product::Page(chosen.format);
-    let files = files(title, pages, chosen, to)?;
+pub(super) fn write(
+    title: &str,
+    pages: &[Page],
+    (format, chosen): (DrawingFormat, Chosen),
+    to: &Path,
+) -> Result<Vec<String>, (String, String)> {
+    let product = Product::Page(Format::Drawing(format));
+    let files = files(title, pages, (format, chosen), to)?;
     let name =
         |file: &File| file.path.as_ref().map_or_else(|| "standard output".into(), |path| path.display().to_string());
     let about = |file: &File, error: anyhow::Error| (name(file), format!("{error:#}"));
@@ -44,12 +49,18 @@ pub(super) fn write(title: &str, pages: &[Page], chosen: Chosen, to: &Path) -> R
     Ok(files.iter().map(name).collect())
 }
 
-fn files(title: &str, pages: &[Page], chosen: Chosen, to: &Path) -> Result<Vec<File>, (String, String)> {
+fn files(
+    title: &str,
+    pages: &[Page],
+    (format, chosen): (DrawingFormat, Chosen),
+    to: &Path,
+) -> Result<Vec<File>, (String, String)> {
     let path = (!places::is_std(to)).then(|| to.to_path_buf());
     let one = |bytes| vec![File { path: path.clone(), made_up: false, bytes }];
-    let bytes = |page| convert::write(page, chosen).map_err(|error| (to.display().to_string(), error.to_string()));
+    let bytes =
+        |page| convert::write(page, format, chosen).map_err(|error| (to.display().to_string(), error.to_string()));
     match (pages, &path) {
-        (_, _) if chosen.format == Format::Pdf => Ok(one(pdf::write(title, pages))),
+        (_, _) if format == DrawingFormat::Pdf => Ok(one(pdf::write(title, pages))),
         ([page], _) => Ok(one(bytes(page)?)),
         (_, None) => {
             let what = format!(

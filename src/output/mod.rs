@@ -1,6 +1,8 @@
 //! Writers: of a page, and of contours as data.
 
+mod dot_files;
 pub mod dots;
+mod format;
 pub mod json;
 mod layer;
 pub mod pdf;
@@ -8,6 +10,9 @@ pub mod png;
 mod seal;
 pub mod svg;
 mod zlib;
+
+pub use dot_files::{Embossing, write as write_dots};
+pub use format::{DotFormat, DrawingFormat, Format};
 
 /// Text that XML and other formats may hold: control characters are replaced.
 fn plain(text: &str) -> String {

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use tactograph::internals::output::png::{Depth, Dpi};
 
 use crate::cli::places::is_std;
-use crate::cli::product::Format;
+use crate::cli::product::{DrawingFormat, Format};
 
 /// Options of all commands that write pages.
 #[derive(Debug, Args)]
@@ -21,7 +22,7 @@ pub(in crate::cli) struct Writing {
     /// the dots at their true size.
     ///
     /// [possible values: svg, pdf, png, ubrl, brf, pef, idx, gcode, pixels, txt] [default: svg]
-    #[arg(long, value_name = "FORMAT", hide_possible_values = true)]
+    #[arg(long, value_name = "FORMAT", value_parser = format(), hide_possible_values = true)]
     format: Option<Format>,
 
     /// Pixels of one inch of the sheet, for PNG
@@ -54,18 +55,18 @@ impl Writing {
     pub(in crate::cli) fn choose(&self, output: Option<&Path>) -> (Chosen, Vec<String>) {
         let mut faults = Vec::new();
         let told = output.filter(|path| !is_std(path));
-        let of_name = told.and_then(Path::extension).and_then(|ending| Format::of_ending(ending.to_str()?));
+        let of_name = told.and_then(Path::extension).and_then(|ending| Format::of_extension(ending.to_str()?));
         if let (Some(name), Some(by_name), Some(asked)) = (told, of_name, self.format)
-            && by_name.ending() != asked.ending()
+            && by_name.extension() != asked.extension()
         {
             let (name, asked) = (name.display(), asked.name());
             faults.push(format!("{name}: this name does not go with --format {asked}; leave one out"));
         }
         // of two that go with the name, the one that is asked for
-        let asked = self.format.filter(|asked| of_name.is_none_or(|by_name| by_name.ending() == asked.ending()));
-        let format = asked.or(of_name).unwrap_or(Format::Svg);
+        let asked = self.format.filter(|asked| of_name.is_none_or(|by_name| by_name.extension() == asked.extension()));
+        let format = asked.or(of_name).unwrap_or(Format::Drawing(DrawingFormat::Svg));
         for (option, given) in [("--dpi", self.dpi.is_some()), ("--grey", self.grey)] {
-            if given && format != Format::Png {
+            if given && format != Format::Drawing(DrawingFormat::Png) {
                 faults.push(format!(
                     "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in .png",
                     format.name().to_uppercase()
@@ -82,12 +83,7 @@ fn dpi(text: &str) -> Result<Dpi, String> {
     text.parse().ok().and_then(Dpi::new).ok_or_else(|| format!("give a whole number from {least} to {most}"))
 }
 
-impl ValueEnum for Format {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(self.name()))
-    }
+fn format() -> impl TypedValueParser<Value = Format> {
+    let named = |name: String| Format::ALL.into_iter().find(|format| format.name() == name);
+    PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(move |name| named(name).ok_or("no format"))
 }

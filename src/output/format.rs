@@ -1,0 +1,193 @@
+//! The formats that pages are written in: drawings of the marks, and files that hold dots and nothing else.
+
+use crate::devices::{Device, Family};
+
+/// A format of pages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// A drawing of all marks at their true size; any page can be drawn.
+    Drawing(DrawingFormat),
+    /// Where dots are and nothing else, for pages of dots.
+    Dots(DotFormat),
+}
+
+/// A format of drawings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum DrawingFormat {
+    /// A drawing, to be changed.
+    Svg,
+    /// A document, to be printed.
+    Pdf,
+    /// A picture.
+    Png,
+}
+
+/// A format of dots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum DotFormat {
+    /// Unicode braille, for CUPS.
+    Ubrl,
+    /// ASCII braille, for any embosser of text.
+    Brf,
+    /// The Portable Embosser Format.
+    Pef,
+    /// The language of Index embossers.
+    Idx,
+    /// G-code for BrailleRAP.
+    Gcode,
+    /// A PNG picture of a pixel a dot.
+    Pixels,
+    /// Plain text.
+    Txt,
+}
+
+impl DrawingFormat {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 3] = [Self::Svg, Self::Pdf, Self::Png];
+
+    /// Its name in lower case, which is also how the names of its files end.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Pdf => "pdf",
+            Self::Png => "png",
+        }
+    }
+}
+
+impl DotFormat {
+    /// All of them.
+    pub const ALL: [Self; 7] = [Self::Ubrl, Self::Brf, Self::Pef, Self::Idx, Self::Gcode, Self::Pixels, Self::Txt];
+
+    /// Its name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ubrl => "ubrl",
+            Self::Brf => "brf",
+            Self::Pef => "pef",
+            Self::Idx => "idx",
+            Self::Gcode => "gcode",
+            Self::Pixels => "pixels",
+            Self::Txt => "txt",
+        }
+    }
+
+    /// How the names of its files end, without the point.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Pixels => "png",
+            other => other.name(),
+        }
+    }
+
+    /// The formats that a device takes, the best one first.
+    pub fn of(device: &Device) -> &'static [Self] {
+        match device.family {
+            Family::IndexV3 { .. } | Family::IndexV4 => &[Self::Idx, Self::Ubrl, Self::Pef, Self::Pixels, Self::Txt],
+            Family::BrailleRap { .. } => &[Self::Gcode],
+            Family::ViewPlus | Family::Pins { .. } => &[Self::Pixels, Self::Ubrl, Self::Pef, Self::Txt],
+            Family::Cells => &[Self::Brf, Self::Txt],
+        }
+    }
+
+    /// Whether a device takes it.
+    pub fn goes_with(self, device: &Device) -> bool {
+        Self::of(device).contains(&self)
+    }
+
+    /// Why a device does not take it, and what it takes instead; none if it does.
+    pub fn refusal(self, device: &Device) -> Option<String> {
+        if self.goes_with(device) {
+            return None;
+        }
+        let format = self.name().to_uppercase();
+        let names: Vec<&str> = Self::of(device).iter().map(|format| format.name()).collect();
+        let takes = match names.split_last() {
+            Some((last, [])) => (*last).to_owned(),
+            Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+            None => String::new(),
+        };
+        let name = device.name;
+        Some(format!(
+            "{format} is not for {name}, which takes {takes}; take one of these, or SVG, PDF or PNG to look at"
+        ))
+    }
+
+    /// A built-in profile whose pages can be written in it.
+    pub fn example_profile(self) -> &'static str {
+        match self {
+            Self::Brf => "braille-cells",
+            Self::Gcode => "braillerap",
+            Self::Pixels => "viewplus-columbia",
+            Self::Txt => "dot-pad",
+            Self::Ubrl | Self::Pef | Self::Idx => "index-basic-d",
+        }
+    }
+}
+
+impl Format {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 10] = [
+        Self::Drawing(DrawingFormat::Svg),
+        Self::Drawing(DrawingFormat::Pdf),
+        Self::Drawing(DrawingFormat::Png),
+        Self::Dots(DotFormat::Ubrl),
+        Self::Dots(DotFormat::Brf),
+        Self::Dots(DotFormat::Pef),
+        Self::Dots(DotFormat::Idx),
+        Self::Dots(DotFormat::Gcode),
+        Self::Dots(DotFormat::Pixels),
+        Self::Dots(DotFormat::Txt),
+    ];
+
+    /// Its name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Drawing(format) => format.name(),
+            Self::Dots(format) => format.name(),
+        }
+    }
+
+    /// How the names of its files end, without the point.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Drawing(format) => format.name(),
+            Self::Dots(format) => format.extension(),
+        }
+    }
+
+    /// The format of files whose names end so, in any case; `png` is the drawing.
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extensions_lead_back_to_their_formats() {
+        for format in Format::ALL {
+            let back = Format::of_extension(&format.extension().to_uppercase());
+            let png = Format::Drawing(DrawingFormat::Png);
+            assert_eq!(back, Some(if format == Format::Dots(DotFormat::Pixels) { png } else { format }));
+        }
+        assert_eq!(Format::of_extension("jpg"), None);
+    }
+
+    #[test]
+    fn every_device_takes_a_format_and_says_which() {
+        for device in Device::ALL {
+            let takes = DotFormat::ALL.into_iter().filter(|format| format.goes_with(device)).count();
+            assert_eq!(takes, DotFormat::of(device).len(), "{}", device.id);
+            assert!(takes > 0, "{}", device.id);
+        }
+        let of = |id| Device::named(id).expect("in the table");
+        assert_eq!(
+            DotFormat::Brf.refusal(of("graphiti")).expect("it has no cells"),
+            "BRF is not for Orbit Graphiti, which takes pixels, ubrl, pef or txt; take one of these, or SVG, PDF or PNG to look at"
+        );
+        assert!(DotFormat::Txt.refusal(of("braillerap-a4")).is_some_and(|why| why.contains("which takes gcode; ")));
+    }
+}
