@@ -37,15 +37,11 @@ impl Trace {
     /// The contours as they were found in a working picture of the source picture of size `source`.
     pub fn of_edges(edges: &Edges, source: Size) -> Self {
         let scale = Scale::new(edges.size, source);
-        let polylines = edges.chains().map(|chain| {
-            let closed = chain.len() > 3 && chain.first().map(|p| p.at) == chain.last().map(|p| p.at);
-            let chain = &chain[..chain.len() - usize::from(closed)];
-            Polyline {
-                closed,
-                points: chain.iter().map(|point| scale.to_source(point.at)).collect(),
-                strength: chain.iter().map(|point| point.strength).collect(),
-                width: None,
-            }
+        let polylines = edges.chains().map(|chain| Polyline {
+            closed: chain.closed,
+            points: chain.vertices.iter().map(|edgel| scale.to_source(edgel.at)).collect(),
+            strength: chain.vertices.iter().map(|edgel| edgel.strength).collect(),
+            width: None,
         });
         Self { size: source, polylines: polylines.collect() }
     }
@@ -93,9 +89,9 @@ struct Strengths<'a> {
 impl<'a> Strengths<'a> {
     fn new(edges: &'a Edges, frame: &Frame, area: MmRect, reach: f32) -> Self {
         let mut segments = Nearby::new(area, reach);
-        for (number, range) in edges.chains.iter().enumerate() {
-            for index in range.start..range.end.saturating_sub(1) {
-                let [a, b] = [index, index + 1].map(|i| frame.to_mm(edges.points[i].at));
+        for (number, chain) in edges.chains().enumerate() {
+            for (index, (a, b)) in chain.segments().enumerate() {
+                let (a, b) = (frame.to_mm(a.at), frame.to_mm(b.at));
                 segments.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: index as u32, arc: 0.0 });
             }
         }
@@ -103,8 +99,10 @@ impl<'a> Strengths<'a> {
     }
 
     fn near(&self, at: MmPoint) -> Option<f32> {
-        let (_, on, Segment { a, b, index, .. }) = self.segments.nearest(at, self.reach, |_| true)?;
-        let [from, to] = [index as usize, index as usize + 1].map(|i| self.edges.points[i].strength);
+        let (_, on, Segment { a, b, line, index, .. }) = self.segments.nearest(at, self.reach, |_| true)?;
+        let chain = self.edges.chain(&self.edges.chains[line as usize]);
+        let next = chain.next(index as usize, 1)?;
+        let [from, to] = [index as usize, next].map(|i| chain.vertices[i].strength);
         let length = (b - a).length();
         let share = if length > 0.0 { (on - a).length() / length } else { 0.0 };
         Some(from + (to - from) * share)

@@ -22,7 +22,7 @@ use crate::page::{self, Dots, Figure, Medium, Overview, Page, Parts, Print, Text
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Fonts, Limits, Options, Source};
-use crate::units::{MmRect, PxPoint, Size};
+use crate::units::{MmRect, Size};
 use crate::{Error, Note, textures};
 
 /// A page and what its maker should know.
@@ -300,8 +300,7 @@ fn sort_colours(
     let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
     Some(run(watch, Stage::Classes, || {
         let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
-        let chains = edges.into_iter().flat_map(Edges::chains);
-        let contours: Vec<Vec<PxPoint>> = chains.map(|chain| chain.iter().map(|point| point.at).collect()).collect();
+        let contours = edges.map(Edges::polylines).unwrap_or_default();
         classes::sort(raster, &contours, &plan.classes(px_per_mm))
     }))
 }

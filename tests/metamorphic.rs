@@ -130,7 +130,7 @@ fn unmatched(of: &[(f32, f32)], among: &[(f32, f32)], tolerance: f32) -> f32 {
 }
 
 fn edge_points(edges: &Edges) -> Vec<(f32, f32)> {
-    edges.points.iter().map(|p| (p.at.x, p.at.y)).collect()
+    edges.edgels.iter().map(|p| (p.at.x, p.at.y)).collect()
 }
 
 /// Points every 0.2 mm along lines.
@@ -198,9 +198,7 @@ fn colours_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let labels = |raster: &Raster| -> (Size, Vec<Option<Class>>) {
             let edges = edges::find(raster, &EDGES);
-            let contours: Vec<Vec<PxPoint>> =
-                edges.chains().map(|c| c.iter().map(|point| point.at).collect()).collect();
-            let classes = classes::sort(raster, &contours, &CLASSES);
+            let classes = classes::sort(raster, &edges.polylines(), &CLASSES);
             let label = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
             (classes.size, classes.region.iter().map(label).collect())
         };

@@ -65,7 +65,7 @@ fn strength_is_the_height_of_the_step_at_any_angle_scale_and_blur() {
                     let raster = picture(|x, y| 40.0 + height * step(across(degrees, x, y), blur));
                     let edges = edges::find(&raster, &edge_params(sigma));
                     let inner: Vec<_> = edges
-                        .points
+                        .edgels
                         .iter()
                         .filter(|p| (20.0..280.0).contains(&p.at.x) && (20.0..280.0).contains(&p.at.y))
                         .collect();
@@ -83,7 +83,7 @@ fn strength_is_the_height_of_the_step_at_any_angle_scale_and_blur() {
 #[test]
 fn edges_lie_where_the_step_is() {
     let error = |edges: &Edges, degrees: f32| {
-        let inner = edges.points.iter().filter(|p| (20.0..280.0).contains(&p.at.x) && (20.0..280.0).contains(&p.at.y));
+        let inner = edges.edgels.iter().filter(|p| (20.0..280.0).contains(&p.at.x) && (20.0..280.0).contains(&p.at.y));
         let squares: Vec<f32> = inner.map(|p| across(degrees, p.at.x, p.at.y).powi(2)).collect();
         (squares.iter().sum::<f32>() / squares.len() as f32).sqrt()
     };

@@ -29,6 +29,7 @@ use pulp::Arch;
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::hue::encoded;
+use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::plane::{Plane, Shrinker, shrink};
 use crate::units::{PxPoint, Size};
@@ -177,7 +178,7 @@ impl Cells {
 
 /// Averages the picture over cells and blurs it with `sigma` (cells), neither across `contours`. Pixels nearer to a contour than
 /// `beside` px hardly count.
-pub(super) fn average(raster: &Raster, contours: &[Vec<PxPoint>], size: Size, sigma: f32, beside: f32) -> Cells {
+pub(super) fn average(raster: &Raster, contours: &[Polyline<PxPoint>], size: Size, sigma: f32, beside: f32) -> Cells {
     let from = raster.size();
     let mut borders = Borders::open(size);
     if contours.is_empty() {
@@ -187,7 +188,7 @@ pub(super) fn average(raster: &Raster, contours: &[Vec<PxPoint>], size: Size, si
     }
     let (sx, sy) = (size.width as f32 / from.width as f32, size.height as f32 / from.height as f32);
     for contour in contours {
-        borders.shut(contour.iter().map(|at| (at.x * sx, at.y * sy)));
+        borders.shut(contour.path().map(|at| (at.x * sx, at.y * sy)));
     }
     let clear = clear_of(contours, from, beside);
     let weight = shrink(&clear, from, size).values;
@@ -212,14 +213,14 @@ pub(super) fn average(raster: &Raster, contours: &[Vec<PxPoint>], size: Size, si
 }
 
 /// 1 for every pixel whose centre is `beside` px or more away from all contours' points, else [`BESIDE_WEIGHT`].
-fn clear_of(contours: &[Vec<PxPoint>], size: Size, beside: f32) -> Vec<f32> {
+fn clear_of(contours: &[Polyline<PxPoint>], size: Size, beside: f32) -> Vec<f32> {
     let mut clear = Plane::filled(size, 1.0).values;
     let pixels = |at: f32, most: u32| {
         let first = (at - beside - 0.5).ceil().max(0.0) as usize;
         let last = (at + beside - 0.5).floor().min(most as f32 - 1.0);
         first..(last + 1.0).max(0.0) as usize
     };
-    for at in contours.iter().flatten() {
+    for at in contours.iter().flat_map(|contour| &contour.vertices) {
         for y in pixels(at.y, size.height) {
             let dy = y as f32 + 0.5 - at.y;
             for x in pixels(at.x, size.width) {

@@ -13,6 +13,7 @@ mod hue;
 
 use hue::Shade;
 
+use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
@@ -128,7 +129,7 @@ impl Classes {
 }
 
 /// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary one.
-pub fn sort(raster: &Raster, contours: &[Vec<PxPoint>], params: &Params) -> Classes {
+pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) -> Classes {
     let cells = |pixels: u32| ((pixels as f32 / params.cell.max(1.0)).round() as u32).clamp(1, pixels);
     let from = raster.size();
     let size = Size::new(cells(from.width), cells(from.height));

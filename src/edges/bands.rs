@@ -1,8 +1,8 @@
-//! The rows of the picture, from colours to ridge points, in bands that the cores take side by side.
+//! From the rows of the picture to ridge points, in bands of rows that are processed in parallel.
 //!
-//! A band computes some rows above and below it once more, as many as the filters reach. Every sum is made within one band
-//! and in the same order as without bands, so their number changes nothing: a cell in which values are averaged belongs to
-//! the band in which it begins, and bands begin where the largest cells do.
+//! A band also computes the rows above and below it that its filters reach. Every sum lies within one band and runs in
+//! the same order as without bands, so the number of bands changes nothing. A cell in which values are averaged
+//! belongs to the band in which it begins, and bands begin where the largest cells begin.
 
 use std::ops::Range;
 
@@ -10,22 +10,25 @@ use pulp::Arch;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::gradient::Gradient;
-use super::sides;
-use super::thin::{Ridge, Thinner};
-use super::{Params, lab};
+use super::lab;
+use super::maxima::MaximaFinder;
+use super::params::Params;
+use super::ridge::RidgePoint;
+use super::side_statistics::{self, Builder};
 use crate::raster::Raster;
 
-/// Bands for a core: more than one, since there is more to do where there are more edges.
-const FOR_A_CORE: usize = 2;
-/// Rows of a band, at least: the rows computed twice should be few beside them.
-const LEAST_ROWS: usize = 64;
+/// Bands per core: more than one, because bands with more edges take longer.
+const BANDS_PER_CORE: usize = 2;
+/// Least number of rows in a band: the rows that are computed twice should be few in comparison.
+const MIN_ROWS: usize = 64;
 
-/// The ridge points in reading order, and what lies at their sides. `weights` is what each colour plane counts.
-pub(super) fn walk(raster: &Raster, weights: &[f32], params: &Params) -> (Vec<Ridge>, sides::Builder) {
+/// The ridge points in reading order, and the statistics of the colours beside them. `weights` has the weight of each
+/// colour plane.
+pub(super) fn scan(raster: &Raster, weights: &[f32], params: &Params) -> (Vec<RidgePoint>, Builder) {
     let bands: Vec<_> = split(raster, params).into_par_iter().map(|rows| band(raster, weights, params, rows)).collect();
     let count: usize = bands.iter().map(|(points, _)| points.len()).sum();
     let mut bands = bands.into_iter();
-    // there is always a first
+    // there is always a first band
     let (mut points, mut sides) = bands.next().unwrap_or_else(|| band(raster, weights, params, 0..0));
     points.reserve_exact(count - points.len());
     for (more, of_band) in bands {
@@ -39,17 +42,19 @@ pub(super) fn walk(raster: &Raster, weights: &[f32], params: &Params) -> (Vec<Ri
 fn split(raster: &Raster, params: &Params) -> Vec<Range<usize>> {
     let height = raster.size().height as usize;
     let cores = rayon::current_num_threads();
-    let wanted = if cores > 1 { (FOR_A_CORE * cores).min(height / LEAST_ROWS).max(1) } else { 1 };
-    let places = sides::rows_of_cells(raster.size(), params);
-    // the first place from each border on
-    let mut starts: Vec<usize> =
-        (0..wanted).filter_map(|band| places.iter().copied().find(|place| *place >= band * height / wanted)).collect();
+    let wanted = if cores > 1 { (BANDS_PER_CORE * cores).min(height / MIN_ROWS).max(1) } else { 1 };
+    let cell_starts = side_statistics::cell_starts(raster.size(), params);
+    // the first cell at or below each equal division of the height
+    let mut starts: Vec<usize> = (0..wanted)
+        .filter_map(|band| cell_starts.iter().copied().find(|start| *start >= band * height / wanted))
+        .collect();
     starts.dedup();
     let ends = starts.iter().skip(1).copied().chain([height]);
     starts.iter().copied().zip(ends).map(|(start, end)| start..end).collect()
 }
 
-fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) -> (Vec<Ridge>, sides::Builder) {
+/// Processes the rows `own`.
+fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) -> (Vec<RidgePoint>, Builder) {
     let arch = Arch::new();
     let (size, planes) = (raster.size(), lab::planes(raster));
     let wider =
@@ -59,31 +64,31 @@ fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) ->
         false => a.start.min(b.start)..a.end.max(b.end),
     };
 
-    let mut sides = sides::Builder::new(size, planes, params, own.clone());
-    let mut thinner = Thinner::new(size, params, own.clone());
-    let tensors = both(&wider(&own, thinner.reach()), &sides.rows_of_tensors());
+    let mut sides = Builder::new(size, planes, params, own.clone());
+    let mut maxima = MaximaFinder::new(size, params, own.clone());
+    let tensors = both(&wider(&own, maxima.reach()), &sides.tensor_rows());
     let mut gradient = Gradient::new(size, planes, params.sigma, tensors.clone());
-    let rows = both(&wider(&tensors, gradient.reach()), &sides.rows_of_colours());
-    thinner.start(tensors.start);
+    let rows = both(&wider(&tensors, gradient.reach()), &sides.colour_rows());
+    maxima.start(tensors.start);
     gradient.start(rows.start);
     sides.start(rows.start, tensors.start);
 
     let mut lab = vec![vec![0.0; size.width as usize]; planes];
     for y in rows {
         lab::row(arch, raster, y, &mut lab);
-        // as they are: means over whole cells have little noise left
+        // without the weights: means over whole cells have little noise left
         sides.push_colours(&lab);
         for (plane, &weight) in lab.iter_mut().zip(weights).filter(|(_, weight)| **weight < 1.0) {
             plane.iter_mut().for_each(|v| *v *= weight);
         }
         gradient.push(&lab, |tensor| {
             sides.push_tensor(tensor);
-            thinner.push(tensor);
+            maxima.push(tensor);
         });
     }
     gradient.finish(|tensor| {
         sides.push_tensor(tensor);
-        thinner.push(tensor);
+        maxima.push(tensor);
     });
-    (thinner.finish(), sides)
+    (maxima.finish(), sides)
 }

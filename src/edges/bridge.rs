@@ -1,160 +1,230 @@
-//! Ends that belong together are joined: over weak spots of a contour, and round corners so sharp that the gradient
-//! loses its direction there.
+//! Bridges gaps: ends of contours that belong together are joined, over weak parts of a contour and around corners so
+//! sharp that the gradient has no clear direction there.
 
-use super::path::{Mark, Path};
+use super::contour::{Contour, ContourPoint};
+use crate::geom::polyline::Blend;
 use crate::units::{PxPoint, PxVector};
 
-/// Ends that point at one another are joined over this many scales.
-const FAR: f32 = 6.0;
-/// ... if the cosine between each one's heading and the way across is at least this (37 degrees),
-const AHEAD: f32 = 0.8;
-/// Other ends, as at a corner, over this many scales if both edges have the same colours on the same sides,
-const NEAR: f32 = 3.2;
-/// ... and neither end has the other behind it: least cosine between its heading and the way across.
-const BESIDE: f32 = -0.35;
-/// ... unless they just ran past one another at a sharp corner, by no more than this many scales.
-const PAST: f32 = 1.3;
-/// Ends nearer than this are one place whatever their headings, px.
-const TOUCHING: f32 = 0.8;
-/// A path whose own ends are joined is at least this many times as long as the gap.
-const RING: f32 = 3.0;
-/// The heading of an end is taken over this many scales.
-const HEADING: f32 = 3.0;
+/// Ends that point at one another are joined over gaps of up to this many scales.
+const MAX_GAP: f32 = 6.0;
+/// They do if the cosine between the direction of each end and the gap is at least this (37 degrees).
+const ALIGNED: f32 = 0.8;
+/// Other ends, as at a corner, are joined over gaps of up to this many scales, if both have the same colours on the
+/// same sides.
+const MAX_CORNER_GAP: f32 = 3.2;
+/// Neither of them may have the other end behind it: least cosine between the direction of an end and the gap.
+const NOT_BEHIND: f32 = -0.35;
+/// This does not hold for ends that just overshoot a sharp corner: gaps of up to this many scales.
+const OVERSHOOT: f32 = 1.3;
+/// Ends nearer than this are joined whatever their directions, px.
+const COINCIDENT: f32 = 0.8;
+/// The two ends of one contour are joined only if it is at least this many times as long as the gap, plus two scales.
+const MIN_RING: f32 = 3.0;
+/// The direction of an end is measured over this many scales.
+const DIRECTION_LENGTH: f32 = 3.0;
+/// Least position error of points in a gap, px: nothing was measured there.
+const GAP_SIGMA: f32 = 0.3;
 
+/// An end of an open contour.
 struct End {
-    path: usize,
+    contour: usize,
     at_start: bool,
     at: PxPoint,
-    heading: PxVector,
-    /// Colour step as seen when leaving the path through this end.
-    step: [f32; 3],
+    /// Unit direction out of the contour.
+    direction: PxVector,
+    /// Colour on the right minus colour on the left, as seen when leaving the contour through this end.
+    contrast: [f32; 3],
 }
 
-/// Joins open paths end to end and closes those whose own ends meet. `scale` is the sigma of the derivative, px.
-pub(super) fn join(paths: Vec<Path>, scale: f32) -> Vec<Path> {
-    let ends = ends(&paths, scale);
-    let lengths: Vec<f32> = paths.iter().map(Path::length).collect();
-    let mut by_x: Vec<usize> = (0..ends.len()).collect();
-    by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x).then(a.cmp(&b)));
-    let mut joints = Vec::new();
-    for (k, &i) in by_x.iter().enumerate() {
-        for &j in by_x[k + 1..].iter().take_while(|&&j| ends[j].at.x - ends[i].at.x <= FAR * scale) {
-            let (i, j) = (i.min(j), i.max(j));
-            if let Some(cost) = cost(&ends[i], &ends[j], &lengths, scale) {
-                joints.push((cost, i, j));
-            }
-        }
-    }
-    joints.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    let mut partner = vec![None; ends.len()];
-    for (_, i, j) in joints {
-        if partner[i].is_none() && partner[j].is_none() {
-            (partner[i], partner[j]) = (Some(j), Some(i));
-        }
-    }
-    thread(paths, &ends, &partner)
+/// Joins open contours end to end, and closes those whose own ends meet. `sigma` is the scale of the derivative, px.
+pub(super) fn join(contours: Vec<Contour>, sigma: f32) -> Vec<Contour> {
+    let ends = ends(&contours, sigma);
+    let partner = partners(&contours, &ends, sigma);
+    concatenate(contours, &ends, &partner)
 }
 
-fn ends(paths: &[Path], scale: f32) -> Vec<End> {
+/// Both ends of every open contour of at least three points.
+fn ends(contours: &[Contour], sigma: f32) -> Vec<End> {
     let mut ends = Vec::new();
-    for (number, path) in paths.iter().enumerate().filter(|(_, path)| !path.closed && path.marks.len() > 2) {
+    for (number, contour) in contours.iter().enumerate().filter(|(_, c)| !c.closed && c.vertices.len() > 2) {
         for at_start in [true, false] {
-            let tip = if at_start { 0 } else { path.marks.len() - 1 };
-            let inner = path.walk(tip, at_start).take_while(|(_, way)| *way <= HEADING * scale).last();
-            let mark = &path.marks[tip];
-            let heading = inner.and_then(|(inner, _)| (mark.at - path.marks[inner].at).try_normalize());
-            let step = if at_start { mark.step.map(|v| -v) } else { mark.step };
-            ends.push(End { path: number, at_start, at: mark.at, heading: heading.unwrap_or_default(), step });
+            let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
+            let inner = contour.walk(tip, at_start).take_while(|(_, arc)| *arc <= DIRECTION_LENGTH * sigma).last();
+            let point = &contour.vertices[tip];
+            let direction = inner.and_then(|(inner, _)| (point.at - contour.vertices[inner].at).try_normalize());
+            let contrast = if at_start { point.contrast.map(|v| -v) } else { point.contrast };
+            ends.push(End {
+                contour: number,
+                at_start,
+                at: point.at,
+                direction: direction.unwrap_or_default(),
+                contrast,
+            });
         }
     }
     ends
 }
 
-/// How far two ends are from being one contour, if they can be.
-fn cost(a: &End, b: &End, lengths: &[f32], scale: f32) -> Option<f32> {
-    let way = b.at - a.at;
-    let distance = way.length();
-    if distance > FAR * scale || (a.path == b.path && lengths[a.path] < RING * distance + 2.0 * scale) {
-        return None;
+/// For each end the end it is joined with. The pairs of least cost are chosen first.
+fn partners(contours: &[Contour], ends: &[End], sigma: f32) -> Vec<Option<usize>> {
+    let lengths: Vec<f32> = contours.iter().map(Contour::length).collect();
+    let mut by_x: Vec<usize> = (0..ends.len()).collect();
+    by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x).then(a.cmp(&b)));
+    let mut pairs = Vec::new();
+    for (k, &i) in by_x.iter().enumerate() {
+        for &j in by_x[k + 1..].iter().take_while(|&&j| ends[j].at.x - ends[i].at.x <= MAX_GAP * sigma) {
+            let (i, j) = (i.min(j), i.max(j));
+            if let Some(cost) = cost(&ends[i], &ends[j], &lengths, sigma) {
+                pairs.push((cost, i, j));
+            }
+        }
     }
-    if distance < TOUCHING {
-        return Some(distance);
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let mut partner = vec![None; ends.len()];
+    for (_, i, j) in pairs {
+        if partner[i].is_none() && partner[j].is_none() {
+            (partner[i], partner[j]) = (Some(j), Some(i));
+        }
     }
-    let way = way / distance;
-    let (ahead_a, ahead_b) = (a.heading.dot(way), -b.heading.dot(way));
-    let cost = distance * (3.0 - ahead_a - ahead_b);
-    if ahead_a.min(ahead_b) >= AHEAD {
-        return Some(cost);
-    }
-    // Leaving through one end enters through the other, where right and left change places.
-    let same_sides = a.step.iter().zip(&b.step).map(|(a, b)| a * b).sum::<f32>() < 0.0;
-    let in_front = ahead_a.min(ahead_b) >= BESIDE || distance <= PAST * scale;
-    (same_sides && distance <= NEAR * scale && in_front).then_some(cost)
+    partner
 }
 
-/// Strings paths together end by end.
-fn thread(paths: Vec<Path>, ends: &[End], partner: &[Option<usize>]) -> Vec<Path> {
-    let mut end_of = vec![None; paths.len()];
-    for (number, pair) in ends.chunks_exact(2).enumerate() {
-        end_of[pair[0].path] = Some([2 * number, 2 * number + 1]);
+/// Cost of joining two ends; none if they may not be joined.
+fn cost(a: &End, b: &End, lengths: &[f32], sigma: f32) -> Option<f32> {
+    let gap = b.at - a.at;
+    let distance = gap.length();
+    if distance > MAX_GAP * sigma || (a.contour == b.contour && lengths[a.contour] < MIN_RING * distance + 2.0 * sigma)
+    {
+        return None;
     }
-    let mut left: Vec<Option<Path>> = paths.into_iter().map(Some).collect();
+    if distance < COINCIDENT {
+        return Some(distance);
+    }
+    let gap = gap / distance;
+    let (cosine_a, cosine_b) = (a.direction.dot(gap), -b.direction.dot(gap));
+    let cost = distance * (3.0 - cosine_a - cosine_b);
+    if cosine_a.min(cosine_b) >= ALIGNED {
+        return Some(cost);
+    }
+    // A contour that leaves through one end enters through the other, where right and left change places.
+    let same_sides = a.contrast.iter().zip(&b.contrast).map(|(a, b)| a * b).sum::<f32>() < 0.0;
+    let in_front = cosine_a.min(cosine_b) >= NOT_BEHIND || distance <= OVERSHOOT * sigma;
+    (same_sides && distance <= MAX_CORNER_GAP * sigma && in_front).then_some(cost)
+}
+
+/// Concatenates contours at joined ends: first those that stay open, then those that become closed.
+fn concatenate(contours: Vec<Contour>, ends: &[End], partner: &[Option<usize>]) -> Vec<Contour> {
+    let mut ends_of = vec![None; contours.len()];
+    for (number, pair) in ends.chunks_exact(2).enumerate() {
+        ends_of[pair[0].contour] = Some([2 * number, 2 * number + 1]);
+    }
+    let mut left: Vec<Option<Contour>> = contours.into_iter().map(Some).collect();
     let mut joined = Vec::with_capacity(left.len());
-    for rings in [false, true] {
-        for first in 0..left.len() {
-            let Some(own) = end_of[first] else {
-                joined.extend(left[first].take());
+    for closed in [false, true] {
+        for number in 0..left.len() {
+            let Some(own) = ends_of[number] else {
+                joined.extend(left[number].take());
                 continue;
             };
-            let entry = match own.map(|end| partner[end].is_none()) {
-                [true, _] => own[0],
-                [_, true] => own[1],
-                _ if rings => own[0],
-                _ => continue,
-            };
-            let mut marks: Vec<Mark> = Vec::new();
-            let mut next = Some(entry);
-            while let Some(end) = next.map(|number| &ends[number])
-                && let Some(mut path) = left[end.path].take()
-            {
-                if !end.at_start {
-                    path.reverse();
-                }
-                if let Some(last) = marks.last().copied()
-                    && let Some(first) = path.marks.first()
-                {
-                    marks.extend(between(&last, first));
-                }
-                marks.extend(path.marks);
-                next = end_of[end.path].and_then(|own| partner[own[usize::from(end.at_start)]]);
-            }
-            let closed = next.is_some() && marks.len() > 3;
-            if closed && let [first, .., last] = marks.as_slice() {
-                let gap: Vec<Mark> = between(last, first).collect();
-                marks.extend(gap);
-            }
-            if !marks.is_empty() {
-                joined.push(Path { marks, closed });
+            let free = own.iter().copied().find(|&end| partner[end].is_none());
+            if let Some(entry) = free.or(closed.then_some(own[0])) {
+                joined.extend(follow(entry, ends, partner, &ends_of, &mut left));
             }
         }
     }
     joined
 }
 
-/// Marks about a pixel apart that lead over a gap.
-fn between(from: &Mark, to: &Mark) -> impl Iterator<Item = Mark> + use<> {
+/// The contours that follow one another from the end `entry` on, as one; none if they were taken before.
+fn follow(
+    entry: usize,
+    ends: &[End],
+    partner: &[Option<usize>],
+    ends_of: &[Option<[usize; 2]>],
+    left: &mut [Option<Contour>],
+) -> Option<Contour> {
+    let mut points: Vec<ContourPoint> = Vec::new();
+    let mut next = Some(entry);
+    while let Some(end) = next.map(|number| &ends[number])
+        && let Some(mut contour) = left[end.contour].take()
+    {
+        if !end.at_start {
+            contour.reverse();
+        }
+        if let (Some(last), Some(first)) = (points.last().copied(), contour.vertices.first()) {
+            points.extend(between(&last, first));
+        }
+        points.extend(contour.vertices);
+        next = ends_of[end.contour].and_then(|own| partner[own[usize::from(end.at_start)]]);
+    }
+    let closed = next.is_some() && points.len() > 3;
+    if closed && let [first, .., last] = points[..] {
+        points.extend(between(&last, &first));
+    }
+    (!points.is_empty()).then_some(Contour { vertices: points, closed })
+}
+
+/// Points about a pixel apart in the gap between two points.
+fn between(from: &ContourPoint, to: &ContourPoint) -> impl Iterator<Item = ContourPoint> + use<> {
     let (from, to) = (*from, *to);
     let steps = (to.at - from.at).length().round() as usize;
-    (1..steps).map(move |k| {
-        let share = k as f32 / steps as f32;
-        let mix = |a: f32, b: f32| a + (b - a) * share;
-        Mark {
-            at: from.at.lerp(to.at, share),
-            strength: mix(from.strength, to.strength),
-            step: std::array::from_fn(|i| mix(from.step[i], to.step[i])),
-            blur: mix(from.blur, to.blur),
-            // nothing was seen here
-            doubt: from.doubt.max(to.doubt).max(0.3),
+    let position_sigma = from.position_sigma.max(to.position_sigma).max(GAP_SIGMA);
+    (1..steps).map(move |k| ContourPoint { position_sigma, ..from.between(&to, k as f32 / steps as f32) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::polyline;
+    use super::*;
+
+    const SIGMA: f32 = 1.5;
+
+    /// The joined contours: number of points, and whether they are closed.
+    fn joined(contours: &[Contour]) -> Vec<(usize, bool)> {
+        join(contours.to_vec(), SIGMA).iter().map(|contour| (contour.vertices.len(), contour.closed)).collect()
+    }
+
+    #[test]
+    fn aligned_ends_are_joined_over_a_gap_with_points_of_large_position_error() {
+        let (left, right) = (polyline(&[(0.0, 0.0), (20.0, 0.0)]), polyline(&[(26.0, 0.0), (46.0, 0.0)]));
+        // whatever the directions in which the contours run
+        for contours in [[left.clone(), right.clone()], [right.clone().reversed(), left.clone()]] {
+            let whole = join(contours.to_vec(), SIGMA);
+            assert_eq!(whole.len(), 1);
+            assert_eq!((whole[0].vertices.len(), whole[0].closed), (47, false));
+            assert!((whole[0].length() - 46.0).abs() < 1e-3, "{}", whole[0].length());
+            let bridged = whole[0].vertices.iter().filter(|point| point.position_sigma >= GAP_SIGMA);
+            assert!(bridged.map(|point| point.at.x).all(|x| x > 20.5 && x < 25.5), "only the gap is uncertain");
         }
-    })
+        let far = polyline(&[(30.0, 0.0), (46.0, 0.0)]);
+        assert_eq!(joined(&[left.clone(), far]).len(), 2, "the gap is too wide");
+        let aside = polyline(&[(24.0, 4.0), (44.0, 4.0)]);
+        assert_eq!(joined(&[left, aside]).len(), 2, "the ends do not point at one another");
+    }
+
+    #[test]
+    fn ends_at_a_corner_are_joined_only_with_the_same_colours_on_the_same_sides() {
+        let (along, down) = (polyline(&[(0.0, 0.0), (20.0, 0.0)]), polyline(&[(21.5, 1.5), (21.5, 20.0)]));
+        assert_eq!(joined(&[along.clone(), down.clone()]).len(), 1);
+        let mut opposite = down;
+        opposite.vertices.iter_mut().for_each(|point| *point = point.reversed());
+        assert_eq!(joined(&[along, opposite]).len(), 2);
+    }
+
+    #[test]
+    fn a_contour_whose_ends_meet_is_closed_and_a_short_one_is_not() {
+        let square = polyline(&[(3.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.0), (1.0, 0.0)]);
+        assert_eq!(joined(&[square.clone()]), [(square.vertices.len() + 1, true)]);
+        let hook = polyline(&[(3.0, 0.0), (3.0, 2.0), (0.0, 2.0), (0.0, 0.0)]);
+        assert_eq!(joined(&[hook.clone()]), [(hook.vertices.len(), false)]);
+    }
+
+    #[test]
+    fn halves_of_a_ring_become_one_closed_contour() {
+        let upper = polyline(&[(0.0, 9.0), (0.0, 0.0), (30.0, 0.0), (30.0, 9.0)]);
+        let lower = polyline(&[(30.0, 12.0), (30.0, 20.0), (0.0, 20.0), (0.0, 12.0)]);
+        let whole = join(vec![upper, lower.reversed()], SIGMA);
+        assert_eq!(whole.len(), 1);
+        assert!(whole[0].closed && (whole[0].length() - 100.0).abs() < 1e-3, "{}", whole[0].length());
+    }
 }

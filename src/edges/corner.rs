@@ -1,147 +1,232 @@
-//! Corners: a blur rounds them off, here they are pointed again.
+//! Corners: blur rounds them, here they are made sharp again.
 //!
-//! Beyond the rounding the two flanks of a corner run on unharmed. Where both are straight and the path turns between
-//! them, they are led on to where they cross, and the corner stands there.
+//! Beyond the rounding the two sides of a corner are undisturbed. Where both sides are straight and the contour turns
+//! between them, lines are fitted to the sides, and the corner is put where the lines cross.
 
-use super::path::{Flank, Mark, Path};
+use super::contour::{Contour, ContourPoint, LineFit};
 use crate::units::PxPoint;
 
-/// A turn smaller than this needs no pointing: rounding moves it by less than a fifth of the blur (cosine of 25 degrees).
-const TURN: f32 = 0.9;
-/// The rounding reaches this far along either flank, in blurs, at a right angle or less; at sharper corners farther.
-const ROUND: f32 = 1.5;
-/// The flanks are looked at over this much of the path beyond the rounding, in blurs; and over this much at least, px.
-const FLANK: f32 = 6.0;
-/// Farthest that marks may lie from a straight flank, root mean square, px, beside their doubt.
-const STRAIGHT: f32 = 0.06;
-/// ... of which this share is left after refining.
-const DOUBT: f32 = 0.4;
-/// The flanks themselves bend by at most this share of the turn between them; on a circle it is two thirds.
-const BOW: f32 = 0.3;
-/// Farthest that the corner may lie from the path as it was found, in blurs, for a right angle.
-const AWAY: f32 = 1.6;
+/// Smaller turns are left alone: rounding moves them by less than a fifth of the blur (cosine of 25 degrees).
+const MIN_TURN: f32 = 0.9;
+/// The rounding extends this far along either side, in blurs, at a right angle or more; farther at sharper corners.
+const ROUNDING: f32 = 1.5;
+/// Lines are fitted to this much of the contour beyond the rounding, in blurs, and at least to `MIN_FIT_LENGTH` px.
+const FIT_LENGTH: f32 = 6.0;
+const MIN_FIT_LENGTH: f32 = 4.0;
+/// Greatest root mean square distance of points from a straight side, px, in addition to their position error.
+const MAX_RMS: f32 = 0.06;
+/// The share of the position error that refinement leaves.
+const REFINED_SIGMA: f32 = 0.4;
+/// The sides may bend by at most this share of the turn between them. On a circle they bend by two thirds of it.
+const MAX_BEND: f32 = 0.3;
+/// Greatest distance of the corner from the contour as it was found, in blurs, at a right angle.
+const MAX_DISTANCE: f32 = 1.6;
 
-/// A mark that is nearer to one flank's side of the corner than to the other's by less than this, px, is on neither.
-const EVEN: f32 = 0.1;
+/// A point nearer to one side of the corner than to the other by less than this, px, belongs to neither.
+const TIE: f32 = 0.1;
+/// Contours of fewer points have no room for two sides.
+const MIN_POINTS: usize = 9;
 
+/// A corner of a contour.
 struct Corner {
-    mark: usize,
+    /// Index of the point at which it was found.
+    point: usize,
     at: PxPoint,
-    flanks: [Flank; 2],
-    reach: f32,
-    off: f32,
+    /// The sides before and after it, directed away from it.
+    sides: [LineFit; 2],
+    /// How far the rounding extends, px.
+    rounding: f32,
+    /// Distance of the corner from the point, px.
+    distance: f32,
 }
 
-/// Points the corners of a path.
-pub(super) fn sharpen(path: &mut Path) {
-    let n = path.marks.len();
-    if n < 9 {
+/// Makes the corners of a contour sharp.
+pub(super) fn sharpen(contour: &mut Contour) {
+    let n = contour.vertices.len();
+    if n < MIN_POINTS {
         return;
     }
-    let mut corners: Vec<Corner> = (0..n).filter_map(|i| look(path, i)).collect();
-    // of neighbours that see one corner, the one nearest to it tells it
-    corners.sort_by(|a, b| a.off.total_cmp(&b.off).then(a.mark.cmp(&b.mark)));
+    let mut corners = distinct((0..n).filter_map(|i| find(contour, i)).collect());
+    // from the last to the first, so that inserted points do not change the indices of those before
+    corners.sort_by_key(|corner| std::cmp::Reverse(corner.point));
+    for corner in corners {
+        let corner = refitted(contour, corner);
+        insert(contour, &corner);
+    }
+}
+
+/// Of the neighbours at which the same corner was found, only the one nearest to it.
+fn distinct(mut corners: Vec<Corner>) -> Vec<Corner> {
+    corners.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.point.cmp(&b.point)));
     let mut kept: Vec<Corner> = Vec::new();
     for corner in corners {
-        if kept.iter().all(|other| (other.at - corner.at).length() >= corner.reach.max(other.reach)) {
+        if kept.iter().all(|other| (other.at - corner.at).length() >= corner.rounding.max(other.rounding)) {
             kept.push(corner);
         }
     }
-    // from the last on, so that the numbers of the marks before stay what they are
-    kept.sort_by_key(|corner| std::cmp::Reverse(corner.mark));
-    for corner in kept {
-        let corner = settled(path, corner);
-        point(path, &corner);
-    }
+    kept
 }
 
-/// The corner with flanks measured from itself instead of from the mark that told it: two marks at equal distances from it
-/// tell the same corner.
-fn settled(path: &Path, corner: Corner) -> Corner {
-    let blur = path.marks[corner.mark].blur;
-    let to = corner.reach + (FLANK * blur).max(4.0);
-    let flank = |forwards| {
-        let marks = path.walk(corner.mark, forwards).take_while(|(_, way)| *way <= 2.0 * to);
-        let points = marks.map(|(number, _)| path.marks[number].at);
-        Flank::through(points.filter(|at| (corner.reach..=to).contains(&(*at - corner.at).length())))
+/// The corner with sides measured from itself instead of from the point at which it was found, so that two points at
+/// equal distances from it give the same corner.
+fn refitted(contour: &Contour, corner: Corner) -> Corner {
+    let to = corner.rounding + fit_length(contour.vertices[corner.point].blur);
+    let side = |forwards| {
+        let points = contour.walk(corner.point, forwards).take_while(|(_, arc)| *arc <= 2.0 * to);
+        let points = points.map(|(index, _)| contour.vertices[index].at);
+        LineFit::through(points.filter(|at| (corner.rounding..=to).contains(&(*at - corner.at).length())))
     };
-    let Some((before, after)) = flank(false).zip(flank(true)) else { return corner };
+    let Some((before, after)) = side(false).zip(side(true)) else { return corner };
     match before.crossing(&after) {
         Some((back, on)) if back < 0.0 && on < 0.0 => {
-            Corner { at: before.at + before.along * back, flanks: [before, after], ..corner }
+            Corner { at: before.point_at(back), sides: [before, after], ..corner }
         }
-        _ => corner,
+        Some(_) | None => corner,
     }
 }
 
-/// Whether there is a corner at a mark.
-fn look(path: &Path, i: usize) -> Option<Corner> {
-    let mark = &path.marks[i];
-    let blur = mark.blur;
-    let mut reach = ROUND * blur;
-    let mut found = None;
-    // A sharp corner is rounded over more of its flanks: looked at again beyond that.
-    for _ in 0..2 {
-        let to = reach + (FLANK * blur).max(4.0);
-        let before = path.flank(i, false, reach, to)?;
-        let after = path.flank(i, true, reach, to)?;
-        // both are directed away from the mark
-        let cosine = -before.along.dot(after.along);
-        let allowed = STRAIGHT.hypot(DOUBT * mark.doubt);
-        if cosine > TURN || before.off > allowed || after.off > allowed {
-            return None;
-        }
-        let middle = reach + 0.5 * (to - reach);
-        let bow = |forwards| {
-            let (near, far) = (path.flank(i, forwards, reach, middle)?, path.flank(i, forwards, middle, to)?);
-            Some(near.along.cross(far.along))
-        };
-        // forwards a bend to the right has one sign, backwards the other
-        let turn = -before.along.cross(after.along);
-        if (bow(true)? - bow(false)?) * turn.signum() > BOW * cosine.clamp(-1.0, 1.0).acos() {
-            return None;
-        }
-        let half_sine = (0.5 * (1.0 + cosine)).max(0.0).sqrt(); // sine of half the angle between the flanks
-        let (back, on) = before.crossing(&after)?;
-        // the crossing lies behind both flanks, towards the mark
-        if back > 0.0 || on > 0.0 {
-            return None;
-        }
-        let at = before.at + before.along * back;
-        let off = (at - mark.at).length();
-        if off > AWAY * blur * 0.707 / half_sine.max(0.25) {
-            return None;
-        }
-        found = Some(Corner { mark: i, at, flanks: [before, after], reach, off });
-        let wanted = ROUND * blur * (0.707 / half_sine.max(0.25)).max(1.0);
-        if wanted < 1.2 * reach {
-            break;
-        }
-        reach = wanted;
-    }
-    found
+/// The length of the contour to which a line is fitted, px.
+fn fit_length(blur: f32) -> f32 {
+    (FIT_LENGTH * blur).max(MIN_FIT_LENGTH)
 }
 
-/// Puts the marks of the rounding on the flanks, and a mark on the corner between them.
-fn point(path: &mut Path, corner: &Corner) {
-    let [before, after] = &corner.flanks;
-    let place = |flank: &Flank, at: PxPoint| flank.along.dot(at - corner.at);
-    let middle = path.marks[corner.mark];
-    let lean = place(before, middle.at) - place(after, middle.at);
-    let is_before = lean > 0.0;
-    for (flank, forwards) in [(before, false), (after, true)] {
-        let is_near = |k: usize| place(flank, path.marks[k].at) < corner.reach;
-        let near: Vec<usize> = path.walk(corner.mark, forwards).map(|(k, _)| k).take_while(|&k| is_near(k)).collect();
-        for k in near.into_iter().filter(|k| *k != corner.mark || is_before != forwards) {
-            let at = flank.nearest(path.marks[k].at);
+/// The corner at a point, if there is one.
+fn find(contour: &Contour, i: usize) -> Option<Corner> {
+    let blur = contour.vertices[i].blur;
+    let rounding = ROUNDING * blur;
+    let (corner, stretch) = find_beyond(contour, i, rounding)?;
+    // A sharp corner is rounded over more of its sides: they are measured once more, beyond that.
+    let wanted = ROUNDING * blur * stretch.max(1.0);
+    if wanted < 1.2 * rounding { Some(corner) } else { find_beyond(contour, i, wanted).map(|(corner, _)| corner) }
+}
+
+/// The corner at a point if the rounding extends `rounding` px, and how much farther than at a right angle it should.
+fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<(Corner, f32)> {
+    let point = &contour.vertices[i];
+    let to = rounding + fit_length(point.blur);
+    let before = contour.line_fit(i, false, rounding, to)?;
+    let after = contour.line_fit(i, true, rounding, to)?;
+    // both are directed away from the point
+    let cosine = -before.direction.dot(after.direction);
+    let max_rms = MAX_RMS.hypot(REFINED_SIGMA * point.position_sigma);
+    if cosine > MIN_TURN || before.rms > max_rms || after.rms > max_rms {
+        return None;
+    }
+    // forwards a bend to the right has one sign, backwards the other
+    let turn = -before.direction.cross(after.direction);
+    let bend = |forwards| bend(contour, i, forwards, rounding, to);
+    if (bend(true)? - bend(false)?) * turn.signum() > MAX_BEND * cosine.clamp(-1.0, 1.0).acos() {
+        return None;
+    }
+    let half_sine = (0.5 * (1.0 + cosine)).max(0.0).sqrt(); // sine of half the angle between the sides
+    let stretch = 0.707 / half_sine.max(0.25);
+    let (back, on) = before.crossing(&after)?;
+    // the crossing must lie behind both sides, towards the point
+    if back > 0.0 || on > 0.0 {
+        return None;
+    }
+    let at = before.point_at(back);
+    let distance = (at - point.at).length();
+    let near = distance <= MAX_DISTANCE * point.blur * 0.707 / half_sine.max(0.25);
+    near.then_some((Corner { point: i, at, sides: [before, after], rounding, distance }, stretch))
+}
+
+/// How much a side bends: the sine of the angle between its near and its far half.
+fn bend(contour: &Contour, i: usize, forwards: bool, from: f32, to: f32) -> Option<f32> {
+    let middle = from + 0.5 * (to - from);
+    let near = contour.line_fit(i, forwards, from, middle)?;
+    let far = contour.line_fit(i, forwards, middle, to)?;
+    Some(near.direction.cross(far.direction))
+}
+
+/// Moves the points of the rounding onto the sides, and puts a point on the corner between them.
+fn insert(contour: &mut Contour, corner: &Corner) {
+    let [before, after] = &corner.sides;
+    // signed distance from the corner along a side
+    let along = |side: &LineFit, at: PxPoint| side.direction.dot(at - corner.at);
+    let middle = contour.vertices[corner.point];
+    let difference = along(before, middle.at) - along(after, middle.at);
+    let is_before = difference > 0.0;
+    for (side, forwards) in [(before, false), (after, true)] {
+        let is_near = |k: usize| along(side, contour.vertices[k].at) < corner.rounding;
+        let near: Vec<usize> =
+            contour.walk(corner.point, forwards).map(|(k, _)| k).take_while(|&k| is_near(k)).collect();
+        for k in near.into_iter().filter(|k| *k != corner.point || is_before != forwards) {
+            let at = side.nearest(contour.vertices[k].at);
             // not beyond the corner
-            path.marks[k].at = if place(flank, at) > 0.0 { at } else { corner.at };
+            contour.vertices[k].at = if along(side, at) > 0.0 { at } else { corner.at };
         }
     }
-    let tip = Mark { at: corner.at, ..middle };
-    if lean.abs() < EVEN {
-        path.marks[corner.mark] = tip; // it lies on neither side
-        return;
+    let tip = ContourPoint { at: corner.at, ..middle };
+    if difference.abs() < TIE {
+        contour.vertices[corner.point] = tip; // it belongs to neither side
+    } else {
+        contour.vertices.insert(corner.point + usize::from(is_before), tip);
     }
-    path.marks.insert(corner.mark + usize::from(is_before), tip);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::{circle, polyline};
+    use super::*;
+
+    /// Two sides of 30 px that meet at (50, 50) at an angle, with the corner rounded over `rounding` px of either side.
+    fn rounded(degrees: f32, rounding: f32) -> Contour {
+        let (y, x) = degrees.to_radians().sin_cos();
+        let first = polyline(&[(20.0, 50.0), (50.0 - rounding, 50.0)]);
+        let second = polyline(&[(50.0 - rounding * x, 50.0 + rounding * y), (50.0 - 30.0 * x, 50.0 + 30.0 * y)]);
+        // one point inside the corner, at the middle of a parabola with its control point at the corner
+        let (a, b) = (PxPoint::new(50.0 - rounding, 50.0), second.vertices[0].at);
+        let middle = a.lerp(b, 0.5).lerp(PxPoint::new(50.0, 50.0), 0.5);
+        let mut vertices = first.vertices;
+        vertices.push(ContourPoint { at: middle, ..vertices[0] });
+        vertices.extend(second.vertices);
+        Contour::open(vertices)
+    }
+
+    /// Distance of the nearest point to (50, 50), px.
+    fn gap(contour: &Contour) -> f32 {
+        let distances = contour.vertices.iter().map(|point| (point.at - PxPoint::new(50.0, 50.0)).length());
+        distances.fold(f32::INFINITY, f32::min)
+    }
+
+    #[test]
+    fn a_rounded_corner_becomes_sharp_and_its_sides_straight() {
+        for degrees in [60.0, 90.0, 120.0] {
+            let mut contour = rounded(degrees, 2.0);
+            let before = gap(&contour);
+            sharpen(&mut contour);
+            assert!(before > 0.4 && gap(&contour) < 0.01, "{degrees} degrees: {before}, then {}", gap(&contour));
+            let (y, x) = degrees.to_radians().sin_cos();
+            let off = |at: PxPoint| (at.y - 50.0).abs().min(((at.x - 50.0) * y + (at.y - 50.0) * x).abs());
+            assert!(contour.vertices.iter().all(|point| off(point.at) < 0.01), "{degrees} degrees");
+            assert!((contour.length() - 60.0).abs() < 0.05, "{degrees} degrees: {} px long", contour.length());
+        }
+    }
+
+    #[test]
+    fn straight_lines_gentle_turns_circles_and_ends_have_no_corner() {
+        for contour in [polyline(&[(0.0, 0.0), (60.0, 5.0)]), rounded(165.0, 1.0), circle(12.0), circle(25.0)] {
+            let mut sharpened = contour.clone();
+            sharpen(&mut sharpened);
+            assert_eq!(sharpened, contour);
+        }
+        let mut short = polyline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)]);
+        let same = short.clone();
+        sharpen(&mut short);
+        assert_eq!(short, same, "too short for two sides");
+    }
+
+    #[test]
+    fn a_closed_square_has_four_corners() {
+        let corners = [(10.0, 8.0), (40.0, 8.0), (40.0, 38.0), (8.0, 38.0), (8.0, 9.0)];
+        let mut square = polyline(&corners);
+        square.closed = true;
+        // the corner at (8, 8) is missing
+        sharpen(&mut square);
+        for (x, y) in [(8.0, 8.0), (40.0, 8.0), (40.0, 38.0), (8.0, 38.0)] {
+            let nearest = square.vertices.iter().map(|point| (point.at - PxPoint::new(x, y)).length());
+            assert!(nearest.fold(f32::INFINITY, f32::min) < 0.01, "no point at the corner ({x}, {y})");
+        }
+    }
 }

@@ -1,9 +1,11 @@
 //! The colour structure tensor (Di Zenzo 1986) from Gaussian derivatives, row by row.
 //!
-//! Only as many rows as the kernel is high are in memory. Sums run over mirrored pairs from the centre outwards, so that a
-//! flipped picture gives exactly the flipped tensor; the widest vectors of the processor at hand do several pixels at once
-//! with the same operations in the same order, so that every machine gives the same bits. (Kernels are structs with a
-//! `WithSimd`: the body of a closure may be compiled apart, without the wide vectors; that was half as fast.)
+//! Only as many rows as the kernel is high are in memory. Sums run over mirrored pairs of pixels from the centre
+//! outwards, so that a flipped picture gives exactly the flipped tensor. Vector instructions process several pixels at
+//! once, with the same operations in the same order for each pixel, so that every machine gives the same bits.
+//!
+//! The kernels are structs that implement `WithSimd`. The body of a closure may be compiled separately, without the
+//! wide vectors; that was half as fast.
 
 use std::ops::Range;
 
@@ -12,43 +14,43 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::raster::plane::gauss;
 use crate::units::Size;
 
-/// Pixels worked on together: their sums stay in registers.
+/// Number of pixels that are processed together, so that their sums stay in registers.
 const BLOCK: usize = 16;
 
-/// One row of the tensor `[[xx, xy], [xy, yy]]`, summed over the colour planes: gradients per pixel, squared.
+/// One row of the tensor `[[xx, xy], [xy, yy]]`, summed over the colour planes: squared gradients per pixel.
 #[derive(Debug, Clone, Default)]
 pub(super) struct TensorRow {
     pub(super) xx: Vec<f32>,
     pub(super) xy: Vec<f32>,
     pub(super) yy: Vec<f32>,
-    /// Length of the gradient: root of the first eigenvalue.
+    /// Length of the gradient: the square root of the first eigenvalue.
     pub(super) length: Vec<f32>,
 }
 
-/// Takes rows of colour planes and gives rows of their tensor, as many rows later as the kernel reaches.
+/// Takes rows of colour planes and returns rows of their tensor, delayed by the radius of the kernel.
 pub(super) struct Gradient {
     arch: Arch,
     size: Size,
     smooth: Vec<f32>,
     slope: Vec<f32>,
-    /// For each colour plane the last rows, row `y` in place `y` modulo their number.
+    /// Ring buffers: the last rows of each colour plane; row `y` has the index `y` modulo their number.
     rings: Vec<Vec<f32>>,
-    across: Across,
-    /// The row that comes next.
-    filled: usize,
-    /// The rows that are given.
+    columns: Filtered,
+    /// Number of the next row.
+    next: usize,
+    /// The rows that are returned.
     wanted: Range<usize>,
     row: TensorRow,
 }
 
-/// One row of one plane, filtered down the columns, with room beyond its ends for the kernel along it.
-struct Across {
+/// One row of one plane after filtering down the columns, padded at both ends for the kernel along the row.
+struct Filtered {
     smooth: Vec<f32>,
     slope: Vec<f32>,
 }
 
 impl Gradient {
-    /// For a picture of `size`, of whose tensor the rows `wanted` are given.
+    /// For a picture of `size`; only the rows `wanted` of the tensor are returned.
     pub(super) fn new(size: Size, planes: usize, sigma: f32, wanted: Range<usize>) -> Self {
         let smooth = gauss(sigma);
         let slope = derivative(&smooth);
@@ -59,68 +61,68 @@ impl Gradient {
             arch: Arch::new(),
             size,
             rings: (0..planes).map(|_| vec![0.0; stride * (2 * radius + 1)]).collect(),
-            across: Across { smooth: padded(), slope: padded() },
+            columns: Filtered { smooth: padded(), slope: padded() },
             smooth,
             slope,
-            filled: 0,
+            next: 0,
             wanted,
             row: TensorRow::of(size),
         }
     }
 
-    /// How many rows above and below one are needed for it.
+    /// Number of rows needed above and below a row.
     pub(super) fn reach(&self) -> usize {
         self.smooth.len() - 1
     }
 
-    /// Says which row comes first, if not the first of the picture.
+    /// Sets the number of the first row that is pushed, if it is not the first row of the picture.
     pub(super) fn start(&mut self, row: usize) {
-        self.filled = row;
+        self.next = row;
     }
 
-    /// Takes the next row, one slice per plane; `take` gets the row of the tensor that is complete with it, if there is one,
-    /// and may keep it and leave another of the same size.
+    /// Takes the next row, one slice per plane. `take` receives the row of the tensor that this completes, if any; it
+    /// may keep the row and leave another one of the same size.
     pub(super) fn push(&mut self, planes: &[Vec<f32>], take: impl FnMut(&mut TensorRow)) {
         let (width, stride, radius) = (self.size.width as usize, stride(self.size), self.smooth.len() - 1);
-        let slot = self.filled % (2 * radius + 1) * stride;
+        let slot = self.next % (2 * radius + 1) * stride;
         for (ring, plane) in self.rings.iter_mut().zip(planes) {
             ring[slot..][..width].copy_from_slice(&plane[..width]);
         }
-        self.filled += 1;
-        if self.filled > radius && self.wanted.contains(&(self.filled - 1 - radius)) {
-            self.complete(self.filled - 1 - radius, take);
+        self.next += 1;
+        if self.next > radius && self.wanted.contains(&(self.next - 1 - radius)) {
+            self.complete(self.next - 1 - radius, take);
         }
     }
 
-    /// Gives the rows that waited for rows below the picture.
+    /// Returns the last rows, whose kernels reach below the picture.
     pub(super) fn finish(mut self, mut take: impl FnMut(&mut TensorRow)) {
         let radius = self.smooth.len() - 1;
-        for y in self.filled.saturating_sub(radius).max(self.wanted.start)..self.filled.min(self.wanted.end) {
+        for y in self.next.saturating_sub(radius).max(self.wanted.start)..self.next.min(self.wanted.end) {
             self.complete(y, &mut take);
         }
     }
 
     fn complete(&mut self, y: usize, mut take: impl FnMut(&mut TensorRow)) {
-        let Self { arch, size, smooth, slope, rings, across, row, .. } = self;
+        let Self { arch, size, smooth, slope, rings, columns, row, .. } = self;
         let (width, stride, radius) = (size.width as usize, stride(*size), smooth.len() - 1);
         let slot = |at: usize| at % (2 * radius + 1) * stride;
-        // beyond the border the nearest row counts
+        // beyond the border the nearest row is repeated
         let pairs: Vec<(usize, usize)> =
             (0..=radius).map(|k| (slot(y.saturating_sub(k)), slot((y + k).min(size.height as usize - 1)))).collect();
         row.clear();
-        arch.dispatch(Rows { width, rings, pairs: &pairs, smooth, slope, across, to: row });
+        arch.dispatch(Rows { width, rings, pairs: &pairs, smooth, slope, columns, to: row });
         take(row);
     }
 }
 
-/// The rows around one, at the places that `pairs` holds, which become one of the tensor.
+/// Computes one row of the tensor from the rows around it. `pairs` holds their positions in the ring buffers.
 struct Rows<'a> {
     width: usize,
     rings: &'a [Vec<f32>],
     pairs: &'a [(usize, usize)],
     smooth: &'a [f32],
     slope: &'a [f32],
-    across: &'a mut Across,
+    columns: &'a mut Filtered,
     to: &'a mut TensorRow,
 }
 
@@ -129,13 +131,13 @@ impl WithSimd for Rows<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self { width, rings, pairs, smooth, slope, across, to } = self;
+        let Self { width, rings, pairs, smooth, slope, columns, to } = self;
         let radius = smooth.len() - 1;
         for ring in rings {
-            down(ring, pairs, smooth, slope, across);
-            extend(&mut across.smooth, radius, width);
-            extend(&mut across.slope, radius, width);
-            along(across, smooth, slope, to);
+            down(ring, pairs, smooth, slope, columns);
+            pad(&mut columns.smooth, radius, width);
+            pad(&mut columns.slope, radius, width);
+            along(columns, smooth, slope, to);
         }
         lengths(to);
     }
@@ -155,19 +157,20 @@ impl TensorRow {
     }
 }
 
-/// Width rounded up to whole blocks.
+/// The width, rounded up to whole blocks.
 fn stride(size: Size) -> usize {
     (size.width as usize).next_multiple_of(BLOCK)
 }
 
-/// Repeats the first and the last value of a row of `width` that begins at `radius`.
-fn extend(row: &mut [f32], radius: usize, width: usize) {
+/// Repeats the first and the last value of a row of `width` values that begins at index `radius`.
+fn pad(row: &mut [f32], radius: usize, width: usize) {
     let (first, last) = (row[radius], row[radius + width - 1]);
     row[..radius].fill(first);
     row[radius + width..].fill(last);
 }
 
-/// Half of the odd kernel that belongs to half of a Gaussian, scaled so that a ramp of 1 per pixel gives 1.
+/// Derivative of a Gaussian: half of an odd kernel, from half of the Gaussian, scaled so that a slope of 1 per pixel
+/// gives 1.
 pub(super) fn derivative(smooth: &[f32]) -> Vec<f32> {
     let moment: f32 = smooth.iter().enumerate().map(|(i, k)| 2.0 * (i * i) as f32 * k).sum();
     smooth.iter().enumerate().map(|(i, k)| i as f32 * k / moment).collect()
@@ -178,9 +181,9 @@ fn block(values: &[f32], at: usize) -> &[f32; BLOCK] {
     values[at..].first_chunk().unwrap_or(&[0.0; BLOCK])
 }
 
-/// Smooths and differentiates down the columns, over the rows whose places `pairs` holds.
+/// Smooths and differentiates down the columns, over the rows at the positions `pairs`.
 #[inline(always)]
-fn down(ring: &[f32], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], to: &mut Across) {
+fn down(ring: &[f32], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], to: &mut Filtered) {
     let radius = smooth.len() - 1;
     let to_smooth = to.smooth[radius..].as_chunks_mut::<BLOCK>().0.iter_mut();
     let to_slope = to.slope[radius..].as_chunks_mut::<BLOCK>().0;
@@ -202,22 +205,22 @@ fn down(ring: &[f32], pairs: &[(usize, usize)], smooth: &[f32], slope: &[f32], t
     }
 }
 
-/// Finishes the gradient of one plane along the row and adds its products.
+/// Completes the gradient of one plane along the row and adds its products to the tensor.
 #[inline(always)]
-fn along(across: &Across, smooth: &[f32], slope: &[f32], row: &mut TensorRow) {
+fn along(columns: &Filtered, smooth: &[f32], slope: &[f32], row: &mut TensorRow) {
     let radius = smooth.len() - 1;
     let rows = row.xx.as_chunks_mut::<BLOCK>().0.iter_mut().zip(row.xy.as_chunks_mut::<BLOCK>().0);
     for (number, ((xx, xy), yy)) in rows.zip(row.yy.as_chunks_mut::<BLOCK>().0).enumerate() {
         let at = number * BLOCK + radius;
-        let mut gy = *block(&across.slope, at);
+        let mut gy = *block(&columns.slope, at);
         gy.iter_mut().for_each(|v| *v *= smooth[0]);
         let mut gx = [0.0; BLOCK];
         for k in 1..=radius {
-            let (left, right) = (block(&across.smooth, at - k), block(&across.smooth, at + k));
+            let (left, right) = (block(&columns.smooth, at - k), block(&columns.smooth, at + k));
             for i in 0..BLOCK {
                 gx[i] += slope[k] * (right[i] - left[i]);
             }
-            let (left, right) = (block(&across.slope, at - k), block(&across.slope, at + k));
+            let (left, right) = (block(&columns.slope, at - k), block(&columns.slope, at + k));
             for i in 0..BLOCK {
                 gy[i] += smooth[k] * (left[i] + right[i]);
             }
@@ -230,7 +233,7 @@ fn along(across: &Across, smooth: &[f32], slope: &[f32], row: &mut TensorRow) {
     }
 }
 
-/// The root of the first eigenvalue.
+/// Computes the square root of the first eigenvalue of each pixel.
 #[inline(always)]
 fn lengths(row: &mut TensorRow) {
     let TensorRow { xx, xy, yy, length } = row;
@@ -245,7 +248,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_ramp_has_its_own_slope_everywhere_inside() {
+    fn the_tensor_of_an_even_slope_is_exact_inside() {
         let size = Size::new(40, 30);
         let mut rows = 0;
         let mut look = |tensor: &mut TensorRow| {

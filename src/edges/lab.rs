@@ -1,32 +1,35 @@
-//! Perceptual planes: the chroma axes of CIELAB, counted twice, beside the lightness that pictures are stored in.
+//! Perceptual colour planes: lightness as an sRGB code value, and the chroma axes of CIELAB with double weight.
 //!
-//! On photographs CIELAB with chroma x 2 scored best of the spaces tried (contour benchmark BSDS500, with gradients alone, ODS 0.644 against 0.639
-//! for plain CIELAB, 0.634 for OKLab, 0.604 for grey): a change of hue is a better sign of a new object than a change of
-//! light. In place of L*, lightness is 100 times the code value of sRGB for the luminance. The two differ by less than 4; but
-//! most pictures were blurred, scaled and compressed as code values, and over a grey step L* bends such a profile: its
-//! steepest place moves by 0.03 px, against 0.004 px here (straight edges, PSF 0.7 px). On photographs it costs 0.003.
+//! On photographs CIELAB with double chroma scored best of the colour spaces tried (contour benchmark BSDS500,
+//! gradients alone): ODS 0.644, against 0.639 for plain CIELAB, 0.634 for OKLab and 0.604 for grey. A change of hue is
+//! a better sign of a new object than a change of light.
+//!
+//! In place of L*, lightness is 100 times the sRGB code value of the luminance. The two differ by less than 4. But
+//! most pictures were blurred, scaled and compressed as code values, and over a grey step L* distorts such a profile:
+//! its steepest point moves by 0.03 px, against 0.004 px here (straight edges, PSF 0.7 px). On photographs this costs
+//! 0.003.
 
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::raster::Raster;
 
-/// How much more a difference of chroma counts than one of lightness.
+/// Weight of a difference of chroma, relative to one of lightness.
 const CHROMA: f32 = 2.0;
 
-/// Linear sRGB to XYZ relative to the white point D65 (IEC 61966-2-1), each row divided by the white's own value.
+/// Linear sRGB to XYZ relative to the white point D65 (IEC 61966-2-1), each row divided by the value of white.
 const TO_XYZ: [[f32; 3]; 3] = [
     [0.412_390_8 / 0.950_455_9, 0.357_584_3 / 0.950_455_9, 0.180_480_8 / 0.950_455_9],
     [0.212_639, 0.715_168_7, 0.072_192_3],
     [0.019_330_8 / 1.089_057_8, 0.119_194_8 / 1.089_057_8, 0.950_532_2 / 1.089_057_8],
 ];
 
-/// How many planes [`row`] fills: L, and for colour pictures 2a and 2b.
+/// Number of planes that [`row`] fills: L, and for colour pictures also 2a and 2b.
 pub(super) fn planes(raster: &Raster) -> usize {
     raster.planes().len()
 }
 
-/// Row `y` of L (0..=100) and, for colour pictures, 2a and 2b. The rows of `lab` are as long as the picture is wide, or
-/// longer.
+/// Writes row `y` of L (0..=100) and, for colour pictures, of 2a and 2b. The rows of `lab` are at least as long as the
+/// picture is wide.
 pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     let width = raster.size().width as usize;
     match raster.planes() {
@@ -36,7 +39,7 @@ pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     }
 }
 
-/// [`row`] for pixels that lie anywhere: one slice a plane, in linear light, all equally long. `lab` is as long, or longer.
+/// [`row`] for any pixels: one slice per plane, in linear light, all equally long. Those of `lab` are at least as long.
 pub(super) fn convert(arch: Arch, from: &[&[f32]], lab: &mut [Vec<f32>]) {
     match (from, lab) {
         ([grey], [l]) => arch.dispatch(GreyRow { from: grey, to: &mut l[..grey.len()] }),
@@ -92,23 +95,24 @@ pub(super) fn colour([r, g, b]: [f32; 3]) -> [f32; 3] {
     [lightness(y), CHROMA * 500.0 * (fx - fy), CHROMA * 200.0 * (fy - fz)]
 }
 
-/// 100 times the transfer curve of sRGB (IEC 61966-2-1), `1.055 y^(1/2.4) - 0.055` with a straight piece near black;
-/// 1/2.4 is a third and a quarter of a third.
+/// 100 times the transfer curve of sRGB (IEC 61966-2-1), `1.055 y^(1/2.4) - 0.055` with a linear part near black;
+/// 1/2.4 is a third plus a quarter of a third.
 #[inline(always)]
 fn lightness(y: f32) -> f32 {
     let root = cube_root(y);
     if y > 0.003_130_8 { 105.5 * root * root.sqrt().sqrt() - 5.5 } else { 1292.0 * y }
 }
 
-/// The compression of CIELAB: a cube root with a straight piece near black.
+/// The compression of CIELAB: a cube root with a linear part near black.
 #[inline(always)]
 fn f(t: f32) -> f32 {
     const DELTA: f32 = 6.0 / 29.0;
     if t > DELTA * DELTA * DELTA { cube_root(t) } else { t / (3.0 * DELTA * DELTA) + 4.0 / 29.0 }
 }
 
-/// Cube root of a positive number to 3e-5 of it (0.003 of lightness): a third of the exponent as a first guess, then one
-/// step of Halley's. Only + - * /, so that it is the same on every machine and the compiler can do several at once.
+/// Cube root of a positive number with a relative error below 3e-5 (0.003 of lightness): a third of the exponent as
+/// first guess, then one step of Halley's method. It uses only + - * /, so that the result is the same on every
+/// machine and the compiler can vectorise it.
 #[inline(always)]
 fn cube_root(x: f32) -> f32 {
     let y = f32::from_bits(x.to_bits() / 3 + 0x2a51_37a0);
@@ -122,7 +126,7 @@ mod tests {
     use crate::units::Size;
 
     #[test]
-    fn the_cube_root_is_as_right_as_said() {
+    fn the_cube_root_is_as_exact_as_documented() {
         for i in 1..=100_000 {
             let x = i as f32 / 50_000.0;
             let exact = f64::from(x).cbrt();

@@ -1,52 +1,55 @@
-//! How noisy the picture is, so that noise is not drawn, and noisy edges are looked for at a scale that sees them.
+//! Noise of the picture: thresholds and scale are adapted to it, so that noise is not drawn and noisy edges are found.
 
 use pulp::Arch;
 
 use super::gradient::derivative;
-use super::{Params, lab};
+use super::lab;
+use super::params::Params;
 use crate::raster::Raster;
 use crate::raster::plane::gauss;
 
-/// Squares of this many pixels give one reading each: their median.
+/// Side of the tiles, px. Each tile gives one sample: the median of its values.
 const TILE: usize = 8;
-/// About so many of them are read, evenly about the middle of the picture, so that a picture turned or flipped reads the
-/// same,
-const READINGS: usize = 400;
-/// ... at most this far apart, px.
-const FARTHEST: usize = 48;
-/// The reading that counts, as a share of all from the smoothest: where a picture has texture, the smooth parts tell its
-/// noise.
-const SMOOTHEST: f32 = 0.2;
-/// That reading lies below the mean of the readings of pure noise: measured on flat pictures with noise of 2 to 20 of 255.
+/// Approximate number of samples, spread evenly about the centre of the picture, so that a turned or flipped picture
+/// gives the same samples.
+const SAMPLES: usize = 400;
+/// Greatest distance between samples, px.
+const MAX_SPACING: usize = 48;
+/// The quantile of the samples that is used. Where a picture has texture, only its smooth parts show its noise.
+const QUANTILE: f32 = 0.2;
+/// That quantile lies below the mean of the samples of pure noise by this factor: measured on flat pictures with noise
+/// of 2 to 20 of 255.
 const BIAS: f32 = 1.12;
-/// Median of the size of a normal number, in standard deviations.
+/// Median absolute value of a normal distribution, in standard deviations.
 const MEDIAN: f32 = 0.6745;
 
-/// Noise of the colour axes beyond this (about 1.5 of 255 in every channel) and beyond that of lightness makes them count
-/// less: counted in full, a camera's colour noise would drown every grey edge.
-const COLOUR_NOISE: f32 = 2.0;
-/// The scale is the noise times this, but at least 1 and at most this much: it grows from 2 units of noise (5 of 255) to 2.7.
-/// A larger scale rounds corners and merges near edges, a smaller one breaks contours: measured on scenes with noise of 5
-/// and 10 of 255 (2 and 4 units).
-const GROWTH: f32 = 0.5;
-const MOST_GROWTH: f32 = 1.35;
-/// Thresholds are at least this many standard deviations of the step height that noise pretends. The highest of a million
-/// such heights is about five.
-const LOW: f32 = 2.0;
-const HIGH: f32 = 4.5;
-/// Contours are the longer, px for each unit that noise pretends beyond the first number: a short chain may be noise on a
-/// slope. Photographs pretend 0.2 to 0.4.
+/// A colour axis gets a lower weight if its noise is greater than this (about 1.5 of 255 in every channel) and greater
+/// than that of lightness. With full weight, a camera's colour noise would drown every grey edge.
+const MAX_COLOUR_NOISE: f32 = 2.0;
+/// The scale is multiplied with the noise times this factor, but at least by 1 and at most by `MAX_SCALE_GROWTH`: it
+/// grows between 2 units of noise (5 of 255) and 2.7. A larger scale rounds corners and merges near edges, a smaller
+/// one breaks contours: measured on scenes with noise of 5 and 10 of 255 (2 and 4 units).
+const SCALE_GROWTH: f32 = 0.5;
+const MAX_SCALE_GROWTH: f32 = 1.35;
+/// The thresholds are at least this many standard deviations of the step heights that noise causes. The greatest of a
+/// million such heights is about five.
+const MIN_LOW: f32 = 2.0;
+const MIN_HIGH: f32 = 4.5;
+/// The least length of a contour grows by `EXTRA_LENGTH` px for each unit of the standard deviation of step heights
+/// beyond `QUIET`: a short chain may be noise on a slope. For photographs this deviation is 0.2 to 0.4.
 const QUIET: f32 = 0.5;
-const LENGTH: f32 = 25.0;
+const EXTRA_LENGTH: f32 = 25.0;
 
-/// What is known of a picture's noise.
+/// The estimated noise of a picture.
 #[derive(Debug, Clone)]
 pub(super) struct Noise {
-    /// What each colour plane counts, 0..=1.
+    /// Weight of each colour plane, 0..=1.
     pub(super) weights: Vec<f32>,
-    /// Standard deviation of a pixel in the noisiest plane, in units of strength, after weighting.
+    /// Standard deviation of a pixel in the noisiest plane after weighting, in units of strength.
     pub(super) pixel: f32,
+    /// Standard deviation of a pixel in lightness.
     lightness: f32,
+    /// Standard deviation of a pixel in all planes together, after weighting.
     total: f32,
 }
 
@@ -54,88 +57,95 @@ impl Noise {
     pub(super) fn of(raster: &Raster) -> Self {
         let noise = estimate(raster);
         let lightness = noise.first().copied().unwrap_or(0.0);
-        let most = lightness.max(COLOUR_NOISE);
+        let most = lightness.max(MAX_COLOUR_NOISE);
         let weights: Vec<f32> = noise.iter().map(|&n| if n > most { most / n } else { 1.0 }).collect();
         let weighted = || noise.iter().zip(&weights).map(|(n, weight)| n * weight);
         let total = weighted().map(|n| n * n).sum::<f32>().sqrt();
         Self { pixel: weighted().fold(0.0, f32::max), weights, lightness, total }
     }
 
-    /// Standard deviation of the step height that this noise pretends at scale `scale`.
-    pub(super) fn pretended(&self, scale: f32) -> f32 {
-        step(self.total, scale)
+    /// Standard deviation of the step heights that this noise causes at the scale `sigma`.
+    pub(super) fn height_sigma(&self, sigma: f32) -> f32 {
+        height_sigma(self.total, sigma)
     }
 
-    /// The parameters for this much noise.
+    /// The parameters adapted to this noise.
     pub(super) fn adapted(&self, params: &Params) -> Params {
-        let sigma = params.sigma * (GROWTH * self.lightness).clamp(1.0, MOST_GROWTH);
-        let floor = step(self.total, sigma);
+        let sigma = params.sigma * (SCALE_GROWTH * self.lightness).clamp(1.0, MAX_SCALE_GROWTH);
+        let floor = self.height_sigma(sigma);
         Params {
             sigma,
-            low: params.low.max(LOW * floor),
-            high: params.high.max(HIGH * floor),
-            min_length: params.min_length + LENGTH * (floor - QUIET).max(0.0),
+            low: params.low.max(MIN_LOW * floor),
+            high: params.high.max(MIN_HIGH * floor),
+            min_length: params.min_length + EXTRA_LENGTH * (floor - QUIET).max(0.0),
             ..*params
         }
     }
 }
 
+/// Side of a tile with the border that the second differences need, px.
+const SIDE: usize = TILE + 2;
+
 /// Standard deviation of the noise of a pixel in each plane of [`lab`], in units of strength.
 ///
-/// The measure is Immerkaer's (1996): the second difference along x of the second difference along y, which is blind to
-/// plain slopes and straight edges along the axes; in place of its mean over the picture, the median over small squares and
-/// a low quantile of these.
+/// The measure is that of Immerkaer (1996): the second difference along x of the second difference along y, which is 0
+/// on even slopes and straight edges along the axes. In place of its mean over the picture, the median over small
+/// tiles and a low quantile of these medians are used.
 fn estimate(raster: &Raster) -> Vec<f32> {
-    const SIDE: usize = TILE + 2;
     let planes = lab::planes(raster);
     let (width, height) = (raster.size().width as usize, raster.size().height as usize);
-    let every = (((width * height / READINGS) as f32).sqrt() as usize).clamp(TILE, FARTHEST);
-    let starts = |pixels: usize| {
-        let count = (pixels.saturating_sub(SIDE) / every) + usize::from(pixels >= SIDE);
-        let first = pixels.saturating_sub(SIDE + every * count.saturating_sub(1)) / 2;
-        (0..count).map(move |k| first + k * every)
-    };
-    let mut readings = vec![Vec::new(); planes];
+    let spacing = (((width * height / SAMPLES) as f32).sqrt() as usize).clamp(TILE, MAX_SPACING);
     let arch = Arch::new();
-    let mut square = vec![vec![0.0_f32; SIDE * SIDE]; planes];
-    let mut lab = square.clone();
-    let mut sizes = [0.0_f32; TILE * TILE];
-    for top in starts(height) {
-        for left in starts(width) {
-            for (plane, square) in raster.planes().iter().zip(&mut square) {
-                for (y, row) in square.chunks_exact_mut(SIDE).enumerate() {
+    let mut samples = vec![Vec::new(); planes];
+    let mut tile = vec![vec![0.0_f32; SIDE * SIDE]; planes];
+    let mut lab = tile.clone();
+    for top in tile_starts(height, spacing) {
+        for left in tile_starts(width, spacing) {
+            for (plane, tile) in raster.planes().iter().zip(&mut tile) {
+                for (y, row) in tile.chunks_exact_mut(SIDE).enumerate() {
                     row.copy_from_slice(&plane[(top + y) * width + left..][..SIDE]);
                 }
             }
-            let from: Vec<&[f32]> = square.iter().map(Vec::as_slice).collect();
+            let from: Vec<&[f32]> = tile.iter().map(Vec::as_slice).collect();
             lab::convert(arch, &from, &mut lab);
-            for (plane, readings) in lab.iter().zip(&mut readings) {
-                let at = |x: usize, y: usize| plane[y * SIDE + x];
-                let down = |x: usize, y: usize| (at(x, y) + at(x, y + 2)) - 2.0 * at(x, y + 1);
-                for (i, size) in sizes.iter_mut().enumerate() {
-                    let (x, y) = (i % TILE, i / TILE);
-                    *size = ((down(x, y) + down(x + 2, y)) - 2.0 * down(x + 1, y)).abs();
-                }
-                let (_, median, _) = sizes.select_nth_unstable_by(TILE * TILE / 2, f32::total_cmp);
-                readings.push(*median / (6.0 * MEDIAN)); // the weights' squares sum to 36
-            }
+            samples.iter_mut().zip(&lab).for_each(|(samples, plane)| samples.push(tile_noise(plane)));
         }
     }
-    readings
-        .into_iter()
-        .map(|mut readings| {
-            let place = (SMOOTHEST * readings.len() as f32) as usize;
-            if place < readings.len() { BIAS * *readings.select_nth_unstable_by(place, f32::total_cmp).1 } else { 0.0 }
-        })
-        .collect()
+    samples.iter_mut().map(|samples| low_quantile(samples)).collect()
 }
 
-/// Standard deviation of the step height that noise of standard deviation `noise` per pixel pretends at scale `scale`.
-fn step(noise: f32, scale: f32) -> f32 {
-    let smooth = gauss(scale);
+/// Where tiles begin along an axis of `pixels` pixels: evenly about its middle.
+fn tile_starts(pixels: usize, spacing: usize) -> impl Iterator<Item = usize> {
+    let count = (pixels.saturating_sub(SIDE) / spacing) + usize::from(pixels >= SIDE);
+    let first = pixels.saturating_sub(SIDE + spacing * count.saturating_sub(1)) / 2;
+    (0..count).map(move |k| first + k * spacing)
+}
+
+/// The standard deviation of the noise in a tile of `SIDE` x `SIDE` values, by the median of its second differences.
+fn tile_noise(plane: &[f32]) -> f32 {
+    let at = |x: usize, y: usize| plane[y * SIDE + x];
+    let down = |x: usize, y: usize| (at(x, y) + at(x, y + 2)) - 2.0 * at(x, y + 1);
+    let mut differences: [f32; TILE * TILE] = std::array::from_fn(|i| {
+        let (x, y) = (i % TILE, i / TILE);
+        ((down(x, y) + down(x + 2, y)) - 2.0 * down(x + 1, y)).abs()
+    });
+    let (_, median, _) = differences.select_nth_unstable_by(TILE * TILE / 2, f32::total_cmp);
+    *median / (6.0 * MEDIAN) // the squares of the weights sum to 36
+}
+
+/// The noise by the low quantile of the samples; 0 without samples.
+fn low_quantile(samples: &mut [f32]) -> f32 {
+    let index = (QUANTILE * samples.len() as f32) as usize;
+    if index < samples.len() { BIAS * *samples.select_nth_unstable_by(index, f32::total_cmp).1 } else { 0.0 }
+}
+
+/// Standard deviation of the step heights that noise of standard deviation `noise` per pixel causes at the scale
+/// `sigma`.
+fn height_sigma(noise: f32, sigma: f32) -> f32 {
+    let smooth = gauss(sigma);
     let square = |half: &[f32]| half[0] * half[0] + 2.0 * half[1..].iter().map(|weight| weight * weight).sum::<f32>();
     let gradient = (square(&smooth) * square(&derivative(&smooth))).sqrt();
-    std::f32::consts::TAU.sqrt() * scale * gradient * noise
+    std::f32::consts::TAU.sqrt() * sigma * gradient * noise
 }
 
 #[cfg(test)]
@@ -143,7 +153,7 @@ mod tests {
     use super::*;
     use crate::units::Size;
 
-    /// White noise of standard deviation `n` code values of 255 on a grey; equal in all channels or not.
+    /// A grey with white noise of standard deviation `n` (code values of 255), the same in all channels or not.
     fn noisy(n: f32, equal: bool) -> Raster {
         let size = Size::new(256, 256);
         let mut state = 1_u64;
@@ -172,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_of_single_channels_takes_weight_from_the_colour_axes() {
+    fn noise_of_single_channels_lowers_the_weight_of_the_colour_axes() {
         let noise = Noise::of(&noisy(10.0, false));
         assert!((noise.weights[0] - 1.0).abs() < 1e-6 && noise.weights[1] < 0.4 && noise.weights[2] < 0.4, "{noise:?}");
         // the luminance of three such channels has 0.74 of the noise of one
@@ -180,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn without_noise_nothing_changes() {
+    fn without_noise_the_parameters_stay() {
         let params = Params::default();
         let flat = Raster::grey(Size::new(200, 200), vec![0.3; 40_000]);
         assert_eq!(Noise::of(&flat).adapted(&params), params);

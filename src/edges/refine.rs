@@ -1,199 +1,217 @@
-//! Where exactly the edge lies: noise smoothed out along the contour, and the shift taken back that blur gives to a bend.
+//! Refines positions: noise is smoothed out along the contour, and the shift that blur causes at a bend is undone.
 //!
-//! Around every mark a parabola is laid through its neighbours, as many as fit it within what noise explains: far along a
-//! straight edge, close by on a bend, none across a corner. A parabola does not cut a bend short as a running mean does.
+//! A parabola is fitted to the neighbours of every point, to as many of them as noise can explain the residuals of:
+//! far along a straight edge, only near the point on a bend, never across a corner. A parabola does not cut bends
+//! short as a running mean does.
 //!
-//! The steepest place of a blurred edge lies inside its bend: for a disc of radius `R` blurred by `t` it is found at
-//! `R - t^2 / (2 R)` (the gradient along a radius is `exp(-(r - R)^2 / 2 t^2) / sqrt(r)` but for higher orders). Radius and
-//! blur are both measured, so the shift is known and taken back.
+//! The steepest point of a blurred edge lies inside its bend: for a disc of radius `R` blurred by `t` it is found at
+//! `R - t^2 / (2 R)` (up to higher orders, the gradient along a radius is `exp(-(r - R)^2 / 2 t^2) / sqrt(r)`). Radius
+//! and blur are both measured, so the shift is known and is undone.
 
-use super::path::{Mark, Path};
+use super::contour::{Contour, ContourPoint};
 use crate::units::{PxPoint, PxVector};
 
 /// Half lengths of the windows that are tried, in scales.
 const WINDOWS: [f32; 4] = [1.7, 3.2, 6.0, 11.0];
-/// Root mean square distance from the parabola that is always allowed, px.
-const LEAST_OFF: f32 = 0.02;
-/// ... and for noise: this times the doubt of the marks.
-const NOISE_OFF: f32 = 1.15;
+/// Root mean square residual of the parabola that is always allowed, px.
+const MIN_RMS: f32 = 0.02;
+/// Residual allowed for noise, as a multiple of the position error of the points.
+const NOISE_RMS: f32 = 1.15;
 
-/// How many times its variance the square of a bend must be to count at all; above that it counts the more the larger.
-const SURE: f64 = 1.5;
+/// The squared curvature must be at least this many times its variance to count at all; beyond that it counts more and
+/// more.
+const MIN_SIGNIFICANCE: f64 = 1.5;
 
-/// A window counts fully as long as its parabola is off by no more than this many times what is allowed, and not at all
-/// from the second on.
-const FULLY: f32 = 0.8;
-const NOT_AT_ALL: f32 = 1.2;
+/// A window counts fully if the residual of its parabola is at most `FULL_WEIGHT` times the allowed one, and not at
+/// all from `NO_WEIGHT` times on.
+const FULL_WEIGHT: f32 = 0.8;
+const NO_WEIGHT: f32 = 1.2;
+/// Contours of fewer points are left as they are.
+const MIN_POINTS: usize = 5;
 
+/// A parabola fitted around a point of a contour.
 #[derive(Debug, Clone, Copy)]
 struct Fit {
+    /// Where it passes the point.
     at: PxPoint,
-    /// Direction of the path; of length 1, or a little less where two fits are mixed.
-    along: PxVector,
-    /// Signed; positive bends to the right of the direction (y down).
+    /// Direction of the contour, of length 1, or a little less where two fits are mixed.
+    direction: PxVector,
+    /// Signed curvature, 1/px: positive if it bends to the right of the direction (y down).
     curvature: f32,
-    /// How sure it is that the bend is no noise, 0..=1.
-    sure: f32,
-    off: f32,
+    /// Confidence that the curvature is not noise, 0..=1.
+    confidence: f32,
+    /// Root mean square residual, px.
+    rms: f32,
 }
 
 impl Fit {
-    /// The fit a share of the way from this one to `wider`.
+    /// This fit mixed with that of a wider window, which gets the weight `share`.
     fn mixed(&self, wider: &Self, share: f32) -> Self {
         let mix = |a: f32, b: f32| a + (b - a) * share;
         Self {
             at: self.at.lerp(wider.at, share),
-            along: self.along.lerp(wider.along, share),
+            direction: self.direction.lerp(wider.direction, share),
             curvature: mix(self.curvature, wider.curvature),
-            sure: mix(self.sure, wider.sure),
-            off: wider.off,
+            confidence: mix(self.confidence, wider.confidence),
+            rms: wider.rms,
         }
     }
-}
 
-/// Moves every mark to where the edge is.
-pub(super) fn refine(path: &mut Path, scale: f32) {
-    let n = path.marks.len();
-    if n < 5 {
-        return;
-    }
-    let arcs = arcs(path);
-    let fits: Vec<Option<Fit>> = (0..n).map(|i| best(path, &arcs, i, scale)).collect();
-    for (mark, fit) in path.marks.iter_mut().zip(fits) {
-        let Some(fit) = fit else { continue };
-        let bend = fit.curvature.abs().min(1.0 / scale);
+    /// The position of the edge, with the shift undone that a blur causes at a bend. `sigma` bounds the curvature.
+    fn unshifted(&self, blur: f32, sigma: f32) -> PxPoint {
+        let bend = self.curvature.abs().min(1.0 / sigma);
         let shift = if bend > 1e-5 {
             let radius = 1.0 / bend;
-            0.5 * (radius + (radius * radius + 2.0 * mark.blur * mark.blur).sqrt()) - radius
+            0.5 * (radius + (radius * radius + 2.0 * blur * blur).sqrt()) - radius
         } else {
             0.0
         };
-        // away from the centre, which lies to the right where the curvature is positive
-        let right = PxVector::new(-fit.along.y, fit.along.x);
-        mark.at = fit.at - right * (shift * fit.sure * fit.curvature.signum());
+        // away from the centre, which lies on the right where the curvature is positive
+        let right = PxVector::new(-self.direction.y, self.direction.x);
+        self.at - right * (shift * self.confidence * self.curvature.signum())
     }
 }
 
-/// Way from the first mark to each, and round to the first again at the end.
-fn arcs(path: &Path) -> Vec<f32> {
-    let mut arcs = Vec::with_capacity(path.marks.len() + 1);
-    let mut way = 0.0;
-    for (i, mark) in path.marks.iter().enumerate() {
-        if i > 0 {
-            way += (mark.at - path.marks[i - 1].at).length();
+/// Moves every point of a contour to where the edge is. `sigma` is the scale of the derivative, px.
+pub(super) fn refine(contour: &mut Contour, sigma: f32) {
+    let n = contour.vertices.len();
+    if n < MIN_POINTS {
+        return;
+    }
+    let arcs = contour.arc_lengths();
+    let fits: Vec<Option<Fit>> = (0..n).map(|i| best_fit(contour, &arcs, i, sigma)).collect();
+    for (point, fit) in contour.vertices.iter_mut().zip(fits) {
+        if let Some(fit) = fit {
+            point.at = fit.unshifted(point.blur, sigma);
         }
-        arcs.push(way);
     }
-    let (first, last) = (path.marks[0].at, path.marks[path.marks.len() - 1].at);
-    arcs.push(way + (first - last).length());
-    arcs
 }
 
-/// The fit over the widest window that noise explains.
-fn best(path: &Path, arcs: &[f32], i: usize, scale: f32) -> Option<Fit> {
-    let n = path.marks.len();
-    let room = if path.closed { 0.45 * arcs[n] } else { arcs[i].min(arcs[n - 1] - arcs[i]).max(WINDOWS[0] * scale) };
-    let allowed = (NOISE_OFF * path.marks[i].doubt).hypot(LEAST_OFF);
-    let mut sums = Sums::at(&path.marks[i]);
+/// The fit over the widest window whose residual noise explains. `arcs` are the arc lengths of the contour.
+fn best_fit(contour: &Contour, arcs: &[f32], i: usize, sigma: f32) -> Option<Fit> {
+    let total = *arcs.last()?;
+    let max_half = if contour.closed { 0.45 * total } else { arcs[i].min(total - arcs[i]).max(WINDOWS[0] * sigma) };
+    let max_rms = (NOISE_RMS * contour.vertices[i].position_sigma).hypot(MIN_RMS);
+    let mut window = Window { contour, arcs, centre: i, last: [i; 2], sums: Sums::new(&contour.vertices[i]) };
     let mut best: Option<Fit> = None;
-    let mut tips = [(i, 0.0), (i, 0.0)];
-    for window in WINDOWS {
-        let half = (window * scale).min(room);
-        for (tip, forwards) in tips.iter_mut().zip([true, false]) {
-            widen(path, arcs, i, half, tip, forwards, &mut sums);
-        }
-        let Some(fit) = sums.fit(half) else { break };
-        // from one window to the next gradually, so that a little more noise moves a mark but a little
-        let share = ((NOT_AT_ALL - fit.off / allowed) / (NOT_AT_ALL - FULLY)).clamp(0.0, 1.0);
+    for scales in WINDOWS {
+        let half = (scales * sigma).min(max_half);
+        window.widen(half);
+        let Some(fit) = window.sums.fit(half) else { break };
+        // from one window to the next gradually, so that a little more noise moves a point only a little
+        let share = ((NO_WEIGHT - fit.rms / max_rms) / (NO_WEIGHT - FULL_WEIGHT)).clamp(0.0, 1.0);
         best = Some(best.map_or(fit, |best| best.mixed(&fit, share)));
-        if share <= 0.0 || half < window * scale {
+        if share <= 0.0 || half < scales * sigma {
             break;
         }
     }
     best
 }
 
-/// Adds the marks up to `half` pixels along the path from mark `i`, beyond `tip`, the last one added and its way.
-fn widen(path: &Path, arcs: &[f32], i: usize, half: f32, tip: &mut (usize, f32), forwards: bool, sums: &mut Sums) {
-    let round = arcs[path.marks.len()];
-    while let Some(to) = path.next(tip.0, if forwards { 1 } else { -1 })
-        && to != i
-    {
-        let mut way = arcs[to] - arcs[i];
-        if forwards && way < 0.0 {
-            way += round;
-        } else if !forwards && way > 0.0 {
-            way -= round;
+/// The points around a point of a contour.
+struct Window<'a> {
+    contour: &'a Contour,
+    arcs: &'a [f32],
+    centre: usize,
+    /// The last point that was added forwards, and backwards.
+    last: [usize; 2],
+    sums: Sums,
+}
+
+impl Window<'_> {
+    /// Adds the points up to `half` pixels along the contour, in both directions.
+    fn widen(&mut self, half: f32) {
+        let total = self.arcs[self.arcs.len() - 1];
+        for (side, step) in [1, -1].into_iter().enumerate() {
+            let forwards = step > 0;
+            while let Some(to) = self.contour.next(self.last[side], step)
+                && to != self.centre
+            {
+                let mut arc = self.arcs[to] - self.arcs[self.centre];
+                if forwards && arc < 0.0 {
+                    arc += total;
+                } else if !forwards && arc > 0.0 {
+                    arc -= total;
+                }
+                if arc.abs() > half {
+                    break;
+                }
+                self.sums.add(&self.contour.vertices[to], arc);
+                self.last[side] = to;
+            }
         }
-        if way.abs() > half {
-            return;
-        }
-        sums.add(&path.marks[to], way);
-        *tip = (to, way);
     }
 }
 
-/// Sums for least squares parabolas of x and y over the way along a path.
+/// Sums for least squares parabolas of x and y over the arc length.
 struct Sums {
-    from: PxPoint,
+    origin: PxPoint,
+    /// Sums of the powers 0 to 4 of the arc length.
     moments: [f64; 5],
+    /// Sums of x times the powers 0 to 2 of the arc length.
     xs: [f64; 3],
     ys: [f64; 3],
+    /// Sum of the squared distances from the origin.
     squares: f64,
-    doubts: f64,
+    /// Sum of the variances of the positions.
+    variances: f64,
 }
 
 impl Sums {
-    fn at(mark: &Mark) -> Self {
-        let mut sums = Self { from: mark.at, moments: [0.0; 5], xs: [0.0; 3], ys: [0.0; 3], squares: 0.0, doubts: 0.0 };
-        sums.add(mark, 0.0);
+    /// The sums of one point alone, which becomes the origin.
+    fn new(point: &ContourPoint) -> Self {
+        let (moments, xs, ys) = ([0.0; 5], [0.0; 3], [0.0; 3]);
+        let mut sums = Self { origin: point.at, moments, xs, ys, squares: 0.0, variances: 0.0 };
+        sums.add(point, 0.0);
         sums
     }
 
-    fn add(&mut self, mark: &Mark, way: f32) {
-        let (s, v) = (f64::from(way), mark.at - self.from);
+    fn add(&mut self, point: &ContourPoint, arc: f32) {
+        let (s, v) = (f64::from(arc), point.at - self.origin);
         let (x, y) = (f64::from(v.x), f64::from(v.y));
         let powers = [1.0, s, s * s, s * s * s, s * s * s * s];
         self.moments.iter_mut().zip(&powers).for_each(|(sum, power)| *sum += power);
         self.xs.iter_mut().zip(&powers).for_each(|(sum, power)| *sum += power * x);
         self.ys.iter_mut().zip(&powers).for_each(|(sum, power)| *sum += power * y);
         self.squares += x * x + y * y;
-        self.doubts += f64::from(mark.doubt * mark.doubt);
+        self.variances += f64::from(point.position_sigma * point.position_sigma);
     }
 
+    /// The parabola over a window of half length `half`; none for too few points.
     fn fit(&self, half: f32) -> Option<Fit> {
         let Self { moments, xs, ys, .. } = self;
         let count = moments[0];
         if count < 4.0 {
             return None;
         }
-        let (x, y) = (solve(moments, xs)?, solve(moments, ys)?);
-        let left = self.squares - (0..3).map(|k| x[k] * xs[k] + y[k] * ys[k]).sum::<f64>();
+        let (x, y) = (parabola(moments, xs)?, parabola(moments, ys)?);
+        let residual = self.squares - (0..3).map(|k| x[k] * xs[k] + y[k] * ys[k]).sum::<f64>();
         let speed = (x[1] * x[1] + y[1] * y[1]).sqrt();
         if speed < 0.1 {
             return None;
         }
         let curvature = 2.0 * (x[1] * y[2] - y[1] * x[2]) / (speed * speed * speed);
-        // of a parabola's curvature, 45 v / (n h^4); neighbours err alike (they share pixels), so one in two counts
-        let variance = 2.0 * 45.0 * (self.doubts / count) / (count * f64::from(half).powi(4));
-        // where the bend may be noise, a straight line is the better fit
+        // The curvature of a parabola has the variance 45 v / (n h^4). The errors of neighbours are correlated (they
+        // share pixels), so only every second point counts.
+        let variance = 2.0 * 45.0 * (self.variances / count) / (count * f64::from(half).powi(4));
+        // where the curvature may be noise, a straight line fits better
         let straight = |t: &[f64; 3]| {
             (t[0] * moments[2] - moments[1] * t[1]) / (moments[0] * moments[2] - moments[1] * moments[1])
         };
-        let sure = (1.0 - SURE * variance / (curvature * curvature).max(1e-12)).max(0.0);
-        let mix = |s: f64, q: f64| (s + (q - s) * sure) as f32;
+        let confidence = (1.0 - MIN_SIGNIFICANCE * variance / (curvature * curvature).max(1e-12)).max(0.0);
+        let mix = |s: f64, q: f64| (s + (q - s) * confidence) as f32;
         Some(Fit {
-            at: self.from + PxVector::new(mix(straight(xs), x[0]), mix(straight(ys), y[0])),
-            sure: sure as f32,
-            along: PxVector::new((x[1] / speed) as f32, (y[1] / speed) as f32),
+            at: self.origin + PxVector::new(mix(straight(xs), x[0]), mix(straight(ys), y[0])),
+            confidence: confidence as f32,
+            direction: PxVector::new((x[1] / speed) as f32, (y[1] / speed) as f32),
             curvature: curvature as f32,
-            off: (left.max(0.0) / (count - 3.0).max(1.0)).sqrt() as f32,
+            rms: (residual.max(0.0) / (count - 3.0).max(1.0)).sqrt() as f32,
         })
     }
 }
 
-/// Solves the normal equations of a parabola.
-fn solve(m: &[f64; 5], t: &[f64; 3]) -> Option<[f64; 3]> {
+/// The coefficients of a least squares parabola, from its normal equations; none if they are singular.
+fn parabola(m: &[f64; 5], t: &[f64; 3]) -> Option<[f64; 3]> {
     let minors = [m[2] * m[4] - m[3] * m[3], m[1] * m[4] - m[2] * m[3], m[1] * m[3] - m[2] * m[2]];
     let det = m[0] * minors[0] - m[1] * minors[1] + m[2] * minors[2];
     if det.abs() < 1e-9 {
@@ -203,4 +221,65 @@ fn solve(m: &[f64; 5], t: &[f64; 3]) -> Option<[f64; 3]> {
     let b = m[0] * (t[1] * m[4] - m[3] * t[2]) - t[0] * minors[1] + m[2] * (m[1] * t[2] - m[2] * t[1]);
     let c = m[0] * (m[2] * t[2] - m[3] * t[1]) - m[1] * (m[1] * t[2] - m[2] * t[1]) + t[0] * minors[2];
     Some([a / det, b / det, c / det])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::{circle, polyline};
+    use super::*;
+
+    const SIGMA: f32 = 1.5;
+
+    /// Random numbers in -1..=1.
+    fn noise() -> impl Iterator<Item = f32> {
+        let next = |state: &u64| state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let states = std::iter::successors(Some(1_u64), move |state| Some(next(state)));
+        states.skip(1).map(|state| (state >> 40) as f32 / (1_u64 << 23) as f32 - 1.0)
+    }
+
+    /// Root mean square of distances.
+    fn rms(distances: impl Iterator<Item = f32>) -> f32 {
+        let (sum, count) = distances.fold((0.0, 0.0), |(sum, count), d| (sum + d * d, count + 1.0));
+        f32::sqrt(sum / count)
+    }
+
+    #[test]
+    fn noise_is_smoothed_out_along_a_straight_line() {
+        let mut line = polyline(&[(0.0, 10.0), (60.0, 10.0)]);
+        for (point, noise) in line.vertices.iter_mut().zip(noise()) {
+            (point.at.y, point.position_sigma) = (10.0 + 0.2 * noise, 0.12);
+        }
+        let before = rms(line.vertices.iter().map(|point| point.at.y - 10.0));
+        refine(&mut line, SIGMA);
+        let after = rms(line.vertices.iter().map(|point| point.at.y - 10.0));
+        assert!(before > 0.1 && after < 0.4 * before, "{before} px before, {after} after");
+    }
+
+    #[test]
+    fn a_circle_gets_back_the_radius_that_blur_took() {
+        for radius in [8.0_f32, 15.0, 30.0] {
+            let blur = 1.5_f32;
+            let mut found = circle(radius - blur * blur / (2.0 * radius));
+            refine(&mut found, SIGMA);
+            let radii = found.vertices.iter().map(|point| (point.at - PxPoint::new(50.0, 50.0)).length());
+            let error = rms(radii.map(|found| found - radius));
+            assert!(error < 0.02, "radius {radius}: off by {error} px, where blur took {}", 1.125 / radius);
+        }
+    }
+
+    #[test]
+    fn a_corner_and_short_contours_stay() {
+        let mut corner = polyline(&[(0.0, 0.0), (20.0, 0.0), (20.0, 20.0)]);
+        let before = corner.clone();
+        refine(&mut corner, SIGMA);
+        let moved = corner.vertices.iter().zip(&before.vertices).map(|(a, b)| (a.at - b.at).length());
+        let moved: Vec<f32> = moved.collect();
+        assert!(moved[..15].iter().chain(&moved[26..]).all(|&d| d < 1e-3), "{moved:?}");
+        assert!(moved.iter().all(|&d| d < 0.6), "{moved:?}");
+        let mut short = polyline(&[(0.0, 0.0), (3.0, 0.0)]);
+        short.vertices[1].at.y = 0.5;
+        let same = short.clone();
+        refine(&mut short, SIGMA);
+        assert_eq!(short, same);
+    }
 }

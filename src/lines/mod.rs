@@ -17,12 +17,10 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
-use std::ops::Range;
-
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 use trail::Trail;
 
-use crate::edges::Edges;
+use crate::edges::{ChainRange, Edges};
 use crate::frame::Frame;
 use crate::geom::polyline;
 use crate::units::{MmPoint, MmRect};
@@ -172,9 +170,9 @@ pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Draw
 
 /// The contours on the sheet, in an order and in directions that do not hang on where in the picture they were found first.
 fn trails(edges: &Edges, frame: &Frame, params: &Params) -> Vec<Trail> {
-    let trail = |range: &Range<usize>| {
-        let chain = &edges.points[range.clone()];
-        let trail = Trail::from_chain(chain, frame).smoothed(params.smoothing).evened().stronger_half_first();
+    let trail = |range: &ChainRange| {
+        let trail =
+            Trail::from_chain(edges.chain(range), frame).smoothed(params.smoothing).evened().stronger_half_first();
         (trail.vertices.iter().map(|v| f64::from(v.strength)).sum::<f64>(), trail)
     };
     let mut trails: Vec<(f64, Trail)> = edges.chains.par_iter().map(trail).collect();

@@ -1,7 +1,8 @@
 //! A line in the making: a contour on the sheet, before it is known what of it is drawn.
 
+use crate::edges::Edgel;
 use crate::frame::Frame;
-use crate::geom::polyline::{self, arc_lengths};
+use crate::geom::polyline::{self, PolylineRef, arc_lengths};
 use crate::units::{MmPoint, MmVector};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
@@ -39,13 +40,9 @@ impl Vertex {
 }
 
 impl Trail {
-    pub(super) fn from_chain(chain: &[crate::edges::EdgePoint], frame: &Frame) -> Self {
-        let vertices: Vec<Vertex> = chain
-            .iter()
-            .map(|p| Vertex { at: frame.to_mm(p.at), strength: p.strength, step: p.step, width: 0.0 })
-            .collect();
-        let closed = vertices.len() > 3 && chain.first().map(|p| p.at) == chain.last().map(|p| p.at);
-        Self { vertices, closed }
+    pub(super) fn from_chain(chain: PolylineRef<'_, Edgel>, frame: &Frame) -> Self {
+        let vertex = |p: &Edgel| Vertex { at: frame.to_mm(p.at), strength: p.strength, step: p.contrast, width: 0.0 };
+        Self { vertices: chain.path().map(vertex).collect(), closed: chain.closed }
     }
 
     pub(super) fn points(&self) -> Vec<MmPoint> {

@@ -2,6 +2,7 @@
 
 use tactograph::internals::classes::{self, Class, Classes};
 use tactograph::internals::edges;
+use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::pipeline::colours;
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
@@ -121,7 +122,7 @@ pub(crate) fn params() -> classes::Params {
 }
 
 /// The contours of a scene, as the pipeline finds them at this resolution.
-pub(crate) fn contours(raster: &Raster) -> Vec<Vec<PxPoint>> {
+pub(crate) fn contours(raster: &Raster) -> Vec<Polyline<PxPoint>> {
     let params = edges::Params {
         sigma: 2.25,
         low: 3.0,
@@ -132,7 +133,7 @@ pub(crate) fn contours(raster: &Raster) -> Vec<Vec<PxPoint>> {
         side_cell: 8.0,
         side_offset: 12.0,
     };
-    edges::find(raster, &params).chains().map(|chain| chain.iter().map(|point| point.at).collect()).collect()
+    edges::find(raster, &params).polylines()
 }
 
 /// The class of every pixel.

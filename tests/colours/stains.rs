@@ -1,6 +1,7 @@
 //! How far the blur stains areas with their neighbours' colours or with outlines.
 
 use tactograph::internals::classes::{self, Params};
+use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::units::PxPoint;
 
 use crate::colours::scenes::{self, PX_PER_MM, Scene, Style};
@@ -15,7 +16,7 @@ const STYLES: [Style; 6] = [
 ];
 
 /// Share of the pixels off outlines that have their own area's class.
-fn own(scene: &Scene, contours: &[Vec<PxPoint>], params: &Params) -> f32 {
+fn own(scene: &Scene, contours: &[Polyline<PxPoint>], params: &Params) -> f32 {
     let sorted = classes::sort(&scene.raster, contours, params);
     let found = scenes::by_pixel(&sorted, scene.raster.size());
     let inside = scene.area.iter().zip(found).filter_map(|(area, found)| Some((scene.classes[(*area)?], found)));

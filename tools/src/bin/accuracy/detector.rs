@@ -31,9 +31,9 @@ pub(crate) fn traced(edges: &Edges) -> Vec<Traced> {
     edges
         .chains()
         .map(|chain| Traced {
-            closed: chain.len() > 2 && chain.first().map(|p| p.at) == chain.last().map(|p| p.at),
-            points: chain.iter().map(|p| [f64::from(p.at.x), f64::from(p.at.y)]).collect(),
-            strength: chain.iter().map(|p| f64::from(p.strength)).collect(),
+            closed: chain.closed,
+            points: chain.path().map(|p| [f64::from(p.at.x), f64::from(p.at.y)]).collect(),
+            strength: chain.path().map(|p| f64::from(p.strength)).collect(),
         })
         .collect()
 }

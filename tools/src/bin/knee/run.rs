@@ -15,7 +15,7 @@ use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{self, Limits, Options, Source};
 use tactograph::internals::raster::plane::shrink;
 use tactograph::internals::textures;
-use tactograph::internals::units::{MmRect, PxPoint, Size};
+use tactograph::internals::units::{MmRect, Size};
 
 use crate::clock::Clock;
 use crate::pictures::Picture;
@@ -70,9 +70,7 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
         Overview { place, frame: Default::default(), lines }
     });
     times[3] = clock.lap();
-    let contours: Vec<Vec<PxPoint>> =
-        found.chains().map(|chain| chain.iter().map(|point| point.at).collect()).collect();
-    let classes = classes::sort(&raster, &contours, &plan.classes(px_per_mm));
+    let classes = classes::sort(&raster, &found.polylines(), &plan.classes(px_per_mm));
     times[4] = clock.lap();
     let textures = textures::fill(&classes, layout.figure, &lines, &plan.textures());
     times[5] = clock.lap();

@@ -1,0 +1,161 @@
+//! Selects the parts of chains that are contours: hysteresis along the chain (Canny 1986) with the strength of
+//! [`super::strength`], and a least length.
+
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+use super::chain::{self, Chain};
+use super::contour::{Contour, ContourPoint};
+use super::params::Params;
+use super::ridge::RidgePoint;
+use super::side_statistics::SideStatistics;
+use super::{lab, strength};
+use crate::geom::polyline::Polyline;
+use crate::raster::Raster;
+use crate::raster::plane::Plane;
+use crate::units::PxVector;
+
+/// What the selection reads beside the chains.
+pub(super) struct Selection<'a> {
+    pub(super) points: &'a [RidgePoint],
+    pub(super) raster: &'a Raster,
+    pub(super) sides: &'a SideStatistics,
+    /// Standard deviation of the noise of a pixel, in units of strength.
+    pub(super) noise: f32,
+    pub(super) params: &'a Params,
+}
+
+impl Selection<'_> {
+    /// The contours in all chains.
+    pub(super) fn contours(&self, chains: &[Chain]) -> Vec<Contour> {
+        chains.par_iter().flat_map_iter(|chain| self.contours_of(chain)).collect()
+    }
+
+    /// The contours in a chain.
+    fn contours_of(&self, chain: &Chain) -> Vec<Contour> {
+        let Self { points, params, .. } = self;
+        // Strength never exceeds the height of the step, so a chain without one step of this height cannot reach it.
+        if !chain.vertices.iter().any(|&number| points[number as usize].height >= params.high) {
+            return Vec::new();
+        }
+        let strengths = strength::along(points, chain, self.sides, params);
+        let mut contours = Vec::new();
+        for piece in pieces(&strengths, chain.closed, params.low, params.high) {
+            let numbers = piece.vertices.iter().map(|&i| chain.vertices[i]).collect();
+            let part = Chain { vertices: numbers, closed: piece.closed };
+            if chain::length(points, &part) >= params.min_length {
+                contours.push(self.contour(&part, piece.vertices.iter().map(|&i| strengths[i])));
+            }
+        }
+        contours
+    }
+
+    /// A part of a chain as a contour.
+    fn contour(&self, part: &Chain, strengths: impl Iterator<Item = f32>) -> Contour {
+        let at = |k: usize| &self.points[part.vertices[k] as usize];
+        let n = part.vertices.len();
+        let point = |(k, strength): (usize, f32)| {
+            let [before, after] = chain::neighbours(n, part.closed, k).map(|k| at(k).at);
+            let point = at(k);
+            ContourPoint {
+                at: point.at,
+                strength,
+                contrast: self.contrast(point, after - before),
+                blur: point.blur,
+                position_sigma: position_sigma(self.noise, point, self.params.sigma),
+            }
+        };
+        Contour { vertices: strengths.enumerate().map(point).collect(), closed: part.closed }
+    }
+
+    /// Colour on the right minus colour on the left of a chain that runs in the direction `along` at `point`.
+    fn contrast(&self, point: &RidgePoint, along: PxVector) -> [f32; 3] {
+        // The two ridges of a line thinner than the scale stand one sigma from its middle: farther away would be the
+        // paper on its other side.
+        let distance = self.params.sigma.max(1.0);
+        // right of the direction, with y down
+        let sign = if -along.y * point.normal[0] + along.x * point.normal[1] >= 0.0 { 1.0 } else { -1.0 };
+        let (dx, dy) = (sign * distance * point.normal[0], sign * distance * point.normal[1]);
+        let right = colour_at(self.raster, point.at.x + dx, point.at.y + dy);
+        let left = colour_at(self.raster, point.at.x - dx, point.at.y - dy);
+        std::array::from_fn(|i| right[i] - left[i])
+    }
+}
+
+/// The colour of a picture between its pixels (L, 2a, 2b).
+fn colour_at(raster: &Raster, x: f32, y: f32) -> [f32; 3] {
+    let at = |plane: &Vec<f32>| Plane::look_up(plane, raster.size(), x, y);
+    match raster.planes() {
+        [red, green, blue] => lab::colour([at(red), at(green), at(blue)]),
+        planes => lab::colour([planes.first().map_or(0.0, at); 3]),
+    }
+}
+
+/// Position error, px: the standard deviation of the steepest point across an edge of height `D` and blur `t`, found
+/// with derivatives of scale `sigma` under white noise `n`. It is the noise of the second derivative, `n sqrt(3 / 16
+/// pi) / sigma^3`, divided by the slope of the second derivative at the edge, `D / (sqrt(2 pi) t^3)`.
+fn position_sigma(noise: f32, point: &RidgePoint, sigma: f32) -> f32 {
+    0.612 * noise / point.height.max(1e-3) * (point.blur / sigma).powi(3)
+}
+
+/// Hysteresis along a chain: the runs of indices whose strength is at least `low`, if it reaches `high` somewhere in
+/// them. A run over the seam of a closed chain is one run. The run is closed if it is the whole of a closed chain.
+fn pieces(strengths: &[f32], closed: bool, low: f32, high: f32) -> Vec<Polyline<usize>> {
+    let n = strengths.len();
+    let weak = strengths.iter().position(|&strength| strength < low);
+    let mut pieces = match weak {
+        None => vec![Polyline { vertices: (0..n).collect(), closed }],
+        // a closed chain is walked from a weak point on, so that no run crosses its seam
+        Some(weak) => {
+            let start = if closed { weak } else { 0 };
+            let indices: Vec<usize> = (start..n).chain(0..start).collect();
+            let runs = indices.split(|&i| strengths[i] < low).filter(|run| !run.is_empty());
+            runs.map(|run| Polyline { vertices: run.to_vec(), closed: false }).collect()
+        }
+    };
+    pieces.retain(|piece| piece.vertices.iter().any(|&i| strengths[i] >= high));
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::PxPoint;
+
+    /// The pieces of a chain with the given strengths; low is 3, high is 6.
+    fn pieces_of(strengths: &[u8], closed: bool) -> Vec<(Vec<usize>, bool)> {
+        let strengths: Vec<f32> = strengths.iter().map(|&s| f32::from(s)).collect();
+        pieces(&strengths, closed, 3.0, 6.0).into_iter().map(|piece| (piece.vertices, piece.closed)).collect()
+    }
+
+    #[test]
+    fn a_run_above_low_is_kept_whole_if_it_reaches_high() {
+        assert_eq!(pieces_of(&[4, 3, 6, 4, 1, 5, 5, 2, 7], false), [(vec![0, 1, 2, 3], false), (vec![8], false)]);
+        assert_eq!(pieces_of(&[3, 4, 5], false), [], "high is never reached");
+        assert_eq!(pieces_of(&[1, 2, 1], false), [], "low is never reached");
+    }
+
+    #[test]
+    fn a_closed_chain_stays_closed_if_it_is_strong_all_round_and_has_no_seam() {
+        assert_eq!(pieces_of(&[4, 6, 4, 5], true), [(vec![0, 1, 2, 3], true)]);
+        assert_eq!(pieces_of(&[4, 6, 1, 5, 3], true), [(vec![3, 4, 0, 1], false)]);
+        assert_eq!(pieces_of(&[7, 1, 1, 1], true), [(vec![0], false)], "a run of one point at the seam");
+    }
+
+    #[test]
+    fn the_position_error_grows_with_noise_and_blur_and_falls_with_height() {
+        let point = |height, blur| {
+            let profile =
+                crate::edges::ridge::EdgeProfile { maximum: 1.0, curvature: 1.0, pedestal: [0.0; 2], distance: 4.5 };
+            RidgePoint { at: PxPoint::zero(), normal: [1.0, 0.0], profile, height, blur, column: 0, row: 0 }
+        };
+        let sigma = position_sigma(1.0, &point(20.0, 1.5), 1.5);
+        assert!((sigma - 0.0306).abs() < 1e-4, "{sigma}");
+        for (other, factor) in [
+            (position_sigma(2.0, &point(20.0, 1.5), 1.5), 2.0),
+            (position_sigma(1.0, &point(40.0, 1.5), 1.5), 0.5),
+            (position_sigma(1.0, &point(20.0, 3.0), 1.5), 8.0),
+        ] {
+            assert!((other / sigma - factor).abs() < 1e-4, "{other} is not {factor} times {sigma}");
+        }
+    }
+}
