@@ -59,7 +59,7 @@ impl Trace {
             for run in &line.runs {
                 // Runs share the points where they meet; a point has the width of the run that it begins.
                 points.truncate(width.len());
-                points.extend(&run.points);
+                points.extend(run.polyline().path());
                 width.resize(points.len().saturating_sub(1), run.width);
             }
             let closed = points.len() > 3 && points.first() == points.last();

@@ -30,7 +30,7 @@ fn pages() -> Vec<(String, Page)> {
 /// Segments of lines with half their width.
 fn segments(lines: &[Line]) -> Vec<(MmPoint, MmPoint, f32)> {
     let runs = lines.iter().flat_map(|line| &line.runs);
-    runs.flat_map(|run| run.points.windows(2).map(|pair| (pair[0], pair[1], 0.5 * run.width))).collect()
+    runs.flat_map(|run| run.polyline().segments().map(|(a, b)| (*a, *b, 0.5 * run.width))).collect()
 }
 
 #[test]

@@ -136,10 +136,10 @@ fn edge_points(edges: &Edges) -> Vec<(f32, f32)> {
 /// Points every 0.2 mm along lines.
 fn line_points(lines: &[Line]) -> Vec<(f32, f32)> {
     let mut points = Vec::new();
-    for pair in lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.windows(2)) {
-        let way = pair[1] - pair[0];
+    for (&a, &b) in lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.polyline().segments()) {
+        let way = b - a;
         let steps = (way.length() / 0.2).ceil().max(1.0);
-        points.extend((0..=steps as u32).map(|k| pair[0] + way * (k as f32 / steps)).map(|p| (p.x, p.y)));
+        points.extend((0..=steps as u32).map(|k| a + way * (k as f32 / steps)).map(|p| (p.x, p.y)));
     }
     points
 }

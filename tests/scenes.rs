@@ -100,7 +100,7 @@ fn a_closed_contour_is_one_closed_line() {
         let raster = picture(|x, y| 30.0 + 50.0 * step(radius - (x - 150.3).hypot(y - 149.6), 0.8));
         let lines = draw(&raster);
         assert_eq!(lines.len(), 1, "radius {radius}");
-        assert!(lines[0].runs.len() == 1 && lines[0].runs[0].is_closed(), "radius {radius}: not closed");
+        assert!(lines[0].runs.len() == 1 && lines[0].runs[0].closed, "radius {radius}: not closed");
         let length = std::f32::consts::TAU * radius * SCALE;
         assert!((lines[0].length() / length - 1.0).abs() < 0.03, "radius {radius}: {} for {length}", lines[0].length());
     }

@@ -155,10 +155,10 @@ fn glyphs_hold(page: &Page, profile: &Profile, name: &str) {
     let (textures, swell, place) = (&profile.textures, profile.print.swell, page.figure.place);
     let mut nearby = Nearby::new(place, textures.line_gap + textures.length);
     for (number, run) in page.figure.lines.iter().flat_map(|line| &line.runs).enumerate() {
-        for (index, pair) in run.points.windows(2).enumerate() {
+        for (index, (&a, &b)) in run.polyline().segments().enumerate() {
             let half_width = 0.5 * (run.width + swell);
             let (line, index) = (number as u32, index as u32);
-            nearby.insert(Segment { a: pair[0], b: pair[1], half_width, line, index, arc: 0.0 });
+            nearby.insert(Segment { a, b, half_width, line, index, arc: 0.0 });
         }
     }
     let reach = textures.line_gap + 0.5 * (profile.lines.width_max + textures.length);

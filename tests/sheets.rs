@@ -94,9 +94,7 @@ fn ink(page: &Page, way: MmVector) -> Ink {
     let runs = page.figure.lines.iter().flat_map(|line| &line.runs);
     Ink {
         dots: glyphs.chain(page.frame.at.iter().copied()).map(|at| at + way).collect(),
-        lines: runs
-            .flat_map(|run| run.points.windows(2).map(|pair| (pair[0] + way, pair[1] + way, run.width)))
-            .collect(),
+        lines: runs.flat_map(|run| run.polyline().segments().map(|(a, b)| (*a + way, *b + way, run.width))).collect(),
     }
 }
 

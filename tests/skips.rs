@@ -38,7 +38,7 @@ fn a_whole_page_skips_nothing() {
     assert_eq!(skipped, []);
     assert_eq!(drawing.notes, []);
     assert_eq!(drawing.page.figure.lines.len(), 1, "a disc has one contour");
-    assert!(drawing.page.figure.lines[0].runs[0].is_closed());
+    assert!(drawing.page.figure.lines[0].runs[0].closed);
 }
 
 #[test]

@@ -40,16 +40,10 @@ impl Marks {
     /// Adds what `other` has, moved by `by`.
     pub(super) fn add(&mut self, other: &Self, by: MmVector) {
         let moved = |points: &[MmPoint]| points.iter().map(|&at| at + by).collect::<Vec<_>>();
-        self.lines.extend(
-            other.lines.iter().map(|line| Line {
-                strength: line.strength,
-                runs: line
-                    .runs
-                    .iter()
-                    .map(|run| Run { width: run.width, points: moved(&run.points), pen: run.pen })
-                    .collect(),
-            }),
-        );
+        self.lines.extend(other.lines.iter().map(|line| Line {
+            strength: line.strength,
+            runs: line.runs.iter().map(|run| Run { points: moved(&run.points), ..run.clone() }).collect(),
+        }));
         self.textures.extend(other.textures.iter().map(|texture| {
             let glyphs = texture.glyphs.iter().map(|glyph| Glyph { at: glyph.at + by, ..*glyph });
             Texture { glyphs: glyphs.collect(), ..texture.clone() }

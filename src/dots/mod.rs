@@ -16,7 +16,7 @@ mod trace;
 mod walk;
 
 use crate::devices::DotArea;
-use crate::lines::{Height, Line, Pen, Run};
+use crate::lines::{Height, Line, Run};
 use crate::units::{MmPoint, MmRect};
 
 /// How lines become dots.
@@ -81,7 +81,7 @@ pub fn mark(points: &[MmPoint], room: &DotArea, params: &Params) -> Run {
 }
 
 fn dotted(points: Vec<MmPoint>, height: Height, params: &Params) -> Run {
-    Run { width: params.diameter, points, pen: Pen::Dots(height) }
+    Run::dots(params.diameter, points, height)
 }
 
 /// The way of a line through all its runs, and whether it is closed.
@@ -89,7 +89,7 @@ fn way(line: &Line) -> (Vec<MmPoint>, bool) {
     let mut way: Vec<MmPoint> = Vec::new();
     for run in &line.runs {
         let shared = usize::from(way.last().is_some() && way.last() == run.points.first());
-        way.extend(&run.points[shared..]);
+        way.extend(run.polyline().path().skip(shared));
     }
     let closed = way.len() > 2 && way.first() == way.last();
     (way, closed)

@@ -242,43 +242,30 @@ pub fn length<U>(points: &[Point2D<f32, U>]) -> f32 {
     PolylineRef { vertices: points, closed: false }.length()
 }
 
-/// Length of the way from the first point to each point; the first entry is 0.
-pub fn arc_lengths<U>(points: &[Point2D<f32, U>]) -> Vec<f32> {
-    let mut at = 0.0;
-    let mut arcs = Vec::with_capacity(points.len());
-    for (i, &point) in points.iter().enumerate() {
-        if i > 0 {
-            at += (point - points[i - 1]).length();
-        }
-        arcs.push(at);
-    }
-    arcs
-}
-
-/// A Gaussian mean along a line: values `0..n` at the places `arcs`, blurred with `sigma` in the unit of `arcs`.
+/// A Gaussian mean along a polyline: the values of its vertices, blurred with `sigma` in the unit of `arcs`, which are its
+/// [`PolylineRef::arc_lengths`].
 ///
-/// `value(i)` gives an array of numbers. A closed line (its last place is its first again) wraps round. At the ends of an
-/// open line the window is cut to the same reach on both sides, so that end points stay where they are and nothing
-/// shrinks towards the middle. The Gaussian is lowered so that it ends at 0, and what lies at the window's end to a rounding
-/// is inside: at even distances many places do, and a rounding must not decide.
+/// `value(i)` gives the numbers of vertex `i`. On a ring the window wraps round. At the ends of an open polyline it is cut to
+/// the same reach on both sides, so that end points stay where they are and nothing shrinks towards the middle. The Gaussian
+/// is lowered so that it ends at 0. What lies at the window's end, give or take a rounding, is inside: at even distances many
+/// vertices do, and rounding must not decide.
 pub fn smooth<const N: usize>(
     arcs: &[f32],
     closed: bool,
     sigma: f32,
     value: impl Fn(usize) -> [f32; N],
 ) -> Vec<[f32; N]> {
-    let n = arcs.len();
-    if n < 3 || sigma <= 0.0 {
+    // of a ring the last arc is its whole length, not that of a vertex of its own
+    let n = arcs.len().saturating_sub(usize::from(closed));
+    if arcs.len() < 3 || sigma <= 0.0 {
         return (0..n).map(value).collect();
     }
-    // A closed line repeats its first point at the end; the repeat is not a sample of its own.
-    let ring = if closed { n - 1 } else { n };
-    let total = arcs[n - 1];
+    let total = arcs[arcs.len() - 1];
     let (bell, per_sigma) = (&*BELL, STEPS as f32 / sigma);
     let reach = if closed { (3.0 * sigma).min(total / 2.0) } else { 3.0 * sigma };
-    let values: Vec<[f64; N]> = (0..ring).map(|i| value(i).map(f64::from)).collect();
+    let values: Vec<[f64; N]> = (0..n).map(|i| value(i).map(f64::from)).collect();
     let mut out = Vec::with_capacity(n);
-    for i in 0..ring {
+    for i in 0..n {
         let reach = if closed { reach } else { reach.min(arcs[i]).min(total - arcs[i]) } + ROUNDING * sigma;
         let mut sum = values[i];
         let mut weight = 1.0_f64;
@@ -293,8 +280,8 @@ pub fn smooth<const N: usize>(
             true
         };
         let here = arcs[i];
-        let (before, after) = (arcs[..i].iter().zip(&values[..i]), arcs[i + 1..ring].iter().zip(&values[i + 1..]));
-        // forwards, in a ring over its seam to the places before; then the same backwards
+        let (before, after) = (arcs[..i].iter().zip(&values[..i]), arcs[i + 1..n].iter().zip(&values[i + 1..]));
+        // forwards, in a ring over its seam to the vertices before; then the same backwards
         if after.clone().all(|(arc, value)| add(arc - here, value)) && closed {
             before.clone().all(|(arc, value)| add(arc + total - here, value));
         }
@@ -302,9 +289,6 @@ pub fn smooth<const N: usize>(
             after.rev().all(|(arc, value)| add(here + total - arc, value));
         }
         out.push(sum.map(|s| (s / weight) as f32));
-    }
-    if closed {
-        out.push(out[0]);
     }
     out
 }
@@ -338,25 +322,21 @@ mod tests {
 
     #[test]
     fn a_straight_line_stays_straight_and_keeps_its_ends() {
-        let points: Vec<MmPoint> = (0..20).map(|i| MmPoint::new(i as f32, 2.0 * i as f32)).collect();
-        let smoothed = smooth(&arc_lengths(&points), false, 2.0, |i| [points[i].x, points[i].y]);
-        for (p, s) in points.iter().zip(&smoothed) {
+        let line = Polyline::open((0..20).map(|i| MmPoint::new(i as f32, 2.0 * i as f32)).collect());
+        let smoothed = smooth(&line.arc_lengths(), false, 2.0, |i| [line.vertices[i].x, line.vertices[i].y]);
+        for (p, s) in line.vertices.iter().zip(&smoothed) {
             assert!((p.x - s[0]).abs() < 1e-4 && (p.y - s[1]).abs() < 1e-4, "{p:?} moved to {s:?}");
         }
     }
 
     #[test]
-    #[expect(clippy::float_cmp, reason = "the seam is one point, to the bit")]
-    fn a_closed_line_has_no_seam() {
-        let ring: Vec<MmPoint> = (0..=40)
-            .map(|i| (i % 40) as f32 * std::f32::consts::TAU / 40.0)
-            .map(|a| MmPoint::new(10.0 * a.cos(), 10.0 * a.sin()))
-            .collect();
-        let smoothed = smooth(&arc_lengths(&ring), true, 1.0, |i| [ring[i].x, ring[i].y]);
+    fn a_smoothed_ring_has_no_seam() {
+        let ring = ring(40, 10.0);
+        let smoothed = smooth(&ring.arc_lengths(), true, 1.0, |i| [ring.vertices[i].x, ring.vertices[i].y]);
         let radii: Vec<f32> = smoothed.iter().map(|[x, y]| x.hypot(*y)).collect();
         let (least, most) = radii.iter().fold((f32::MAX, 0.0_f32), |(a, b), &r| (a.min(r), b.max(r)));
+        assert_eq!(radii.len(), 40);
         assert!(most - least < 1e-3, "radii from {least} to {most}");
-        assert!(smoothed[0] == smoothed[40], "the ring does not close");
     }
 
     #[test]

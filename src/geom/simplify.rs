@@ -14,24 +14,36 @@
 
 use lyon::geom::euclid::{Point2D, Vector2D};
 
+use super::polyline::PolylineRef;
+
 /// The longest step, in points. Only straight lines reach it; they keep one point more for it.
 const LOOK_AHEAD: usize = 512;
 
-/// The indices of the points to keep: as few as can be so that the polyline through them and the one given are nowhere
-/// farther from one another than `tolerance` (Hausdorff distance). The first and the last point always stay; a closed
-/// polyline (first point = last point) keeps at least two more, so that it does not collapse.
-pub fn simplify<U>(points: &[Point2D<f32, U>], tolerance: f32) -> Vec<usize> {
+/// The indices of the vertices to keep: as few as can be so that the polyline through them and the one given are nowhere
+/// farther from one another than `tolerance` (Hausdorff distance). The first vertex, and of an open polyline the last, always
+/// stay; a ring keeps at least three, so that it does not collapse.
+pub fn simplify<U>(polyline: PolylineRef<'_, Point2D<f32, U>>, tolerance: f32) -> Vec<usize> {
+    if !polyline.closed {
+        return along(polyline.vertices, tolerance, LOOK_AHEAD);
+    }
+    let path: Vec<_> = polyline.path().copied().collect();
+    let mut kept = along(&path, tolerance, polyline.vertices.len().div_ceil(3).min(LOOK_AHEAD));
+    kept.pop(); // the first vertex again
+    kept
+}
+
+/// The indices of the points to keep of an open path, each step over at most `longest` points.
+fn along<U>(points: &[Point2D<f32, U>], tolerance: f32, longest: usize) -> Vec<usize> {
     let n = points.len();
     if n <= 2 {
         return (0..n).collect();
     }
-    let longest = if points[0] == points[n - 1] { (n - 1).div_ceil(3) } else { LOOK_AHEAD };
     // fewest[j]: steps from the first point to point j, the step before it, and how far those steps lie from the points
     let mut fewest = vec![(u32::MAX, 0, 0.0_f32); n];
     fewest[0] = (0, 0, 0.0);
     for i in 0..n - 1 {
         let (steps, _, off) = fewest[i];
-        each_step(points, i, tolerance, longest.min(LOOK_AHEAD), |j, farthest| {
+        each_step(points, i, tolerance, longest, |j, farthest| {
             let (least, _, least_off) = fewest[j];
             // of two ways with as few points the one that stays nearer
             let sum = off + farthest;
@@ -105,26 +117,34 @@ mod tests {
     use crate::units::MmPoint;
     use proptest::prelude::*;
 
+    fn open(points: &[MmPoint]) -> PolylineRef<'_, MmPoint> {
+        PolylineRef { vertices: points, closed: false }
+    }
+
+    fn ring(points: &[MmPoint]) -> PolylineRef<'_, MmPoint> {
+        PolylineRef { vertices: points, closed: true }
+    }
+
     #[test]
     fn a_straight_run_needs_its_ends_only() {
         let points: Vec<MmPoint> = (0..50).map(|i| MmPoint::new(i as f32, 0.5 * i as f32)).collect();
-        assert_eq!(simplify(&points, 0.01), [0, 49]);
+        assert_eq!(simplify(open(&points), 0.01), [0, 49]);
     }
 
     #[test]
     fn a_ring_keeps_its_corners() {
         let at = |x: f32, y: f32| MmPoint::new(x, y);
-        let ring = [at(0., 0.), at(1., 0.), at(2., 0.), at(2., 2.), at(1., 2.), at(0., 2.), at(0., 1.), at(0., 0.)];
-        assert_eq!(simplify(&ring, 0.1), [0, 2, 3, 5, 7]);
+        let square = [at(0., 0.), at(1., 0.), at(2., 0.), at(2., 2.), at(1., 2.), at(0., 2.), at(0., 1.)];
+        assert_eq!(simplify(ring(&square), 0.1), [0, 2, 3, 5]);
     }
 
     #[test]
     fn a_small_ring_does_not_collapse() {
-        let ring: Vec<MmPoint> = (0..=12)
-            .map(|i| (i % 12) as f32 * std::f32::consts::TAU / 12.0)
+        let circle: Vec<MmPoint> = (0..12)
+            .map(|i| i as f32 * std::f32::consts::TAU / 12.0)
             .map(|a| MmPoint::new(0.01 * a.cos(), 0.01 * a.sin()))
             .collect();
-        assert!(simplify(&ring, 0.05).len() >= 4);
+        assert!(simplify(ring(&circle), 0.05).len() >= 3);
     }
 
     /// Douglas and Peucker's way keeps more: the circle's arcs start at points of its choosing.
@@ -134,7 +154,7 @@ mod tests {
             (0..=400).map(|i| i as f32 * 0.02).map(|a| MmPoint::new(20.0 * a.cos(), 20.0 * a.sin())).collect();
         // a chord over the angle b lies 20 (1 - cos(b / 2)) from its arc
         let widest = 2.0 * (1.0_f32 - 0.05 / 20.0).acos();
-        assert!(simplify(&arc, 0.05).len() as f32 <= (8.0 / widest).ceil() * 1.15 + 1.0);
+        assert!(simplify(open(&arc), 0.05).len() as f32 <= (8.0 / widest).ceil() * 1.15 + 1.0);
     }
 
     /// How far the points of `from`, and those between them, lie from the polyline `to`.
@@ -151,9 +171,25 @@ mod tests {
             tolerance in 0.01_f32..5.0,
         ) {
             let points: Vec<MmPoint> = raw.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
-            let kept: Vec<MmPoint> = simplify(&points, tolerance).into_iter().map(|i| points[i]).collect();
+            let kept: Vec<MmPoint> = simplify(open(&points), tolerance).into_iter().map(|i| points[i]).collect();
             prop_assert!(distance(&points, &kept) <= tolerance + 2e-3);
             prop_assert!(distance(&kept, &points) <= tolerance + 2e-3);
+        }
+
+        #[test]
+        fn a_simplified_ring_stays_a_ring_within_the_tolerance(
+            radii in prop::collection::vec(2.0_f32..9.0, 3..80),
+            tolerance in 0.01_f32..2.0,
+        ) {
+            let angle = |i: usize| i as f32 * std::f32::consts::TAU / radii.len() as f32;
+            let at = |(i, r): (usize, &f32)| MmPoint::new(r * angle(i).cos(), r * angle(i).sin());
+            let points: Vec<MmPoint> = radii.iter().enumerate().map(at).collect();
+            let indices = simplify(ring(&points), tolerance);
+            prop_assert!(indices.len() >= 3 && indices[0] == 0 && indices.is_sorted());
+            let kept: Vec<MmPoint> = indices.into_iter().map(|i| points[i]).collect();
+            let [whole, simple] = [&points, &kept].map(|points| ring(points).path().copied().collect::<Vec<_>>());
+            prop_assert!(distance(&whole, &simple) <= tolerance + 2e-3);
+            prop_assert!(distance(&simple, &whole) <= tolerance + 2e-3);
         }
 
         #[test]
@@ -168,7 +204,7 @@ mod tests {
                 let last = points[points.len() - 1];
                 points.push(MmPoint::new(last.x + 0.4 * heading.cos(), last.y + 0.4 * heading.sin()));
             }
-            let indices = simplify(&points, tolerance);
+            let indices = simplify(open(&points), tolerance);
             prop_assert_eq!((indices[0], indices[indices.len() - 1]), (0, points.len() - 1));
             let kept: Vec<MmPoint> = indices.into_iter().map(|i| points[i]).collect();
             prop_assert!(distance(&points, &kept) <= tolerance + 1e-3);

@@ -1,6 +1,7 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
-use super::trail::{Trail, Vertex, dot};
+use super::vertex::{Vertex, dot};
+use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
@@ -18,7 +19,7 @@ const TOUCHING: f32 = 0.5;
 const BEND: f32 = 4.0;
 
 struct End {
-    trail: usize,
+    polyline: usize,
     at_start: bool,
     at: MmPoint,
     heading: MmVector,
@@ -26,10 +27,10 @@ struct End {
     step: [f32; 3],
 }
 
-/// Joins open trails over gaps of at most `gap` millimetres and closes those whose own ends meet.
-pub(super) fn join(trails: Vec<Trail>, gap: f32) -> Vec<Trail> {
-    let ends = ends(&trails);
-    let lengths: Vec<f32> = trails.iter().map(Trail::length).collect();
+/// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet.
+pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32) -> Vec<Polyline<Vertex>> {
+    let ends = ends(&polylines);
+    let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
     let mut joints = Vec::new();
     let mut by_x: Vec<usize> = (0..ends.len()).collect();
     by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x));
@@ -49,22 +50,24 @@ pub(super) fn join(trails: Vec<Trail>, gap: f32) -> Vec<Trail> {
             partner[j] = Some(i);
         }
     }
-    thread(trails, &ends, &partner)
+    thread(polylines, &ends, &partner)
 }
 
-fn ends(trails: &[Trail]) -> Vec<End> {
+fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End> {
     let mut ends = Vec::new();
-    for (number, trail) in trails.iter().enumerate().filter(|(_, trail)| !trail.closed && trail.vertices.len() > 1) {
+    for (number, polyline) in
+        polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed && polyline.vertices.len() > 1)
+    {
         for at_start in [true, false] {
-            let from_end = |i: usize| &trail.vertices[if at_start { i } else { trail.vertices.len() - 1 - i }];
+            let from_end = |i: usize| &polyline.vertices[if at_start { i } else { polyline.vertices.len() - 1 - i }];
             let tip = from_end(0);
-            let inner = (1..trail.vertices.len())
+            let inner = (1..polyline.vertices.len())
                 .map(from_end)
                 .find(|v| (v.at - tip.at).length() >= HEADING)
-                .unwrap_or_else(|| from_end(trail.vertices.len() - 1));
+                .unwrap_or_else(|| from_end(polyline.vertices.len() - 1));
             let heading = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
             let step = if at_start { tip.step.map(|v| -v) } else { tip.step };
-            ends.push(End { trail: number, at_start, at: tip.at, heading, step });
+            ends.push(End { polyline: number, at_start, at: tip.at, heading, step });
         }
     }
     ends
@@ -74,7 +77,7 @@ fn ends(trails: &[Trail]) -> Vec<End> {
 fn cost(a: &End, b: &End, lengths: &[f32], gap: f32) -> Option<f32> {
     let way = b.at - a.at;
     let distance = way.length();
-    if distance > gap || (a.trail == b.trail && lengths[a.trail] < RING * distance) {
+    if distance > gap || (a.polyline == b.polyline && lengths[a.polyline] < RING * distance) {
         return None;
     }
     // Leaving through a one enters through b, where right and left change places. The middle of a bar has no step.
@@ -115,19 +118,19 @@ fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
     }
 }
 
-/// Strings trails together end by end.
-fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Trail> {
-    // end_of[t] = the numbers of the start and the end of trail t
-    let mut end_of = vec![[usize::MAX; 2]; trails.len()];
+/// Strings polylines together end by end.
+fn thread(polylines: Vec<Polyline<Vertex>>, ends: &[End], partner: &[Option<usize>]) -> Vec<Polyline<Vertex>> {
+    // end_of[t] = the numbers of the start and the end of polyline t
+    let mut end_of = vec![[usize::MAX; 2]; polylines.len()];
     for (number, end) in ends.iter().enumerate() {
-        end_of[end.trail][usize::from(!end.at_start)] = number;
+        end_of[end.polyline][usize::from(!end.at_start)] = number;
     }
-    let mut left: Vec<Option<Trail>> = trails.into_iter().map(Some).collect();
+    let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
     let mut joined = Vec::with_capacity(left.len());
     for rings in [false, true] {
         for first in 0..left.len() {
-            let Some(trail) = &left[first] else { continue };
-            if trail.closed || end_of[first][0] == usize::MAX {
+            let Some(polyline) = &left[first] else { continue };
+            if polyline.closed || end_of[first][0] == usize::MAX {
                 joined.extend(left[first].take());
                 continue;
             }
@@ -141,23 +144,20 @@ fn thread(trails: Vec<Trail>, ends: &[End], partner: &[Option<usize>]) -> Vec<Tr
             let mut vertices = Vec::new();
             let mut next = Some(end_of[first][entry]);
             while let Some(end) = next.map(|number| &ends[number])
-                && let Some(trail) = left[end.trail].take()
+                && let Some(polyline) = left[end.polyline].take()
             {
-                let trail = if end.at_start { trail } else { trail.reversed() };
+                let polyline = if end.at_start { polyline } else { polyline.reversed() };
                 let seam = vertices.len();
-                vertices.extend(trail.vertices);
+                vertices.extend(polyline.vertices);
                 if seam > 0 {
                     meet_halfway(&mut vertices, seam);
                 }
-                next = partner[end_of[end.trail][usize::from(end.at_start)]];
+                next = partner[end_of[end.polyline][usize::from(end.at_start)]];
             }
             let closed = next.is_some() && vertices.len() > 3;
-            if closed {
-                vertices.push(vertices[0]);
-            }
-            let mut trail = Trail { vertices, closed };
-            trail.filled();
-            joined.push(trail);
+            let mut polyline = Polyline { vertices, closed };
+            polyline.fill();
+            joined.push(polyline);
         }
     }
     joined

@@ -7,9 +7,9 @@
 //!      |                |
 //! ```
 
-use super::trail::{SPACING, Trail, Vertex};
+use super::vertex::{SPACING, Vertex};
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::polyline::arc_lengths;
+use crate::geom::polyline::Polyline;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -25,51 +25,53 @@ const SAME: f32 = 1e-3;
 const ROUND: f32 = 4.0;
 
 /// Leads ends over gaps of at most `gap` millimetres on to what lies before them.
-pub(super) fn meet(trails: &mut [Trail], area: MmRect, gap: f32) {
+pub(super) fn meet(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {
     let mut nearby = Nearby::new(area, gap);
-    let mut totals = Vec::with_capacity(trails.len());
-    for (number, trail) in trails.iter().enumerate() {
-        let arcs = arc_lengths(&trail.points());
-        for (i, pair) in trail.vertices.windows(2).enumerate() {
-            let (a, b) = (pair[0].at, pair[1].at);
+    let mut totals = Vec::with_capacity(polylines.len());
+    for (number, polyline) in polylines.iter().enumerate() {
+        let arcs = polyline.arc_lengths();
+        for (i, (a, b)) in polyline.segments().enumerate() {
+            let (a, b) = (a.at, b.at);
             nearby.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: i as u32, arc: arcs[i] });
         }
         totals.push(arcs.last().copied().unwrap_or(0.0));
     }
     // All ends are judged before any is led on, so that the order of the lines does not matter.
     let mut on = Vec::new();
-    for (number, trail) in trails.iter().enumerate().filter(|(_, trail)| !trail.closed && trail.vertices.len() > 1) {
+    for (number, polyline) in
+        polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed && polyline.vertices.len() > 1)
+    {
         for at_start in [true, false] {
             let arc = if at_start { 0.0 } else { totals[number] };
             let other = |segment: &Segment| segment.line as usize != number || (segment.arc - arc).abs() > ROUND * gap;
-            let tip = if at_start { trail.vertices[0] } else { trail.vertices[trail.vertices.len() - 1] };
-            let Some(heading) = heading(trail, at_start, HEADING) else { continue };
+            let tip = if at_start { polyline.vertices[0] } else { polyline.vertices[polyline.vertices.len() - 1] };
+            let Some(heading) = heading(polyline, at_start, HEADING) else { continue };
             if let Some(target) = ahead(tip.at, heading, &nearby, gap, other) {
                 on.push((number, at_start, way(&tip, target)));
             }
         }
     }
     for (number, at_start, way) in on {
-        let trail = &mut trails[number];
+        let polyline = &mut polylines[number];
         if at_start {
-            trail.vertices.splice(0..0, way.into_iter().rev());
+            polyline.vertices.splice(0..0, way.into_iter().rev());
         } else {
-            trail.vertices.extend(way);
+            polyline.vertices.extend(way);
         }
         // an end that was led on to the other end of its line has closed it
-        if let [first, .., last] = &mut trail.vertices[..]
+        if let [first, .., last] = &polyline.vertices[..]
             && (last.at - first.at).length() < SPACING
         {
-            *last = *first;
-            trail.closed = true;
+            polyline.vertices.pop();
+            polyline.closed = true;
         }
     }
 }
 
 /// The direction in which an end leaves its line, over the last `span` millimetres.
-pub(super) fn heading(trail: &Trail, at_start: bool, span: f32) -> Option<MmVector> {
-    let n = trail.vertices.len();
-    let from_end = |i: usize| trail.vertices[if at_start { i } else { n - 1 - i }].at;
+pub(super) fn heading(polyline: &Polyline<Vertex>, at_start: bool, span: f32) -> Option<MmVector> {
+    let n = polyline.vertices.len();
+    let from_end = |i: usize| polyline.vertices[if at_start { i } else { n - 1 - i }].at;
     let inner = (1..n).map(from_end).find(|at| (*at - from_end(0)).length() >= span).unwrap_or_else(|| from_end(n - 1));
     (from_end(0) - inner).try_normalize()
 }

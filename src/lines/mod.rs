@@ -11,18 +11,18 @@ mod clear;
 mod join;
 mod meet;
 mod saliency;
-mod trail;
+mod vertex;
 mod weight;
 
 #[cfg(test)]
 mod tests;
 
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
-use trail::Trail;
+use vertex::Vertex;
 
 use crate::edges::{ChainRange, Edges};
 use crate::frame::Frame;
-use crate::geom::polyline;
+use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::units::{MmPoint, MmRect};
 
 /// How lines are drawn. Lengths are in millimetres on the sheet.
@@ -65,8 +65,10 @@ pub struct Line {
 pub struct Run {
     /// Width, mm.
     pub width: f32,
-    /// Polyline; first point = last point for a closed line of one width. Of a row of dots, the centres of its dots.
+    /// The vertices of its polyline; of a row of dots, their centres. A ring does not repeat its first point.
     pub points: Vec<MmPoint>,
+    /// Whether it is a stroke that goes on from its last point to its first.
+    pub closed: bool,
     /// How it is drawn.
     pub pen: Pen,
 }
@@ -115,21 +117,27 @@ impl std::fmt::Display for Height {
 }
 
 impl Run {
-    /// A stroke.
-    pub fn stroke(width: f32, points: Vec<MmPoint>) -> Self {
-        Self { width, points, pen: Pen::Stroke }
+    /// A stroke along a path, a ring if the path comes back to where it began.
+    pub fn stroke(width: f32, path: Vec<MmPoint>) -> Self {
+        let Polyline { vertices, closed } = Polyline::from_path(path);
+        Self { width, points: vertices, closed, pen: Pen::Stroke }
     }
 
-    /// Whether the run is a ring of its own, drawn as a stroke.
-    pub fn is_closed(&self) -> bool {
-        self.pen == Pen::Stroke && self.points.len() > 2 && self.points.first() == self.points.last()
+    /// Dots on these points.
+    pub fn dots(diameter: f32, points: Vec<MmPoint>, height: Height) -> Self {
+        Self { width: diameter, points, closed: false, pen: Pen::Dots(height) }
+    }
+
+    /// Its points as a polyline.
+    pub fn polyline(&self) -> PolylineRef<'_, MmPoint> {
+        PolylineRef { vertices: &self.points, closed: self.closed }
     }
 }
 
 impl Line {
     /// Length, mm.
     pub fn length(&self) -> f32 {
-        self.runs.iter().map(|run| polyline::length(&run.points)).sum()
+        self.runs.iter().map(|run| run.polyline().length()).sum()
     }
 }
 
@@ -144,40 +152,40 @@ pub struct Drawn {
 
 /// Draws the contours in `area`, the part of the sheet where `frame` puts the picture.
 pub fn draw(edges: &Edges, frame: &Frame, area: MmRect, params: &Params) -> Drawn {
-    let mut trails = join::join(trails(edges, frame, params), params.join_gap);
-    trails.retain(|trail| trail.weighted_length(params.full_strength) >= CRUMB * params.min_length);
-    let trails = bars::merge(trails, area, params);
+    let mut polylines = join::join(polylines(edges, frame, params), params.join_gap);
+    polylines.retain(|polyline| polyline.weighted_length(params.full_strength) >= CRUMB * params.min_length);
+    let polylines = bars::merge(polylines, area, params);
     // Where one side of a bar ends and the other goes on, the middle line goes on with it.
-    let mut trails = join::join(trails, params.join_gap);
-    trails.retain(|trail| trail.length() >= params.min_length);
-    trails.iter_mut().for_each(Trail::filled);
-    meet::meet(&mut trails, area, params.join_gap);
-    trails.par_iter_mut().for_each(|trail| weight::assign(trail, params));
+    let mut polylines = join::join(polylines, params.join_gap);
+    polylines.retain(|polyline| polyline.length() >= params.min_length);
+    polylines.iter_mut().for_each(Polyline::fill);
+    meet::meet(&mut polylines, area, params.join_gap);
+    polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
 
-    let says: Vec<f32> = trails.par_iter().map(|trail| saliency::saliency(trail, params)).collect();
-    let lengths: Vec<f32> = trails.iter().map(Trail::length).collect();
-    let cleared = clear::clear(trails, area, params);
+    let says: Vec<f32> = polylines.par_iter().map(|polyline| saliency::saliency(polyline, params)).collect();
+    let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
+    let cleared = clear::clear(polylines, area, params);
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
     let wanted: f32 = says.iter().zip(&lengths).filter(|(says, _)| **says >= least).map(|(_, length)| length).sum();
     let drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
-    let kept: f32 = drawn.iter().map(|line| line.trail.length()).sum();
+    let kept: f32 = drawn.iter().map(|line| line.polyline.length()).sum();
     Drawn {
-        lines: drawn.into_par_iter().filter_map(|line| weight::finish(&line.trail, &line.pinned, params)).collect(),
+        lines: drawn.into_par_iter().filter_map(|line| weight::finish(&line.polyline, &line.pinned, params)).collect(),
         crowded_out: if wanted > 0.0 { (1.0 - kept / wanted).max(0.0) } else { 0.0 },
     }
 }
 
 /// The contours on the sheet, in an order and in directions that do not hang on where in the picture they were found first.
-fn trails(edges: &Edges, frame: &Frame, params: &Params) -> Vec<Trail> {
-    let trail = |range: &ChainRange| {
-        let trail =
-            Trail::from_chain(edges.chain(range), frame).smoothed(params.smoothing).evened().stronger_half_first();
-        (trail.vertices.iter().map(|v| f64::from(v.strength)).sum::<f64>(), trail)
+fn polylines(edges: &Edges, frame: &Frame, params: &Params) -> Vec<Polyline<Vertex>> {
+    let polyline = |range: &ChainRange| {
+        let chain = edges.chain(range);
+        let polyline = Polyline::of_chain(chain, frame).smoothed(params.smoothing).evened().stronger_half_first();
+        (polyline.path().map(|v| f64::from(v.strength)).sum::<f64>(), polyline)
     };
-    let mut trails: Vec<(f64, Trail)> = edges.chains.par_iter().map(trail).collect();
-    trails.sort_by(|a, b| b.0.total_cmp(&a.0));
-    trails.into_iter().map(|(_, trail)| trail).collect()
+    let mut polylines: Vec<(f64, Polyline<Vertex>)> = edges.chains.par_iter().map(polyline).collect();
+    polylines.sort_by(|a, b| b.0.total_cmp(&a.0));
+    polylines.into_iter().map(|(_, polyline)| polyline).collect()
 }
 
 /// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in proportion, has

@@ -3,7 +3,8 @@
 //! A person who draws from a picture begins with the long, strong, closed and smooth contours.
 
 use super::Params;
-use super::trail::Trail;
+use super::vertex::Vertex;
+use crate::geom::polyline::Polyline;
 use crate::units::MmVector;
 
 /// A closed line says as much as an open one of this many times its length: it is a thing, not a part of one.
@@ -19,23 +20,18 @@ const OUTLINES: f32 = 15.0;
 const OF_FIRST: f32 = 0.25;
 
 /// Length, mm, of a straight line of full strength that says as much.
-pub(super) fn saliency(trail: &Trail, params: &Params) -> f32 {
-    let sum: f32 = trail
-        .vertices
-        .windows(2)
-        .map(|pair| (pair[1].at - pair[0].at).length() * pair[0].strength.min(pair[1].strength))
-        .sum();
-    let closed = if trail.closed { CLOSED } else { 1.0 };
-    sum / params.full_strength * closed / (1.0 + wavering(trail) / WAVERING)
+pub(super) fn saliency(polyline: &Polyline<Vertex>, params: &Params) -> f32 {
+    let sum: f32 = polyline.segments().map(|(a, b)| (b.at - a.at).length() * a.strength.min(b.strength)).sum();
+    let closed = if polyline.closed { CLOSED } else { 1.0 };
+    sum / params.full_strength * closed / (1.0 + wavering(polyline) / WAVERING)
 }
 
 /// How much a line bends to and fro: the turns that others take back, radians per mm.
-fn wavering(trail: &Trail) -> f32 {
-    let headings: Vec<MmVector> = trail
-        .vertices
-        .iter()
+fn wavering(polyline: &Polyline<Vertex>) -> f32 {
+    let headings: Vec<MmVector> = polyline
+        .path()
         .step_by(SPAN)
-        .zip(trail.vertices.iter().skip(SPAN).step_by(SPAN))
+        .zip(polyline.path().skip(SPAN).step_by(SPAN))
         .filter_map(|(a, b)| (b.at - a.at).try_normalize())
         .collect();
     let (mut sum, mut total) = (0.0_f32, 0.0_f32);
@@ -44,7 +40,7 @@ fn wavering(trail: &Trail) -> f32 {
         sum += turn;
         total += turn.abs();
     }
-    (total - sum.abs()) / trail.length().max(1.0)
+    (total - sum.abs()) / polyline.length().max(1.0)
 }
 
 /// What a line must say to be drawn at `params.detail`; it falls as the detail rises.

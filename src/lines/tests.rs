@@ -1,6 +1,6 @@
 //! What simplification may not do, on lines that wander at random: leave the tolerance, or let lines cross that did not.
 
-use super::trail::{SPACING, Trail, Vertex};
+use super::vertex::{SPACING, Vertex};
 use super::*;
 use crate::geom::{crossing, nearest_on_segment};
 
@@ -28,9 +28,9 @@ impl Numbers {
 }
 
 /// Lines of 10 to 70 mm from anywhere in a square of 100 mm, with bends down to a radius of about a millimetre.
-fn wandering(seed: u32) -> Vec<Trail> {
+fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
     let mut numbers = Numbers(seed);
-    let mut trail = || {
+    let mut polyline = || {
         let mut at = MmPoint::new(100.0 * numbers.next(), 100.0 * numbers.next());
         let (mut heading, mut bend) = (std::f32::consts::TAU * numbers.next(), 0.0);
         let (strength, fade) = (10.0 + 60.0 * numbers.next(), numbers.next() - 0.5);
@@ -41,35 +41,42 @@ fn wandering(seed: u32) -> Vec<Trail> {
             let strength = (strength + fade * i as f32).max(PARAMS.least_strength);
             Vertex { at, strength, step: [strength, 0.0, 0.0], width: 0.0 }
         });
-        Trail { vertices: vertices.collect(), closed: false }
+        Polyline::open(vertices.collect())
     };
-    (0..40).map(|_| trail()).collect()
+    (0..40).map(|_| polyline()).collect()
 }
 
 fn cleared(seed: u32) -> Vec<clear::Cleared> {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-    let mut trails = wandering(seed);
-    meet::meet(&mut trails, area, PARAMS.join_gap);
-    trails.iter_mut().for_each(|trail| weight::assign(trail, &PARAMS));
-    clear::clear(trails, area, &PARAMS)
+    let mut polylines = wandering(seed);
+    meet::meet(&mut polylines, area, PARAMS.join_gap);
+    polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
+    clear::clear(polylines, area, &PARAMS)
 }
 
-type Polyline = Vec<MmPoint>;
+type Path = Vec<MmPoint>;
 
-fn finished(lines: &[clear::Cleared]) -> Vec<Polyline> {
-    let line = |line: &clear::Cleared| weight::finish(&line.trail, &line.pinned, &PARAMS).expect("there is a line");
-    lines.iter().map(|l| line(l).runs.into_iter().flat_map(|run| run.points).collect()).collect()
+fn path(polyline: &Polyline<Vertex>) -> Path {
+    polyline.path().map(|vertex| vertex.at).collect()
+}
+
+fn finished(lines: &[clear::Cleared]) -> Vec<Path> {
+    let line = |line: &clear::Cleared| weight::finish(&line.polyline, &line.pinned, &PARAMS).expect("there is a line");
+    lines
+        .iter()
+        .map(|l| line(l).runs.into_iter().flat_map(|run| run.polyline().path().copied().collect::<Path>()).collect())
+        .collect()
 }
 
 /// How often two lines cross, not counting where one ends on the other.
-fn crossings(a: &Polyline, b: &Polyline) -> usize {
+fn crossings(a: &Path, b: &Path) -> usize {
     let tips = [a[0], a[a.len() - 1], b[0], b[b.len() - 1]];
     let pairs = a.windows(2).flat_map(|s| b.windows(2).map(move |t| (s, t)));
     let places = pairs.filter_map(|(s, t)| crossing((s[0], s[1]), (t[0], t[1])));
     places.filter(|at| tips.iter().all(|tip| (*tip - *at).length() > 2.0 * PARAMS.tolerance)).count()
 }
 
-fn own_crossings(line: &Polyline) -> usize {
+fn own_crossings(line: &Path) -> usize {
     let segments: Vec<_> = line.windows(2).map(|s| (s[0], s[1])).collect();
     let later =
         |(i, s): (usize, &(MmPoint, MmPoint))| segments[i + 1..].iter().filter(|t| crossing(*s, **t).is_some()).count();
@@ -80,7 +87,7 @@ fn own_crossings(line: &Polyline) -> usize {
 fn simplified_lines_cross_no_more_than_before() {
     for seed in 0..60 {
         let lines = cleared(seed);
-        let before: Vec<Polyline> = lines.iter().map(|line| line.trail.points()).collect();
+        let before: Vec<Path> = lines.iter().map(|line| path(&line.polyline)).collect();
         let after = finished(&lines);
         for i in 0..lines.len() {
             assert!(own_crossings(&after[i]) <= own_crossings(&before[i]), "seed {seed}: line {i} crosses itself");
@@ -94,7 +101,7 @@ fn simplified_lines_cross_no_more_than_before() {
 
 #[test]
 fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
-    let off = |from: &Polyline, to: &Polyline| {
+    let off = |from: &Path, to: &Path| {
         let between = from.windows(2).flat_map(|s| (0..=8).map(|k| s[0].lerp(s[1], k as f32 / 8.0)));
         let nearest = |at| to.windows(2).map(|s| nearest_on_segment(at, s[0], s[1]).0).fold(f32::MAX, f32::min);
         between.map(nearest).fold(0.0, f32::max)
@@ -103,7 +110,7 @@ fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
     for seed in 100..110 {
         let lines = cleared(seed);
         for (line, after) in lines.iter().zip(finished(&lines)) {
-            let before = line.trail.points();
+            let before = path(&line.polyline);
             assert!(off(&before, &after) <= PARAMS.tolerance + 1e-3 && off(&after, &before) <= PARAMS.tolerance + 1e-3);
             points += before.len();
             left += after.len();
@@ -118,19 +125,21 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
         let tip = Vertex { at: from, strength: 50.0, step: [50.0, 0.0, 0.0], width: 0.0 };
         let mut vertices = vec![tip];
         vertices.extend(meet::way(&tip, to));
-        Trail { vertices, closed: false }
+        Polyline::open(vertices)
     };
     let at = MmPoint::new;
-    let mut trails = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(40.0, 20.0), at(60.0, 75.0))];
-    trails.iter_mut().for_each(|trail| weight::assign(trail, &PARAMS));
+    let mut polylines = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(40.0, 20.0), at(60.0, 75.0))];
+    polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
     let area = MmRect::new(MmPoint::zero(), at(100.0, 100.0));
-    let lines = clear::clear(trails.clone(), area, &PARAMS);
+    let lines = clear::clear(polylines.clone(), area, &PARAMS);
     assert_eq!(lines.len(), 2);
-    assert!(lines.iter().zip(&trails).all(|(line, trail)| (line.trail.length() - trail.length()).abs() < 0.1));
+    assert!(
+        lines.iter().zip(&polylines).all(|(line, polyline)| (line.polyline.length() - polyline.length()).abs() < 0.1)
+    );
     // the same two at 20 degrees: nearer than fingers can part them for 25 mm
     let mut flat = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(20.0, 40.0), at(75.0, 60.0))];
-    flat.iter_mut().for_each(|trail| weight::assign(trail, &PARAMS));
+    flat.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
     let lines = clear::clear(flat, area, &PARAMS);
-    assert!((lines[0].trail.length() - 80.0).abs() < 0.1 && lines.len() == 3, "{} lines", lines.len());
-    assert!(lines[1..].iter().all(|line| line.trail.length() < 25.0));
+    assert!((lines[0].polyline.length() - 80.0).abs() < 0.1 && lines.len() == 3, "{} lines", lines.len());
+    assert!(lines[1..].iter().all(|line| line.polyline.length() < 25.0));
 }

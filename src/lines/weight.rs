@@ -1,8 +1,8 @@
 //! Width by strength, in runs of equal width, with as few points as the tolerance allows.
 
-use super::trail::{Trail, Vertex};
+use super::vertex::Vertex;
 use super::{Line, Params, Run};
-use crate::geom::polyline::{arc_lengths, smooth};
+use crate::geom::polyline::{Polyline, PolylineRef, smooth};
 use crate::geom::{crossing, simplify::simplify};
 use crate::units::MmPoint;
 
@@ -25,12 +25,15 @@ pub(super) fn width(strength: f32, params: &Params) -> f32 {
 }
 
 /// Gives every vertex the width that is drawn there, in steps.
-pub(super) fn assign(trail: &mut Trail, params: &Params) {
-    let arcs = arc_lengths(&trail.points());
-    let widths = smooth(&arcs, trail.closed, SMOOTHING, |i| [width(trail.vertices[i].strength, params)]);
-    let steps: Vec<i32> = widths.iter().map(|[w]| ((w - params.width_min) / STEP).round() as i32).collect();
+pub(super) fn assign(polyline: &mut Polyline<Vertex>, params: &Params) {
+    let arcs = polyline.arc_lengths();
+    let widths = smooth(&arcs, polyline.closed, SMOOTHING, |i| [width(polyline.vertices[i].strength, params)]);
+    let mut steps: Vec<i32> = widths.iter().map(|[w]| ((w - params.width_min) / STEP).round() as i32).collect();
+    if polyline.closed {
+        steps.push(steps[0]); // the runs of a ring end where they begin
+    }
     for (from, to, step) in runs(&steps, &arcs) {
-        for vertex in &mut trail.vertices[from..=to] {
+        for vertex in polyline.vertices.iter_mut().take(to + 1).skip(from) {
             vertex.width = (params.width_min + step as f32 * STEP).min(params.width_max);
         }
     }
@@ -79,50 +82,62 @@ pub(super) fn between(a: &Vertex, b: &Vertex) -> f32 {
     a.width.min(b.width)
 }
 
-/// The finished line of a trail whose widths are assigned; none if nothing is left of it. `pinned` tells the vertices that
+/// The finished line of a polyline whose widths are assigned; none if nothing is left of it. `pinned` tells the vertices that
 /// stay, because other lines end there.
-pub(super) fn finish(trail: &Trail, pinned: &[bool], params: &Params) -> Option<Line> {
-    let points = trail.points();
+pub(super) fn finish(polyline: &Polyline<Vertex>, pinned: &[bool], params: &Params) -> Option<Line> {
+    let points: Vec<MmPoint> = polyline.path().map(|vertex| vertex.at).collect();
     if points.len() < 2 {
         return None;
     }
     let mut tolerance = params.tolerance;
-    let mut runs = drawn(trail, &points, pinned, tolerance);
+    let mut runs = drawn(polyline, &points, pinned, tolerance);
     // Where a line bends sharply its simplified sides may cross: there it stays nearer to what it was.
     for _ in 0..3 {
         if !crosses_itself(&runs) {
             break;
         }
         tolerance *= 0.25;
-        runs = drawn(trail, &points, pinned, tolerance);
+        runs = drawn(polyline, &points, pinned, tolerance);
     }
-    (!runs.is_empty()).then(|| Line { strength: trail.mean_strength(), runs })
+    (!runs.is_empty()).then(|| Line { strength: polyline.mean_strength(), runs })
 }
 
-/// The runs of a line.
-fn drawn(trail: &Trail, points: &[MmPoint], pinned: &[bool], tolerance: f32) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+/// The runs of a line along its path of `points`.
+fn drawn(polyline: &Polyline<Vertex>, points: &[MmPoint], pinned: &[bool], tolerance: f32) -> Vec<Run> {
+    let mut runs: Vec<(f32, Vec<MmPoint>)> = Vec::new();
     let mut from = 0;
-    let width = |i: usize| between(&trail.vertices[i], &trail.vertices[i + 1]);
+    let width = |i: usize| between(&polyline.vertices[i], &polyline.vertices[(i + 1) % polyline.vertices.len()]);
     for i in 0..points.len() - 1 {
         let last = i + 2 == points.len();
         let same = !last && (width(i + 1) - width(i)).abs() < 0.5 * STEP;
         if same && !pinned[i + 1] {
             continue;
         }
-        let kept = simplify(&points[from..=i + 1], tolerance).into_iter().map(|k| points[from + k]);
+        let kept = simplified(&points[from..=i + 1], tolerance);
         match runs.last_mut() {
-            Some(run) if (run.width - width(i)).abs() < 0.5 * STEP => run.points.extend(kept.skip(1)),
-            _ => runs.push(Run::stroke(width(i), kept.collect())),
+            Some((before, path)) if (*before - width(i)).abs() < 0.5 * STEP => path.extend(&kept[1..]),
+            _ => runs.push((width(i), kept)),
         }
         from = i + 1;
     }
-    runs
+    runs.into_iter().map(|(width, path)| Run::stroke(width, path)).collect()
+}
+
+/// A path with as few points as the tolerance allows, its first and its last among them.
+fn simplified(path: &[MmPoint], tolerance: f32) -> Vec<MmPoint> {
+    let closed = path.len() > 2 && path.first() == path.last();
+    let vertices = &path[..path.len() - usize::from(closed)];
+    let mut kept: Vec<MmPoint> =
+        simplify(PolylineRef { vertices, closed }, tolerance).into_iter().map(|i| vertices[i]).collect();
+    if closed {
+        kept.push(vertices[0]);
+    }
+    kept
 }
 
 /// Whether a line crosses itself at a bend.
 fn crosses_itself(runs: &[Run]) -> bool {
-    let segments: Vec<_> = runs.iter().flat_map(|run| run.points.windows(2)).map(|pair| (pair[0], pair[1])).collect();
+    let segments: Vec<_> = runs.iter().flat_map(|run| run.polyline().segments()).map(|(a, b)| (*a, *b)).collect();
     segments.iter().enumerate().any(|(i, &segment)| {
         let mut way = 0.0;
         segments[i + 1..].iter().skip(1).any(|&other| {
@@ -161,9 +176,9 @@ mod tests {
                 width: 0.0,
             })
             .collect();
-        let mut trail = Trail { vertices, closed: false };
-        assign(&mut trail, &params());
-        finish(&trail, &[false; 301], &params()).expect("there is a line")
+        let mut polyline = Polyline::open(vertices);
+        assign(&mut polyline, &params());
+        finish(&polyline, &[false; 301], &params()).expect("there is a line")
     }
 
     #[test]
@@ -199,6 +214,6 @@ mod tests {
         let line = straight(|x| if (30.0..30.6).contains(&x) { 12.0 } else { 60.0 });
         assert!(line.runs.iter().all(|run| run.width > 1.2), "{:?}", line.runs);
         let inner = &line.runs[1..line.runs.len().max(2) - 1];
-        assert!(inner.iter().all(|run| crate::geom::polyline::length(&run.points) >= MIN_RUN - 0.21));
+        assert!(inner.iter().all(|run| run.polyline().length() >= MIN_RUN - 0.21));
     }
 }

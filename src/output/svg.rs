@@ -146,14 +146,13 @@ fn stroke(run: &Run) -> Path {
         let dots = discs(&run.points, run.width);
         return Path::new().set("fill", shade(height)).set("stroke", "none").set("d", dots);
     }
-    Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.is_closed()))
+    Path::new().set("stroke-width", number(run.width)).set("d", line_path(&run.points, run.closed))
 }
 
 /// `d` of a polyline, in whole steps of 0.01 mm. Written by hand: these strings are most of the document.
 fn line_path(points: &[MmPoint], closed: bool) -> String {
     let mut d = String::with_capacity(12 * points.len());
-    let shown = if closed { &points[..points.len() - 1] } else { points };
-    for (i, at) in shown.iter().enumerate() {
+    for (i, at) in points.iter().enumerate() {
         d.push(match i {
             0 => 'M',
             1 => 'L',

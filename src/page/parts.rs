@@ -177,7 +177,7 @@ impl Page {
     /// on ink counts twice, which is a thousandth or two.
     pub fn black_share(&self) -> f32 {
         let of_run = |run: &Run| match run.pen {
-            Pen::Stroke => run.width * crate::geom::polyline::length(&run.points),
+            Pen::Stroke => run.width * run.polyline().length(),
             Pen::Dots(_) => run.points.len() as f32 * FRAC_PI_4 * run.width * run.width,
         };
         let lines: f32 = self.figure.lines.iter().flat_map(|line| &line.runs).map(of_run).sum();

@@ -14,6 +14,7 @@ use std::str::FromStr;
 use super::parts::{Dots, Figure, Glyph, Line, Run, Texture};
 use super::sheet::{self, FrameParams, MarkParams, Orientation, Params};
 use super::{braille, frame};
+use crate::geom::polyline::PolylineRef;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
 /// How many sheets there are.
@@ -258,8 +259,8 @@ fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
     let mut pieces: Vec<Line> = Vec::new();
     for run in &line.runs {
         let half = 0.5 * run.width;
-        for points in cut_polyline(&run.points, window.inflate(-half, -half)) {
-            let piece = Run { width: run.width, points, pen: run.pen };
+        for path in cut_polyline(run.polyline(), window.inflate(-half, -half)) {
+            let piece = Run { pen: run.pen, ..Run::stroke(run.width, path) };
             let joins = |last: &Line| last.runs.last().and_then(|run| run.points.last()) == piece.points.first();
             match pieces.last_mut() {
                 Some(last) if joins(last) => last.runs.push(piece),
@@ -268,18 +269,18 @@ fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
         }
     }
     let length = |line: &Line| -> f32 {
-        let steps = line.runs.iter().flat_map(|run| run.points.windows(2));
-        steps.map(|pair| (pair[1] - pair[0]).length()).sum()
+        let segments = line.runs.iter().flat_map(|run| run.polyline().segments());
+        segments.map(|(a, b)| (*b - *a).length()).sum()
     };
     pieces.retain(|piece| length(piece) >= piece.runs.iter().map(|run| run.width).fold(0.0, f32::max));
     pieces
 }
 
-/// The pieces of a polyline in a rectangle.
-fn cut_polyline(points: &[MmPoint], rect: MmRect) -> Vec<Vec<MmPoint>> {
+/// The paths of the pieces of a polyline in a rectangle; that of a ring which lies within comes back to where it began.
+fn cut_polyline(polyline: PolylineRef<'_, MmPoint>, rect: MmRect) -> Vec<Vec<MmPoint>> {
     let mut pieces: Vec<Vec<MmPoint>> = Vec::new();
-    for pair in points.windows(2) {
-        let Some((a, b)) = cut_segment(pair[0], pair[1], rect) else { continue };
+    for (a, b) in polyline.segments() {
+        let Some((a, b)) = cut_segment(*a, *b, rect) else { continue };
         match pieces.last_mut() {
             Some(last) if last.last() == Some(&a) => last.push(b),
             _ => pieces.push(vec![a, b]),
@@ -327,11 +328,12 @@ mod tests {
     fn a_line_is_cut_into_what_lies_in_the_window() {
         let at = |x, y| MmPoint::new(x, y);
         let zigzag = [at(-5.0, 5.0), at(5.0, 5.0), at(15.0, 5.0), at(15.0, 8.0), at(5.0, 8.0)];
-        let pieces = cut_polyline(&zigzag, rect());
+        let cut = |vertices: &[MmPoint], closed| cut_polyline(PolylineRef { vertices, closed }, rect());
+        let pieces = cut(&zigzag, false);
         assert_eq!(pieces, [vec![at(0.0, 5.0), at(5.0, 5.0), at(10.0, 5.0)], vec![at(10.0, 8.0), at(5.0, 8.0)]]);
-        assert!(cut_polyline(&[at(-1.0, 11.0), at(12.0, 10.5)], rect()).is_empty());
-        let ring = [at(2.0, 2.0), at(8.0, 2.0), at(8.0, 8.0), at(2.0, 2.0)];
-        assert_eq!(cut_polyline(&ring, rect()), [ring.to_vec()], "what lies within stays as it is");
+        assert!(cut(&[at(-1.0, 11.0), at(12.0, 10.5)], false).is_empty());
+        let ring = [at(2.0, 2.0), at(8.0, 2.0), at(8.0, 8.0)];
+        assert_eq!(cut(&ring, true), [vec![ring[0], ring[1], ring[2], ring[0]]], "what lies within stays as it is");
     }
 
     #[test]

@@ -117,7 +117,7 @@ fn write_run(f: &mut Formatter<'_>, run: &Run) -> Result {
         Pen::Stroke => write!(f, "  {:.2} wide:", run.width)?,
         Pen::Dots(height) => write!(f, "  dots {:.2} wide, {height}:", run.width)?,
     }
-    for at in &run.points {
+    for at in run.polyline().path() {
         write!(f, " {:.2},{:.2}", at.x, at.y)?;
     }
     writeln!(f)

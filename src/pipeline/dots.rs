@@ -4,7 +4,6 @@ use super::{Request, finished, origin};
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
-use crate::geom::polyline;
 use crate::lines::{Drawn, Line, Run};
 use crate::page::layout::Layout;
 use crate::page::{self, DotMedium, Dots, Figure, Medium, Page, Parts, Texture, frame};
@@ -15,15 +14,13 @@ use crate::units::MmRect;
 pub(super) fn pressed(drawn: Drawn, area: MmRect, layout: &Layout, plan: &Plan) -> Drawn {
     let Medium::Dots(medium) = &layout.medium else { return drawn };
     // What the grid has no room for counts as crowded out too, by length.
-    let length = |lines: &[Line]| lines.iter().map(|line| line.runs.first().map_or(0.0, run_length)).sum::<f32>();
+    let length = |lines: &[Line]| {
+        lines.iter().map(|line| line.runs.first().map_or(0.0, |run| run.polyline().length())).sum::<f32>()
+    };
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     Drawn { lines, crowded_out: 1.0 - (1.0 - drawn.crowded_out) * kept }
-}
-
-fn run_length(run: &Run) -> f32 {
-    polyline::length(&run.points)
 }
 
 /// The lines of the overview: all of one width and, where there are heights, high.

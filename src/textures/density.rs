@@ -18,11 +18,11 @@ pub(crate) fn map(lines: &[Line], area: MmRect, sigma: f32) -> Plane {
     if lines.is_empty() {
         return map;
     }
-    for pair in lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.windows(2)) {
-        let (way, length) = (pair[1] - pair[0], (pair[1] - pair[0]).length());
+    for (&a, &b) in lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.polyline().segments()) {
+        let (way, length) = (b - a, (b - a).length());
         let steps = (length / STEP).ceil().max(1.0);
         for k in 0..steps as u32 {
-            let at = pair[0] + way * ((k as f32 + 0.5) / steps) - area.min.to_vector();
+            let at = a + way * ((k as f32 + 0.5) / steps) - area.min.to_vector();
             let x = ((at.x / CELL) as u32).min(map.size.width - 1);
             let y = ((at.y / CELL) as u32).min(map.size.height - 1);
             map.values[(y * map.size.width + x) as usize] += length / steps;

@@ -146,10 +146,10 @@ fn glyph_at(class: Class, place: Place, density: f32, lightness: f32, params: &P
 fn index(lines: &[Line], area: MmRect, params: &Params) -> Nearby {
     let mut nearby = Nearby::new(area, params.line_gap + params.length);
     for (number, run) in lines.iter().flat_map(|line| &line.runs).enumerate() {
-        for (i, pair) in run.points.windows(2).enumerate() {
+        for (i, (&a, &b)) in run.polyline().segments().enumerate() {
             nearby.insert(Segment {
-                a: pair[0],
-                b: pair[1],
+                a,
+                b,
                 half_width: 0.5 * run.width,
                 line: number as u32,
                 index: i as u32,

@@ -45,8 +45,7 @@ impl Way {
         let mut segments = Vec::new();
         let mut arc = 0.0;
         for run in &line.runs {
-            for pair in run.points.windows(2) {
-                let (a, b) = (pair[0], pair[1]);
+            for (&a, &b) in run.polyline().segments() {
                 let index = segments.len() as u32;
                 segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number as u32, index, arc });
                 arc += (b - a).length();

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Params, fill, sample};
 use crate::classes::{Class, Classes, Region};
 use crate::devices::{DotArea, Grid};
-use crate::lines::{Height, Line, Pen, Run};
+use crate::lines::{Height, Line, Run};
 use crate::raster::plane::Plane;
 use crate::textures::{Palette, Shape, Texture};
 use crate::units::{MmPoint, MmRect, Size};
@@ -67,7 +67,7 @@ fn areas(seats: &[(f32, f32, u8)], lightness: f32) -> Classes {
 }
 
 fn line(points: Vec<MmPoint>) -> Line {
-    Line { strength: 30.0, runs: vec![Run { width: 1.5, points, pen: Pen::Dots(Height::High) }] }
+    Line { strength: 30.0, runs: vec![Run::dots(1.5, points, Height::High)] }
 }
 
 /// All dots with their class, to the hundredth of a millimetre.

@@ -2,10 +2,10 @@
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::super::trail::{Trail, Vertex, dot};
+use super::super::vertex::{Vertex, dot};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::polyline::arc_lengths;
+use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least cosine between the directions of two sides (about 37 degrees).
@@ -28,56 +28,56 @@ const CELL: f32 = 1.0;
 /// Where a vertex has its opposite.
 #[derive(Clone, Copy)]
 pub(super) struct Opposite {
-    /// The number of the trail that it lies on.
-    pub(super) trail: usize,
+    /// The number of the polyline that it lies on.
+    pub(super) polyline: usize,
     /// The number of the vertex nearest to it.
     pub(super) index: usize,
     pub(super) at: MmPoint,
 }
 
-/// For each vertex of a trail (of a ring without the repeated one) its opposite, if it has one.
+/// For each vertex of a polyline (of a ring without the repeated one) its opposite, if it has one.
 pub(super) type Opposites = Vec<Option<Opposite>>;
 
 /// Finds for every vertex the nearest place on the opposite side of a bar, if it lies on one: straight across within
 /// `reach`, on either side of the line.
-pub(super) fn opposites(trails: &[Trail], area: MmRect, reach: f32) -> Vec<Opposites> {
+pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, reach: f32) -> Vec<Opposites> {
     let mut nearby = Nearby::new(area, CELL);
-    let mut all_arcs = Vec::with_capacity(trails.len());
-    for (number, trail) in trails.iter().enumerate() {
-        let arcs = arc_lengths(&trail.points());
-        if !is_dot(trail, &arcs, reach) {
-            for (i, pair) in trail.vertices.windows(2).enumerate() {
-                let (a, b) = (pair[0].at, pair[1].at);
+    let mut all_arcs = Vec::with_capacity(polylines.len());
+    for (number, polyline) in polylines.iter().enumerate() {
+        let arcs = polyline.arc_lengths();
+        if !is_dot(polyline, &arcs, reach) {
+            for (i, (a, b)) in polyline.segments().enumerate() {
+                let (a, b) = (a.at, b.at);
                 nearby.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: i as u32, arc: arcs[i] });
             }
         }
         all_arcs.push(arcs);
     }
-    trails
+    polylines
         .par_iter()
         .enumerate()
-        .map(|(number, trail)| match is_dot(trail, &all_arcs[number], reach) {
-            true => vec![None; trail.places()],
+        .map(|(number, polyline)| match is_dot(polyline, &all_arcs[number], reach) {
+            true => vec![None; polyline.vertices.len()],
             false => {
                 let own = (number, &all_arcs[number][..]);
-                (0..trail.places()).map(|i| opposite(trails, own, i, &nearby, reach)).collect()
+                (0..polyline.vertices.len()).map(|i| opposite(polylines, own, i, &nearby, reach)).collect()
             }
         })
         .collect()
 }
 
-/// The opposite of vertex `i` of a trail, which is given by its number and the way to its vertices.
+/// The opposite of vertex `i` of a polyline, which is given by its number and the way to its vertices.
 fn opposite(
-    trails: &[Trail],
+    polylines: &[Polyline<Vertex>],
     (number, arcs): (usize, &[f32]),
     i: usize,
     nearby: &Nearby,
     reach: f32,
 ) -> Option<Opposite> {
-    let trail = &trails[number];
-    let here: &Vertex = &trail.vertices[i];
+    let polyline = &polylines[number];
+    let here: &Vertex = &polyline.vertices[i];
     let (arc, total) = (arcs[i], arcs.last().copied().unwrap_or(0.0));
-    let tangent = trail.tangent(i);
+    let tangent = polyline.tangent(i);
     let up = dot(here.step, here.step).sqrt();
     let mut best: Option<(f32, Opposite)> = None;
     for side in [1.0, -1.0] {
@@ -94,7 +94,7 @@ fn opposite(
             if segment.line as usize == number {
                 // Along the same line: not this place itself, only what lies beyond a bend.
                 let apart = (segment.arc - arc).abs();
-                let apart = if trail.closed { apart.min(total - apart) } else { apart };
+                let apart = if polyline.closed { apart.min(total - apart) } else { apart };
                 if apart < BEND * distance + BEND_LEAST {
                     return;
                 }
@@ -104,8 +104,8 @@ fn opposite(
             if along.abs() < PARALLEL {
                 return;
             }
-            let other = &trails[segment.line as usize];
-            let sides = [0, 1].map(|end| other.vertices[segment.index as usize + end].step);
+            let other = &polylines[segment.line as usize];
+            let sides = [0, 1].map(|end| other.vertices[(segment.index as usize + end) % other.vertices.len()].step);
             let there = std::array::from_fn(|i| 0.5 * (sides[0][i] + sides[1][i]) * along.signum());
             let down = dot(there, there).sqrt();
             // a faint ghost beside a strong contour is no bar
@@ -113,8 +113,8 @@ fn opposite(
             if alike && dot(here.step, there) < -STEP_BACK * up * down {
                 let (first, second) = ((segment.a - at).length(), (segment.b - at).length());
                 let nearer_end = usize::from(second < first * (1.0 - ROUNDING));
-                let index = (segment.index as usize + nearer_end) % other.places();
-                best = Some((distance, Opposite { trail: segment.line as usize, index, at }));
+                let index = (segment.index as usize + nearer_end) % other.vertices.len();
+                best = Some((distance, Opposite { polyline: segment.line as usize, index, at }));
             }
         });
     }
@@ -122,6 +122,6 @@ fn opposite(
 }
 
 /// A small ring (an eye, a button) is felt as a dot and stays whole.
-fn is_dot(trail: &Trail, arcs: &[f32], reach: f32) -> bool {
-    trail.closed && arcs.last().is_none_or(|&total| total < std::f32::consts::PI * reach)
+fn is_dot(polyline: &Polyline<Vertex>, arcs: &[f32], reach: f32) -> bool {
+    polyline.closed && arcs.last().is_none_or(|&total| total < std::f32::consts::PI * reach)
 }

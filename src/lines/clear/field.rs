@@ -11,8 +11,9 @@
 
 use super::{Params, weight};
 use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::trail::{Trail, Vertex};
+use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
@@ -30,10 +31,10 @@ const CELL: f32 = 1.0;
 /// ... which is marked along a line in steps of this, mm.
 const MARK: f32 = 1.5;
 
-/// A trail meets a line.
+/// A polyline meets a line.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting {
-    /// How far along the trail.
+    /// How far along the polyline.
     pub(super) arc: f32,
     pub(super) at: MmPoint,
     pub(super) line: u32,
@@ -44,7 +45,7 @@ pub(super) struct Meeting {
 }
 
 impl Meeting {
-    /// The meeting of a trail that ends at a place with the line of a segment, if it ends on that.
+    /// The meeting of a polyline that ends at a place with the line of a segment, if it ends on that.
     fn of_end(at: MmPoint, arc: f32, segment: &Segment) -> Option<Self> {
         let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
         let there = segment.arc + (touched - segment.a).length();
@@ -82,14 +83,13 @@ pub(super) struct Field<'a> {
     tips: Nearby,
     /// Vertices of each, with the way to them, mm.
     lines: Vec<Vec<(f32, MmPoint)>>,
-    closed: Vec<bool>,
     /// For each cell whether a line may be nearer to a place in it than two lines may be.
     map: Vec<bool>,
     columns: usize,
     rows: usize,
 }
 
-/// A trail among the lines that are drawn.
+/// A polyline among the lines that are drawn.
 pub(super) struct Places {
     /// Way to each vertex, mm.
     pub(super) arcs: Vec<f32>,
@@ -100,7 +100,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// Way along the trail between two places, mm.
+    /// Way along the polyline between two places, mm.
     pub(super) fn way(&self, s: f32, t: f32) -> f32 {
         let apart = (s - t).abs();
         self.round.map_or(apart, |round| apart.min(round - apart))
@@ -118,7 +118,6 @@ impl<'a> Field<'a> {
             segments: Nearby::new(area, reach),
             tips: Nearby::new(area, reach),
             lines: Vec::new(),
-            closed: Vec::new(),
             map: vec![false; columns * rows],
             columns,
             rows,
@@ -152,32 +151,32 @@ impl<'a> Field<'a> {
     }
 
     /// Begins to draw a line. Returns its number. Nothing meets its ends until [`Field::finish`].
-    pub(super) fn begin(&mut self, trail: &Trail) -> u32 {
+    pub(super) fn begin(&mut self, polyline: &Polyline<Vertex>) -> u32 {
         let line = self.lines.len() as u32;
         self.lines.push(Vec::new());
-        self.closed.push(trail.closed);
-        self.go_on(trail, 0, line);
+        self.go_on(polyline, 0, line);
         line
     }
 
     /// Draws what was added to a line after vertex `from`.
-    pub(super) fn go_on(&mut self, trail: &Trail, from: usize, line: u32) {
-        let arcs = arcs(&trail.vertices);
-        if let Some(first) = trail.vertices.get(from) {
+    pub(super) fn go_on(&mut self, polyline: &Polyline<Vertex>, from: usize, line: u32) {
+        let arcs = polyline.arc_lengths();
+        if let Some(first) = polyline.vertices.get(from) {
             self.mark(first.at);
         }
-        for (i, pair) in trail.vertices.windows(2).enumerate().skip(from) {
-            self.segments.insert(segment(pair, i, line, arcs[i]));
-            if i + 2 == trail.vertices.len() || (arcs[i] / MARK) as usize != (arcs[i + 1] / MARK) as usize {
-                self.mark(pair[1].at);
+        for (i, (a, b)) in polyline.segments().enumerate().skip(from) {
+            self.segments.insert(segment(a, b, i, line, arcs[i]));
+            if i + 1 == polyline.segment_count() || (arcs[i] / MARK) as usize != (arcs[i + 1] / MARK) as usize {
+                self.mark(b.at);
             }
         }
-        self.lines[line as usize] = arcs.into_iter().zip(trail.vertices.iter().map(|vertex| vertex.at)).collect();
+        self.lines[line as usize] = arcs.into_iter().zip(polyline.path().map(|vertex| vertex.at)).collect();
     }
 
     /// A line is complete: others may meet its ends.
-    pub(super) fn finish(&mut self, trail: &Trail, line: u32) {
-        let (Some(first), Some(last), false) = (trail.vertices.first(), trail.vertices.last(), trail.closed) else {
+    pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32) {
+        let (Some(first), Some(last), false) = (polyline.vertices.first(), polyline.vertices.last(), polyline.closed)
+        else {
             return;
         };
         let length = self.lines[line as usize].last().map_or(0.0, |(arc, _)| *arc);
@@ -209,16 +208,17 @@ impl<'a> Field<'a> {
         self.map[row * self.columns + column]
     }
 
-    /// Where a trail meets the lines.
-    pub(super) fn places(&self, vertices: &[Vertex], closed: bool) -> Places {
-        let arcs = arcs(vertices);
+    /// Where a polyline meets the lines.
+    pub(super) fn places(&self, polyline: PolylineRef<'_, Vertex>) -> Places {
+        let PolylineRef { vertices, closed } = polyline;
+        let arcs = polyline.arc_lengths();
         let arc = arcs.last().copied().unwrap_or(0.0);
         let mut meetings = Vec::new();
-        for (i, pair) in vertices.windows(2).enumerate() {
-            if !self.may_be_near(pair[0].at) {
+        for (i, (a, b)) in polyline.segments().enumerate() {
+            if !self.may_be_near(a.at) {
                 continue;
             }
-            let (a, b) = (pair[0].at, pair[1].at);
+            let (a, b) = (a.at, b.at);
             let (low, high) = (a.min(b), a.max(b));
             self.segments.around(low, high, 0.0, |segment| {
                 // a line that ends on another may, by a rounding, cross it
@@ -257,32 +257,33 @@ impl<'a> Field<'a> {
         places
     }
 
-    /// Whether a trail that meets a line does so again before it has been apart from it, or the line from the trail: the two
+    /// Whether a polyline that meets a line does so again before it has been apart from it, or the line from the polyline: the two
     /// wind round one another.
     fn winds(&self, meeting: &Meeting, vertices: &[Vertex], places: &Places) -> bool {
         let stretch = |from: f32, to: f32| {
             let (from, to) = (from.min(to), from.max(to));
-            places.arcs.partition_point(|&arc| arc < from)..places.arcs.partition_point(|&arc| arc < to)
+            let index = |arc: f32| places.arcs.partition_point(|&other| other < arc).min(vertices.len());
+            index(from)..index(to)
         };
         let line = &self.lines[meeting.line as usize];
         places.meetings.iter().any(|other| {
             if other.line != meeting.line || (other.arc - meeting.arc).abs() <= 1.0 {
                 return false;
             }
-            let trail = &vertices[stretch(meeting.arc, other.arc)];
+            let polyline = &vertices[stretch(meeting.arc, other.arc)];
             let hugs = |vertex: &Vertex| {
                 let reach = self.clearance(0.5 * vertex.width);
                 self.segments.nearest(vertex.at, reach, |segment| segment.line == meeting.line).is_some()
             };
             let (from, to) = (meeting.there.min(other.there), meeting.there.max(other.there));
             let along = || line.iter().filter(|(arc, _)| (from..to).contains(arc));
-            // all the trail is looked at, as it may be near the line beyond the two
+            // all the polyline is looked at, as it may be near the line beyond the two
             let is_hugged = |at: MmPoint| vertices.iter().any(|v| (v.at - at).length() < self.clearance(0.5 * v.width));
-            trail.iter().all(hugs) || (to - from > 1.0 && along().all(|(_, at)| is_hugged(*at)))
+            polyline.iter().all(hugs) || (to - from > 1.0 && along().all(|(_, at)| is_hugged(*at)))
         })
     }
 
-    /// The state of a vertex of a trail.
+    /// The state of a vertex of a polyline.
     pub(super) fn state(&self, vertex: &Vertex, arc: f32, places: &Places) -> State {
         let mut state = State::Free;
         self.each_near(vertex, arc, places, |_, _, joins| {
@@ -292,7 +293,7 @@ impl<'a> Field<'a> {
         state
     }
 
-    /// Calls `visit` with the nearest place of every segment that is too near to a vertex of a trail unless the two lines meet
+    /// Calls `visit` with the nearest place of every segment that is too near to a vertex of a polyline unless the two lines meet
     /// close by, as the way from there and the length missing, and whether they do. It goes on as long as `visit` says so.
     pub(super) fn each_near(
         &self,
@@ -330,7 +331,11 @@ impl<'a> Field<'a> {
 
     /// The places of a path whose last vertex ends on lines: it meets all that pass there.
     pub(super) fn arriving(&self, path: &[Vertex]) -> Places {
-        let mut places = Places { arcs: arcs(path), round: None, meetings: Vec::new() };
+        let mut places = Places {
+            arcs: PolylineRef { vertices: path, closed: false }.arc_lengths(),
+            round: None,
+            meetings: Vec::new(),
+        };
         if let (Some(&arc), Some(tip)) = (places.arcs.last(), path.last()) {
             self.segments.around(tip.at, tip.at, TOUCH, |segment| {
                 places.meetings.extend(Meeting::of_end(tip.at, arc, segment));
@@ -345,22 +350,8 @@ impl<'a> Field<'a> {
     }
 }
 
-/// Way to each vertex, mm.
-pub(super) fn arcs(vertices: &[Vertex]) -> Vec<f32> {
-    let mut arc = 0.0;
-    let mut last: Option<MmPoint> = None;
-    vertices
-        .iter()
-        .map(|vertex| {
-            arc += last.map_or(0.0, |last| (vertex.at - last).length());
-            last = Some(vertex.at);
-            arc
-        })
-        .collect()
-}
-
 /// The segment of a line between two vertices.
-pub(super) fn segment(pair: &[Vertex], i: usize, line: u32, arc: f32) -> Segment {
-    let half_width = 0.5 * weight::between(&pair[0], &pair[1]);
-    Segment { a: pair[0].at, b: pair[1].at, half_width, line, index: i as u32, arc }
+pub(super) fn segment(a: &Vertex, b: &Vertex, i: usize, line: u32, arc: f32) -> Segment {
+    let half_width = 0.5 * weight::between(a, b);
+    Segment { a: a.at, b: b.at, half_width, line, index: i as u32, arc }
 }

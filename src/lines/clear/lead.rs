@@ -5,7 +5,7 @@ use super::own::is_bend;
 use super::{Params, meet};
 use crate::geom::nearby::Segment;
 use crate::geom::{crossing, nearest_on_segment};
-use crate::lines::trail::Vertex;
+use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
 
 /// A line whose path comes this near to another, in join gaps, may be led over to it.

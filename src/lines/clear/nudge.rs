@@ -2,7 +2,8 @@
 //! finger notices, and swings back to its place on both sides.
 
 use super::field::Field;
-use crate::lines::trail::Trail;
+use crate::geom::polyline::Polyline;
+use crate::lines::vertex::Vertex;
 use crate::units::MmVector;
 
 /// The farthest that a line gives way, mm: the index finger tells places from about 0.94 mm (Van Boven and Johnson 1994).
@@ -18,14 +19,14 @@ const ROUNDS: usize = 4;
 
 /// The line moved away from those it is too near to; none if that asks for more than [`FARTHEST`], for a ring
 /// [`RING_FARTHEST`], somewhere.
-pub(super) fn nudged(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
-    let mut trail = trail.clone();
-    let farthest = if trail.closed { RING_FARTHEST } else { FARTHEST };
-    let mut moved = vec![MmVector::zero(); trail.vertices.len()];
+pub(super) fn nudged(polyline: &Polyline<Vertex>, field: &Field<'_>) -> Option<Polyline<Vertex>> {
+    let mut polyline = polyline.clone();
+    let farthest = if polyline.closed { RING_FARTHEST } else { FARTHEST };
+    let mut moved = vec![MmVector::zero(); polyline.vertices.len()];
     for _ in 0..ROUNDS {
-        let places = field.places(&trail.vertices, trail.closed);
+        let places = field.places(polyline.view());
         let mut pushes: Vec<(f32, MmVector)> = Vec::new();
-        for (vertex, &arc) in trail.vertices.iter().zip(&places.arcs) {
+        for (vertex, &arc) in polyline.vertices.iter().zip(&places.arcs) {
             let mut push = MmVector::zero();
             field.each_near(vertex, arc, &places, |near, away, joins| {
                 if !joins && near.missing + MORE > push.length() {
@@ -41,9 +42,9 @@ pub(super) fn nudged(trail: &Trail, field: &Field<'_>) -> Option<Trail> {
             }
         }
         if pushes.is_empty() {
-            return Some(trail);
+            return Some(polyline);
         }
-        for ((vertex, moved), &arc) in trail.vertices.iter_mut().zip(&mut moved).zip(&places.arcs) {
+        for ((vertex, moved), &arc) in polyline.vertices.iter_mut().zip(&mut moved).zip(&places.arcs) {
             let mut most = MmVector::zero();
             for &(there, push) in &pushes {
                 let push = push * (1.0 - places.way(arc, there) / FADE).max(0.0);

@@ -2,29 +2,33 @@
 
 use std::ops::Range;
 
-use super::field::{APPROACH, Field, LESS, TOUCH, arcs, segment};
+use super::field::{APPROACH, Field, LESS, TOUCH, segment};
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
-use crate::lines::trail::Trail;
+use crate::geom::polyline::Polyline;
+use crate::lines::vertex::Vertex;
 
 /// A line that comes back to itself is its own rival where the way along it is longer than the way across by this factor,
 /// and by this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
 const BEND: f32 = 3.5;
 const BEND_LEAST: f32 = 1.5;
 
-/// The first vertices of a trail that come back too near to an earlier part of it. `own` is an empty grid, and empty again
+/// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty grid, and empty again
 /// afterwards.
-pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Option<Range<usize>> {
-    let arcs = arcs(&trail.vertices);
+pub(super) fn returns(polyline: &Polyline<Vertex>, field: &Field<'_>, own: &mut Nearby) -> Option<Range<usize>> {
+    let arcs = polyline.arc_lengths();
     let total = arcs.last().copied().unwrap_or(0.0);
     if total <= BEND_LEAST {
         return None;
     }
-    let apart = |s: f32, t: f32| if trail.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
+    let apart = |s: f32, t: f32| if polyline.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
     // its own ends may lie on it
-    let tips: Vec<f32> = if trail.closed { Vec::new() } else { own_meetings(trail, &arcs, field.longest_stub(), own) };
+    let tips: Vec<f32> =
+        if polyline.closed { Vec::new() } else { own_meetings(polyline, &arcs, field.longest_stub(), own) };
     let mut found: Option<Range<usize>> = None;
-    for (i, vertex) in trail.vertices.iter().enumerate() {
+    let mut last: Option<&Vertex> = None;
+    // a ring is gone round until its first vertex has been looked at with the others before it
+    for (i, vertex) in polyline.path().enumerate() {
         let half = 0.5 * vertex.width;
         let mut near = false;
         own.around(vertex.at, vertex.at, field.farthest(), |segment| {
@@ -44,21 +48,23 @@ pub(super) fn returns(trail: &Trail, field: &Field<'_>, own: &mut Nearby) -> Opt
             found.get_or_insert(i..i).end = i + 1;
         } else if found.is_some() {
             break;
-        } else if i > 0 {
-            own.insert(segment(&trail.vertices[i - 1..=i], i - 1, 0, arcs[i - 1]));
+        } else if let Some(last) = last {
+            own.insert(segment(last, vertex, i - 1, 0, arcs[i - 1]));
         }
+        last = Some(vertex);
     }
     own.clear();
     found
 }
 
-/// Which ends of an open trail, as places along it, lie on the trail itself, at the end of a loop that is longer than `knot`.
-fn own_meetings(trail: &Trail, arcs: &[f32], knot: f32, own: &mut Nearby) -> Vec<f32> {
-    let (Some(first), Some(last), Some(&total)) = (trail.vertices.first(), trail.vertices.last(), arcs.last()) else {
+/// Which ends of an open polyline, as places along it, lie on the polyline itself, at the end of a loop that is longer than `knot`.
+fn own_meetings(polyline: &Polyline<Vertex>, arcs: &[f32], knot: f32, own: &mut Nearby) -> Vec<f32> {
+    let (Some(first), Some(last), Some(&total)) = (polyline.vertices.first(), polyline.vertices.last(), arcs.last())
+    else {
         return Vec::new();
     };
-    for (i, pair) in trail.vertices.windows(2).enumerate() {
-        own.insert(segment(pair, i, 0, arcs[i]));
+    for (i, (a, b)) in polyline.segments().enumerate() {
+        own.insert(segment(a, b, i, 0, arcs[i]));
     }
     let mut tips = Vec::new();
     for (at, arc) in [(first.at, 0.0), (last.at, total)] {

@@ -3,15 +3,15 @@
 use super::Cleared;
 use super::field::{Field, TOUCH};
 use crate::geom::nearest_on_segment;
-use crate::lines::trail::Vertex;
+use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
 
 /// Puts a vertex into a line where another one ends on it, so that they still meet after simplification.
 pub(super) fn pin(cleared: &mut [Cleared], field: &Field<'_>) {
     // line, vertex before, way from it, place
     let mut pins: Vec<(usize, usize, f32, MmPoint)> = Vec::new();
-    for (number, line) in cleared.iter().enumerate().filter(|(_, line)| !line.trail.closed) {
-        let vertices = &line.trail.vertices;
+    for (number, line) in cleared.iter().enumerate().filter(|(_, line)| !line.polyline.closed) {
+        let vertices = &line.polyline.vertices;
         for (at, inner) in [(vertices.first(), 1), (vertices.last(), vertices.len().saturating_sub(2))] {
             let Some(at) = at.map(|vertex| vertex.at) else { continue };
             field.segments().around(at, at, TOUCH, |segment| {
@@ -28,26 +28,22 @@ pub(super) fn pin(cleared: &mut [Cleared], field: &Field<'_>) {
     pins.sort_by(|a, b| (b.0, b.1).cmp(&(a.0, a.1)).then(b.2.total_cmp(&a.2)));
     pins.dedup_by(|a, b| a.0 == b.0 && a.1.abs_diff(b.1) <= 1 && a.3 == b.3);
     for (line, index, _, at) in pins {
-        let Cleared { trail, pinned, .. } = &mut cleared[line];
+        let Cleared { polyline, pinned, .. } = &mut cleared[line];
         let near = |i: usize| {
-            let vertex = trail.vertices[i].at;
-            let is_end = !trail.closed && (i == 0 || i + 1 == trail.vertices.len());
+            let vertex = polyline.vertices[i].at;
+            let is_end = !polyline.closed && (i == 0 || i + 1 == polyline.vertices.len());
             vertex == at || (!pinned[i] && !is_end && (vertex - at).length() <= TOUCH)
         };
-        if near(index) || near(index + 1) {
-            let vertex = if near(index) { index } else { index + 1 };
-            trail.vertices[vertex].at = at;
+        let next = (index + 1) % polyline.vertices.len();
+        if near(index) || near(next) {
+            let vertex = if near(index) { index } else { next };
+            polyline.vertices[vertex].at = at;
             pinned[vertex] = true;
-            // a ring begins where it ends
-            let last = trail.vertices.len() - 1;
-            if trail.closed && (vertex == 0 || vertex == last) {
-                trail.vertices[last - vertex].at = at;
-            }
         } else {
-            let (before, after) = (trail.vertices[index], trail.vertices[index + 1]);
+            let (before, after) = (polyline.vertices[index], polyline.vertices[next]);
             // as wide as the piece of line that it parts
             let width = before.width.min(after.width);
-            trail.vertices.insert(index + 1, Vertex { at, width, ..before });
+            polyline.vertices.insert(index + 1, Vertex { at, width, ..before });
             pinned.insert(index + 1, true);
         }
     }

@@ -146,9 +146,8 @@ impl Writer<'_> {
             self.content.set_line_width(width);
             self.width = width;
         }
-        let shown = if run.is_closed() { &run.points[..run.points.len() - 1] } else { &run.points[..] };
-        self.polyline(shown);
-        if run.is_closed() {
+        self.polyline(&run.points);
+        if run.closed {
             self.content.close_and_stroke();
         } else {
             self.content.stroke();

@@ -52,14 +52,14 @@ pub fn pairs(page: &Page, dense: &Page, class: Class) -> Vec<(f32, f32)> {
 
 /// The paper's map of lines at a place: marked, blurred, 1 on a lone straight line, at most 1.
 fn lines_near(lines: &[Line], at: MmPoint) -> f32 {
-    let segments = lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.windows(2));
+    let segments = lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.polyline().segments());
     let sum: f32 = segments
-        .map(|pair| {
-            let (way, length) = (pair[1] - pair[0], (pair[1] - pair[0]).length());
+        .map(|(&a, &b)| {
+            let (way, length) = (b - a, (b - a).length());
             let steps = (length / 0.5).ceil().max(1.0) as u32;
             (0..steps)
                 .map(|k| {
-                    let here = pair[0] + way * ((k as f32 + 0.5) / steps as f32);
+                    let here = a + way * ((k as f32 + 0.5) / steps as f32);
                     (-0.5 * (here - at).square_length() / (BLUR * BLUR)).exp() * length / steps as f32
                 })
                 .sum::<f32>()

@@ -41,7 +41,7 @@ pub fn faults(page: &Page, params: &Params) -> Vec<String> {
     let glyphs: Vec<&Glyph> = page.figure.textures.iter().flat_map(|texture| &texture.glyphs).collect();
     let runs = page.figure.lines.iter().flat_map(|line| &line.runs);
     let segments: Vec<(MmPoint, MmPoint, f32)> =
-        runs.flat_map(|run| run.points.windows(2).map(|pair| (pair[0], pair[1], 0.5 * run.width))).collect();
+        runs.flat_map(|run| run.polyline().segments().map(|(a, b)| (*a, *b, 0.5 * run.width))).collect();
     let mut faults = Vec::new();
     for (number, glyph) in glyphs.iter().enumerate() {
         let radius = glyph.radius();

@@ -86,7 +86,8 @@ impl<'a> Sight<'a> {
     /// A page.
     pub(crate) fn of_page(page: &'a Outcome) -> Self {
         let path = |line: &tactograph::internals::lines::Line| {
-            let points = line.runs.iter().flat_map(|run| run.points.iter().map(|p| [f64::from(p.x), f64::from(p.y)]));
+            let points =
+                line.runs.iter().flat_map(|run| run.polyline().path().map(|p| [f64::from(p.x), f64::from(p.y)]));
             (points.collect(), f64::from(line.strength))
         };
         let place = page.place;
