@@ -1,6 +1,10 @@
 //! What stops everything. Each message says what is wrong and what to do about it, in one line without the file's name
 //! (the caller knows it).
 
+use crate::page::spread::NotAGrid;
+use crate::profile::Fault;
+use crate::raster::crop::NotACrop;
+use crate::touch;
 use crate::units::Size;
 
 /// Why no page could be made.
@@ -73,13 +77,16 @@ pub enum Error {
     },
     /// The figure would be wider than the sheet has room for.
     #[error(
-        "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, so take that or a larger sheet"
+        "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet{}, so take that or a larger sheet",
+        or_without(.without_overview)
     )]
     TooWide {
         /// Width that was asked for, mm.
         wanted: f32,
         /// The most there is room for, mm.
         most: f32,
+        /// The most without the overview, mm, where that is enough.
+        without_overview: Option<f32>,
     },
     /// The sheets that a picture is to be spread over have no room for it.
     #[error(
@@ -133,9 +140,58 @@ pub enum Error {
         /// The limit, in millions of pixels.
         limit_megapixels: u64,
     },
+    /// A picture was given as pixels, and there are not as many bytes as its size says.
+    #[error("{size} pixels of RGBA take 4 bytes each, and {bytes} bytes were given")]
+    WrongPixels {
+        /// The size that was given.
+        size: Size,
+        /// How many bytes there are.
+        bytes: usize,
+    },
+    /// A picture of a page was asked for with too few or too many pixels for an inch.
+    #[error("{dpi} dots per inch are not drawn; give a number from {least} to {most}")]
+    NoSuchDpi {
+        /// What was asked for.
+        dpi: u32,
+        /// The fewest.
+        least: u32,
+        /// The most.
+        most: u32,
+    },
+    /// The text says no part of a picture.
+    #[error(transparent)]
+    Crop(#[from] NotACrop),
+    /// The text says no grid of sheets.
+    #[error(transparent)]
+    Grid(#[from] NotAGrid),
+    /// The page cannot be felt.
+    #[error(transparent)]
+    NotFelt(#[from] touch::Error),
+    /// There is no memory left.
+    #[error("there is no memory for {what}")]
+    NoMemory {
+        /// For what.
+        what: &'static str,
+    },
     /// The profile cannot be used; every fault is listed.
     #[error("{}", crate::profile::faults_in_one_line(.0))]
-    Profile(Vec<crate::profile::Fault>),
+    Profile(Vec<Fault>),
+}
+
+impl From<Vec<Fault>> for Error {
+    fn from(faults: Vec<Fault>) -> Self {
+        Self::Profile(faults)
+    }
+}
+
+impl From<Fault> for Error {
+    fn from(fault: Fault) -> Self {
+        Self::Profile(vec![fault])
+    }
+}
+
+fn or_without(overview: &Option<f32>) -> String {
+    overview.map_or_else(String::new, |most| format!(", or {most:.1} mm without the overview (overview = false)"))
 }
 
 fn hint(looks_like: &Option<&'static str>) -> String {

@@ -1,5 +1,82 @@
-//! From a colour picture to a page that fingers can read: `src/ARCHITECTURE.md` tells how.
+//! From a colour picture to a page that fingers can read.
+//!
+//! The contours of the picture become raised lines, the stronger the broader; its colours become textures of small rhombuses
+//! whose direction names the colour; a smaller picture of lines only lies below. The method is that of A. Rataj (2004). The
+//! page is in true millimetres: an SVG drawing, a PDF or a PNG for swell paper, or dots for a braille embosser or a pin display.
+//!
+//! Five tasks, each of which runs as it stands. First the usual one, a picture to a page:
+//!
+//! ```
+//! use tactograph::{Options, Profile};
+//!
+//! let picture = std::fs::read("samples/coffee.png")?;
+//! let options = Options::new(Profile::named("swell-a4")?).title("A cup of coffee").width_mm(150.0);
+//! let drawing = tactograph::convert(&picture, &options)?;
+//! for note in &drawing.notes {
+//!     eprintln!("{note}"); // what the page survives, and its maker should know
+//! }
+//! # let folder = std::env::temp_dir();
+//! std::fs::write(folder.join("cup.svg"), drawing.page.to_svg())?;
+//! std::fs::write(folder.join("cup.pdf"), drawing.page.to_pdf())?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A [`Profile`] is a paper or a device with all the numbers that a page for it needs. Your own inherits one that comes with the
+//! program and says what differs; [`Profile::manual`] tells of every key:
+//!
+//! ```
+//! use tactograph::{Options, Profile};
+//!
+//! let text = "inherits = \"swell-a4\"\n[page]\nmargin = 15.0\n[lines]\nwidth_max = 1.2";
+//! let mut profile = Profile::from_toml(text, "workshop.toml")?;
+//! profile.set("textures.across", "4.5")?; // as --set of the program does
+//! let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &Options::new(profile))?;
+//! let widest = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width).fold(0.0, f32::max);
+//! assert!(widest <= 1.2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Contours as data, in pixels of the picture, for programs that go on with them:
+//!
+//! ```
+//! use tactograph::{Options, Profile, Tracing};
+//!
+//! let options = Options::new(Profile::named("swell-a4")?);
+//! let traced = tactograph::trace(&std::fs::read("samples/coffee.png")?, &Tracing::contours(), &options)?;
+//! let longest = traced.trace.polylines.iter().max_by_key(|polyline| polyline.points.len());
+//! assert!(longest.is_some_and(|polyline| polyline.points.len() == polyline.strength.len()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! What a fingertip would feel of a page, also of one that was changed in an editor:
+//!
+//! ```
+//! use tactograph::{Options, Profile};
+//!
+//! let options = Options::new(Profile::named("swell-a4")?);
+//! let page = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page;
+//! let felt = tactograph::feel(page.to_svg(), 1.0)?;
+//! println!("{}", felt.report());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Pixels in memory are given as [`Picture::rgba8`]. All that is given and got is owned, `Send`, `Sync` and `'static`, so that it
+//! can be held by classes of other languages. The crate prints nothing, reads no files and no clock, and gives the same bytes for
+//! the same input, however many threads there are.
+//!
+//! # Features
+//!
+//! * `cli` (default): the program `tactograph` and what only it needs. A library does without: `default-features = false`.
+//! * `system-fonts`: `Fonts::system`, the fonts that are installed, for SVG drawings with text. Part of `cli`.
+//! * `turbojpeg`: JPEGs through the C library libjpeg-turbo, built by cmake and nasm.
+//!
+//! # Points and units
+//!
+//! Positions are points of [`euclid`], which is re-exported and part of this interface: `MmPoint` in millimetres on the sheet
+//! (x right, y down, from its top left corner), `PxPoint` in pixels of the source picture (the middle of the first is 0.5, 0.5).
+//! Each has `x` and `y` as `f32`; lengths that are plain numbers are millimetres unless their doc says otherwise.
 
+mod api;
 mod calibration;
 mod classes;
 mod contours;
@@ -13,6 +90,7 @@ mod lines;
 mod note;
 mod output;
 mod page;
+mod picture;
 mod pipeline;
 mod profile;
 mod raster;
@@ -20,12 +98,34 @@ mod textures;
 mod touch;
 mod units;
 
-pub use contours::Trace;
+// Functions, and what they take.
+pub use api::{Calibration, Felt, Fonts, Options, calibrate, convert, convert_to_sheets, feel, trace, write_pdf};
+pub use output::png::{Depth, Dpi};
+pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
+pub use page::spread::{Grid as SheetGrid, NotAGrid as NotASheetGrid};
+pub use picture::Picture;
+pub use pipeline::trace::{Thresholds, Tracing};
+pub use pipeline::{Event, Stage};
+pub use profile::{BuiltIn, Fault, Key, Kind, Profile, Value, built_in};
+pub use raster::crop::{Crop, NotACrop};
+pub use raster::decode::Limits;
+// What they give.
+pub use contours::{Polyline, Trace};
+pub use devices::{Device, DotArea, Family, Grid as DotGrid, Paper, Pitches};
 pub use error::Error;
 pub use note::Note;
-pub use page::Page;
-pub use pipeline::trace::trace;
-pub use pipeline::{Drawing, convert};
+pub use page::{
+    Class, DotMedium, Dots, Figure, Glyph, Height, Line, Medium, Overview, Page, Parts, Pen, Print, Run, Shape, Sign,
+    Texture,
+};
+pub use pipeline::Drawing;
+pub use pipeline::sheets::Sheets;
+pub use pipeline::trace::Traced;
+pub use touch::report::{Areas as FeltAreas, OfClass as FeltClass};
+pub use touch::{Error as FeelError, FINGERS, Report as FeelReport};
+// Points and sizes: those of euclid, which is part of the interface.
+pub use lyon::geom::euclid;
+pub use units::{Mm, MmPoint, MmRect, MmVector, Px, PxPoint, PxVector, Size};
 
 /// The stages, for this project's own tests, benchmarks and measuring programs. No part of the public interface: anything in
 /// here may change with any release.

@@ -19,6 +19,7 @@ use crate::frame::Frame;
 use crate::lines::{self, Drawn, Line};
 use crate::page::layout::Layout;
 use crate::page::{self, Dots, Figure, Medium, Overview, Page, Parts, Print, Texture, frame};
+use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Fonts, Limits, Options, Source};
@@ -113,10 +114,14 @@ const CROWDED: f32 = 0.35;
 ///
 /// # Errors
 /// When no page can be made at all; see [`Error`].
-pub fn convert(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
+pub fn convert<'p>(
+    picture: impl Into<Picture<'p>>,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Drawing, Error> {
     let plan = request.plan;
     let Marks { figure, overview, shares, layout, is_flat, mut notes } =
-        draw(picture, request, &|size| request.fit.layout(size, plan), watch)?;
+        draw(picture.into(), request, &|size| request.fit.layout(size, plan), watch)?;
     let (page, overview) = run(watch, Stage::Page, || match &layout.medium {
         Medium::Print(_) => Ok((assemble(figure, overview, shares, &layout, request)?, None)),
         Medium::Dots(medium) => dots::assemble(figure, overview, shares, &layout, medium, request),
@@ -146,7 +151,7 @@ struct Marks {
 
 /// Everything but the page: decodes a picture and draws it where `layout_of` its size says.
 fn draw(
-    picture: &[u8],
+    picture: Picture<'_>,
     request: &Request<'_>,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
     watch: &mut Watch<'_>,
@@ -154,7 +159,7 @@ fn draw(
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
     let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
-    let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
+    let picture = run(watch, Stage::Decode, || decode::decode_picture(picture, &options))?;
     let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;
 

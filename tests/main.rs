@@ -25,3 +25,4 @@ mod structure;
 mod threads;
 mod touch;
 mod trace;
+mod wrapping;

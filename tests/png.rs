@@ -95,7 +95,7 @@ fn pixels_are_those_of_the_drawing_whole_and_in_bands() {
 
 #[test]
 fn words_are_in_the_file() {
-    let page = page_on(&[]).called(None, Some(("Ein Kreis\nmit Rand", "de")));
+    let page = page_on(&[]).called(None, Some("Ein Kreis\nmit Rand"), Some("de"));
     let picture = read(&write(&page, dpi(100), Depth::Bilevel).expect("a PNG"));
     let text = |keyword: &str| {
         let chunk = picture.info.utf8_text.iter().find(|chunk| chunk.keyword == keyword).expect("the text is there");

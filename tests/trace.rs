@@ -2,37 +2,34 @@
 
 use std::sync::Arc;
 
-use tactograph::Error;
 use tactograph::internals::contours::{Polyline, Trace};
 use tactograph::internals::note::Note;
 use tactograph::internals::output::json;
-use tactograph::internals::pipeline::trace::{Request, Subject, Thresholds, Traced, trace};
-use tactograph::internals::pipeline::{self, Event, Stage, Watch};
+use tactograph::internals::pipeline::trace::trace;
+use tactograph::internals::pipeline::{Event, Request, Stage, Watch};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::Limits;
 use tactograph::internals::units::{PxPoint, Size};
 use tactograph::internals::{frame, lines};
+use tactograph::{Error, Options, Thresholds, Traced, Tracing};
 
-const IN_FULL: Subject = Subject::Edges { full_resolution: true };
-const AS_FOR_THE_PAGE: Subject = Subject::Edges { full_resolution: false };
+/// Everything that can be traced.
+fn all() -> [Tracing; 3] {
+    [Tracing::contours(), Tracing::contours_at_full_resolution(), Tracing::lines()]
+}
 
 fn plan() -> Plan {
     Plan::new(&Profile::named("swell-a4").expect("built in")).expect("built-in profiles make sense")
 }
 
-fn try_trace(
-    picture: &[u8],
-    subject: Subject,
-    thresholds: Option<Thresholds>,
-    limits: Limits,
-    watch: &mut Watch<'_>,
-) -> Result<Traced, Error> {
+fn try_trace(picture: &[u8], tracing: Tracing, limits: Limits, watch: &mut Watch<'_>) -> Result<Traced, Error> {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
-    trace(picture, &Request { subject, thresholds, plan: &plan(), limits, fonts: &fonts }, watch)
+    let request = Request { plan: &plan(), limits, fonts: &fonts, title: "", fit: Default::default() };
+    trace(picture, &tracing, &request, watch)
 }
 
-fn traced(picture: &[u8], subject: Subject) -> Trace {
-    try_trace(picture, subject, None, Limits::default(), &mut |_| ()).expect("the picture can be traced").trace
+fn traced(picture: &[u8], tracing: Tracing) -> Trace {
+    try_trace(picture, tracing, Limits::default(), &mut |_| ()).expect("the picture can be traced").trace
 }
 
 /// A picture of one byte a pixel.
@@ -101,18 +98,23 @@ const LARGE: Disc = Disc { size: Size::new(1601, 1003), middle: [930.4, 450.7], 
 
 #[test]
 fn a_disc_is_traced_where_it_lies() {
-    SMALL.is_traced(&traced(&SMALL.png(), IN_FULL), 0.1, 3.0);
-    SMALL.is_traced(&traced(&SMALL.png(), AS_FOR_THE_PAGE), 0.1, 3.0);
+    SMALL.is_traced(&traced(&SMALL.png(), Tracing::contours_at_full_resolution()), 0.1, 3.0);
+    SMALL.is_traced(&traced(&SMALL.png(), Tracing::contours()), 0.1, 3.0);
     let large = LARGE.png();
-    LARGE.is_traced(&traced(&large, IN_FULL), 0.1, 3.0);
-    LARGE.is_traced(&traced(&large, AS_FOR_THE_PAGE), 0.5, 6.0);
+    LARGE.is_traced(&traced(&large, Tracing::contours_at_full_resolution()), 0.1, 3.0);
+    LARGE.is_traced(&traced(&large, Tracing::contours()), 0.5, 6.0);
 }
 
 #[test]
 fn strength_is_the_height_of_the_step_at_either_resolution() {
     // CIELAB lightness of the two greys
     let height = 62.1 - 38.2;
-    for (disc, subject) in [(SMALL, IN_FULL), (LARGE, IN_FULL), (LARGE, AS_FOR_THE_PAGE), (LARGE, Subject::Lines)] {
+    for (disc, subject) in [
+        (SMALL, Tracing::contours_at_full_resolution()),
+        (LARGE, Tracing::contours_at_full_resolution()),
+        (LARGE, Tracing::contours()),
+        (LARGE, Tracing::lines()),
+    ] {
         let trace = traced(&disc.png(), subject);
         assert_eq!(trace.polylines.len(), 1);
         for polyline in &trace.polylines {
@@ -130,7 +132,7 @@ fn strength_is_the_height_of_the_step_at_either_resolution() {
 fn a_picture_is_upright_before_it_is_traced() {
     let arms = |number: u32| {
         let file = format!("{}/tests/pictures/orient-{number}.jpg", env!("CARGO_MANIFEST_DIR"));
-        let trace = traced(&std::fs::read(file).expect("a test picture"), IN_FULL);
+        let trace = traced(&std::fs::read(file).expect("a test picture"), Tracing::contours_at_full_resolution());
         assert_eq!(trace.size, Size::new(64, 32), "orientation {number}");
         let points = trace.polylines.iter().flat_map(|line| line.points.iter().zip(&line.strength));
         let points = points.collect::<Vec<_>>();
@@ -166,16 +168,15 @@ fn length(trace: &Trace) -> f32 {
 #[test]
 fn higher_thresholds_leave_less() {
     let photo = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/rocket.jpg")).expect("a sample");
-    for subject in [IN_FULL, AS_FOR_THE_PAGE, Subject::Lines] {
+    for subject in all() {
         let mut last = f32::INFINITY;
         for (low, high) in [(0.0, 0.0), (0.0, 6.0), (3.0, 6.0), (6.0, 6.0), (6.0, 20.0), (20.0, 40.0), (900.0, 900.0)] {
-            let thresholds = Thresholds::new(low, high);
-            assert!(thresholds.is_some());
-            let Traced { trace, notes } =
-                try_trace(&photo, subject, thresholds, Limits::default(), &mut |_| ()).expect("a trace");
+            let thresholds = Thresholds::new(low, high).expect("they make sense");
+            let Traced { trace, notes, .. } =
+                try_trace(&photo, subject.thresholds(thresholds), Limits::default(), &mut |_| ()).expect("a trace");
             let length = length(&trace);
             // What is nearer to its contour than to another takes its place, so lines may gain a little.
-            let slack = if subject == Subject::Lines { 1.1 } else { 1.0 };
+            let slack = if subject == Tracing::lines() { 1.1 } else { 1.0 };
             assert!(length <= last * slack, "{subject:?} {low},{high}: {length} px after {last} px");
             assert_eq!(notes.contains(&Note::NoContours), low > 100.0, "{subject:?} {low},{high}: {notes:?}");
             last = length;
@@ -193,17 +194,9 @@ fn thresholds_that_make_no_sense_cannot_be_made() {
 fn the_lines_are_those_of_the_page() {
     for name in ["coffee.png", "rocket.jpg", "bars.svg"] {
         let picture = std::fs::read(format!("{}/samples/{name}", env!("CARGO_MANIFEST_DIR"))).expect("a sample");
-        let fonts = || Arc::new(usvg::fontdb::Database::new());
-        let plan = plan();
-        let request = pipeline::Request {
-            plan: &plan,
-            limits: Limits::default(),
-            fonts: &fonts,
-            title: name,
-            fit: Default::default(),
-        };
-        let figure = tactograph::convert(&picture, &request, &mut |_| ()).expect("a page").page.figure.clone();
-        let trace = traced(&picture, Subject::Lines);
+        let options = Options::new(Profile::named("swell-a4").expect("built in"));
+        let figure = tactograph::convert(&picture, &options).expect("a page").page.figure.clone();
+        let trace = traced(&picture, Tracing::lines());
         assert_eq!(trace.size, figure.source);
         assert_eq!(trace.polylines.len(), figure.lines.len(), "{name}");
         assert!(!figure.lines.is_empty(), "{name}: nothing to compare");
@@ -243,22 +236,25 @@ fn is_the_same_line(
 
 #[test]
 fn only_what_is_needed_is_done() {
-    let stages = |picture: &[u8], subject| {
+    let stages = |picture: &[u8], tracing: Tracing| {
         let (mut ran, mut skipped) = (Vec::new(), Vec::new());
         let watch = &mut |event| match event {
             Event::Begin(_) => (),
             Event::End(stage) => ran.push(stage),
             Event::Skip(stage, why) => skipped.push((stage, why)),
         };
-        let notes = try_trace(picture, subject, None, Limits::default(), watch).expect("a trace").notes;
+        let notes = try_trace(picture, tracing, Limits::default(), watch).expect("a trace").notes;
         (ran, skipped, notes)
     };
     let disc = SMALL.png();
-    assert_eq!(stages(&disc, IN_FULL), (vec![Stage::Decode, Stage::Edges], vec![], vec![]));
-    assert_eq!(stages(&disc, Subject::Lines), (vec![Stage::Decode, Stage::Edges, Stage::Lines], vec![], vec![]));
+    assert_eq!(
+        stages(&disc, Tracing::contours_at_full_resolution()),
+        (vec![Stage::Decode, Stage::Edges], vec![], vec![])
+    );
+    assert_eq!(stages(&disc, Tracing::lines()), (vec![Stage::Decode, Stage::Edges, Stage::Lines], vec![], vec![]));
     let flat = png(Size::new(60, 40), |_, _| 90);
     let skipped = vec![(Stage::Edges, "the picture is of one colour")];
-    for subject in [IN_FULL, AS_FOR_THE_PAGE, Subject::Lines] {
+    for subject in all() {
         assert_eq!(stages(&flat, subject), (vec![Stage::Decode], skipped.clone(), vec![Note::NoContours]));
         assert_eq!(traced(&flat, subject), Trace { size: Size::new(60, 40), polylines: vec![] });
     }
@@ -267,27 +263,29 @@ fn only_what_is_needed_is_done() {
 #[test]
 fn limits_hold_at_full_resolution() {
     let fault = |picture: &[u8], limits| {
-        try_trace(picture, IN_FULL, None, limits, &mut |_| ()).map(|traced| traced.trace).expect_err("a fault")
+        try_trace(picture, Tracing::contours_at_full_resolution(), limits, &mut |_| ())
+            .map(|traced| traced.trace)
+            .expect_err("a fault")
     };
     let narrow = png(Size::new(300, 7), |x, _| x as u8);
     assert!(matches!(fault(&narrow, Limits::default()), Error::TooSmall { .. }));
     // Too narrow for a page, but not for its pixels.
     let stripe = png(Size::new(2000, 9), |x, _| if x < 1000 { 60 } else { 200 });
-    assert_eq!(traced(&stripe, IN_FULL).polylines.len(), 1);
-    assert!(try_trace(&stripe, AS_FOR_THE_PAGE, None, Limits::default(), &mut |_| ()).is_err());
+    assert_eq!(traced(&stripe, Tracing::contours_at_full_resolution()).polylines.len(), 1);
+    assert!(try_trace(&stripe, Tracing::contours(), Limits::default(), &mut |_| ()).is_err());
     let large = png(Size::new(1200, 1000), |x, _| x as u8);
     assert!(matches!(fault(&large, Limits { megapixels: 1, ..Limits::default() }), Error::TooManyPixels { .. }));
     // The page's working picture would fit.
     let limits = Limits { memory_mb: 25, ..Limits::default() };
     assert!(matches!(fault(&large, limits), Error::TooMuchMemory { .. }));
-    assert!(try_trace(&large, AS_FOR_THE_PAGE, None, limits, &mut |_| ()).is_ok());
+    assert!(try_trace(&large, Tracing::contours(), limits, &mut |_| ()).is_ok());
     assert!(matches!(fault(b"", Limits::default()), Error::Empty));
 }
 
 #[test]
 fn the_same_picture_gives_the_same_file() {
     let photo = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/coffee.png")).expect("a sample");
-    for subject in [IN_FULL, AS_FOR_THE_PAGE, Subject::Lines] {
+    for subject in all() {
         let once = json::write(&traced(&photo, subject));
         assert!(once == json::write(&traced(&photo, subject)), "{subject:?}");
         assert!(once.is_ascii() && once.ends_with("]}\n"));
@@ -297,7 +295,7 @@ fn the_same_picture_gives_the_same_file() {
 /// Another program's reader finds in the file what the trace holds, to the last digit that is promised.
 #[test]
 fn the_file_can_be_read() {
-    let trace = traced(&LARGE.png(), Subject::Lines);
+    let trace = traced(&LARGE.png(), Tracing::lines());
     let read: serde_json::Value = serde_json::from_str(&json::write(&trace)).expect("JSON");
     assert_eq!(read["image"], serde_json::json!([1601, 1003]));
     let polylines = read["polylines"].as_array().expect("a list");

@@ -14,6 +14,7 @@ use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
+use tactograph::Options;
 
 pub(super) use self::calibrate::Calibrate;
 pub(super) use self::embossing::Embossing;
@@ -98,7 +99,7 @@ Exit codes:
 
 #[derive(Debug, Parser)]
 #[command(name = "tactograph", version, about = ABOUT, long_about = LONG_ABOUT, after_help = AFTER_HELP)]
-#[command(arg_required_else_help = true, subcommand_required = true, disable_help_subcommand = true)]
+#[command(arg_required_else_help = true, subcommand_required = true)]
 #[command(max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
@@ -175,7 +176,7 @@ pub(super) struct Convert {
     ///
     /// [default: the picture's file name]
     #[arg(long, value_name = "TEXT", value_parser = words)]
-    pub(super) title: Option<String>,
+    title: Option<String>,
 
     /// What is on the page, in your words, for one picture
     ///
@@ -186,8 +187,12 @@ pub(super) struct Convert {
     alt: Option<String>,
 
     /// Language of --title and --alt, so that a screen reader speaks them well: de, fr-CA and the like
-    #[arg(long, value_name = "TAG", requires = "alt", default_value = tactograph::internals::page::LANGUAGE, value_parser = language)]
-    lang: String,
+    ///
+    /// The description that is made without --alt is in English.
+    ///
+    /// [default: en]
+    #[arg(long, value_name = "TAG", value_parser = language)]
+    lang: Option<String>,
 
     #[command(flatten)]
     pub(super) shared: Shared,
@@ -199,13 +204,26 @@ fn words(text: &str) -> Result<String, String> {
 }
 
 impl Convert {
-    /// `--alt` and its language.
-    pub(super) fn description(&self) -> Option<(&str, &str)> {
-        self.alt.as_deref().map(|alt| (alt, &*self.lang))
+    /// Puts words, crop, width and the like into the options of the library.
+    pub(super) fn add_to(&self, options: Options) -> Options {
+        let options = self.title.iter().fold(options, |options, title| options.title(title));
+        let options = self.alt.iter().fold(options, |options, alt| options.description(alt));
+        let options = self.lang.iter().fold(options, |options, lang| options.language(lang));
+        self.fitting.add_to(options)
+    }
+
+    /// Everything that is wrong with `--title`, `--alt` and `--lang`.
+    pub(super) fn faults_of_words(&self) -> Vec<String> {
+        let no_words = self.lang.is_some() && self.title.is_none() && self.alt.is_none();
+        let language = no_words.then(|| {
+            "--lang is the language of --title and --alt, and neither is given; give one, or leave --lang out"
+                .to_owned()
+        });
+        language.into_iter().chain(self.words_for_many()).collect()
     }
 
     /// What is wrong if one picture's words are given to several.
-    pub(super) fn words_for_many(&self) -> Option<String> {
+    fn words_for_many(&self) -> Option<String> {
         let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some())];
         let given = given.iter().filter(|(_, given)| *given && self.pictures.len() > 1).map(|(option, _)| *option);
         let given = given.collect::<Vec<_>>().join(" and ");

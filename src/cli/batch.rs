@@ -2,15 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use tactograph::internals::profile::Plan;
-use tactograph::internals::raster::decode::Limits;
-use tactograph::{Error, Note};
+use tactograph::{Error, Fonts, Note, Options, Profile};
 
 use super::args::Shared;
-use super::fonts::SystemFonts;
+use super::output::Existing;
 use super::places::{self, Job, Names, Target};
 use super::product::{Format, Product};
 use super::report::Report;
+use super::settings::Change;
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
 use super::{Exit, input, output, settings, sheets};
@@ -27,22 +26,12 @@ pub(super) struct Order<'a> {
     pub(super) out_dir: Option<&'a Path>,
     /// What was found wrong with the command line before.
     pub(super) faults: Vec<String>,
-    /// What the command's own options change in the profile, as `KEY=VALUE`; counts after everything else.
-    pub(super) changes: Vec<String>,
+    /// What the command's own options change in the profile; counts after everything else.
+    pub(super) changes: Vec<Change>,
     /// Everything else.
     pub(super) shared: &'a Shared,
     /// What does not go together with the profile.
-    pub(super) check: &'a dyn Fn(&Plan) -> Vec<String>,
-}
-
-/// What all pictures have in common.
-pub(super) struct Common {
-    /// `--profile` and `--set`.
-    pub(super) plan: Plan,
-    /// What a picture may cost.
-    pub(super) limits: Limits,
-    /// Letters for drawings.
-    pub(super) fonts: SystemFonts,
+    pub(super) check: &'a dyn Fn(&Profile) -> Vec<String>,
 }
 
 /// What was made of a picture, ready to be written.
@@ -67,41 +56,21 @@ struct Failure {
     what: String,
 }
 
-/// Calls `make` with the bytes and the title of every picture, writes what it gives, and tells what became of each, in
-/// their order.
-pub(super) fn run(
-    order: &Order<'_>,
-    make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error> + Sync,
-) -> Exit {
-    let &Order { product, pictures, output, out_dir, shared, check, .. } = order;
-    let (mut faults, changes) = (order.faults.clone(), &order.changes);
-    let changes = [&shared.changes()[..], changes].concat();
-    let report = Report::plain();
-    let names = Names { product, pictures, output, out_dir };
-    let plan = settings::plan(&shared.profile, &changes);
-    faults.extend(plan.iter().flat_map(check));
-    let (jobs, plan) = match (places::jobs(&names), plan) {
-        (Ok(jobs), Ok(plan)) if faults.is_empty() => (jobs, plan),
-        (jobs, plan) => {
-            faults.iter().for_each(|what| report.usage(what));
-            jobs.err().iter().flatten().for_each(|what| report.usage(what));
-            plan.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
-            return Exit::Usage;
-        }
+/// Calls `make` with the bytes of every picture and the options for it, writes what it gives, and tells what became of each,
+/// in their order.
+pub(super) fn run(order: &Order<'_>, make: impl Fn(&[u8], &Options, &Timings) -> Result<Made, Error> + Sync) -> Exit {
+    let (jobs, profile) = match accepted(order) {
+        Ok(accepted) => accepted,
+        Err(exit) => return exit,
     };
-    if let Some(dir) = out_dir
-        && let Err(error) = output::make_directory(dir)
-    {
-        report.error(&dir.display().to_string(), &format!("{error:#}"));
-        return Exit::Failed;
-    }
-    let common = Common { plan, limits: shared.limits(), fonts: SystemFonts::default() };
+    let &Order { product, shared, .. } = order;
+    let options = Options::new(profile).limits(shared.limits()).fonts(Fonts::system());
     let report = Report::of_pictures(jobs.len(), shared.quiet);
     let mut failed = 0;
     side_by_side::run(
         jobs.len(),
         side_by_side::workers(jobs.len()),
-        |index| work(product, &jobs[index], &common, &make),
+        |index| work(product, shared, &jobs[index], &options, &make),
         || report.advance(),
         |index, outcome| failed += usize::from(!tell(&jobs, index, outcome, shared.timings, &report)),
     );
@@ -112,34 +81,65 @@ pub(super) fn run(
     if failed == 0 { Exit::Done } else { Exit::Failed }
 }
 
+/// The jobs and the checked profile; the directory for the results is made. Otherwise everything that is wrong was told.
+fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
+    let &Order { product, pictures, output, out_dir, shared, check, .. } = order;
+    let report = Report::plain();
+    let changes = [&shared.changes()[..], &order.changes].concat();
+    let profile = settings::profile(&shared.profile, &changes);
+    let mut faults = order.faults.clone();
+    faults.extend(profile.iter().flat_map(check));
+    let accepted = match (places::jobs(&Names { product, pictures, output, out_dir }), profile) {
+        (Ok(jobs), Ok(profile)) if faults.is_empty() => (jobs, profile),
+        (jobs, profile) => {
+            faults.iter().for_each(|what| report.usage(what));
+            jobs.err().iter().flatten().for_each(|what| report.usage(what));
+            profile.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
+            return Err(Exit::Usage);
+        }
+    };
+    match out_dir.map(|dir| (dir, output::make_directory(dir))) {
+        Some((dir, Err(error))) => {
+            report.error(&dir.display().to_string(), &format!("{error:#}"));
+            Err(Exit::Failed)
+        }
+        Some((_, Ok(()))) | None => Ok(accepted),
+    }
+}
+
 /// One picture, from the file to the file.
 fn work(
     product: Product,
+    shared: &Shared,
     job: &Job,
-    common: &Common,
-    make: impl Fn(&[u8], &str, &Common, &mut Timings) -> Result<Made, Error>,
+    options: &Options,
+    make: impl Fn(&[u8], &Options, &Timings) -> Result<Made, Error>,
 ) -> Result<Done, Failure> {
-    let mut timings = Timings::start();
+    let timings = Timings::start();
     let about_picture = |what: String| Failure { file: places::picture_name(&job.picture), what };
     let about_target =
         |error: anyhow::Error| Failure { file: places::target_name(&job.target), what: format!("{error:#}") };
 
+    // Where both names are wrong, it is the picture's that was mistyped: the result's follows from it.
+    input::check(&job.picture).map_err(|error| about_picture(format!("{error:#}")))?;
+    let existing = Existing::of(&job.target, shared.force);
     if let Some(path) = job.target.path() {
-        output::check(path, product, matches!(job.target, Target::Derived(_))).map_err(about_target)?;
+        output::check(path, product, existing).map_err(about_target)?;
     }
-    let memory_mb = common.limits.memory_mb;
+    let memory_mb = shared.limits().memory_mb;
     let too_long = format!("the file is longer than the memory limit of {memory_mb} MB; raise it with --max-memory");
     let bytes = timings
         .step("read", || input::read(&job.picture, memory_mb.saturating_mul(1_000_000), &too_long))
         .map_err(|error| about_picture(format!("{error:#}")))?;
-    let Made { files, notes } =
-        make(&bytes, &title(job), common, &mut timings).map_err(|error| about_picture(explain(&error)))?;
-    let wrote = timings.step("write", || write(product, job, &files))?;
+    let told = timings.clone();
+    let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
+    let Made { files, notes } = make(&bytes, &options, &timings).map_err(|error| about_picture(explain(&error)))?;
+    let wrote = timings.step("write", || write(product, job, &files, existing))?;
     Ok(Done { wrote, notes, timings: timings.stop() })
 }
 
 /// Writes what was made of a picture: one file as it is called, several with numbers. Returns their names for a message.
-fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failure> {
+fn write(product: Product, job: &Job, files: &[Vec<u8>], existing: Existing) -> Result<String, Failure> {
     let about = |target: &Target, error: anyhow::Error| Failure {
         file: places::target_name(target),
         what: format!("{error:#}"),
@@ -147,7 +147,9 @@ fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failu
     let noun = product.noun();
     match (files, job.target.path()) {
         ([file], None) => output::to_stdout(file, noun).map_err(|error| about(&job.target, error))?,
-        ([file], Some(path)) => output::to_file(path, file, noun).map_err(|error| about(&job.target, error))?,
+        ([file], Some(path)) => output::check_bytes(path, product, existing, file)
+            .and_then(|()| output::to_file(path, file, noun))
+            .map_err(|error| about(&job.target, error))?,
         (files, None) => {
             let instead = match product {
                 Product::Page(Format::Dots(_)) => "name a file, or add --no-overview",
@@ -159,9 +161,13 @@ fn write(product: Product, job: &Job, files: &[Vec<u8>]) -> Result<String, Failu
         (files, Some(path)) => {
             let targets: Vec<_> =
                 (1..=files.len()).map(|number| Target::Derived(sheets::numbered(path, number))).collect();
-            for target in &targets {
+            // The names with numbers are made up, also where the one without was given.
+            let existing = if existing == Existing::Forced { existing } else { Existing::KeepOthers };
+            for (target, file) in targets.iter().zip(files) {
                 let path = target.path().unwrap_or(path);
-                output::check(path, product, true).map_err(|error| about(target, error))?;
+                output::check(path, product, existing)
+                    .and_then(|()| output::check_bytes(path, product, existing, file))
+                    .map_err(|error| about(target, error))?;
             }
             for (target, file) in targets.iter().zip(files) {
                 let path = target.path().unwrap_or(path);
@@ -180,12 +186,16 @@ fn explain(error: &Error) -> String {
         Error::TooManyPixels { .. } => format!("{error} with --max-megapixels"),
         Error::TooMuchMemory { .. } => format!("{error} with --max-memory"),
         Error::TooFine { .. } => format!("{error} with --dpi"),
+        Error::TooWide { wanted, most, without_overview: Some(without) } => format!(
+            "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, or {without:.1} mm \
+             with --no-overview, so take one of these or a larger sheet"
+        ),
         _ => error.to_string(),
     }
 }
 
 /// A picture is called as its file is.
-fn title(job: &Job) -> String {
+fn name_of(job: &Job) -> String {
     let name = if places::is_std(&job.picture) { None } else { job.picture.file_name() };
     name.map_or_else(|| "picture".into(), |name| name.to_string_lossy().into_owned())
 }

@@ -1,10 +1,9 @@
 //! `tactograph calibrate`: a profile in, sheets of samples out.
 
-use tactograph::internals::calibration;
-
 use super::args::Calibrate;
 use super::product::{Format, Product};
 use super::report::Report;
+use super::settings::Change;
 use super::{Exit, places, settings, sheets};
 
 /// Makes the sheets and tells what is on them.
@@ -23,23 +22,24 @@ pub(super) fn run(args: &Calibrate) -> Exit {
     };
     faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
     faults.iter().for_each(|what| report.usage(what));
-    let (plan, format) = match (settings::plan(&args.profile, &args.set), drawing) {
-        (Ok(plan), Some(format)) if faults.is_empty() => (plan, format),
-        (plan, _) => {
-            plan.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
+    let changes: Vec<Change> = args.set.iter().map(|set| Change::set(set)).collect();
+    let (profile, format) = match (settings::profile(&args.profile, &changes), drawing) {
+        (Ok(profile), Some(format)) if faults.is_empty() => (profile, format),
+        (profile, _) => {
+            profile.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
             return Exit::Usage;
         }
     };
-    let pages = match calibration::sheets(&plan) {
-        Ok(pages) => pages,
+    let calibration = match tactograph::calibrate(&profile) {
+        Ok(calibration) => calibration,
         Err(error) => {
             report.error(&args.profile, &error.to_string());
             return Exit::Failed;
         }
     };
-    match sheets::write(&calibration::title(&plan), &pages, (format, chosen), &args.output) {
+    match sheets::write(&calibration, (format, chosen), &args.output, args.force) {
         Ok(names) => {
-            pages.iter().for_each(|page| report.done(&page.description));
+            calibration.pages.iter().for_each(|page| report.done(&page.description));
             names.iter().for_each(|name| report.done(&format!("wrote {name}")));
             Exit::Done
         }

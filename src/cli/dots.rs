@@ -1,8 +1,8 @@
 //! Which format of dots goes with which profile.
 
-use tactograph::internals::output::{DotFormat, Embossing as Numbers, Format};
 use tactograph::internals::page::MediumParams;
 use tactograph::internals::profile::Plan;
+use tactograph::{DotFormat, Embossing as Numbers, Format};
 
 use super::args::Embossing;
 

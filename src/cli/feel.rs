@@ -1,7 +1,5 @@
 //! `tactograph feel`: a page in, what a fingertip feels of it out.
 
-use tactograph::internals::touch::{self, Ink, Report as Felt};
-
 use super::args::Feel;
 use super::report::Report;
 use super::{Exit, input, output, places};
@@ -50,13 +48,7 @@ pub(super) fn run(args: &Feel) -> Exit {
 fn feel(args: &Feel) -> anyhow::Result<(String, Option<Vec<u8>>)> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| touch::Error::NotSvg("it is not text in UTF-8, but perhaps a picture".to_owned()))?;
-    let ink = Ink::of(&text)?;
-    let felt = ink.felt(args.finger)?;
-    let map = match &args.output {
-        None => None,
-        Some(_) => Some(touch::map::png(&ink, &felt).ok_or_else(|| anyhow::anyhow!("there is no memory for the map"))?),
-    };
-    Ok((Felt::of(&ink, &felt).to_string(), map))
+    let felt = tactograph::feel(bytes, args.finger)?;
+    let map = args.output.as_ref().map(|_| felt.to_png()).transpose()?;
+    Ok((felt.report().to_string(), map))
 }

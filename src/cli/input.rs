@@ -29,6 +29,21 @@ pub(super) fn read(path: &Path, most_bytes: u64, too_long: &str) -> anyhow::Resu
     Ok(bytes)
 }
 
+/// Looks whether there is a file at `path` that can be read, or that standard input is meant.
+///
+/// # Errors
+/// As [`read`], for what can be known before reading.
+pub(super) fn check(path: &Path) -> anyhow::Result<()> {
+    if super::places::is_std(path) {
+        return Ok(());
+    }
+    let found = std::fs::metadata(path).map_err(|error| explain(&error))?;
+    if found.is_dir() {
+        return Err(explain(&ErrorKind::IsADirectory.into()));
+    }
+    Ok(())
+}
+
 /// Reads one byte more than allowed, to tell "just fits" from "too long".
 fn limited(from: &mut dyn Read, bytes: &mut Vec<u8>, most_bytes: u64) -> io::Result<usize> {
     from.take(most_bytes.saturating_add(1)).read_to_end(bytes)

@@ -6,7 +6,6 @@ mod calibrate;
 mod convert;
 mod dots;
 mod feel;
-mod fonts;
 mod input;
 mod output;
 mod places;

@@ -6,7 +6,31 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{anyhow, bail};
 
+use super::places::Target;
 use super::product::Product;
+
+/// What becomes of a file that is there already.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Existing {
+    /// It is replaced only if it is as this program wrote it: a name that the user did not give must not cost them a drawing,
+    /// nor the work they put into a page.
+    KeepOthers,
+    /// It is replaced, for the user named it.
+    Named,
+    /// It is replaced, whoever wrote it, because of `--force`.
+    Forced,
+}
+
+impl Existing {
+    /// What `--force` and the name of a result say together.
+    pub(super) fn of(target: &Target, force: bool) -> Self {
+        match target {
+            _ if force => Self::Forced,
+            Target::Derived(_) => Self::KeepOthers,
+            Target::Stdout | Target::Named(_) => Self::Named,
+        }
+    }
+}
 
 /// Most symbolic links followed from a name to its file, as many as Linux allows.
 const MOST_LINKS: usize = 40;
@@ -25,25 +49,22 @@ pub(super) fn to_stdout(bytes: &[u8], noun: &str) -> anyhow::Result<()> {
 
 /// Looks for what would keep a result from being written to `path`, so that it is told before the work and not after.
 ///
-/// With `keep_others`, a file that is there already must be one as this program wrote it (or empty): a name that the
-/// user did not give must not cost them a drawing, nor the work they put into a page.
+/// A file to be kept unless it is as this program wrote it may also be empty. Formats that cannot tell who wrote a file are
+/// for [`check_bytes`].
 ///
 /// # Errors
 /// In plain words, without the path.
-pub(super) fn check(path: &Path, product: Product, keep_others: bool) -> anyhow::Result<()> {
+pub(super) fn check(path: &Path, product: Product, existing: Existing) -> anyhow::Result<()> {
     let noun = product.noun();
     let path = follow(path, noun)?;
     match fs::metadata(&path) {
         Ok(found) => {
             refuse(&found, noun)?;
-            if keep_others && found.is_file() && found.len() > 0 && !is_own(&path, product)? {
-                if product.has_no_seal() {
-                    bail!(
-                        "this file exists, and files of this format cannot tell whether somebody has changed them; name the {noun} with -o, or move that file away"
-                    );
-                }
+            let kept = existing == Existing::KeepOthers && !product.has_no_seal() && found.is_file() && found.len() > 0;
+            if kept && !is_own(&path, product)? {
                 bail!(
-                    "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, or move that file away"
+                    "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, move that \
+                     file away, or replace it with --force"
                 );
             }
         }
@@ -51,6 +72,30 @@ pub(super) fn check(path: &Path, product: Product, keep_others: bool) -> anyhow:
             fs::metadata(directory(&path)).map_err(|error| explain(&error, noun))?;
         }
         Err(error) => return Err(explain(&error, noun)),
+    }
+    Ok(())
+}
+
+/// Of formats in which a file cannot tell who wrote it, one that is to be kept may hold nothing but the very `bytes` that are
+/// to be written, as when a command is given twice.
+///
+/// # Errors
+/// In plain words, without the path.
+pub(super) fn check_bytes(path: &Path, product: Product, existing: Existing, bytes: &[u8]) -> anyhow::Result<()> {
+    if existing != Existing::KeepOthers || !product.has_no_seal() {
+        return Ok(());
+    }
+    let noun = product.noun();
+    let path = follow(path, noun)?;
+    let Some(found) = fs::metadata(&path).ok().filter(|found| found.is_file() && found.len() > 0) else {
+        return Ok(());
+    };
+    let same = found.len() == bytes.len() as u64 && fs::read(&path).map_err(|error| explain(&error, noun))? == bytes;
+    if !same {
+        bail!(
+            "this file exists and is another one, and files of this format cannot tell whether somebody has changed them; name \
+             the {noun} with -o, move that file away, or replace it with --force"
+        );
     }
     Ok(())
 }

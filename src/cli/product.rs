@@ -1,6 +1,6 @@
 //! What a command makes, in words and file names.
 
-pub(super) use tactograph::internals::output::{DotFormat, DrawingFormat, Format};
+pub(super) use tactograph::{DotFormat, DrawingFormat, Format};
 
 use tactograph::internals::output::dots::{gcode, pef};
 use tactograph::internals::output::{json, pdf, png, svg};

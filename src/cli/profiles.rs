@@ -1,6 +1,6 @@
 //! `tactograph profiles`: which there are, and what is in them.
 
-use tactograph::internals::profile::{BuiltIn, Profile, built_in, manual};
+use tactograph::{BuiltIn, Profile, built_in};
 
 use super::Exit;
 use super::output;
@@ -23,7 +23,7 @@ fn listing(profiles: &[BuiltIn]) -> String {
 
 /// Prints what there is to know of every key on standard output, as Markdown.
 pub(super) fn keys(report: &Report) -> Exit {
-    print(&manual::write(), report)
+    print(&Profile::manual(), report)
 }
 
 /// Prints a built-in profile on standard output as it was written, comments and all, with the range of every key.

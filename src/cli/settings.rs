@@ -1,26 +1,54 @@
-//! `--profile` and `--set` become a checked plan, or the list of everything that is wrong with them.
+//! `--profile`, `--set` and what is short for it become a checked profile, or the list of everything that is wrong with them.
 
 use std::path::Path;
 
-use tactograph::internals::profile::{Fault, Plan, Profile, built_in};
+use tactograph::{Fault, Profile, built_in};
 
 use super::input;
 
 /// Largest profile read. The built-in ones have some kilobytes; a picture given by mistake is told at once.
 const MOST_PROFILE_BYTES: u64 = 1 << 20;
 
-/// The plan for `--profile` and all `--set`.
+/// One value of the profile that the command line changes.
+#[derive(Debug, Clone)]
+pub(super) struct Change {
+    /// The option as it was typed, such as `--detail 0.2`.
+    option: String,
+    /// `KEY=VALUE`.
+    set: String,
+}
+
+impl Change {
+    /// `--set KEY=VALUE`.
+    pub(super) fn set(set: &str) -> Self {
+        Self { option: format!("--set {set}"), set: set.to_owned() }
+    }
+
+    /// An option that is short for `--set KEY=VALUE`.
+    pub(super) fn short(option: &str, set: &str) -> Self {
+        Self { option: option.to_owned(), set: set.to_owned() }
+    }
+
+    /// The fault with the option that was typed in place of what it is short for.
+    fn named(&self, fault: Fault) -> Fault {
+        let long = format!("--set {}", self.set);
+        let named = |text: String| if long == self.option { text } else { text.replace(&long, &self.option) };
+        Fault { place: named(fault.place), what: named(fault.what) }
+    }
+}
+
+/// The checked profile for `--profile` and all changes.
 ///
 /// # Errors
-/// Every fault at once: those of the profile, of each `--set` and of the values taken together.
-pub(super) fn plan(profile: &str, sets: &[String]) -> Result<Plan, Vec<Fault>> {
+/// Every fault at once: those of the profile, of each change and of the values taken together.
+pub(super) fn profile(profile: &str, changes: &[Change]) -> Result<Profile, Vec<Fault>> {
     let (mut profile, mut faults) = match load(profile) {
         Ok(profile) => (Some(profile), Vec::new()),
         Err(faults) => (None, faults),
     };
-    // With a profile that cannot be read, the keys of --set can still be looked at, in the default one.
+    // With a profile that cannot be read, the changes can still be looked at, in the default one.
     let mut stand_in = None;
-    for set in sets {
+    for change in changes {
         let target = match &mut profile {
             Some(profile) => profile,
             None => match Profile::named(built_in()[0].name) {
@@ -31,16 +59,13 @@ pub(super) fn plan(profile: &str, sets: &[String]) -> Result<Plan, Vec<Fault>> {
                 }
             },
         };
-        faults.extend(apply(target, set).err());
+        faults.extend(apply(target, &change.set).err());
     }
-    let plan = profile.map(|profile| Plan::new(&profile));
-    match plan {
-        Some(Ok(plan)) if faults.is_empty() => Ok(plan),
-        Some(Err(more)) => {
-            faults.extend(more);
-            Err(faults)
-        }
-        _ => Err(faults),
+    faults.extend(profile.iter().flat_map(Profile::check));
+    let named = |fault| changes.iter().fold(fault, |fault, change| change.named(fault));
+    match profile {
+        Some(profile) if faults.is_empty() => Ok(profile),
+        _ => Err(faults.into_iter().map(named).collect()),
     }
 }
 

@@ -3,10 +3,10 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use tactograph::Page;
-use tactograph::internals::output::pdf;
+use tactograph::{Calibration, Page, write_pdf};
 
 use super::args::Chosen;
+use super::output::Existing;
 use super::product::{DrawingFormat, Format, Product};
 use super::{convert, output, places};
 
@@ -19,24 +19,29 @@ struct File {
     bytes: Vec<u8>,
 }
 
-/// Writes pages that are called `title` together to the file that the user named, or to as many files as the format takes. Returns the names.
+/// Writes calibration sheets to the file that the user named, or to as many files as the format takes. Returns the names.
 ///
 /// # Errors
 /// What is in the way, with the file that it is about. All files are looked at before the first is written.
 pub(super) fn write(
-    title: &str,
-    pages: &[Page],
+    calibration: &Calibration,
     (format, chosen): (DrawingFormat, Chosen),
     to: &Path,
+    force: bool,
 ) -> Result<Vec<String>, (String, String)> {
     let product = Product::Page(Format::Drawing(format));
-    let files = files(title, pages, (format, chosen), to)?;
+    let files = files(&calibration.title, &calibration.pages, (format, chosen), to)?;
     let name =
         |file: &File| file.path.as_ref().map_or_else(|| "standard output".into(), |path| path.display().to_string());
     let about = |file: &File, error: anyhow::Error| (name(file), format!("{error:#}"));
     for file in &files {
         if let Some(path) = &file.path {
-            output::check(path, product, file.made_up).map_err(|error| about(file, error))?;
+            let existing = match (force, file.made_up) {
+                (true, _) => Existing::Forced,
+                (false, true) => Existing::KeepOthers,
+                (false, false) => Existing::Named,
+            };
+            output::check(path, product, existing).map_err(|error| about(file, error))?;
         }
     }
     for file in &files {
@@ -60,7 +65,7 @@ fn files(
     let bytes =
         |page| convert::write(page, format, chosen).map_err(|error| (to.display().to_string(), error.to_string()));
     match (pages, &path) {
-        (_, _) if format == DrawingFormat::Pdf => Ok(one(pdf::write(title, pages))),
+        (_, _) if format == DrawingFormat::Pdf => Ok(one(write_pdf(title, pages))),
         ([page], _) => Ok(one(bytes(page)?)),
         (_, None) => {
             let what = format!(

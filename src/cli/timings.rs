@@ -1,8 +1,9 @@
 //! How long each stage took, for `--timings`.
 
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use tactograph::internals::pipeline::{Event, Stage};
+use tactograph::{Event, Stage};
 
 /// A row of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,9 +12,12 @@ enum Row {
     Skipped(&'static str),
 }
 
-/// A stopwatch for one picture.
+/// A stopwatch for one picture. Clones are the same stopwatch.
+#[derive(Debug, Clone)]
+pub(super) struct Timings(Arc<Mutex<Clock>>);
+
 #[derive(Debug)]
-pub(super) struct Timings {
+struct Clock {
     start: Instant,
     begun: Vec<(Stage, Instant)>,
     /// Of a stage with its place among the others.
@@ -29,19 +33,35 @@ pub(super) struct Stopped(Vec<(&'static str, Row, bool)>);
 impl Timings {
     /// Starts the clock.
     pub(super) fn start() -> Self {
-        Self { start: Instant::now(), begun: Vec::new(), rows: Vec::new(), beside: Vec::new() }
+        let clock = Clock { start: Instant::now(), begun: Vec::new(), rows: Vec::new(), beside: Vec::new() };
+        Self(Arc::new(Mutex::new(clock)))
     }
 
     /// Takes the time of a step outside the pipeline.
-    pub(super) fn step<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
+    pub(super) fn step<T>(&self, name: &'static str, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let done = work();
-        self.add(name, None, start.elapsed());
+        self.with(|clock| clock.add(name, None, start.elapsed()));
         done
     }
 
-    /// Hears the pipeline.
-    pub(super) fn watch(&mut self, event: Event) {
+    /// Hears the pipeline, from whichever thread a stage runs on.
+    pub(super) fn watch(&self, event: Event) {
+        self.with(|clock| clock.watch(event));
+    }
+
+    /// Stops the clock.
+    pub(super) fn stop(&self) -> Stopped {
+        self.with(Clock::stop)
+    }
+
+    fn with<T>(&self, work: impl FnOnce(&mut Clock) -> T) -> T {
+        work(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl Clock {
+    fn watch(&mut self, event: Event) {
         match event {
             Event::Begin(stage) => {
                 if !self.begun.is_empty() {
@@ -77,11 +97,11 @@ impl Timings {
         self.rows.insert(place, (name, stage, row));
     }
 
-    /// Stops the clock.
-    pub(super) fn stop(mut self) -> Stopped {
+    fn stop(&mut self) -> Stopped {
         self.rows.push(("total", None, Row::Took(self.start.elapsed())));
         let is_beside = |stage| self.beside.contains(&stage);
-        Stopped(self.rows.into_iter().map(|(name, stage, row)| (name, row, stage.is_some_and(is_beside))).collect())
+        let rows = self.rows.iter().map(|&(name, stage, row)| (name, row, stage.is_some_and(is_beside)));
+        Stopped(rows.collect())
     }
 }
 
@@ -106,7 +126,7 @@ mod tests {
 
     #[test]
     fn the_table_lists_stages_in_order_with_skips_and_a_total() {
-        let mut timings = Timings::start();
+        let timings = Timings::start();
         timings.step("read", || ());
         timings.watch(Event::Begin(Stage::Lines));
         timings.watch(Event::Begin(Stage::Overview)); // beside another

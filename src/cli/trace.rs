@@ -1,8 +1,5 @@
 //! `tactograph trace`: pictures in, contours as data out.
 
-use tactograph::internals::output::json;
-use tactograph::internals::pipeline::trace::{Request, trace};
-
 use super::Exit;
 use super::args::Trace;
 use super::batch::{self, Made, Order};
@@ -11,8 +8,8 @@ use super::report::Report;
 
 /// Traces all pictures and tells what became of each, in their order.
 pub(super) fn run(args: &Trace) -> Exit {
-    let subject = match args.subject() {
-        Ok(subject) => subject,
+    let tracing = match args.tracing() {
+        Ok(tracing) => tracing,
         Err(what) => {
             Report::plain().usage(what);
             return Exit::Usage;
@@ -28,12 +25,9 @@ pub(super) fn run(args: &Trace) -> Exit {
         shared: &args.shared,
         check: &|_| Vec::new(),
     };
-    batch::run(&order, |picture, _, common, timings| {
-        let fonts = || common.fonts.get();
-        let request =
-            Request { subject, thresholds: args.threshold, plan: &common.plan, limits: common.limits, fonts: &fonts };
-        let traced = trace(picture, &request, &mut |event| timings.watch(event))?;
-        let text = timings.step("write", || json::write(&traced.trace));
+    batch::run(&order, |picture, options, timings| {
+        let traced = tactograph::trace(picture, &tracing, options)?;
+        let text = timings.step("write", || traced.trace.to_json());
         Ok(Made { files: vec![text.into_bytes()], notes: traced.notes })
     })
 }

@@ -146,16 +146,18 @@ impl Page {
         Ok(Self { parts })
     }
 
-    /// The same page with words of its maker's: a title, and a description with its language (BCP 47, such as `en`). What is
-    /// not given stays.
+    /// The same page with words of its maker's: a title, a description, and the language of both (BCP 47, such as `en`). What
+    /// is not given stays.
     #[must_use]
-    pub fn called(mut self, title: Option<&str>, description: Option<(&str, &str)>) -> Self {
-        if let Some(title) = title {
-            self.parts.title = title.to_owned();
-        }
-        if let Some((description, language)) = description {
-            (self.parts.description, self.parts.language) = (description.to_owned(), language.to_owned());
-        }
+    pub fn called(mut self, title: Option<&str>, description: Option<&str>, language: Option<&str>) -> Self {
+        let put = |place: &mut String, words: Option<&str>| {
+            if let Some(words) = words {
+                words.clone_into(place);
+            }
+        };
+        put(&mut self.parts.title, title);
+        put(&mut self.parts.description, description);
+        put(&mut self.parts.language, language);
         self
     }
 

@@ -31,7 +31,13 @@ impl Fit {
         let layout = layout::fit(aspect, self.width.unwrap_or(f32::MAX), &plan.layout());
         let most = layout.figure.width();
         match self.width {
-            Some(wanted) if wanted > most + SLACK => Err(Error::TooWide { wanted, most }),
+            Some(wanted) if wanted > most + SLACK => {
+                let params = layout::Params { overview: None, ..plan.layout() };
+                let without = layout::fit(aspect, wanted, &params).figure.width();
+                let without_overview =
+                    (wanted <= without + SLACK).then(|| layout::fit(aspect, f32::MAX, &params).figure.width());
+                Err(Error::TooWide { wanted, most, without_overview })
+            }
             _ => Ok(layout),
         }
     }

@@ -4,6 +4,7 @@ use super::{Marks, Request, Stage, Watch, draw, finished, origin, run, too_black
 use crate::page::layout::{self, Layout};
 use crate::page::spread::{self, Cut, Grid, Spread};
 use crate::page::{self, Dots, Figure, Line, Medium, MediumParams, Page, Parts, Print, frame};
+use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 
@@ -22,8 +23,8 @@ pub struct Sheets {
 ///
 /// # Errors
 /// When the picture cannot be read or drawn, the sheets have no room for it, or the page is one of dots; see [`Error`].
-pub fn convert(
-    picture: &[u8],
+pub fn convert<'p>(
+    picture: impl Into<Picture<'p>>,
     grid: Option<Grid>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
@@ -34,7 +35,7 @@ pub fn convert(
     };
     let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
     let Marks { figure, overview, shares, is_flat, mut notes, .. } =
-        draw(picture, request, &|size| places(size, grid(size)?, print, request), watch)?;
+        draw(picture.into(), request, &|size| places(size, grid(size)?, print, request), watch)?;
     let grid = grid(figure.source)?;
     let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, (grid, print), request))?;
     if pages.iter().all(Page::is_empty) {
@@ -79,7 +80,7 @@ fn spread_of(size: Size, grid: Grid, request: &Request<'_>) -> Result<Spread, Er
     match request.fit.width {
         None => Ok(largest),
         Some(wanted) if wanted > largest.figure.width() + super::fit::SLACK => {
-            Err(Error::TooWide { wanted, most: largest.figure.width() })
+            Err(Error::TooWide { wanted, most: largest.figure.width(), without_overview: None })
         }
         Some(wanted) => fit(wanted).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() }),
     }

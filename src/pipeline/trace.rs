@@ -1,15 +1,19 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::{Event, Fit, Stage, Watch, crowded, draw_lines, enough_pixels, run, working_size};
+use super::{Event, Fit, Request, Stage, Watch, crowded, draw_lines, enough_pixels, run, working_size};
 use crate::contours::Trace;
-use crate::edges;
+use crate::edges::{self, Edges};
 use crate::frame::Frame;
+use crate::page::layout::Layout;
+use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::decode::{self, Fonts, Limits, Options, Source};
+use crate::raster::Raster;
+use crate::raster::decode::{self, Options, Source};
 use crate::{Error, Note};
 
 /// Contours and what should be known of them.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Traced {
     /// The contours.
     pub trace: Trace,
@@ -17,21 +21,47 @@ pub struct Traced {
     pub notes: Vec<Note>,
 }
 
-/// What is traced.
+/// What [`trace`](crate::trace) looks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+pub struct Tracing {
+    subject: Subject,
+    thresholds: Option<Thresholds>,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Subject {
-    /// The contours as they are found: thinned, linked and chosen by strength, before any rule of touch.
-    Edges {
-        /// Whether to look at the source's own pixels with [`edges::Params::default`]. If not, the picture is worked on as
-        /// for the page.
-        full_resolution: bool,
-    },
-    /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a page is
-    /// drawn from what the profile works on, and lines drawn from anything else would be on no page.
+enum Subject {
+    Contours,
+    ContoursAtFullResolution,
     Lines,
 }
 
-/// Which contours are strong enough (see [`crate::edges`] for the unit).
+impl Tracing {
+    /// The contours as they are found for the page, before any rule of touch: thinned, linked and chosen by strength.
+    pub fn contours() -> Self {
+        Self { subject: Subject::Contours, thresholds: None }
+    }
+
+    /// The contours in the picture's own pixels, whatever the size of the page. The profile has no say in how they are found.
+    pub fn contours_at_full_resolution() -> Self {
+        Self { subject: Subject::ContoursAtFullResolution, thresholds: None }
+    }
+
+    /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a page is
+    /// drawn from what the profile works on, and lines drawn from anything else would be on no page.
+    pub fn lines() -> Self {
+        Self { subject: Subject::Lines, thresholds: None }
+    }
+
+    /// Which contours are strong enough. Default: `edges.low` and `edges.high` of the profile; at full resolution 3.5 and 5.
+    /// Widths of lines stay as the profile has them.
+    pub fn thresholds(self, thresholds: Thresholds) -> Self {
+        Self { thresholds: Some(thresholds), ..self }
+    }
+}
+
+/// Which contours are strong enough. Strength is the height of the colour step, in units of lightness with the colour axes of
+/// CIELAB counted twice: black against white is 100.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thresholds {
     low: f32,
@@ -40,55 +70,26 @@ pub struct Thresholds {
 
 impl Thresholds {
     /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere. With
-    /// 0 and 0 everything is kept that is long enough ([`edges::Params::min_length`]). None unless 0 <= `low` <= `high` and
+    /// 0 and 0 everything is kept that is long enough (at full resolution 6 pixels). None unless 0 <= `low` <= `high` and
     /// both are finite.
     pub fn new(low: f32, high: f32) -> Option<Self> {
         (0.0 <= low && low <= high && high.is_finite()).then_some(Self { low, high })
     }
 }
 
-/// Everything beside the picture's bytes.
-pub struct Request<'a> {
-    /// What is traced.
-    pub subject: Subject,
-    /// Which contours are strong enough; without it the parameters of the subject say so. Widths of lines stay as the plan
-    /// has them.
-    pub thresholds: Option<Thresholds>,
-    /// The checked profile.
-    pub plan: &'a Plan,
-    /// What decoding may cost.
-    pub limits: Limits,
-    /// Fonts for drawings; asked only when a drawing has text.
-    pub fonts: &'a Fonts<'a>,
-}
-
-/// Traces the contours of a picture. `watch` is told of every stage.
-///
-/// ```no_run
-/// use std::sync::Arc;
-/// use tactograph::internals::pipeline::trace::{Request, Subject, Thresholds};
-/// use tactograph::internals::profile::{Plan, Profile};
-///
-/// let picture = std::fs::read("samples/coffee.png")?;
-/// let plan = Plan::new(&Profile::named("swell-a4").expect("built in")).expect("built-in profiles make sense");
-/// let fonts = || Arc::new(usvg::fontdb::Database::new());
-/// let subject = Subject::Edges { full_resolution: true };
-/// let thresholds = Thresholds::new(5.0, 20.0);
-/// let request = Request { subject, thresholds, plan: &plan, limits: Default::default(), fonts: &fonts };
-/// let traced = tactograph::trace(&picture, &request, &mut |_event| ())?;
-/// for contour in traced.trace.polylines.iter().filter(|contour| contour.closed) {
-///     println!("a ring of {} points", contour.points.len());
-/// }
-/// std::fs::write("coffee.json", tactograph::internals::output::json::write(&traced.trace))?;
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// Traces the contours of a picture, or of the part that [`Request::fit`] names. `watch` is told of every stage.
 ///
 /// # Errors
 /// When the picture cannot be read or is too small; see [`Error`].
-pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Traced, Error> {
-    let &Request { subject, thresholds, plan, limits, fonts } = request;
-    let in_full = matches!(subject, Subject::Edges { full_resolution: true });
-    let fit = Fit::default();
+pub fn trace<'p>(
+    picture: impl Into<Picture<'p>>,
+    tracing: &Tracing,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Traced, Error> {
+    let plan = request.plan;
+    let in_full = tracing.subject == Subject::ContoursAtFullResolution;
+    let fit = Fit { mirrored: false, ..request.fit };
     let working_size = |source: Source| {
         if in_full {
             enough_pixels(source.size).map(|()| source.size)
@@ -96,27 +97,17 @@ pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Re
             working_size(source, &|size| fit.layout(size, plan), &fit, plan)
         }
     };
-    let options = Options { limits, fonts, crop: None, working_size: &working_size };
-    let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
+    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
+    let picture = run(watch, Stage::Decode, || decode::decode_picture(picture.into(), &options))?;
     let (raster, source, mut notes) = (picture.raster, picture.source.size, picture.notes);
 
     let layout = fit.layout(source, plan)?;
-    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
-    let mut params = if in_full { edges::Params::default() } else { plan.edges(px_per_mm) };
-    if let Some(Thresholds { low, high }) = thresholds {
-        (params.low, params.high) = (low, high);
-    }
-    let edges = if raster.is_flat() {
-        watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
-        None
-    } else {
-        Some(run(watch, Stage::Edges, || edges::find(&raster, &params)))
-    };
+    let edges = find_edges(&raster, tracing, &layout, plan, watch);
     drop(raster);
-    let trace = match (&edges, subject) {
-        (None, _) => Trace { size: source, polylines: Vec::new() },
-        (Some(edges), Subject::Edges { .. }) => Trace::of_edges(edges, source),
-        (Some(edges), Subject::Lines) => {
+    let trace = match &edges {
+        None => Trace { size: source, polylines: Vec::new() },
+        Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),
+        Some(edges) => {
             let drawn = draw_lines(Some(edges), &layout, plan, watch);
             notes.extend(crowded(&drawn));
             let frame = Frame::new(edges.size, layout.figure);
@@ -130,4 +121,27 @@ pub fn trace(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Re
         notes.push(Note::NoContours);
     }
     Ok(Traced { trace, notes })
+}
+
+/// The contours that are asked for; none in a picture of one colour.
+fn find_edges(
+    raster: &Raster,
+    tracing: &Tracing,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Option<Edges> {
+    if raster.is_flat() {
+        watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
+        return None;
+    }
+    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+    let mut params = match tracing.subject {
+        Subject::ContoursAtFullResolution => edges::Params::default(),
+        Subject::Contours | Subject::Lines => plan.edges(px_per_mm),
+    };
+    if let Some(Thresholds { low, high }) = tracing.thresholds {
+        (params.low, params.high) = (low, high);
+    }
+    Some(run(watch, Stage::Edges, || edges::find(raster, &params)))
 }

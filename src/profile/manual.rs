@@ -32,7 +32,14 @@ const FOOT: &str = "\
 <!-- Made by `tactograph profiles keys`. Change the table in src/profile/keys.rs or profiles/swell-a4.toml, not this page. -->
 ";
 
-/// The page, as Markdown: for every key its unit, range, default, meaning and the reason of its default.
+impl Profile {
+    /// A page to read, as Markdown: for every key its unit, range, default, meaning and the reason of its default.
+    pub fn manual() -> String {
+        write()
+    }
+}
+
+/// The page, as Markdown.
 pub fn write() -> String {
     let default = &built_in()[0];
     let reasons = reasons(default.text);

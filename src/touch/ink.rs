@@ -42,6 +42,11 @@ pub enum Error {
     /// The text is no SVG that can be drawn.
     #[error("this is not an SVG page that can be read: {0}; give a page that tactograph made")]
     NotSvg(String),
+    /// The bytes are plainly something else than SVG.
+    #[error(
+        "this is {0}, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"
+    )]
+    OtherFormat(&'static str),
     /// None of the ids of a page is there.
     #[error(
         "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \

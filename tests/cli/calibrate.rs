@@ -37,7 +37,7 @@ fn drawings_and_pictures_have_numbers_and_cost_nobody_theirs() {
     // A name that the user did not give must not cost them a drawing; nothing else is written then.
     place.put("d-2.svg", DRAWING.as_bytes());
     let first = place.text("d-1.svg");
-    let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, or move that file away";
+    let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, move that file away, or replace it with --force";
     place.refuses(&["calibrate", "-o", "d.svg"], 1, &[&format!("d-2.svg: {kept}")]);
     assert_eq!((place.text("d-2.svg"), place.text("d-1.svg")), (DRAWING.to_string(), first));
 }

@@ -66,7 +66,7 @@ fn what_cannot_be_felt_is_refused_in_one_line() {
     place.refuses(
         &["feel", "photo.svg"],
         1,
-        &["photo.svg: this is not an SVG page that can be read: it is not text in UTF-8, but perhaps a picture; give a page that tactograph made"],
+        &["photo.svg: this is a JPEG picture, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"],
     );
     let see = "see tactograph feel --help";
     place.refuses(&["feel"], 2, &[&format!("name a page to feel; {see}")]);

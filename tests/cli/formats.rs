@@ -57,7 +57,7 @@ fn a_page_in_any_format_that_somebody_changed_is_kept() {
         let edited = [&page[..], b"\n% a note"].concat();
         for theirs in [&edited[..], b"%PDF-1.4 something else", &picture()] {
             place.put(&name, theirs);
-            let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, or move that file away";
+            let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, move that file away, or replace it with --force";
             place.refuses(&args, 1, &[&format!("{name}: {kept}")]);
             assert!(fs::read(place.path(&name)).expect("theirs") == theirs);
         }
@@ -90,8 +90,8 @@ fn what_does_not_go_together_is_told_at_once() {
         let line = format!("invalid value '{value}' for '{option} <{unit}>': {what}; {see}");
         place.refuses(&["convert", "a.jpeg", "--alt", "x", option, value], 2, &[&line]);
     }
-    let line = format!("the following required arguments were not provided: --alt <TEXT>; {see}");
-    place.refuses(&["convert", "a.jpeg", "--lang", "de"], 2, &[&line]);
+    let line = "--lang is the language of --title and --alt, and neither is given; give one, or leave --lang out";
+    place.refuses(&["convert", "a.jpeg", "--lang", "de"], 2, &[line]);
     assert_eq!(place.names(), ["a.jpeg", "b.jpeg"]);
 }
 

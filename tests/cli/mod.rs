@@ -6,6 +6,7 @@ mod dots;
 mod feel;
 mod fitting;
 mod formats;
+mod newcomers;
 mod pictures;
 mod places;
 mod profiles;

@@ -75,7 +75,7 @@ fn a_page_never_overwrites_a_picture() {
 fn a_derived_name_does_not_cost_the_user_a_drawing() {
     let place = Place::with_picture("a.png");
     place.put("a.svg", DRAWING.as_bytes());
-    let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, or move that file away";
+    let kept = "this file exists and was not written by tactograph, or changed since; name the page with -o, move that file away, or replace it with --force";
     place.refuses(&["convert", "a.png"], 1, &[&format!("a.svg: {kept}")]);
     assert_eq!(place.text("a.svg"), DRAWING);
     // Whoever names it means it.

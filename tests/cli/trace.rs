@@ -97,7 +97,7 @@ fn several_pictures_go_to_a_directory_and_a_bad_one_stops_none() {
 #[test]
 fn what_is_not_a_trace_is_kept() {
     let place = Place::with_picture("a.png");
-    let kept = "a.json: this file exists and was not written by tactograph, or changed since; name the trace with -o, or move that file away";
+    let kept = "a.json: this file exists and was not written by tactograph, or changed since; name the trace with -o, move that file away, or replace it with --force";
     let other = "{\"image\":[1,1],\"polylines\":[]}";
     place.put("a.json", other.as_bytes());
     place.refuses(&["trace", "a.png"], 1, &[kept]);

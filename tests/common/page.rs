@@ -22,5 +22,5 @@ pub(crate) fn page_for(bytes: &[u8], title: &str, profile: &Profile, watch: &mut
     let plan = Plan::new(profile).expect("the settings make sense together");
     let fonts = || Arc::new(usvg::fontdb::Database::new());
     let request = Request { plan: &plan, limits: Limits::default(), fonts: &fonts, title, fit: Default::default() };
-    tactograph::convert(bytes, &request, watch).expect("the picture can be converted")
+    tactograph::internals::pipeline::convert(bytes, &request, watch).expect("the picture can be converted")
 }

@@ -183,7 +183,7 @@ fn listed(group: Node<'_, '_>) -> String {
 #[test]
 fn words_are_where_a_screen_reader_looks_for_them() {
     let plain = sample("empty.png", &[]);
-    let odd = plain.clone().called(Some("Tee (grün) \\ \u{1F375}"), Some(("Ein <Becher> & ein Löffel", "de-AT")));
+    let odd = plain.clone().called(Some("Tee (grün) \\ \u{1F375}"), Some("Ein <Becher> & ein Löffel"), Some("de-AT"));
     for (page, language) in [(plain, "en"), (odd, "de-AT")] {
         let bytes = written(&page);
         let reader = Reader::new(&bytes);

@@ -15,11 +15,13 @@ use scan::{Token, Use, compiled, exports, module_of, paths, scan};
 /// pipeline -> lib`; a stage is left out of a row where the stage below must not know of it.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
-    ("error", &["units", "profile"]), // a profile's faults stop everything, so they are part of an error
+    // What stops everything: faults of a profile, of a part or a grid of sheets as written, of a page that is felt.
+    ("error", &["units", "raster", "page", "touch", "profile"]),
     ("note", &["units"]),
+    ("picture", &["units"]), // as it is given: a file or pixels
     ("geom", &["units"]),
     ("devices", &["units"]), // embossers and pin displays: only what they can do
-    ("raster", &["units", "geom"]),
+    ("raster", &["units", "picture", "geom"]),
     ("frame", &["units", "geom"]),
     ("edges", &["units", "geom", "raster", "frame"]),
     ("classes", &["units", "geom", "raster", "frame"]),
@@ -49,8 +51,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
         "pipeline",
         &[
             "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "devices", "dots", "page",
-            "contours", "touch", "profile",
+            "contours", "touch", "profile", "picture",
         ],
+    ),
+    // The face: profiles checked, the pipeline run, pages handed to their writers.
+    (
+        "api",
+        &["units", "raster", "contours", "output", "page", "touch", "profile", "calibration", "pipeline", "picture"],
     ),
 ];
 /// What any module may use.

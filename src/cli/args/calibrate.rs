@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use tactograph::internals::profile::built_in;
+use tactograph::built_in;
 
 use super::writing::Writing;
 
@@ -54,6 +54,10 @@ pub(in crate::cli) struct Calibrate {
     /// Such as --set textures.across=4.0. Units, ranges and defaults of all keys: "tactograph profiles show NAME".
     #[arg(long, value_name = "KEY=VALUE")]
     pub(in crate::cli) set: Vec<String>,
+
+    /// Replaces numbered files that are there already, whoever wrote them
+    #[arg(long, visible_alias = "overwrite")]
+    pub(in crate::cli) force: bool,
 
     /// Says nothing but errors
     #[arg(short, long)]

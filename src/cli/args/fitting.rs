@@ -1,12 +1,9 @@
 //! Options that say which part of a picture is drawn, how large, and what of it.
 
 use clap::Args;
-use tactograph::Error;
-use tactograph::internals::page::MediumParams;
-use tactograph::internals::page::spread::Grid;
-use tactograph::internals::pipeline::Fit;
-use tactograph::internals::profile::Plan;
-use tactograph::internals::raster::crop::Crop;
+use tactograph::{Crop, Error, Options, Profile, SheetGrid};
+
+use crate::cli::settings::Change;
 
 /// Options of `tactograph convert` that are chosen anew for each picture.
 #[derive(Debug, Args)]
@@ -34,7 +31,7 @@ pub(in crate::cli) struct Fitting {
     /// overview has a sheet of its own, the first. A PDF has all sheets; SVG and PNG are files with numbers: page-1.svg,
     /// page-2.svg.
     #[arg(long, value_name = "CxR")]
-    pub(in crate::cli) sheets: Option<Grid>,
+    pub(in crate::cli) sheets: Option<SheetGrid>,
 
     /// Draws contours only, no textures
     ///
@@ -62,38 +59,36 @@ pub(in crate::cli) struct Fitting {
 }
 
 impl Fitting {
-    /// What these options say of the picture on its sheet.
-    pub(in crate::cli) fn fit(&self) -> Fit {
-        Fit { crop: self.crop, width: self.width_mm, mirrored: self.mirror }
+    /// Puts what these options say of the picture on its sheet into those of the library.
+    pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
+        let options = options.mirrored(self.mirror);
+        let options = self.crop.into_iter().fold(options, Options::crop);
+        self.width_mm.into_iter().fold(options, Options::width_mm)
     }
 
     /// Whether it takes several sheets: asked for, or because a figure is asked for that is wider than a sheet that stands upright.
     /// A page of dots is never spread; there a width that is too large is refused.
-    pub(in crate::cli) fn is_for_several_sheets(&self, plan: &Plan) -> bool {
-        let page = &plan.profile().page;
+    pub(in crate::cli) fn is_for_several_sheets(&self, profile: &Profile) -> bool {
+        let page = &profile.page;
         let is_wider = self.width_mm.is_some_and(|width| width > page.width.min(page.height));
-        match plan.medium() {
-            MediumParams::Print(_) => self.sheets.is_some() || is_wider,
-            MediumParams::Dots { .. } => false,
-        }
+        profile.dots.device.is_none() && (self.sheets.is_some() || is_wider)
     }
 
     /// What does not go together with the profile.
-    pub(in crate::cli) fn fault(&self, plan: &Plan) -> Option<String> {
-        match plan.medium() {
-            MediumParams::Print(_) => None,
-            MediumParams::Dots { device, .. } => {
-                self.sheets.map(|_| Error::OneSheet { device: device.name }.to_string())
-            }
-        }
+    pub(in crate::cli) fn fault(&self, profile: &Profile) -> Option<String> {
+        let device = profile.dots.device?;
+        self.sheets.map(|_| Error::OneSheet { device: device.name }.to_string())
     }
 
-    /// What they change in the profile, as `KEY=VALUE`.
-    pub(in crate::cli) fn changes(&self) -> impl Iterator<Item = String> {
-        let outlines = self.outlines.then_some("figure.textures=false");
-        let textures = self.textures_only.then_some(["figure.lines=false", "overview.on=false"]);
-        let overview = self.no_overview.then_some("overview.on=false");
-        outlines.into_iter().chain(textures.into_iter().flatten()).chain(overview).map(str::to_owned)
+    /// What they change in the profile.
+    pub(in crate::cli) fn changes(&self) -> Vec<Change> {
+        let given = [
+            (self.outlines, "--outlines", &["figure.textures=false"][..]),
+            (self.textures_only, "--textures-only", &["figure.lines=false", "overview.on=false"]),
+            (self.no_overview, "--no-overview", &["overview.on=false"]),
+        ];
+        let given = given.into_iter().filter(|(given, ..)| *given);
+        given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::short(option, set))).collect()
     }
 }
 

@@ -14,6 +14,15 @@ pub(super) enum Quality {
 }
 
 impl Quality {
+    /// As it is typed.
+    pub(super) fn option(self) -> &'static str {
+        match self {
+            Self::Draft => "--quality draft",
+            Self::Standard => "--quality standard",
+            Self::Fine => "--quality fine",
+        }
+    }
+
     /// What it changes in the profile, as `KEY=VALUE`.
     pub(super) fn changes(self) -> &'static [&'static str] {
         match self {

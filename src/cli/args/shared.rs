@@ -1,10 +1,10 @@
 //! Options that all commands on pictures have.
 
 use clap::Args;
-use tactograph::internals::profile::built_in;
-use tactograph::internals::raster::decode::Limits;
+use tactograph::{Limits, built_in};
 
 use super::quality::Quality;
+use crate::cli::settings::Change;
 
 /// Largest value for a limit: a million megapixels or megabytes is beyond any machine, and far from overflow in bytes.
 const MOST: u64 = 1_000_000;
@@ -61,6 +61,13 @@ pub(in crate::cli) struct Shared {
     #[arg(short, long)]
     pub(in crate::cli) quiet: bool,
 
+    /// Replaces files that are there already, whoever wrote them
+    ///
+    /// Without it, a file whose name the program makes up is replaced only if it is as this program wrote it. Where a format
+    /// cannot tell that (ubrl, brf, idx, txt), only if the new one has the same bytes. A picture is never overwritten.
+    #[arg(long, visible_alias = "overwrite")]
+    pub(in crate::cli) force: bool,
+
     /// Refuses pictures with more pixels than this, in millions of pixels
     ///
     /// Checked before decoding. A guard against files that claim to be huge. Range: 1 to 1000000.
@@ -76,11 +83,14 @@ pub(in crate::cli) struct Shared {
 }
 
 impl Shared {
-    /// All changes to the profile as `KEY=VALUE`, in the order in which they count.
-    pub(in crate::cli) fn changes(&self) -> Vec<String> {
-        let quality = self.quality.changes().iter().map(|change| (*change).to_owned());
-        let detail = self.detail.iter().map(|detail| format!("lines.detail={detail}"));
-        quality.chain(self.set.iter().cloned()).chain(detail).collect()
+    /// All changes to the profile, in the order in which they count.
+    pub(in crate::cli) fn changes(&self) -> Vec<Change> {
+        let quality = self.quality.changes().iter().map(|set| Change::short(self.quality.option(), set));
+        let sets = self.set.iter().map(|set| Change::set(set));
+        let of_detail = |detail: &String| {
+            Change::short(&format!("--detail {}", detail.trim()), &format!("lines.detail={}", detail.trim()))
+        };
+        quality.chain(sets).chain(self.detail.iter().map(of_detail)).collect()
     }
 
     /// What a picture may cost.

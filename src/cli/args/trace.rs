@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use tactograph::internals::pipeline::trace::{Subject, Thresholds};
+use tactograph::{Thresholds, Tracing};
 
 use super::shared::Shared;
 
@@ -79,7 +79,7 @@ pub(in crate::cli) struct Trace {
     ///
     /// [default: edges.low,edges.high of the profile; with --full-resolution 3.5,5]
     #[arg(long, value_name = "LOW,HIGH", value_parser = thresholds, allow_hyphen_values = true)]
-    pub(in crate::cli) threshold: Option<Thresholds>,
+    threshold: Option<Thresholds>,
 
     /// Works on the picture's own pixels
     ///
@@ -98,15 +98,19 @@ impl Trace {
     ///
     /// # Errors
     /// If what is asked for does not go together.
-    pub(in crate::cli) fn subject(&self) -> Result<Subject, &'static str> {
-        match (self.stage, self.full_resolution) {
-            (Stage::Edges, full_resolution) => Ok(Subject::Edges { full_resolution }),
-            (Stage::Lines, false) => Ok(Subject::Lines),
-            (Stage::Lines, true) => Err(
-                "--full-resolution does not go with --stage lines: a page has lines only at the size that its profile works on; \
+    pub(in crate::cli) fn tracing(&self) -> Result<Tracing, &'static str> {
+        let tracing = match (self.stage, self.full_resolution) {
+            (Stage::Edges, false) => Tracing::contours(),
+            (Stage::Edges, true) => Tracing::contours_at_full_resolution(),
+            (Stage::Lines, false) => Tracing::lines(),
+            (Stage::Lines, true) => {
+                return Err(
+                    "--full-resolution does not go with --stage lines: a page has lines only at the size that its profile works on; \
                  leave one out, or make that size larger with --set figure.resolution=12",
-            ),
-        }
+                );
+            }
+        };
+        Ok(self.threshold.into_iter().fold(tracing, Tracing::thresholds))
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use tactograph::internals::output::png::{Depth, Dpi};
+use tactograph::{Depth, Dpi};
 
 use crate::cli::places::is_std;
 use crate::cli::product::{DrawingFormat, Format};

@@ -12,6 +12,7 @@ mod drawing;
 mod jpeg;
 mod orient;
 mod other;
+mod pixels;
 mod png;
 mod rows;
 mod shrink;
@@ -27,7 +28,7 @@ use self::sniff::Format;
 use crate::raster::Raster;
 use crate::raster::crop::{Crop, Part};
 use crate::units::Size;
-use crate::{Error, Note};
+use crate::{Error, Note, picture};
 
 /// What a picture may cost. A picture over a limit is refused by its header, before anything is decoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,6 +99,17 @@ pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
         Format::Bmp => other::bmp(bytes, options),
         Format::Gif => other::gif(bytes, options),
         Format::Pnm => other::pnm(bytes, options),
+    }
+}
+
+/// Decodes a picture that is given as a file or as pixels.
+///
+/// # Errors
+/// As [`decode`].
+pub(crate) fn decode_picture(picture: picture::Picture<'_>, options: &Options<'_>) -> Result<Picture, Error> {
+    match picture.0 {
+        picture::Source::File(bytes) => decode(bytes, options),
+        picture::Source::Rgba8 { size, pixels } => pixels::decode_rgba8(size, pixels, options),
     }
 }
 

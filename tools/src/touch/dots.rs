@@ -57,7 +57,9 @@ impl Device {
         let fonts = || Arc::new(usvg::fontdb::Database::new());
         let fit = Fit { width, ..Fit::default() };
         let request = Request { plan: &self.plan, limits: Default::default(), fonts: &fonts, title: "scene", fit };
-        tactograph::convert(picture, &request, &mut |_| ()).expect("a picture can be converted").page
+        tactograph::internals::pipeline::convert(picture, &request, &mut |_| ())
+            .expect("a picture can be converted")
+            .page
     }
 
     /// One texture on a square of the sheet, and where it lies: in the middle, with sides of `side` mm.

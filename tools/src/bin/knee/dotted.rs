@@ -75,7 +75,7 @@ fn page_of(picture: &Picture, plan: &Plan) -> Result<(Page, [f64; 2]), String> {
     let (limits, fit) = (Default::default(), Default::default());
     let request = Request { plan, limits, fonts: &Arc::default, title: "a picture", fit };
     let (mut clock, mut stage, mut decode) = (Clock::start(), Clock::start(), 0.0);
-    let drawing = tactograph::convert(&picture.bytes, &request, &mut |event| match event {
+    let drawing = tactograph::internals::pipeline::convert(&picture.bytes, &request, &mut |event| match event {
         Event::Begin(Stage::Decode) => drop(stage.lap()),
         Event::End(Stage::Decode) => decode = stage.lap(),
         _ => {}

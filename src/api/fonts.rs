@@ -1,0 +1,116 @@
+//! Where the letters of SVG drawings come from.
+
+use std::sync::{Arc, OnceLock};
+
+use usvg::fontdb::{Database, Family, Query};
+
+/// Fonts for the text of SVG drawings; other pictures need none. They are read when the first drawing with text needs them,
+/// and once: clones share them.
+///
+/// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells.
+#[derive(Clone, Default)]
+pub struct Fonts(Option<Arc<Shared>>);
+
+struct Shared {
+    source: Source,
+    loaded: OnceLock<Arc<Database>>,
+}
+
+enum Source {
+    Data(Vec<Vec<u8>>),
+    #[cfg(feature = "system-fonts")]
+    System,
+}
+
+impl Fonts {
+    /// No fonts at all: the default, and what a browser has.
+    pub fn none() -> Self {
+        Self(None)
+    }
+
+    /// Fonts from the bytes of font files (TTF, OTF or collections of them). What is no font is passed over.
+    pub fn from_data(files: Vec<Vec<u8>>) -> Self {
+        Self::of(Source::Data(files))
+    }
+
+    /// The fonts that are installed on this machine. Reading their list takes some tens of milliseconds, once.
+    ///
+    /// With the feature `system-fonts`, which the feature `cli` brings.
+    #[cfg(feature = "system-fonts")]
+    pub fn system() -> Self {
+        Self::of(Source::System)
+    }
+
+    fn of(source: Source) -> Self {
+        Self(Some(Arc::new(Shared { source, loaded: OnceLock::new() })))
+    }
+
+    /// The fonts, read now if they have not been before.
+    pub(crate) fn database(&self) -> Arc<Database> {
+        let Some(shared) = &self.0 else { return Arc::default() };
+        shared.loaded.get_or_init(|| Arc::new(shared.source.load())).clone()
+    }
+}
+
+impl std::fmt::Debug for Fonts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let source = self.0.as_ref().map(|shared| &shared.source);
+        f.write_str(match source {
+            None => "Fonts::none()",
+            Some(Source::Data(_)) => "Fonts::from_data(..)",
+            #[cfg(feature = "system-fonts")]
+            Some(Source::System) => "Fonts::system()",
+        })
+    }
+}
+
+impl Source {
+    fn load(&self) -> Database {
+        let mut fonts = Database::new();
+        match self {
+            Self::Data(files) => files.iter().for_each(|file| fonts.load_font_data(file.clone())),
+            #[cfg(feature = "system-fonts")]
+            Self::System => fonts.load_system_fonts(),
+        }
+        give_generic_families_a_font(&mut fonts);
+        fonts
+    }
+}
+
+/// "sans-serif" and the like stand for a font by name (say Arial). Where that one is not among the fonts, text would be left
+/// out although others are there: take the first that is.
+fn give_generic_families_a_font(fonts: &mut Database) {
+    let first = fonts.faces().filter_map(|face| face.families.first()).map(|(name, _)| name.clone()).min();
+    let Some(first) = first else { return };
+    let missing = |family| fonts.query(&Query { families: &[family], ..Query::default() }).is_none();
+    let [serif, sans, mono, cursive, fantasy] =
+        [Family::Serif, Family::SansSerif, Family::Monospace, Family::Cursive, Family::Fantasy].map(missing);
+    if serif {
+        fonts.set_serif_family(&first);
+    }
+    if sans {
+        fonts.set_sans_serif_family(&first);
+    }
+    if mono {
+        fonts.set_monospace_family(&first);
+    }
+    if cursive {
+        fonts.set_cursive_family(&first);
+    }
+    if fantasy {
+        fonts.set_fantasy_family(&first);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fonts_are_loaded_once_and_shared_by_clones() {
+        let fonts = Fonts::from_data(vec![b"no font".to_vec()]);
+        let clone = fonts.clone();
+        assert!(Arc::ptr_eq(&fonts.database(), &clone.database()));
+        assert!(fonts.database().is_empty() && Fonts::none().database().is_empty());
+    }
+}

@@ -1,0 +1,120 @@
+//! What the crate offers to those who use it: functions that take a picture and [`Options`], and give what they own.
+//!
+//! Everything is done below, in the pipeline and the writers; here profiles are checked and options handed on.
+
+mod feeling;
+mod fonts;
+mod options;
+mod writing;
+
+pub use feeling::{Felt, feel};
+pub use fonts::Fonts;
+pub use options::Options;
+pub use writing::write_pdf;
+
+use crate::page::Page;
+use crate::page::spread::Grid;
+use crate::picture::Picture;
+use crate::pipeline::sheets::{self, Sheets};
+use crate::pipeline::trace::{self, Traced, Tracing};
+use crate::pipeline::{self, Drawing, Request};
+use crate::profile::{Plan, Profile};
+use crate::{Error, calibration};
+
+/// Makes the page of a picture. The same picture and options give the same page, however many threads there are.
+///
+/// ```
+/// use tactograph::{Options, Profile};
+///
+/// let profile = Profile::named("swell-a4")?;
+/// let options = Options::new(profile).title("A cup of coffee").width_mm(150.0);
+/// let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?;
+/// assert_eq!(drawing.page.figure.place.width().round(), 150.0);
+/// assert!(drawing.page.to_svg().contains("<title>A cup of coffee</title>"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the profile has faults (all of them at once), the picture cannot be read or is over a limit, or the page has no room
+/// for it; see [`Error`]. Everything less is in [`Drawing::notes`].
+pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
+    let drawing = with_request(options, options.name(), |request| {
+        pipeline::convert(picture.into(), request, &mut |event| options.tell(event))
+    })?;
+    let page = options.with_words(drawing.page, options.own_title());
+    let of_overview = options.own_title().map(pipeline::title_of_overview);
+    let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None, None));
+    Ok(Drawing { page, overview, ..drawing })
+}
+
+/// Makes the pages of a picture that is spread over several sheets, laid side by side: the overview on a sheet of its own if
+/// the profile has one, then the picture row by row. It is drawn once and cut, so what two sheets both show is the same on
+/// both. Without `grid` there are as few sheets as have room for [`Options::width_mm`].
+///
+/// # Errors
+/// As [`convert`]; and if the sheets have no room for the picture, or the profile is for dots, which go on one sheet.
+pub fn convert_to_sheets<'p>(
+    picture: impl Into<Picture<'p>>,
+    grid: Option<Grid>,
+    options: &Options,
+) -> Result<Sheets, Error> {
+    let drawn = with_request(options, options.document_title(), |request| {
+        sheets::convert(picture.into(), grid, request, &mut |event| options.tell(event))
+    })?;
+    // The maker's words are about the picture, which all sheets show together.
+    let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();
+    Ok(Sheets { pages, ..drawn })
+}
+
+/// Finds the contours of a picture, as data: for programs that go on with them. Of the options title, description, language
+/// and mirroring have no meaning here.
+///
+/// ```
+/// use tactograph::{Options, Profile, Tracing};
+///
+/// let options = Options::new(Profile::named("swell-a4")?);
+/// let traced = tactograph::trace(&std::fs::read("samples/coffee.png")?, &Tracing::contours(), &options)?;
+/// let rings = traced.trace.polylines.iter().filter(|polyline| polyline.closed).count();
+/// assert!(rings > 0);
+/// std::fs::write(std::env::temp_dir().join("coffee.json"), traced.trace.to_json())?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the profile has faults, or the picture cannot be read, is over a limit or is too small; see [`Error`].
+pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &Options) -> Result<Traced, Error> {
+    with_request(options, options.name(), |request| {
+        trace::trace(picture.into(), tracing, request, &mut |event| options.tell(event))
+    })
+}
+
+/// Makes the calibration sheets of a profile: samples of lines, gaps, braille, frames, glyphs and textures, to be printed once
+/// and felt, so that a workshop finds the numbers for its own paper. One page a sheet, as many as the samples take.
+///
+/// # Errors
+/// If the profile has faults, its pages are of dots (which have one size), or its sheet has no room for a sample.
+pub fn calibrate(profile: &Profile) -> Result<Calibration, Error> {
+    let plan = Plan::new(profile)?;
+    Ok(Calibration { title: calibration::title(&plan), pages: calibration::sheets(&plan)? })
+}
+
+/// Calibration sheets; made by [`calibrate`].
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Calibration {
+    /// What they are called together, as a document.
+    pub title: String,
+    /// The sheets, each with what is on it in its description.
+    pub pages: Vec<Page>,
+}
+
+/// Calls `work` with what the pipeline needs.
+fn with_request<T>(
+    options: &Options,
+    title: &str,
+    work: impl FnOnce(&Request<'_>) -> Result<T, Error>,
+) -> Result<T, Error> {
+    let plan = Plan::new(&options.profile)?;
+    let fonts = || options.fonts.database();
+    work(&Request { plan: &plan, limits: options.limits, fonts: &fonts, title, fit: options.fit })
+}

@@ -1,0 +1,174 @@
+//! Everything that a caller may choose for one picture.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::fonts::Fonts;
+use crate::page::Page;
+use crate::pipeline::{Event, Fit};
+use crate::profile::Profile;
+use crate::raster::crop::Crop;
+use crate::raster::decode::Limits;
+
+/// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a default
+/// that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough to make one for
+/// each picture.
+///
+/// ```
+/// use tactograph::{Options, Profile};
+///
+/// let options = Options::new(Profile::named("swell-a4")?)
+///     .title("A cup of coffee")
+///     .crop("10%,0,80%,100%".parse()?)
+///     .width_mm(150.0);
+/// # let _ = options;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+#[non_exhaustive]
+#[must_use]
+pub struct Options {
+    pub(super) profile: Profile,
+    pub(super) picture_name: Option<String>,
+    title: Option<String>,
+    description: Option<String>,
+    language: Option<String>,
+    pub(super) fit: Fit,
+    pub(super) limits: Limits,
+    pub(super) fonts: Fonts,
+    progress: Option<Arc<Progress>>,
+}
+
+type Progress = dyn Fn(Event) + Send + Sync;
+
+/// What a picture without a name and a title is called.
+const NAMELESS: &str = "picture";
+
+impl Options {
+    /// Everything as the profile says, the whole picture, as large as the sheet allows. The profile is checked when a
+    /// picture is converted; [`Profile::check`] does it before.
+    pub fn new(profile: Profile) -> Self {
+        Self {
+            profile,
+            picture_name: None,
+            title: None,
+            description: None,
+            language: None,
+            fit: Fit::default(),
+            limits: Limits::default(),
+            fonts: Fonts::none(),
+            progress: None,
+        }
+    }
+
+    /// What the page is called: shown by viewers and read out by screen readers. Default: the picture's name.
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = Some(title.into());
+        self
+    }
+
+    /// The picture's own name, such as that of its file: it is written into the page with how the page was made. Default:
+    /// "picture".
+    pub fn picture_name(mut self, name: impl Into<String>) -> Self {
+        self.picture_name = Some(name.into());
+        self
+    }
+
+    /// What is on the page, for screen readers. Default: sizes, number of contours and shares of the colours, in English.
+    pub fn description(mut self, description: impl Into<String>) -> Self {
+        self.description = Some(description.into());
+        self
+    }
+
+    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`. Default: `en`, which is the language of
+    /// the description that is made if none is given.
+    pub fn language(mut self, tag: impl Into<String>) -> Self {
+        self.language = Some(tag.into());
+        self
+    }
+
+    /// Draws a part of the picture only, as if the rest were not there.
+    pub fn crop(mut self, crop: Crop) -> Self {
+        self.fit.crop = Some(crop);
+        self
+    }
+
+    /// Width of the figure on the sheet, mm; the height follows. More than there is room for is refused with
+    /// [`Error::TooWide`](crate::Error::TooWide). Default: as wide as the sheet has room for.
+    pub fn width_mm(mut self, width: f32) -> Self {
+        self.fit.width = Some(width);
+        self
+    }
+
+    /// Exchanges left and right, marks and frames included, for machines that press a page up from its back. Not for swell
+    /// paper. Default: false.
+    pub fn mirrored(mut self, mirrored: bool) -> Self {
+        self.fit.mirrored = mirrored;
+        self
+    }
+
+    /// What decoding the picture may cost. Default: [`Limits::default`].
+    pub fn limits(mut self, limits: Limits) -> Self {
+        self.limits = limits;
+        self
+    }
+
+    /// Fonts for drawings with text. Default: [`Fonts::none`].
+    pub fn fonts(mut self, fonts: Fonts) -> Self {
+        self.fonts = fonts;
+        self
+    }
+
+    /// Is told of every stage as it begins and ends, for progress bars and timings; from the threads that the stages run on.
+    /// Default: nobody is told.
+    pub fn progress(mut self, told: impl Fn(Event) + Send + Sync + 'static) -> Self {
+        self.progress = Some(Arc::new(told));
+        self
+    }
+
+    /// The profile.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    pub(super) fn tell(&self, event: Event) {
+        if let Some(told) = &self.progress {
+            told(event);
+        }
+    }
+
+    /// The picture's name as it is written into the page.
+    pub(super) fn name(&self) -> &str {
+        self.picture_name.as_deref().or(self.title.as_deref()).unwrap_or(NAMELESS)
+    }
+
+    /// What a document of all pages of the picture is called: the title, or the picture's name where there is none.
+    pub fn document_title(&self) -> &str {
+        self.title.as_deref().unwrap_or_else(|| self.name())
+    }
+
+    /// A page with the words that were given for the picture, and with `title`.
+    pub(super) fn with_words(&self, page: Page, title: Option<&str>) -> Page {
+        page.called(title, self.description.as_deref(), self.language.as_deref())
+    }
+
+    pub(super) fn own_title(&self) -> Option<&str> {
+        self.title.as_deref()
+    }
+}
+
+impl fmt::Debug for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { profile, picture_name, title, description, language, fit, limits, fonts, progress: _ } = self;
+        f.debug_struct("Options")
+            .field("profile", &profile.name)
+            .field("picture_name", picture_name)
+            .field("title", title)
+            .field("description", description)
+            .field("language", language)
+            .field("fit", fit)
+            .field("limits", limits)
+            .field("fonts", fonts)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,75 @@
+//! Pages and traces to bytes.
+
+use crate::Error;
+use crate::contours::Trace;
+use crate::output::png::{Depth, Dpi};
+use crate::output::{DotFormat, Embossing, json, pdf, png, svg, write_dots};
+use crate::page::Page;
+
+impl Page {
+    /// An SVG drawing in true millimetres, with a layer for each texture, for the lines, the frame and the overview: for
+    /// looking at, and for changing it in a drawing program.
+    #[must_use]
+    pub fn to_svg(&self) -> String {
+        svg::write(self)
+    }
+
+    /// A PDF document of this one page in true millimetres, with the layers of the SVG: for printing. For several pages there
+    /// is [`write_pdf`].
+    #[must_use]
+    pub fn to_pdf(&self) -> Vec<u8> {
+        pdf::write(&self.title, std::slice::from_ref(self))
+    }
+
+    /// A PNG picture that says how large it is, for printers and displays.
+    ///
+    /// # Errors
+    /// [`Error::TooFine`] if that would be more than 400 megapixels.
+    pub fn to_png(&self, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
+        png::write(self, dpi, depth)
+    }
+
+    /// The dots of a page that was made with the profile of an embosser or a pin display, as a file that it or its driver takes.
+    /// For several pages, or other [`Embossing`] than the usual, there is [`write_dots`].
+    ///
+    /// # Errors
+    /// If the page is printed and not of dots, or its device does not take the format.
+    pub fn to_dots(&self, format: DotFormat) -> Result<Vec<u8>, Error> {
+        let files = write_dots(&self.title, std::slice::from_ref(self), format, Embossing::default())?;
+        files.into_iter().next().ok_or_else(|| Error::CannotPress("there are no dots to write".to_owned()))
+    }
+}
+
+/// One PDF document of several pages, such as those of [`convert_to_sheets`](super::convert_to_sheets) or
+/// [`calibrate`](super::calibrate). It has the language and the origin of the first.
+#[must_use]
+pub fn write_pdf(title: &str, pages: &[Page]) -> Vec<u8> {
+    pdf::write(title, pages)
+}
+
+impl Trace {
+    /// The contours as JSON, one polyline a line:
+    ///
+    /// ```text
+    /// {"program":"tactograph 0.1.0","image":[width,height],"polylines":[
+    /// {"closed":true,"points":[[x,y],...],"strength":[one for each point]},
+    /// ...
+    /// ]}
+    /// ```
+    ///
+    /// Lines of a page also have `"width_mm":[one for each point]`. Units are those of the fields of [`Trace`].
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        json::write(self)
+    }
+}
+
+impl TryFrom<u32> for Dpi {
+    type Error = Error;
+
+    /// # Errors
+    /// [`Error::NoSuchDpi`] outside of [`Dpi::LEAST`]..=[`Dpi::MOST`].
+    fn try_from(dpi: u32) -> Result<Self, Error> {
+        Self::new(dpi).ok_or(Error::NoSuchDpi { dpi, least: Self::LEAST, most: Self::MOST })
+    }
+}
