@@ -120,9 +120,9 @@ fn candidate((i, p): (usize, &RidgePoint), (j, q): (usize, &RidgePoint)) -> Opti
     }
     let distance = square.sqrt();
     // cosine to the tangent of a point, which is its normal turned by 90 degrees
-    let along = |r: &RidgePoint| (-r.normal[1] * dx + r.normal[0] * dy) / distance;
+    let along = |r: &RidgePoint| (-r.normal.y * dx + r.normal.x * dy) / distance;
     let (ap, aq) = (along(p), along(q));
-    let parallel = (p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1]).abs();
+    let parallel = p.normal.dot(q.normal).abs();
     if ap.abs() < MIN_COSINE || aq.abs() < MIN_COSINE || parallel < MIN_COSINE {
         return None;
     }

@@ -1,5 +1,6 @@
 //! Contours while they are refined, and lines fitted to parts of them.
 
+use crate::geom::first_eigenvector;
 use crate::geom::polyline::{Blend, Located, Polyline};
 use crate::units::{Px, PxPoint, PxVector};
 
@@ -103,13 +104,12 @@ impl LineFit {
         }
         let mean = sum / n;
         let (xx, xy, yy) = (xx / n - mean.x * mean.x, xy / n - mean.x * mean.y, yy / n - mean.y * mean.y);
-        let (half, difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-        let root = (difference * difference + xy * xy).sqrt();
-        let direction =
-            if difference >= 0.0 { PxVector::new(difference + root, xy) } else { PxVector::new(xy, root - difference) };
-        let direction = direction.try_normalize()?;
+        let direction: PxVector = first_eigenvector(xx, xy, yy)?;
         let direction = if direction.dot(last - first) < 0.0 { -direction } else { direction };
-        Some(Self { centre: first + mean, direction, rms: (half - root).max(0.0).sqrt() })
+        // the second eigenvalue is the mean squared distance from the line
+        let (half, difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let square = half - (difference * difference + xy * xy).sqrt();
+        Some(Self { centre: first + mean, direction, rms: square.max(0.0).sqrt() })
     }
 
     /// Where two lines cross, as signed distances from the centre of each along it; none if they are nearly parallel.

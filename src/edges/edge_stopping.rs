@@ -43,7 +43,7 @@ impl Barriers {
             let (first, rest) = chain.vertices.split_at(usize::from(chain.closed));
             for point in rest.iter().chain(first).map(|&number| &points[number as usize]) {
                 let (x, y) = (point.at.x * x_scale, point.at.y * y_scale);
-                let [nx, ny] = point.normal.map(f32::abs);
+                let (nx, ny) = point.normal.abs().to_tuple();
                 let step = point.height / nx.max(ny);
                 for (row, share_y) in neighbours((y - 0.5).clamp(0.0, (height - 1) as f32), height) {
                     for (column, share_x) in neighbours(x - 1.0, width - 1) {

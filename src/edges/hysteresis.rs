@@ -12,7 +12,7 @@ use super::{lab, strength};
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::plane::Plane;
-use crate::units::PxVector;
+use crate::units::{PxPoint, PxVector};
 
 /// What the selection reads beside the chains.
 pub(super) struct Selection<'a> {
@@ -73,16 +73,15 @@ impl Selection<'_> {
         // paper on its other side.
         let distance = self.params.sigma.max(1.0);
         // right of the direction, with y down
-        let sign = if -along.y * point.normal[0] + along.x * point.normal[1] >= 0.0 { 1.0 } else { -1.0 };
-        let (dx, dy) = (sign * distance * point.normal[0], sign * distance * point.normal[1]);
-        let right = colour_at(self.raster, point.at.x + dx, point.at.y + dy);
-        let left = colour_at(self.raster, point.at.x - dx, point.at.y - dy);
+        let sign = if -along.y * point.normal.x + along.x * point.normal.y >= 0.0 { 1.0 } else { -1.0 };
+        let across = point.normal * (sign * distance);
+        let [right, left] = [point.at + across, point.at - across].map(|at| colour_at(self.raster, at));
         std::array::from_fn(|i| right[i] - left[i])
     }
 }
 
 /// The colour of a picture between its pixels (L, 2a, 2b).
-fn colour_at(raster: &Raster, x: f32, y: f32) -> [f32; 3] {
+fn colour_at(raster: &Raster, PxPoint { x, y, .. }: PxPoint) -> [f32; 3] {
     let at = |plane: &Vec<f32>| Plane::look_up(plane, raster.size(), x, y);
     match raster.planes() {
         [red, green, blue] => lab::colour([at(red), at(green), at(blue)]),
@@ -119,7 +118,6 @@ fn pieces(strengths: &[f32], closed: bool, low: f32, high: f32) -> Vec<Polyline<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::PxPoint;
 
     /// The pieces of a chain with the given strengths; low is 3, high is 6.
     fn pieces_of(strengths: &[u8], closed: bool) -> Vec<(Vec<usize>, bool)> {
@@ -146,7 +144,15 @@ mod tests {
         let point = |height, blur| {
             let profile =
                 crate::edges::ridge::EdgeProfile { maximum: 1.0, curvature: 1.0, pedestal: [0.0; 2], distance: 4.5 };
-            RidgePoint { at: PxPoint::zero(), normal: [1.0, 0.0], profile, height, blur, column: 0, row: 0 }
+            RidgePoint {
+                at: PxPoint::zero(),
+                normal: PxVector::new(1.0, 0.0),
+                profile,
+                height,
+                blur,
+                column: 0,
+                row: 0,
+            }
         };
         let sigma = position_sigma(1.0, &point(20.0, 1.5), 1.5);
         assert!((sigma - 0.0306).abs() < 1e-4, "{sigma}");

@@ -10,7 +10,8 @@ use pulp::{Arch, Simd, WithSimd};
 use super::gradient::TensorRow;
 use super::params::Params;
 use super::ridge::{EdgeProfile, MAX_BLUR, RidgePoint};
-use crate::units::{PxPoint, Size};
+use crate::geom::first_eigenvector;
+use crate::units::{PxPoint, PxVector, Size};
 
 /// Takes rows of the structure tensor and collects ridge points, in reading order.
 pub(super) struct MaximaFinder {
@@ -142,8 +143,8 @@ impl MaximaFinder {
             // at the border of the picture only one side exists
             [a, b] => [a.or(b).unwrap_or(0.0); 2],
         };
-        let normal = eigenvector(xx, xy, yy);
-        let along_axis = if upright { normal[0].abs() } else { normal[1].abs() };
+        let normal: PxVector = first_eigenvector(xx, xy, yy).unwrap_or(PxVector::new(1.0, 0.0));
+        let along_axis = if upright { normal.x.abs() } else { normal.y.abs() };
         let profile = EdgeProfile {
             maximum,
             curvature: curvature / (along_axis * along_axis),
@@ -219,16 +220,6 @@ impl WithSimd for MarkMaxima<'_> {
     }
 }
 
-/// First eigenvector of the tensor: the direction across the edge.
-fn eigenvector(xx: f32, xy: f32, yy: f32) -> [f32; 2] {
-    let difference = 0.5 * (xx - yy);
-    let root = (difference * difference + xy * xy).sqrt();
-    // of the two formulas of the eigenvector, the one without cancellation
-    let (x, y) = if difference >= 0.0 { (difference + root, xy) } else { (xy, root - difference) };
-    let length = (x * x + y * y).sqrt();
-    if length > 0.0 { [x / length, y / length] } else { [1.0, 0.0] }
-}
-
 /// Position of the maximum between the neighbours (pixels from the middle, -0.5..=0.5), its value, and the curvature
 /// of the ridge along the axis, px^-2; none where there is no maximum.
 ///
@@ -286,15 +277,6 @@ mod tests {
         for i in 1..=100_000 {
             let x = i as f32 / 50_000.0;
             assert!((f64::from(ln(x)) - f64::from(x).ln()).abs() < 1e-6, "{x}: {}", ln(x));
-        }
-    }
-
-    #[test]
-    fn the_eigenvector_points_across_the_edge() {
-        for degrees in 0..180 {
-            let (y, x) = (degrees as f32).to_radians().sin_cos();
-            let [nx, ny] = eigenvector(9.0 * x * x, 9.0 * x * y, 9.0 * y * y);
-            assert!((nx * x + ny * y).abs() > 0.9999, "{degrees} degrees: {nx} {ny}");
         }
     }
 }

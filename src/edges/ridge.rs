@@ -18,7 +18,7 @@ const FREE_PEDESTAL: f32 = 0.1;
 pub(super) struct RidgePoint {
     pub(super) at: PxPoint,
     /// Unit vector across the edge. Its sign has no meaning (a colour difference has no up and down).
-    pub(super) normal: [f32; 2],
+    pub(super) normal: PxVector,
     pub(super) profile: EdgeProfile,
     /// Height of the colour step, in units of strength.
     pub(super) height: f32,
@@ -34,7 +34,7 @@ impl RidgePoint {
     /// The gradients beyond the edge on the left and on the right of a chain that runs in the direction `along` here.
     pub(super) fn pedestal_left_right(&self, along: PxVector) -> [f32; 2] {
         let [low, high] = self.profile.pedestal;
-        let upright = self.normal[0].abs() >= self.normal[1].abs();
+        let upright = self.normal.x.abs() >= self.normal.y.abs();
         // with y down, right of the direction (x, y) is (-y, x)
         let high_is_right = if upright { -along.y > 0.0 } else { along.x > 0.0 };
         if high_is_right { [low, high] } else { [high, low] }

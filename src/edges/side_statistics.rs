@@ -16,7 +16,7 @@ use super::gradient::TensorRow;
 use super::params::Params;
 use super::ridge::RidgePoint;
 use crate::raster::plane::{Plane, Shrinker};
-use crate::units::{PxPoint, Size};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// Sigma of the window of the surround, in cells: 25 px on photographs of 481 x 321 pixels. There, half of it scored
 /// .004 less, and so did the mean over the whole picture.
@@ -190,9 +190,8 @@ fn scale(grid: Size, picture: Size) -> (f32, f32) {
 
 impl SideStatistics {
     /// Compares the two sides of an edge at `at`.
-    pub(super) fn sides(&self, at: PxPoint, normal: [f32; 2]) -> Sides {
-        let (dx, dy) = (self.offset * normal[0], self.offset * normal[1]);
-        let positions = [(at.x - dx, at.y - dy), (at.x + dx, at.y + dy)].map(|(x, y)| self.position(x, y));
+    pub(super) fn sides(&self, at: PxPoint, normal: PxVector) -> Sides {
+        let positions = [at - normal * self.offset, at + normal * self.offset].map(|at| self.position(at));
         let [left, right] = positions.map(|position| position.look_up(&self.filtered));
         let [x, y, z] = [0, 1, 2].map(|axis| right[axis] - left[axis]);
         let [left, right] = positions.map(|position| {
@@ -212,11 +211,11 @@ impl SideStatistics {
     }
 
     /// The position in the grid of a point of the picture, px; beyond the border the nearest cell is used.
-    fn position(&self, x: f32, y: f32) -> GridPosition {
+    fn position(&self, at: PxPoint) -> GridPosition {
         let (width, height) = (self.grid.width as usize, self.grid.height as usize);
         let (x_scale, y_scale) = scale(self.grid, self.picture);
-        let fx = (x * x_scale - 0.5).clamp(0.0, (width - 1) as f32);
-        let fy = (y * y_scale - 0.5).clamp(0.0, (height - 1) as f32);
+        let fx = (at.x * x_scale - 0.5).clamp(0.0, (width - 1) as f32);
+        let fy = (at.y * y_scale - 0.5).clamp(0.0, (height - 1) as f32);
         let (column, row) = (fx as usize, fy as usize);
         GridPosition {
             first: row * width + column,

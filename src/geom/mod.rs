@@ -5,7 +5,18 @@ pub mod nearby;
 pub mod polyline;
 pub mod simplify;
 
-use lyon::geom::euclid::Point2D;
+use lyon::geom::euclid::{Point2D, Vector2D};
+
+/// Unit vector along the first eigenvector of the symmetric matrix `[[xx, xy], [xy, yy]]`; none if all directions are equal.
+/// Its sign has no meaning.
+#[inline(always)]
+pub fn first_eigenvector<U>(xx: f32, xy: f32, yy: f32) -> Option<Vector2D<f32, U>> {
+    let difference = 0.5 * (xx - yy);
+    let root = (difference * difference + xy * xy).sqrt();
+    // of the two formulas of the eigenvector, the one without cancellation
+    let along = if difference >= 0.0 { (difference + root, xy) } else { (xy, root - difference) };
+    Vector2D::from(along).try_normalize()
+}
 
 /// Distance from `p` to the segment `a`-`b`, and the nearest point on it.
 pub fn nearest_on_segment<U>(p: Point2D<f32, U>, a: Point2D<f32, U>, b: Point2D<f32, U>) -> (f32, Point2D<f32, U>) {
@@ -44,4 +55,20 @@ pub fn crossing<U>(
 fn crosses<U>((a, b): (Point2D<f32, U>, Point2D<f32, U>), (c, d): (Point2D<f32, U>, Point2D<f32, U>)) -> bool {
     let side = |p: Point2D<f32, U>, q: Point2D<f32, U>, r: Point2D<f32, U>| (q - p).cross(r - p);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::PxVector;
+
+    #[test]
+    fn the_first_eigenvector_has_the_direction_of_greatest_extent() {
+        for degrees in 0..180 {
+            let (y, x) = (degrees as f32).to_radians().sin_cos();
+            let along: PxVector = first_eigenvector(9.0 * x * x, 9.0 * x * y, 9.0 * y * y).expect("one direction");
+            assert!(along.dot(PxVector::new(x, y)).abs() > 0.9999, "{degrees} degrees: {along:?}");
+        }
+        assert_eq!(first_eigenvector::<()>(2.0, 0.0, 2.0), None);
+    }
 }
