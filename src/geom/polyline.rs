@@ -373,8 +373,8 @@ mod tests {
 
     #[test]
     fn a_ring_is_resampled_evenly_over_its_seam() {
-        let even = ring(7, 10.0).resampled(1.0);
-        assert!(even.closed && even.vertices.len() == 61, "{}", even.vertices.len());
+        let even = ring(12, 10.0).resampled(1.0);
+        assert!(even.closed && even.vertices.len() == 62, "{}", even.vertices.len());
         assert!(even.segments().all(|(a, b)| ((*b - *a).length() - 1.0).abs() < 0.1));
         let tiny = ring(7, 0.2).resampled(1.0);
         assert!(!tiny.closed && tiny.vertices.first() == tiny.vertices.last());
