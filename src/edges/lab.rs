@@ -47,7 +47,7 @@ pub(super) fn convert(arch: Arch, from: &[&[f32]], lab: &mut [Vec<f32>]) {
             let n = red.len();
             arch.dispatch(ColourRow { from: [red, green, blue], to: [&mut l[..n], &mut a[..n], &mut b[..n]] });
         }
-        _ => {}
+        _ => debug_assert!(false, "as many planes go in as come out, one or three"),
     }
 }
 
