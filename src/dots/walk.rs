@@ -1,6 +1,6 @@
 //! The dots of a line on a device that can press them anywhere: in even steps along the line.
 
-use lyon::algorithms::walk::{RegularPattern, WalkerEvent, walk_along_path};
+use lyon::walk::{RegularPattern, WalkerEvent, walk_along_path};
 use lyon::path::Path;
 
 use crate::geom::polyline;
