@@ -2,7 +2,6 @@
 //! lines are one dot wide and hold together, and empty dots lie between what fingers must tell apart.
 
 use std::collections::BTreeSet;
-use std::sync::OnceLock;
 
 use crate::common::{page, samples};
 use tactograph::Page;
@@ -15,25 +14,18 @@ use tactograph::internals::units::MmPoint;
 type Cell = [i32; 2];
 
 /// All pages of all samples with all profiles of dots: the figures and the overviews.
-fn pages() -> &'static [(String, Profile, Page)] {
-    static PAGES: OnceLock<Vec<(String, Profile, Page)>> = OnceLock::new();
-    PAGES.get_or_init(made)
-}
-
-fn made() -> Vec<(String, Profile, Page)> {
+fn pages() -> Vec<(String, Profile, &'static Page)> {
     let mut pages = Vec::new();
     for file in built_in() {
         let profile = Profile::named(file.name).expect("it is built in");
         if profile.dots.device.is_none() {
             continue;
         }
-        for path in samples::samples() {
-            let sample = path.file_name().expect("a sample has a name").to_string_lossy().into_owned();
-            let bytes = std::fs::read(&path).expect("a sample can be read");
-            let drawing = page::page_for(&bytes, &sample, &profile, &mut |_| ());
+        for sample in samples::names() {
+            let drawing = page::of_sample(&sample, file.name);
             let name = format!("{sample} with {}", file.name);
-            pages.push((format!("{name}, overview"), profile.clone(), drawing.overview));
-            pages.push((name, profile.clone(), Some(drawing.page)));
+            pages.push((format!("{name}, overview"), profile.clone(), drawing.overview.as_ref()));
+            pages.push((name, profile.clone(), Some(&drawing.page)));
         }
     }
     pages.into_iter().filter_map(|(name, profile, page)| Some((name, profile, page?))).collect()
@@ -228,10 +220,7 @@ fn frames_keep_off_the_picture() {
 /// The back of a page is on the same grid, with columns exchanged.
 #[test]
 fn a_mirrored_page_is_on_the_same_grid() {
-    let path = samples::samples().into_iter().find(|path| path.ends_with("coffee.png")).expect("it is a sample");
-    let bytes = std::fs::read(path).expect("it can be read");
-    let profile = Profile::named("index-basic-d").expect("it is built in");
-    let page = &page::page_for(&bytes, "coffee.png", &profile, &mut |_| ()).page;
+    let page = &page::of_sample("coffee.png", "index-basic-d").page;
     let (front, back) = (Matrix::of(page).expect("a grid"), Matrix::of(&page.clone().mirrored()).expect("a grid"));
     for y in 0..front.rows() {
         let row = |matrix: &Matrix| matrix.row(y).to_vec();

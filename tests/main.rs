@@ -15,6 +15,7 @@ mod legibility;
 mod lines;
 mod metamorphic;
 mod pdf;
+mod plans;
 mod png;
 mod profiles;
 mod scenes;

@@ -147,11 +147,8 @@ fn too_many_pixels_are_refused_before_they_are_drawn() {
 /// Heights are greys, whatever is asked for.
 #[test]
 fn a_page_with_heights_is_grey() {
-    let profile = Profile::named("viewplus-columbia").expect("it is built in");
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/coffee.png");
-    let bytes = std::fs::read(path).expect("a sample can be read");
-    let page = page::page_for(&bytes, "coffee.png", &profile, &mut |_| ()).page;
-    let png = write(&page, dpi(100), Depth::Bilevel).expect("few pixels");
+    let page = &page::of_sample("coffee.png", "viewplus-columbia").page;
+    let png = write(page, dpi(100), Depth::Bilevel).expect("few pixels");
     let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().expect("a PNG");
     let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
     reader.next_frame(&mut pixels).expect("a PNG");

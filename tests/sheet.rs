@@ -1,7 +1,7 @@
 //! The sheet: on every profile and sample nothing leaves the margins, touches its neighbour or falls below what the profile
 //! promises, and changing one number does to the page what a person would expect.
 
-use crate::common::page::page_for;
+use crate::common::page::{of_sample, page_for};
 use crate::common::{apart, samples};
 use tactograph::Note;
 use tactograph::internals::geom::nearby::{Nearby, Segment};
@@ -15,11 +15,6 @@ const ROUNDING: f32 = 1e-3;
 /// A line may be this much shorter than the least length: simplifying it takes away a little.
 const SHORTENED: f32 = 0.97;
 
-fn sample(name: &str) -> Vec<u8> {
-    std::fs::read(samples::samples().iter().find(|path| path.ends_with(name)).expect("the sample is there"))
-        .expect("a sample can be read")
-}
-
 fn profile(name: &str, settings: &[(&str, &str)]) -> Profile {
     let mut profile = Profile::named(name).expect("built in");
     settings.iter().for_each(|(key, value)| profile.set(key, value).expect("the test sets what there is"));
@@ -28,7 +23,7 @@ fn profile(name: &str, settings: &[(&str, &str)]) -> Profile {
 
 /// The page of a sample with the default profile and one or more numbers changed.
 fn changed(name: &str, settings: &[(&str, &str)]) -> Page {
-    page_for(&sample(name), name, &profile("swell-a4", settings), &mut |_| ()).page
+    page_for(&samples::read(name), name, &profile("swell-a4", settings), &mut |_| ()).page
 }
 
 #[test]
@@ -36,10 +31,8 @@ fn pages_of_every_profile_keep_what_it_promises() {
     // pages of dots: tests/dotted.rs
     let printed = |file: &&BuiltIn| profile(file.name, &[]).dots.device.is_none();
     for file in built_in().iter().filter(printed) {
-        for path in samples::samples() {
-            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-            let bytes = std::fs::read(&path).expect("a sample can be read");
-            holds(&bytes, &name, &profile(file.name, &[]));
+        for name in samples::names() {
+            holds(of_sample(&name, file.name), &name, &profile(file.name, &[]));
         }
     }
 }
@@ -57,14 +50,14 @@ fn pages_of_every_make_up_keep_what_the_profile_promises() {
         &[("lines.min_gap", "6"), ("lines.min_length", "15"), ("lines.width_max", "2.5")],
     ] {
         for name in ["coffee.png", "portrait.svg"] {
-            holds(&sample(name), name, &profile("swell-a4", settings));
+            let profile = profile("swell-a4", settings);
+            holds(&page_for(&samples::read(name), name, &profile, &mut |_| ()), name, &profile);
         }
     }
 }
 
-/// Makes a page and checks it against the numbers of its profile.
-fn holds(bytes: &[u8], name: &str, profile: &Profile) {
-    let made = page_for(bytes, name, profile, &mut |_| ());
+/// Checks a page against the numbers of its profile.
+fn holds(made: &Drawing, name: &str, profile: &Profile) {
     let (page, swell) = (&made.page, profile.print.swell);
     let name = format!("{name} with {}", profile.name);
     let margin = profile.page.margin - 0.5 * swell;
@@ -306,7 +299,7 @@ fn swelling_gives_back_the_width_that_was_asked_for() {
 #[test]
 fn a_page_with_too_much_black_is_made_and_its_maker_told() {
     let profile = profile("swell-a4", &[("print.max_black", "0.01")]);
-    let made = page_for(&sample("landscape.svg"), "landscape", &profile, &mut |_| ());
+    let made = page_for(&samples::read("landscape.svg"), "landscape", &profile, &mut |_| ());
     let percent = (100.0 * made.page.black_share()).round() as u32;
     assert!(percent > 1);
     assert_eq!(made.notes, [Note::TooBlack { percent, most: 1 }]);

@@ -23,8 +23,7 @@ fn sheets_of(
     fit: Fit,
     watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
-    let path = samples::samples().into_iter().find(|path| path.ends_with(name)).expect("the sample is there");
-    let bytes = std::fs::read(path).expect("it can be read");
+    let bytes = samples::read(name);
     let mut profile = Profile::named("swell-a4").expect("built in");
     settings.iter().for_each(|(key, value)| profile.set(key, value).expect("the test sets what there is"));
     let plan = Plan::new(&profile).expect("the settings make sense together");

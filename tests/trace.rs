@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::common::{page, samples};
 use tactograph::internals::contours::{Polyline, Trace};
 use tactograph::internals::note::Note;
 use tactograph::internals::output::json;
@@ -167,7 +168,7 @@ fn length(trace: &Trace) -> f32 {
 
 #[test]
 fn higher_thresholds_leave_less() {
-    let photo = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/rocket.jpg")).expect("a sample");
+    let photo = samples::read("rocket.jpg");
     for subject in all() {
         let mut last = f32::INFINITY;
         for (low, high) in [(0.0, 0.0), (0.0, 6.0), (3.0, 6.0), (6.0, 6.0), (6.0, 20.0), (20.0, 40.0), (900.0, 900.0)] {
@@ -193,9 +194,8 @@ fn thresholds_that_make_no_sense_cannot_be_made() {
 #[test]
 fn the_lines_are_those_of_the_page() {
     for name in ["coffee.png", "rocket.jpg", "bars.svg"] {
-        let picture = std::fs::read(format!("{}/samples/{name}", env!("CARGO_MANIFEST_DIR"))).expect("a sample");
-        let options = Options::new(Profile::named("swell-a4").expect("built in"));
-        let figure = tactograph::convert(&picture, &options).expect("a page").page.figure.clone();
+        let picture = samples::read(name);
+        let figure = &page::of_sample(name, "swell-a4").page.figure;
         let trace = traced(&picture, Tracing::lines());
         assert_eq!(trace.size, figure.source);
         assert_eq!(trace.polylines.len(), figure.lines.len(), "{name}");
@@ -284,7 +284,7 @@ fn limits_hold_at_full_resolution() {
 
 #[test]
 fn the_same_picture_gives_the_same_file() {
-    let photo = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/coffee.png")).expect("a sample");
+    let photo = samples::read("coffee.png");
     for subject in all() {
         let once = json::write(&traced(&photo, subject));
         assert!(once == json::write(&traced(&photo, subject)), "{subject:?}");

@@ -1,7 +1,7 @@
 //! The dots of a line on a device that can press them anywhere: in even steps along the line.
 
-use lyon::walk::{RegularPattern, WalkerEvent, walk_along_path};
 use lyon::path::Path;
+use lyon::walk::{RegularPattern, WalkerEvent, walk_along_path};
 
 use crate::geom::polyline;
 use crate::units::MmPoint;

@@ -1,10 +1,9 @@
 //! Where lines of a page run nearer to one another, or to themselves, than a finger can part them: measured on the finished
-//! lines alone, by a rule of its own, not by the one that made them.
+//! lines alone, by a rule of its own, not by the one that made them. Each segment is held against every other one, with
+//! geometry in f64 that is written here, so no fault of the library's index or of its distances can hide itself.
 
-use tactograph::internals::geom::nearby::{Nearby, Segment};
-use tactograph::internals::geom::{crossing, nearest_on_segment};
 use tactograph::internals::page::Line;
-use tactograph::internals::units::{MmPoint, MmRect};
+use tactograph::internals::units::MmPoint;
 
 /// Lines are looked at every so often, mm.
 const STEP: f32 = 0.25;
@@ -34,6 +33,48 @@ pub(crate) struct TooNear {
     pub length: f32,
 }
 
+/// A straight piece of a line.
+#[derive(Debug, Clone, Copy)]
+struct Segment {
+    a: MmPoint,
+    b: MmPoint,
+    half_width: f32,
+    /// Number of its line.
+    line: u32,
+    /// Length along its line to `a`, mm.
+    arc: f32,
+}
+
+impl Segment {
+    /// Whether any of it may lie within `reach` of the box `low`-`high`.
+    fn near(&self, low: MmPoint, high: MmPoint, reach: f32) -> bool {
+        let (least, most) = (self.a.min(self.b), self.a.max(self.b));
+        least.x <= high.x + reach && least.y <= high.y + reach && most.x >= low.x - reach && most.y >= low.y - reach
+    }
+
+    /// How far a point is from it, and the point of it that is nearest.
+    fn nearest(&self, at: MmPoint) -> (f32, MmPoint) {
+        let [ax, ay, bx, by, px, py] = [self.a.x, self.a.y, self.b.x, self.b.y, at.x, at.y].map(f64::from);
+        let (dx, dy) = (bx - ax, by - ay);
+        let square = dx * dx + dy * dy;
+        let share = if square > 0.0 { (((px - ax) * dx + (py - ay) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let (x, y) = (ax + share * dx, ay + share * dy);
+        ((x - px).hypot(y - py) as f32, MmPoint::new(x as f32, y as f32))
+    }
+
+    /// Where it crosses another one, in a point inside both.
+    fn crossing(&self, other: &Self) -> Option<MmPoint> {
+        let [ax, ay, bx, by] = [self.a.x, self.a.y, self.b.x, self.b.y].map(f64::from);
+        let [cx, cy, dx, dy] = [other.a.x, other.a.y, other.b.x, other.b.y].map(f64::from);
+        let determinant = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx);
+        let s = ((cx - ax) * (dy - cy) - (cy - ay) * (dx - cx)) / determinant;
+        let t = ((cx - ax) * (by - ay) - (cy - ay) * (bx - ax)) / determinant;
+        let inside = |share: f64| share > 0.0 && share < 1.0; // of parallel ones neither is a number in there
+        let at = MmPoint::new((ax + s * (bx - ax)) as f32, (ay + s * (by - ay)) as f32);
+        (inside(s) && inside(t)).then_some(at)
+    }
+}
+
 struct Way {
     segments: Vec<Segment>,
     length: f32,
@@ -46,8 +87,7 @@ impl Way {
         let mut arc = 0.0;
         for run in &line.runs {
             for (&a, &b) in run.polyline().segments() {
-                let index = segments.len() as u32;
-                segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number as u32, index, arc });
+                segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number as u32, arc });
                 arc += (b - a).length();
             }
         }
@@ -82,14 +122,9 @@ impl Way {
 /// All places where lines are nearer than `min_gap` though they do not join there.
 pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
     let ways: Vec<Way> = lines.iter().enumerate().map(|(number, line)| Way::of(number, line)).collect();
-    let all = || ways.iter().flat_map(|way| &way.segments);
-    let widest = all().map(|s| s.half_width).fold(0.0, f32::max);
-    let low = all().fold(MmPoint::new(f32::MAX, f32::MAX), |low, s| low.min(s.a).min(s.b));
-    let high = all().fold(MmPoint::new(f32::MIN, f32::MIN), |high, s| high.max(s.a).max(s.b));
-    let mut nearby = Nearby::new(MmRect::new(low, high), min_gap);
-    all().for_each(|segment| nearby.insert(*segment));
-
-    let junctions = junctions(&ways, &nearby, min_gap);
+    let all: Vec<Segment> = ways.iter().flat_map(|way| &way.segments).copied().collect();
+    let widest = all.iter().map(|s| s.half_width).fold(0.0, f32::max);
+    let junctions = junctions(&ways, &all, min_gap);
     // whether line `a`, `arc` from its start, is on its way to a junction with line `b`
     let arrives = |a: u32, arc: f32, b: u32, clearance: f32| {
         let way = &ways[a as usize];
@@ -98,18 +133,21 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
     };
 
     let mut found = Vec::new();
-    for segment in all() {
+    for segment in &all {
+        let (low, high) = (segment.a.min(segment.b), segment.a.max(segment.b));
+        let reach = min_gap + segment.half_width + widest;
+        let others: Vec<&Segment> = all.iter().filter(|other| other.near(low, high, reach)).collect();
         let length = (segment.b - segment.a).length();
         let steps = (length / STEP).ceil().max(1.0);
         for k in 0..steps as u32 {
             let share = (k as f32 + 0.5) / steps;
             let (here, at) = (segment.arc + share * length, segment.a.lerp(segment.b, share));
             let mut worst: Option<TooNear> = None;
-            nearby.around(at, at, min_gap + segment.half_width + widest, |other| {
-                let (distance, point) = nearest_on_segment(at, other.a, other.b);
+            for other in &others {
+                let (distance, point) = other.nearest(at);
                 let clearance = min_gap + segment.half_width + other.half_width;
                 if distance >= clearance - ROUNDING {
-                    return;
+                    continue;
                 }
                 let there = other.arc + (point - other.a).length();
                 let bend = other.line == segment.line
@@ -120,7 +158,7 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
                 if !bend && !joins && worst.is_none_or(|worst| gap < worst.gap) {
                     worst = Some(TooNear { at, gap, lines: (segment.line, other.line), length: length / steps });
                 }
-            });
+            }
             found.extend(worst);
         }
     }
@@ -135,7 +173,7 @@ struct Junction {
 
 /// The junctions of every line. Two lines that cross again before they have been apart only wind round one another: these
 /// are none.
-fn junctions(ways: &[Way], nearby: &Nearby, min_gap: f32) -> Vec<Vec<Junction>> {
+fn junctions(ways: &[Way], all: &[Segment], min_gap: f32) -> Vec<Vec<Junction>> {
     let of = |(number, way): (usize, &Way)| {
         let mut found: Vec<Junction> = Vec::new();
         let mut add = |arc: f32, there: f32, other: &Segment| {
@@ -146,27 +184,31 @@ fn junctions(ways: &[Way], nearby: &Nearby, min_gap: f32) -> Vec<Vec<Junction>> 
         };
         for segment in &way.segments {
             let (a, b) = (segment.a, segment.b);
-            nearby.around(a.min(b), a.max(b), 0.0, |other| {
-                if let Some(at) = crossing((a, b), (other.a, other.b))
+            for other in all.iter().filter(|other| other.near(a.min(b), a.max(b), 0.0)) {
+                if let Some(at) = segment.crossing(other)
                     && !ways[other.line as usize].ends_at(at)
                 {
                     add(segment.arc + (at - a).length(), other.arc + (at - other.a).length(), other);
                 }
-            });
+            }
         }
         if let (Some(first), Some(last), false) = (way.segments.first(), way.segments.last(), way.closed) {
             for (tip, arc) in [(first.a, 0.0), (last.b, way.length)] {
-                nearby.around(tip, tip, TOUCH, |other| {
-                    let (distance, at) = nearest_on_segment(tip, other.a, other.b);
+                for other in all.iter().filter(|other| other.near(tip, tip, TOUCH)) {
+                    let (distance, at) = other.nearest(tip);
                     if distance <= TOUCH {
                         add(arc, other.arc + (at - other.a).length(), other);
                     }
-                });
+                }
             }
         }
         found
     };
-    let all: Vec<Vec<Junction>> = ways.iter().enumerate().map(of).collect();
+    let found: Vec<Vec<Junction>> = ways.iter().enumerate().map(of).collect();
+    let follows = |at: MmPoint, line: u32| {
+        let segments = &ways[line as usize].segments;
+        segments.iter().any(|s| s.near(at, at, min_gap) && s.nearest(at).0 <= min_gap)
+    };
     let winds = |way: &Way, junction: &Junction, list: &[Junction]| {
         list.iter().any(|other| {
             let (from, to) = (junction.arc.min(other.arc), junction.arc.max(other.arc));
@@ -174,10 +216,11 @@ fn junctions(ways: &[Way], nearby: &Nearby, min_gap: f32) -> Vec<Vec<Junction>> 
             other.other == junction.other
                 && !itself
                 && to - from > 1.0
-                && way.places(from, to).all(|at| nearby.nearest(at, min_gap, |s| s.line == junction.other).is_some())
+                && way.places(from, to).all(|at| follows(at, junction.other))
         })
     };
-    all.iter()
+    found
+        .iter()
         .zip(ways)
         .map(|(list, way)| {
             let kept = list.iter().filter(|junction| !winds(way, junction, list));

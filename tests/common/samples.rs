@@ -13,3 +13,15 @@ pub(crate) fn samples() -> Vec<PathBuf> {
     pictures.sort();
     pictures
 }
+
+/// Their names, sorted.
+pub(crate) fn names() -> Vec<String> {
+    let name = |path: &PathBuf| path.file_name().expect("a sample has a name").to_string_lossy().into_owned();
+    samples().iter().map(name).collect()
+}
+
+/// A sample as a file's bytes.
+pub(crate) fn read(name: &str) -> Vec<u8> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(name);
+    std::fs::read(path).expect("the sample is there")
+}

@@ -28,11 +28,9 @@ fn pages_are_as_somebody_last_saw_them() {
     assert!(!(update && std::env::var_os("CI").is_some()), "golden pages are not updated under CI");
     let mut faults = Vec::new();
     let mut expected = BTreeSet::new();
-    for sample in samples::samples() {
-        let name = sample.file_name().expect("a sample has a name").to_string_lossy().into_owned();
-        let bytes = std::fs::read(&sample).expect("a sample can be read");
-        let page = page::page_of(&bytes, &name, &[], &mut |_| ()).page;
-        let svg = tactograph::internals::output::svg::write(&page);
+    for name in samples::names() {
+        let page = &page::of_sample(&name, "swell-a4").page;
+        let svg = tactograph::internals::output::svg::write(page);
         let rendering = render(&svg);
         let file = |ending: &str| folder.join(format!("{name}.{ending}"));
         expected.extend(["txt", "svg", "png"].map(&file));
@@ -73,18 +71,16 @@ fn pages_of_dots_are_as_somebody_last_saw_them() {
     for name in ["index-basic-d", "graphiti", "monarch", "pins-120x60"].into_iter().chain(others) {
         let profile = Profile::named(name).expect("it is built in");
         let device = profile.dots.device.expect("a profile of dots");
-        for sample in samples::samples() {
-            let picture = sample.file_name().expect("a sample has a name").to_string_lossy().into_owned();
-            let bytes = std::fs::read(&sample).expect("a sample can be read");
-            let drawing = page::page_for(&bytes, &picture, &profile, &mut |_| ());
-            let pages: Vec<Page> = [Some(drawing.page), drawing.overview].into_iter().flatten().collect();
-            let matrices: Vec<Matrix> = pages.iter().filter_map(Matrix::of).collect();
+        for picture in samples::names() {
             if others.contains(&name) && !["coffee.png", "landscape.svg"].contains(&picture.as_str()) {
                 continue;
             }
+            let drawing = page::of_sample(&picture, name);
+            let pages: Vec<&Page> = [Some(&drawing.page), drawing.overview.as_ref()].into_iter().flatten().collect();
+            let matrices: Vec<Matrix> = pages.iter().filter_map(|page| Matrix::of(page)).collect();
             let mut files = vec![("ubrl", ubrl::write(&matrices).into_bytes())];
             if others.contains(&name) {
-                files = vec![("txt", pages.iter().map(Page::to_string).collect::<String>().into_bytes())];
+                files = vec![("txt", pages.iter().map(|page| page.to_string()).collect::<String>().into_bytes())];
             } else if name != "index-basic-d" {
                 let words = Words { title: &picture, description: "", language: "" };
                 files.push(("txt", art::write(&matrices).into_bytes()));
