@@ -2,6 +2,7 @@
 //! lines are one dot wide and hold together, and empty dots lie between what fingers must tell apart.
 
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use crate::common::{page, samples};
 use tactograph::Page;
@@ -14,7 +15,12 @@ use tactograph::internals::units::MmPoint;
 type Cell = [i32; 2];
 
 /// All pages of all samples with all profiles of dots: the figures and the overviews.
-fn pages() -> Vec<(String, Profile, &'static Page)> {
+fn pages() -> &'static [(String, Profile, &'static Page)] {
+    static PAGES: OnceLock<Vec<(String, Profile, &'static Page)>> = OnceLock::new();
+    PAGES.get_or_init(made)
+}
+
+fn made() -> Vec<(String, Profile, &'static Page)> {
     let mut pages = Vec::new();
     for file in built_in() {
         let profile = Profile::named(file.name).expect("it is built in");

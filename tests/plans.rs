@@ -12,7 +12,7 @@ use tactograph::internals::pipeline::{Request, convert};
 use tactograph::internals::profile::{Key, Kind, Plan, Profile, built_in};
 
 /// A value of the key as it is written; numbers are often the ends of their range, and often small.
-fn value(key: &'static Key) -> BoxedStrategy<String> {
+fn value(key: Key) -> BoxedStrategy<String> {
     match key.kind {
         Kind::Switch => any::<bool>().prop_map(|on| on.to_string()).boxed(),
         Kind::Choice(words) => select(words).prop_map(String::from).boxed(),

@@ -5,7 +5,6 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tactograph::internals::output::png::{Depth, Dpi, is_as_written, write};
 use tactograph::internals::output::svg;
-use tactograph::internals::profile::Profile;
 use tactograph::{Error, Page};
 
 const DRAWING: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="120" height="90">

@@ -7,6 +7,7 @@ use tactograph::Note;
 use tactograph::internals::geom::nearby::{Nearby, Segment};
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::internals::page::{Class, Dots, Page, Run, Shape, Texture};
+use tactograph::internals::pipeline::Drawing;
 use tactograph::internals::profile::{BuiltIn, Profile, built_in};
 use tactograph::internals::units::{MmPoint, MmRect, MmVector};
 

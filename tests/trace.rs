@@ -12,7 +12,7 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::Limits;
 use tactograph::internals::units::{PxPoint, Size};
 use tactograph::internals::{frame, lines};
-use tactograph::{Error, Options, Thresholds, Traced, Tracing};
+use tactograph::{Error, Thresholds, Traced, Tracing};
 
 /// Everything that can be traced.
 fn all() -> [Tracing; 3] {
