@@ -1,6 +1,5 @@
-//! The layers of a page: the same names in every format that has layers.
+//! The layers of a page and the greys of heights: the same in every format that has them.
 
-use super::dots::greys::GREYS;
 use crate::page::{Class, Height};
 
 /// A layer. Those with a parent lie in it.
@@ -41,7 +40,11 @@ impl Layer {
     }
 }
 
-/// The grey of a dot's height, 0 black: what is lighter is pressed lower.
+/// The greys of no dot, and of a low, a middle and a high one: as far apart as they can be, so that a driver that has more
+/// heights than we use maps them to heights that differ.
+pub(super) const GREYS: [u8; 4] = [255, 170, 85, 0];
+
+/// The grey of a dot's height, 0 black: what is lighter is raised less.
 pub(super) fn grey(height: Height) -> u8 {
     GREYS[1 + height as usize]
 }

@@ -6,7 +6,8 @@
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg;
 
-use super::{origin_lines, plain, seal, svg, zlib};
+use super::text::{origin_lines, plain};
+use super::{seal, svg, zlib};
 use crate::Error;
 use crate::page::Page;
 use crate::units::Size;

@@ -22,7 +22,8 @@ use svg::node::element::{Description, Element, Group, Path, Title};
 use svg::{Document, Node};
 
 use super::layer::{Layer, grey};
-use super::{origin_lines, plain, seal};
+use super::seal;
+use super::text::{origin_lines, plain, push_number};
 use crate::page::{Class, Dots, Figure, Glyph, Height, Line, Overview, Page, Pen, Run, Shape, Texture};
 use crate::units::{MmPoint, MmRect};
 
@@ -213,54 +214,25 @@ fn push_disc(d: &mut String, at: MmPoint, diameter: f32) {
 }
 
 fn push_point(d: &mut String, at: MmPoint) {
-    push_number(d, at.x);
+    push_length(d, at.x);
     d.push(',');
-    push_number(d, at.y);
+    push_length(d, at.y);
 }
 
 fn number(value: f32) -> String {
     let mut text = String::new();
-    push_number(&mut text, value);
+    push_length(&mut text, value);
     text
 }
 
-/// A length in mm with at most two decimals (0.01 mm: a printer's dot is 0.02 to 0.08), always the same for the same value.
-fn push_number(text: &mut String, value: f32) {
-    let hundredths = (f64::from(value) * 100.0).round() as i64;
-    if hundredths < 0 {
-        text.push('-');
-    }
-    let (whole, rest) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
-    push_whole(text, whole);
-    if rest > 0 {
-        text.push('.');
-        text.push(char::from(b'0' + rest / 10));
-        if !rest.is_multiple_of(10) {
-            text.push(char::from(b'0' + rest % 10));
-        }
-    }
-}
-
-/// Numbers are most of the document: without the machinery of `format!` they take a third of the time.
-fn push_whole(text: &mut String, value: u64) {
-    if value >= 10 {
-        push_whole(text, value / 10);
-    }
-    text.push(char::from(b'0' + (value % 10) as u8));
+/// A length in mm with at most two decimals (0.01 mm: a printer's dot is 0.02 to 0.08).
+fn push_length(text: &mut String, mm: f32) {
+    push_number::<2>(text, mm);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_have_at_most_two_decimals_and_no_idle_zeros() {
-        for (value, want) in
-            [(0.0, "0"), (-0.001, "0"), (1.5, "1.5"), (10.05, "10.05"), (-3.25, "-3.25"), (210.0, "210"), (0.999, "1")]
-        {
-            assert_eq!(number(value), want);
-        }
-    }
 
     #[test]
     fn paths_are_written_in_millimetres() {

@@ -32,7 +32,8 @@
 use std::fmt::Write;
 
 use super::tour::{self, Place};
-use crate::output::{plain, seal};
+use crate::output::seal;
+use crate::output::text::{plain, push_hundredths};
 
 /// How far beyond the paper's length the paper is fed to come out, mm (DesktopBrailleRAP).
 const EJECT: f64 = 20.0;
@@ -233,8 +234,12 @@ fn hundredths(mm: f64) -> i32 {
 }
 
 fn go(out: &mut String, [x, y]: Place) {
-    let (x, y) = (x.unsigned_abs(), y.unsigned_abs()); // never below 0: the limits say so
-    line(out, format_args!("G1 X{}.{:02} Y{}.{:02};", x / 100, x % 100, y / 100, y % 100));
+    // never below 0: the limits say so
+    out.push_str("G1 X");
+    push_hundredths(out, x.unsigned_abs());
+    out.push_str(" Y");
+    push_hundredths(out, y.unsigned_abs());
+    out.push_str(";\r\n");
 }
 
 fn line(out: &mut String, text: std::fmt::Arguments<'_>) {

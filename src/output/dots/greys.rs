@@ -3,13 +3,11 @@
 //! White is no dot; the darker, the higher. The picture says how far apart its pixels are, in whole pixels a metre as PNG has
 //! it: 20 to the inch come out as 787, which is as near as the format goes.
 
-use crate::output::{plain, png, zlib};
+use crate::output::layer::GREYS;
+use crate::output::text::plain;
+use crate::output::{png, zlib};
 
 use super::{Matrix, Words};
-
-/// The greys of no dot, and of a low, a middle and a high one: as far apart as they can be, so that a driver that has more
-/// heights than we use maps them to heights that differ.
-pub const GREYS: [u8; 4] = [255, 170, 85, 0];
 
 /// Of zlib-rs, 1..=9. The pictures are small.
 const LEVEL: u32 = 9;

@@ -6,7 +6,8 @@
 use svg::node::Text;
 
 use super::{Matrix, Words, ubrl};
-use crate::output::{plain, seal};
+use crate::output::seal;
+use crate::output::text::plain;
 
 /// The pages as PEF.
 ///

@@ -8,10 +8,11 @@ use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Name, Settings};
 
 use super::super::layer::{Layer, grey};
-use super::POINTS_PER_MM;
 use crate::page::{Class, Dots, Glyph, Height, Line, Page, Pen, Run, Shape};
 use crate::units::MmPoint;
 
+/// Points of a PDF in a millimetre.
+pub(super) const POINTS_PER_MM: f32 = 72.0 / 25.4;
 /// Units of user space in a millimetre.
 const UNITS: f32 = 100.0;
 /// The page's only piece of tagged content.

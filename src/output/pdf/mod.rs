@@ -12,25 +12,28 @@
 //! Strokes stay strokes of their width, with round ends. There is no clock: the same pages give the same bytes.
 
 mod content;
-mod xmp;
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io::Write as _;
 
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use pdf_writer::types::StructRole;
 use pdf_writer::writers::StructElement;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Settings, TextStr};
 
+use self::content::POINTS_PER_MM;
 use super::layer::Layer;
-use super::{plain, seal, zlib};
+use super::seal;
+use super::text::{origin_lines, plain};
 use crate::page::Page;
 
-/// Points of a PDF in a millimetre.
-const POINTS_PER_MM: f32 = 72.0 / 25.4;
 /// Who wrote the file.
 const PROGRAM: &str = concat!("tactograph ", env!("CARGO_PKG_VERSION"));
 /// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 1 to 2 % larger than at 6, and 20,000 glyphs take half the
 /// time.
-const LEVEL: u32 = 3;
+const LEVEL: Compression = Compression::new(3);
 
 /// The pages as one PDF document called `title`, which has the language and the origin of the first. The same pages give the
 /// same bytes.
@@ -48,7 +51,7 @@ pub fn write(title: &str, pages: &[Page]) -> Vec<u8> {
     }
     if let Some(first) = pages.first() {
         let title = plain(title);
-        let packet = xmp::packet(&title, first);
+        let packet = xmp(&title, first);
         let mut metadata = pdf.stream(ids.metadata, packet.as_bytes());
         metadata.pair(Name(b"Type"), Name(b"Metadata")).pair(Name(b"Subtype"), Name(b"XML"));
         metadata.finish();
@@ -197,11 +200,53 @@ fn sheet(pdf: &mut Pdf, page: &Page, own: &PageIds, number: i32, ids: &Ids) {
     properties.finish();
     resources.finish();
     leaf.finish();
-    let content = zlib::compressed(&content::write(page, &name), LEVEL);
+    let content = compressed(&content::write(page, &name));
     pdf.stream(own.content, &content).filter(Filter::FlateDecode);
+}
+
+fn compressed(bytes: &[u8]) -> Vec<u8> {
+    let mut stream = ZlibEncoder::new(Vec::new(), LEVEL);
+    // Writing to memory cannot fail.
+    let _ = stream.write_all(bytes);
+    stream.finish().unwrap_or_default()
 }
 
 fn rect(page: &Page) -> Rect {
     let [width, height] = page.sheet.map(|side| side * POINTS_PER_MM);
     Rect::new(0.0, 0.0, width, height)
+}
+
+/// What a PDF says of itself as XMP, for a document whose first page is this. The number of PDF/UA says that the file keeps the rules of
+/// ISO 14289-1 (accessible PDF); `tactograph:made` says how the page was made, as the SVG does in its `metadata`.
+fn xmp(title: &str, page: &Page) -> String {
+    let (title, description) = (escaped(title), escaped(&page.description));
+    let language = escaped(&page.language);
+    let mut made = String::new();
+    for line in origin_lines(&page.origin) {
+        let _ = writeln!(made, "<rdf:li>{}</rdf:li>", escaped(&line)); // writing to a String cannot fail
+    }
+    format!(
+        r#"<?xpacket begin="{bom}" id="W5M0MpCehiHzreSzNTczkc9d"?>
+<x:xmpmeta xmlns:x="adobe:ns:meta/">
+<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
+<rdf:Description rdf:about="" xmlns:dc="http://purl.org/dc/elements/1.1/" xmlns:xmp="http://ns.adobe.com/xap/1.0/" xmlns:pdf="http://ns.adobe.com/pdf/1.3/" xmlns:pdfuaid="http://www.aiim.org/pdfua/ns/id/" xmlns:tactograph="urn:tactograph:1">
+<pdfuaid:part>1</pdfuaid:part>
+<dc:format>application/pdf</dc:format>
+<dc:title><rdf:Alt><rdf:li xml:lang="x-default">{title}</rdf:li></rdf:Alt></dc:title>
+<dc:description><rdf:Alt><rdf:li xml:lang="x-default">{description}</rdf:li></rdf:Alt></dc:description>
+<dc:language><rdf:Bag><rdf:li>{language}</rdf:li></rdf:Bag></dc:language>
+<xmp:CreatorTool>{PROGRAM}</xmp:CreatorTool>
+<pdf:Producer>{PROGRAM}</pdf:Producer>
+<tactograph:made><rdf:Seq>
+{made}</rdf:Seq></tactograph:made>
+</rdf:Description>
+</rdf:RDF>
+</x:xmpmeta>
+<?xpacket end="r"?>"#,
+        bom = '\u{feff}'
+    )
+}
+
+fn escaped(text: &str) -> String {
+    plain(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
