@@ -7,10 +7,10 @@ pub mod json;
 mod layer;
 pub mod pdf;
 pub mod png;
+mod png_file;
 mod seal;
 pub mod svg;
 mod text;
-mod zlib;
 
 pub use dot_files::{Embossing, write as write_dots};
 pub use format::{DotFormat, DrawingFormat, Format};

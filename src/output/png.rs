@@ -3,11 +3,15 @@
 //! A pixel says how large it is (chunk pHYs), so that a program that prints at the picture's own size prints true
 //! millimetres. The sheet is rendered in bands, so that a fine picture of a large sheet does not fill the memory.
 
+use std::io::{self, Write};
+
+use png::{BitDepth, Filter};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg;
 
-use super::text::{origin_lines, plain};
-use super::{seal, svg, zlib};
+use super::png_file::{self, PngFile};
+use super::svg;
+use super::text::origin_lines;
 use crate::Error;
 use crate::page::Page;
 use crate::units::Size;
@@ -55,13 +59,7 @@ const MOST_MEGAPIXELS: u64 = 400;
 /// Pixels of a band, at 4 bytes each while it is rendered: an A4 sheet at 300 dpi is one band.
 const BAND: u32 = 16 << 20;
 /// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 14 % smaller than at 3, and rendering takes most of the time.
-const LEVEL: u32 = 6;
-
-pub(super) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-/// Keyword of the text that holds the seal.
-const SEAL: &[u8] = b"Seal\0";
-/// Length, type and checksum of a chunk.
-const CHUNK: usize = 12;
+const LEVEL: u8 = 6;
 
 /// The page as a PNG. The same page gives the same bytes.
 ///
@@ -76,53 +74,34 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
     }
     // Heights are greys, which black and white would make all or nothing of.
     let depth = if page.medium.has_heights() { Depth::Grey } else { depth };
-    let mut png = SIGNATURE.to_vec();
-    let bits = match depth {
-        Depth::Bilevel => 1,
-        Depth::Grey => 8,
+    let (bits, filter) = match depth {
+        // Bits have nothing in common with the bytes of their neighbours.
+        Depth::Bilevel => (BitDepth::One, Filter::NoFilter),
+        Depth::Grey => (BitDepth::Eight, Filter::Up),
     };
-    let mut header = [size.width.to_be_bytes(), size.height.to_be_bytes()].concat();
-    header.extend([bits, 0, 0, 0, 0]); // grey, zlib, filters of rows, not interlaced
-    chunk(&mut png, b"IHDR", &header);
-    let per_metre = (f64::from(dpi.0) / 0.0254).round() as u32;
-    chunk(&mut png, b"pHYs", &[&per_metre.to_be_bytes()[..], &per_metre.to_be_bytes(), &[1]].concat());
-    let language = plain(&page.language);
-    text(&mut png, "Title", &language, &plain(&page.title));
-    text(&mut png, "Description", &language, &plain(&page.description));
-    text(&mut png, "Software", "", concat!("tactograph ", env!("CARGO_PKG_VERSION")));
-    text(&mut png, "Comment", "", &origin_lines(&page.origin).collect::<Vec<_>>().join("\n"));
-    chunk(&mut png, b"IDAT", &pixels(page, size, dpi, depth).ok_or_else(too_fine)?);
-    Ok(sealed(png))
-}
-
-/// A picture that lacks nothing but its end, with its seal and its end.
-pub(super) fn sealed(mut png: Vec<u8>) -> Vec<u8> {
-    let seal = seal::of(&png);
-    chunk(&mut png, b"tEXt", &[SEAL, seal.as_bytes()].concat());
-    chunk(&mut png, b"IEND", &[]);
-    png
+    let file = PngFile {
+        size: [width, height],
+        depth: bits,
+        filter,
+        level: LEVEL,
+        per_metre: (f64::from(dpi.0) / 0.0254).round() as u32,
+        words: [&page.title, &page.description, &page.language],
+        origin: Some(origin_lines(&page.origin).collect::<Vec<_>>().join("\n")),
+    };
+    file.write(|out| rows(page, size, dpi, depth, out)).map_err(|_| too_fine())
 }
 
 /// Whether these bytes are a PNG as [`write()`] makes it, changed by nobody since.
 pub fn is_as_written(bytes: &[u8]) -> bool {
-    let end = CHUNK + SEAL.len() + seal::LENGTH + CHUNK;
-    let Some((picture, tail)) = bytes.len().checked_sub(end).and_then(|at| bytes.split_at_checked(at)) else {
-        return false;
-    };
-    picture.starts_with(SIGNATURE) && {
-        let whole = sealed(picture.to_vec());
-        whole.ends_with(tail)
-    }
+    png_file::is_as_written(bytes)
 }
 
-/// The rows of pixels, compressed. None if there is no memory for a band.
-fn pixels(page: &Page, size: Size, dpi: Dpi, depth: Depth) -> Option<Vec<u8>> {
+/// Renders the page band by band and writes its rows of pixels. Fails if there is no memory for a band.
+fn rows(page: &Page, size: Size, dpi: Dpi, depth: Depth, out: &mut dyn Write) -> io::Result<()> {
     let options = usvg::Options { dpi: dpi.0 as f32, ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(&svg::write(page), &options).ok()?;
+    let tree = usvg::Tree::from_str(&svg::write(page), &options).map_err(io::Error::other)?;
     let rows = (BAND / size.width).clamp(1, size.height);
-    let mut band = Pixmap::new(size.width, rows)?;
-    let mut stream = zlib::Stream::new(LEVEL);
-    let mut above = vec![0; size.width as usize];
+    let mut band = Pixmap::new(size.width, rows).ok_or(io::ErrorKind::OutOfMemory)?;
     let mut packed = Vec::new();
     for top in (0..size.height).step_by(rows as usize) {
         band.fill(Color::WHITE);
@@ -134,17 +113,16 @@ fn pixels(page: &Page, size: Size, dpi: Dpi, depth: Depth) -> Option<Vec<u8>> {
             packed.clear();
             match depth {
                 Depth::Bilevel => pack(grey, &mut packed),
-                Depth::Grey => less_above(grey, &mut above, &mut packed),
+                Depth::Grey => packed.extend(grey),
             }
-            stream.push(&packed);
+            out.write_all(&packed)?;
         }
     }
-    Some(stream.finish())
+    Ok(())
 }
 
-/// A row of bits, eight a byte, white is 1; as it is (filter 0): bits have nothing in common with their neighbours' bytes.
+/// A row of bits, eight a byte, white is 1.
 fn pack(grey: impl Iterator<Item = u8>, out: &mut Vec<u8>) {
-    out.push(0);
     for (i, value) in grey.enumerate() {
         if i % 8 == 0 {
             out.push(0);
@@ -153,29 +131,4 @@ fn pack(grey: impl Iterator<Item = u8>, out: &mut Vec<u8>) {
             *last |= (value >> 7) << (7 - i % 8);
         }
     }
-}
-
-/// A row of greys as what it differs by from the row above (filter 2).
-fn less_above(grey: impl Iterator<Item = u8>, above: &mut [u8], out: &mut Vec<u8>) {
-    out.push(2);
-    for (value, above) in grey.zip(above) {
-        out.push(value.wrapping_sub(*above));
-        *above = value;
-    }
-}
-
-/// A text of any language; `text` is in UTF-8, not compressed.
-pub(super) fn text(png: &mut Vec<u8>, keyword: &str, language: &str, text: &str) {
-    // keyword, compressed?, by what, language, the keyword in that language, text
-    chunk(png, b"iTXt", &[keyword.as_bytes(), b"\0\0\0", language.as_bytes(), b"\0\0", text.as_bytes()].concat());
-}
-
-pub(super) fn chunk(png: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
-    png.extend((data.len() as u32).to_be_bytes());
-    let start = png.len();
-    png.extend(kind);
-    png.extend(data);
-    let mut sum = flate2::Crc::new();
-    sum.update(&png[start..]);
-    png.extend(sum.sum().to_be_bytes());
 }

@@ -3,42 +3,37 @@
 //! White is no dot; the darker, the higher. The picture says how far apart its pixels are, in whole pixels a metre as PNG has
 //! it: 20 to the inch come out as 787, which is as near as the format goes.
 
-use crate::output::layer::GREYS;
-use crate::output::text::plain;
-use crate::output::{png, zlib};
+use png::{BitDepth, Filter};
 
 use super::{Matrix, Words};
+use crate::output::layer::GREYS;
+use crate::output::png_file::PngFile;
 
-/// Of zlib-rs, 1..=9. The pictures are small.
-const LEVEL: u32 = 9;
+/// Of zlib, 1..=9. The pictures are small.
+const LEVEL: u8 = 9;
 
 /// One page as PNG, whose dots are `pitch` mm apart. A device with one height (no `has_heights`) gets black for every dot.
 ///
 /// A matrix without columns or rows comes out as one white pixel, since there are no smaller pictures.
 pub fn write(matrix: &Matrix, pitch: f32, has_heights: bool, words: &Words<'_>) -> Vec<u8> {
     let [width, height] = [matrix.columns(), matrix.rows()].map(|dots| dots.max(1));
-    let mut header = [width, height].map(|dots| u32::try_from(dots).unwrap_or(u32::MAX).to_be_bytes()).concat();
-    header.extend([8, 0, 0, 0, 0]); // bits, grey, zlib, filters of rows, not interlaced
-    let per_metre = ((1000.0 / f64::from(pitch)).round() as u32).to_be_bytes();
-    let mut stream = zlib::Stream::new(LEVEL);
-    for y in 0..height {
-        let grey = |x| match matrix.height(x, y) {
-            0 => GREYS[0],
-            _ if !has_heights => GREYS[3],
-            height => GREYS[usize::from(height.min(Matrix::HIGHEST))],
-        };
-        let row: Vec<u8> = std::iter::once(0).chain((0..width).map(grey)).collect(); // filter 0: as it is
-        stream.push(&row);
-    }
-    let mut png = png::SIGNATURE.to_vec();
-    png::chunk(&mut png, b"IHDR", &header);
-    png::chunk(&mut png, b"pHYs", &[&per_metre[..], &per_metre, &[1]].concat());
-    let language = plain(words.language);
-    png::text(&mut png, "Title", &language, &plain(words.title));
-    png::text(&mut png, "Description", &language, &plain(words.description));
-    png::text(&mut png, "Software", "", concat!("tactograph ", env!("CARGO_PKG_VERSION")));
-    png::chunk(&mut png, b"IDAT", &stream.finish());
-    png::sealed(png)
+    let file = PngFile {
+        size: [width, height].map(|dots| u32::try_from(dots).unwrap_or(u32::MAX)),
+        depth: BitDepth::Eight,
+        filter: Filter::NoFilter,
+        level: LEVEL,
+        per_metre: (1000.0 / f64::from(pitch)).round() as u32,
+        words: [words.title, words.description, words.language],
+        origin: None,
+    };
+    let grey = |x, y| match matrix.height(x, y) {
+        0 => GREYS[0],
+        _ if !has_heights => GREYS[3],
+        height => GREYS[usize::from(height.min(Matrix::HIGHEST))],
+    };
+    let written = file
+        .write(|out| (0..height).try_for_each(|y| out.write_all(&(0..width).map(|x| grey(x, y)).collect::<Vec<u8>>())));
+    written.unwrap_or_default() // writing to memory cannot fail
 }
 
 #[cfg(test)]
@@ -46,11 +41,11 @@ mod tests {
     use super::*;
 
     fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>, Option<u32>) {
-        let mut reader = ::png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
         let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
         reader.next_frame(&mut pixels).expect("a PNG");
         let info = reader.info();
-        assert_eq!((info.color_type, info.bit_depth), (::png::ColorType::Grayscale, ::png::BitDepth::Eight));
+        assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Grayscale, png::BitDepth::Eight));
         (info.width, info.height, pixels, info.pixel_dims.map(|dims| dims.xppu))
     }
 
