@@ -12,7 +12,7 @@ use super::report::Report;
 use super::settings::Change;
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{Exit, input, output, settings, sheets};
+use super::{Exit, input, output, panics, settings, sheets};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {
@@ -228,10 +228,7 @@ fn tell(
             false
         }
         Err(Panicked) => {
-            report.error(
-                &picture,
-                "an error in tactograph itself; please report it with this picture and the lines above",
-            );
+            report.error(&picture, &panics::line());
             false
         }
     }

@@ -8,6 +8,7 @@ mod dots;
 mod feel;
 mod input;
 mod output;
+mod panics;
 mod places;
 mod product;
 mod profiles;
@@ -36,6 +37,21 @@ enum Exit {
 
 /// Runs the program with the arguments it was started with.
 pub(crate) fn run() -> ExitCode {
+    panics::keep();
+    match std::panic::catch_unwind(command) {
+        Ok(exit) => exit,
+        Err(_) => {
+            Report::plain().usage(&panics::line());
+            ExitCode::from(PANICKED)
+        }
+    }
+}
+
+/// How Rust ends a program that panics.
+const PANICKED: u8 = 101;
+
+/// Runs the command that the arguments name.
+fn command() -> ExitCode {
     let command = match args::parse(std::env::args_os()) {
         Parsed::Command(command) => *command,
         Parsed::Shown(exit) => return ExitCode::from(exit as u8),

@@ -13,7 +13,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// also be converted beside others.
 const STACK_BYTES: usize = 8 << 20;
 
-/// The job stopped through an error in the program itself; Rust has told the details on standard error.
+/// The job stopped through an error in the program itself; `panics` knows the details.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Panicked;
 

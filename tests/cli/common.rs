@@ -120,6 +120,18 @@ pub(crate) fn png(width: u32, height: u32, rgb: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// A PNG whose palette has a byte too many; png 0.18.1 panics on it.
+pub(crate) fn png_with_broken_palette() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 20, 20);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_palette([9; 7].as_slice());
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&[1; 400]).expect("the pixels");
+    writer.finish().expect("the end");
+    bytes
+}
+
 /// A PNG that claims a size and has no pixels.
 pub(crate) fn png_header(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = Vec::new();

@@ -17,13 +17,16 @@ fn each_bad_picture_has_its_own_line() {
     };
     let few = |size| format!("the picture has {size} pixels: too few to find anything in; give one of at least 8 x 8");
     let strip = "the picture has 40 x 4000 pixels: so long and narrow a picture would be only";
-    let cases: [(&str, &[u8], &str); 9] = [
+    let palette = "the PNG picture cannot be read: its palette (chunk PLTE at byte 33) has 7 bytes, and a colour takes 3; \
+        open and save it again in another program, or use another copy\n";
+    let cases: [(&str, &[u8], &str); 10] = [
         ("empty.png", b"", "the file is empty; give a picture\n"),
         ("text.png", b"Dear reader,\nthis is a letter.\n", &format!("{unknown}; it looks like text\n")),
         ("noise.png", &[0x13, 0x9b, 0xf0, 0x02, 0x77], &format!("{unknown}\n")),
         ("head.jpg", &jpeg()[..20], &format!("{}\n", cut("JPEG"))),
         ("half.jpg", &jpeg()[..300], &format!("{}\n", cut("JPEG"))),
         ("half.png", &picture()[..60], &format!("{}\n", cut("PNG"))),
+        ("palette.png", &png_with_broken_palette(), palette),
         ("dot.png", &png(1, 1, &[0; 3]), &format!("{}\n", few("1 x 1"))),
         ("hair.png", &png(1, 10_000, &[0; 30_000]), &format!("{}\n", few("1 x 10000"))),
         ("strip.png", &png(40, 4000, &[0; 480_000]), strip), // how narrow depends on the profile

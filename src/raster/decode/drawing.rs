@@ -14,9 +14,12 @@ use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
 use super::burden;
 use super::colour::{Kind, Meaning, one_line};
+use super::job::{
+    self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, working_bytes,
+};
 use super::rows::{Depth, Layout, Rows};
-use super::{Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, undecodable, working_bytes};
 use crate::raster::crop::Part;
+use crate::raster::planes::Raster;
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -55,11 +58,11 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         ..usvg::Options::default()
     };
     let document = document(text, burden::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
-    let parsed = guarded(|| Tree::from_xmltree(&document, &parsing))?;
+    let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, &parsing))?;
     let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
     drop((parsing, document));
     let whole = nominal_size(tree.size())?;
-    let part = super::part(whole, options)?;
+    let part = job::part(whole, options)?;
     let source = Source { size: part.size, is_drawing: true };
     let target = (options.working_size)(source)?;
     if target.area() == 0 {
@@ -74,20 +77,18 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let canvases = 1 + canvases(tree.root());
     let bytes = canvases.saturating_mul(target.area().saturating_mul(4)).saturating_add(working_bytes(target));
     check_memory(FORMAT, target, bytes, limits)?;
-    let raster = guarded(|| render(&tree, whole, part, target))??;
+    let raster = unless_beyond_numbers(|| render(&tree, whole, part, target))??;
     Ok(Picture { raster, source, notes: left_out.notes() })
 }
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it has
-/// no height where it is put (found by the test of damaged pictures, and a test of its own now): that is the drawing's
-/// fault and must not stop the program.
-fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
-    let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work));
-    caught.map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
+/// no height where it is put (found by the test of damaged pictures, and a test of its own now).
+fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
+    guarded(work).map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
 }
 
 /// Renders a part of a drawing whose size counts as `whole` pixels.
-fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<crate::raster::Raster, Error> {
+fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<Raster, Error> {
     let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
     let mut canvas = tiny_skia::Pixmap::new(target.width, target.height).ok_or_else(room)?;
     canvas.fill(tiny_skia::Color::WHITE);
@@ -258,7 +259,9 @@ fn size_of_picture(data: &[u8]) -> Result<Option<Size>, Unreadable> {
     let size = match format(data) {
         Ok(Format::Png) => {
             let mut decoder = png::Decoder::new(reader);
-            decoder.read_header_info().ok().map(|info| (info.width, info.height))
+            let info = decoder.read_header_info().ok();
+            let sound = info.filter(|info| super::png::check_palette(info.color_type, data).is_ok());
+            sound.map(|info| (info.width, info.height))
         }
         Ok(Format::Jpeg) => {
             let mut decoder = jpeg_decoder::Decoder::new(data);

@@ -11,9 +11,9 @@ use image::metadata::Orientation;
 use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, PixelFormat, UnsupportedFeature};
 
 use super::colour::{Kind, one_line};
+use super::job::{Job, Options, Picture, ends_early, undecodable};
 use super::rows::{Layout, Rows};
 use super::shrink::Extent;
-use super::{Job, Options, Picture, ends_early, undecodable};
 use crate::Error;
 use crate::units::Size;
 

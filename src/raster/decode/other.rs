@@ -13,8 +13,8 @@ use image::metadata::Orientation;
 use image::{ColorType, ImageDecoder, ImageError};
 
 use super::colour::{Kind, one_line};
+use super::job::{Job, Options, Picture, ends_early, undecodable};
 use super::rows::{Depth, Layout, Rows};
-use super::{Job, Options, Picture, ends_early, undecodable};
 use crate::Error;
 use crate::units::Size;
 

@@ -4,7 +4,7 @@ use image::metadata::Orientation;
 
 use super::colour::{Kind, Meaning};
 use super::rows::{Depth, Layout, Rows};
-use super::{Job, Options, Picture};
+use super::job::{Job, Options, Picture};
 use crate::Error;
 use crate::units::Size;
 

@@ -7,8 +7,8 @@ use image::metadata::Orientation;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Reader, Transformations};
 
 use super::colour::{Kind, Meaning, one_line};
+use super::job::{Job, Options, Picture, ends_early, undecodable};
 use super::rows::{Depth, Layout, Rows};
-use super::{Job, Options, Picture, ends_early, undecodable};
 use crate::Error;
 use crate::units::Size;
 
@@ -21,6 +21,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     decoder.set_ignore_text_chunk(true);
     let info = decoder.read_header_info().map_err(fault)?;
     let size = Size::new(info.width, info.height);
+    check_palette(info.color_type, bytes)?;
     let mut job = Job::begin(FORMAT, size, orientation(bytes), options)?;
     let mut reader = decoder.read_info().map_err(fault)?;
     let layout = layout(&reader)?;
@@ -97,19 +98,49 @@ fn meaning<R: std::io::BufRead + std::io::Seek>(job: &mut Job, reader: &Reader<R
 
 /// From the eXIf chunk, which may lie behind the pixels as well.
 fn orientation(bytes: &[u8]) -> Orientation {
-    const SIGNATURE: usize = 8;
-    let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
-    // A chunk: length of the data, name, data, checksum.
-    while let Some((length, behind)) = rest.split_first_chunk::<4>() {
-        let length = u32::from_be_bytes(*length) as usize;
-        let Some((name, behind)) = behind.split_first_chunk::<4>() else { break };
-        let Some(data) = behind.get(..length) else { break };
-        if name == b"eXIf" {
-            return Orientation::from_exif_chunk(data).unwrap_or(Orientation::NoTransforms);
-        }
-        rest = behind.get(length + 4..).unwrap_or_default();
+    let exif = chunks(bytes).find(|chunk| chunk.name == *b"eXIf");
+    exif.and_then(|chunk| Orientation::from_exif_chunk(chunk.data)).unwrap_or(Orientation::NoTransforms)
+}
+
+/// png 0.18.1 panics when it expands a palette whose bytes are no whole number of colours.
+///
+/// # Errors
+/// If this is such a palette.
+pub(super) fn check_palette(colour: ColorType, bytes: &[u8]) -> Result<(), Error> {
+    if colour != ColorType::Indexed {
+        return Ok(());
     }
-    Orientation::NoTransforms
+    match chunks(bytes).find(|chunk| chunk.name == *b"PLTE" && chunk.data.len() % 3 != 0) {
+        Some(Chunk { at, data, .. }) => {
+            let length = data.len();
+            let why = format!("its palette (chunk PLTE at byte {at}) has {length} bytes, and a colour takes 3");
+            Err(undecodable(FORMAT, why))
+        }
+        None => Ok(()),
+    }
+}
+
+/// A chunk of a PNG.
+struct Chunk<'a> {
+    /// Where it begins in the file.
+    at: usize,
+    name: [u8; 4],
+    data: &'a [u8],
+}
+
+/// The chunks of a file, as far as they are whole; checksums are not looked at.
+fn chunks(bytes: &[u8]) -> impl Iterator<Item = Chunk<'_>> {
+    const SIGNATURE: usize = 8;
+    let mut at = SIGNATURE;
+    // A chunk: length of the data, name, data, checksum.
+    std::iter::from_fn(move || {
+        let (length, behind) = bytes.get(at..)?.split_first_chunk::<4>()?;
+        let (name, behind) = behind.split_first_chunk::<4>()?;
+        let data = behind.get(..u32::from_be_bytes(*length) as usize)?;
+        let chunk = Chunk { at, name: *name, data };
+        at += 12 + data.len();
+        Some(chunk)
+    })
 }
 
 fn fault(fault: DecodingError) -> Error {

@@ -10,8 +10,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use super::colour::{Kind, Matrix, Meaning, Table, apply_matrix, curve_table, srgb_table};
 use super::orient::{turned, upright};
 use super::shrink::{Extent, Shrink};
-use crate::raster::Raster;
 use crate::raster::crop::Part;
+use crate::raster::planes::Raster;
 use crate::units::Size;
 
 /// How the samples of a pixel follow one another.

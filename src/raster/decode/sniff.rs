@@ -15,6 +15,23 @@ pub(super) enum Format {
     Gzip,
 }
 
+impl Format {
+    /// Its name in messages.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Jpeg => "JPEG",
+            Self::Png => "PNG",
+            Self::WebP => "WebP",
+            Self::Tiff => "TIFF",
+            Self::Bmp => "BMP",
+            Self::Gif => "GIF",
+            Self::Pnm => "PNM",
+            Self::Svg => "SVG",
+            Self::Gzip => "SVGZ",
+        }
+    }
+}
+
 /// The format, or what the bytes look like instead if that can be told.
 pub(super) fn format(bytes: &[u8]) -> Result<Format, Option<&'static str>> {
     let starts = |magic: &[u8]| bytes.starts_with(magic);
