@@ -87,16 +87,12 @@ impl Change {
 
     fn raster(&self, raster: &Raster) -> Raster {
         let size = raster.size();
-        let planes = raster.planes().iter().map(|plane| {
+        let planes = raster.planes().as_ref().map(|plane| {
             let mut changed = vec![0.0; plane.len()];
             plane.iter().enumerate().for_each(|(i, value)| changed[self.pixel(size, i)] = *value);
             changed
         });
-        let mut planes: Vec<Vec<f32>> = planes.collect();
-        match planes.len() {
-            1 => Raster::grey(self.size(size), planes.remove(0)),
-            _ => Raster::colour(self.size(size), planes.try_into().expect("three planes")),
-        }
+        Raster::new(self.size(size), planes)
     }
 }
 
@@ -224,12 +220,7 @@ fn edges_follow_a_shift_by_whole_pixels() {
             let cut = |plane: &Vec<f32>| -> Vec<f32> {
                 (0..h).flat_map(|y| plane[(y + top) * width + left..][..w].to_vec()).collect()
             };
-            let mut planes: Vec<_> = raster.planes().iter().map(cut).collect();
-            let size = Size::new(w as u32, h as u32);
-            match planes.len() {
-                1 => Raster::grey(size, planes.remove(0)),
-                _ => Raster::colour(size, planes.try_into().expect("three planes")),
-            }
+            Raster::new(Size::new(w as u32, h as u32), raster.planes().as_ref().map(cut))
         };
         // The same strength rules see other pixels beyond the border, so only points well inside are compared; a chain
         // that the border cuts may end up too short, which a few points tell.

@@ -26,12 +26,13 @@
 //! What is left comes from the cells themselves: one that lies across a border can have one class only.
 
 use pulp::Arch;
-use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
+use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
 use super::hue::encoded;
 use crate::geom::polyline::Polyline;
-use crate::raster::Raster;
-use crate::raster::plane::{Plane, Shrinker, shrink};
+use crate::raster::plane::Plane;
+use crate::raster::shrink::{Shrinker, shrink};
+use crate::raster::{Planes, Raster};
 use crate::units::{PxPoint, Size};
 
 /// Share that two cells exchange in a step, at most: above 0.25 a step overshoots.
@@ -158,7 +159,7 @@ fn between(at: f32, count: usize) -> impl Iterator<Item = usize> {
 pub(super) struct Cells {
     pub(super) size: Size,
     /// Blurred, in linear light, as the raster's planes.
-    pub(super) planes: Vec<Vec<f32>>,
+    pub(super) planes: Planes<Vec<f32>>,
     /// Share of each cell that does not lie beside a contour; never 0.
     pub(super) weight: Vec<f32>,
     /// Shut where contours are.
@@ -168,11 +169,7 @@ pub(super) struct Cells {
 impl Cells {
     /// The colour of a cell as sRGB values 0..=1, all three alike in a grey picture.
     pub(super) fn colour(&self, cell: usize) -> [f32; 3] {
-        let value = |plane: &Vec<f32>| encoded(plane[cell]);
-        match &self.planes[..] {
-            [red, green, blue] => [red, green, blue].map(value),
-            planes => [value(&planes[0]); 3],
-        }
+        self.planes.as_ref().map(|plane| encoded(plane[cell])).as_colour()
     }
 }
 
@@ -182,8 +179,8 @@ pub(super) fn average(raster: &Raster, contours: &[Polyline<PxPoint>], size: Siz
     let from = raster.size();
     let mut borders = Borders::open(size);
     if contours.is_empty() {
-        let mut planes: Vec<_> = raster.planes().iter().map(|plane| shrink(plane, from, size).values).collect();
-        borders.spread(&mut planes, sigma);
+        let mut planes = raster.planes().as_ref().map(|plane| shrink(plane, from, size).values);
+        borders.spread(planes.as_mut_slice(), sigma);
         return Cells { size, planes, weight: vec![1.0; size.len()], borders };
     }
     let (sx, sy) = (size.width as f32 / from.width as f32, size.height as f32 / from.height as f32);
@@ -203,10 +200,10 @@ pub(super) fn average(raster: &Raster, contours: &[Polyline<PxPoint>], size: Siz
         }
         shrinker.finish().values
     };
-    let mut planes: Vec<Vec<f32>> = raster.planes().par_iter().map(weighted).collect();
+    let mut planes = raster.planes().as_ref().par_map(weighted);
     let mut total = [weight.clone()];
-    rayon::join(|| borders.spread(&mut planes, sigma), || borders.spread(&mut total, sigma));
-    for plane in &mut planes {
+    rayon::join(|| borders.spread(planes.as_mut_slice(), sigma), || borders.spread(&mut total, sigma));
+    for plane in planes.as_mut_slice() {
         plane.iter_mut().zip(&total[0]).for_each(|(value, weight)| *value /= weight);
     }
     Cells { size, planes, weight, borders }

@@ -154,10 +154,7 @@ fn mean_colour(cells: &[usize], grid: &Cells) -> [u8; 3] {
         let sum: f64 = cells.iter().map(|&cell| f64::from(grid.weight[cell] * plane[cell])).sum();
         (255.0 * encoded((sum / total) as f32)).round() as u8
     };
-    match &grid.planes[..] {
-        [red, green, blue] => [red, green, blue].map(mean),
-        planes => [mean(&planes[0]); 3],
-    }
+    grid.planes.as_ref().map(mean).as_colour()
 }
 
 /// Lightness for the boldness of glyphs: cells beside contours, which show the contour's own ink or a mixture, take it from
@@ -215,6 +212,7 @@ pub(super) fn fringe(
 mod tests {
     use super::*;
     use crate::classes::Params;
+    use crate::raster::Planes;
 
     /// Classes by their first letters; small letters have a shade half way to the class in capitals, such as `g` for a green
     /// that is nearly blue.
@@ -230,7 +228,7 @@ mod tests {
         };
         let colours: Vec<[f32; 3]> = rows.iter().flat_map(|row| row.chars().map(rgb)).collect();
         let shades: Vec<Shade> = colours.iter().map(|rgb| hue::shade(*rgb, &Params::TEST)).collect();
-        let planes = (0..3).map(|channel| colours.iter().map(|rgb| rgb[channel]).collect()).collect();
+        let planes = Planes::Colour([0, 1, 2].map(|channel| colours.iter().map(|rgb| rgb[channel]).collect()));
         let grid = Cells { size, planes, weight: vec![1.0; size.len()], borders: Borders::open(size) };
         (shades.iter().map(Shade::label).collect(), shades, grid)
     }

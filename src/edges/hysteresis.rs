@@ -83,10 +83,7 @@ impl Selection<'_> {
 /// The colour of a picture between its pixels (L, 2a, 2b).
 fn colour_at(raster: &Raster, PxPoint { x, y, .. }: PxPoint) -> [f32; 3] {
     let at = |plane: &Vec<f32>| Plane::look_up(plane, raster.size(), x, y);
-    match raster.planes() {
-        [red, green, blue] => lab::colour([at(red), at(green), at(blue)]),
-        planes => lab::colour([planes.first().map_or(0.0, at); 3]),
-    }
+    lab::colour(raster.planes().as_ref().map(at).as_colour())
 }
 
 /// Position error, px: the standard deviation of the steepest point across an edge of height `D` and blur `t`, found

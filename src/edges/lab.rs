@@ -25,18 +25,15 @@ const TO_XYZ: [[f32; 3]; 3] = [
 
 /// Number of planes that [`row`] fills: L, and for colour pictures also 2a and 2b.
 pub(super) fn planes(raster: &Raster) -> usize {
-    raster.planes().len()
+    raster.planes().as_slice().len()
 }
 
 /// Writes row `y` of L (0..=100) and, for colour pictures, of 2a and 2b. The rows of `lab` are at least as long as the
 /// picture is wide.
 pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     let width = raster.size().width as usize;
-    match raster.planes() {
-        [grey] => convert(arch, &[&grey[y * width..][..width]], lab),
-        [red, green, blue] => convert(arch, &[red, green, blue].map(|plane| &plane[y * width..][..width]), lab),
-        _ => {} // a raster has one plane or three
-    }
+    let row = raster.planes().as_ref().map(|plane| &plane[y * width..][..width]);
+    convert(arch, row.as_slice(), lab);
 }
 
 /// [`row`] for any pixels: one slice per plane, in linear light, all equally long. Those of `lab` are at least as long.

@@ -15,7 +15,8 @@ use super::edge_stopping::{Barriers, Cell};
 use super::gradient::TensorRow;
 use super::params::Params;
 use super::ridge::RidgePoint;
-use crate::raster::plane::{Plane, Shrinker};
+use crate::raster::plane::Plane;
+use crate::raster::shrink::Shrinker;
 use crate::units::{PxPoint, PxVector, Size};
 
 /// Sigma of the window of the surround, in cells: 25 px on photographs of 481 x 321 pixels. There, half of it scored

@@ -4,5 +4,6 @@ pub mod crop;
 pub mod decode;
 pub mod plane;
 mod planes;
+pub mod shrink;
 
-pub use planes::Raster;
+pub use planes::{Planes, Raster};

@@ -1,23 +1,114 @@
-//! A picture as planes of linear light.
+//! A picture as planes of linear light: one where it is grey, three where it has colour.
 
 use crate::units::Size;
+
+/// One of something for a grey picture, three for a colour picture: red, green and blue, or whatever is made of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Planes<P> {
+    /// Of the only plane.
+    Grey(P),
+    /// Of the three planes.
+    Colour([P; 3]),
+}
+
+impl<P> Planes<P> {
+    /// The same of each plane.
+    pub fn map<Q>(self, of: impl FnMut(P) -> Q) -> Planes<Q> {
+        let mut of = of;
+        match self {
+            Self::Grey(grey) => Planes::Grey(of(grey)),
+            Self::Colour(colours) => Planes::Colour(colours.map(of)),
+        }
+    }
+
+    /// [`Planes::map`], side by side where there are cores.
+    pub fn par_map<Q: Send>(self, of: impl Fn(P) -> Q + Sync) -> Planes<Q>
+    where
+        P: Send,
+    {
+        match self {
+            Self::Grey(grey) => Planes::Grey(of(grey)),
+            Self::Colour([red, green, blue]) => {
+                let (red, (green, blue)) = rayon::join(|| of(red), || rayon::join(|| of(green), || of(blue)));
+                Planes::Colour([red, green, blue])
+            }
+        }
+    }
+
+    /// References to each plane.
+    pub fn as_ref(&self) -> Planes<&P> {
+        match self {
+            Self::Grey(grey) => Planes::Grey(grey),
+            Self::Colour(colours) => Planes::Colour(colours.each_ref()),
+        }
+    }
+
+    /// All planes, one or three.
+    pub fn as_slice(&self) -> &[P] {
+        match self {
+            Self::Grey(grey) => std::slice::from_ref(grey),
+            Self::Colour(colours) => colours,
+        }
+    }
+
+    /// All planes, one or three.
+    pub fn as_mut_slice(&mut self) -> &mut [P] {
+        match self {
+            Self::Grey(grey) => std::slice::from_mut(grey),
+            Self::Colour(colours) => colours,
+        }
+    }
+
+    /// Visits each plane.
+    pub fn iter(&self) -> std::slice::Iter<'_, P> {
+        self.as_slice().iter()
+    }
+}
+
+impl<P> Planes<Option<P>> {
+    /// All planes, if there is none missing.
+    pub fn all(self) -> Option<Planes<P>> {
+        Some(match self {
+            Self::Grey(grey) => Planes::Grey(grey?),
+            Self::Colour([red, green, blue]) => Planes::Colour([red?, green?, blue?]),
+        })
+    }
+}
+
+impl<T: Clone> Planes<T> {
+    /// Three values, all alike in a grey picture.
+    pub fn as_colour(self) -> [T; 3] {
+        match self {
+            Self::Grey(grey) => [grey.clone(), grey.clone(), grey],
+            Self::Colour(colours) => colours,
+        }
+    }
+}
 
 /// A picture in linear light: one plane (grey) or three (red, green, blue with the primaries of sRGB), each of
 /// `width * height` values 0..=1, rows from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Raster {
     size: Size,
-    planes: Vec<Vec<f32>>,
+    planes: Planes<Vec<f32>>,
 }
 
 impl Raster {
+    /// A picture from its planes.
+    ///
+    /// # Panics
+    /// If a plane's length is not that of `size`.
+    pub fn new(size: Size, planes: Planes<Vec<f32>>) -> Self {
+        assert!(planes.iter().all(|plane| plane.len() == size.len()), "planes and size disagree");
+        Self { size, planes }
+    }
+
     /// A grey picture.
     ///
     /// # Panics
     /// If the plane's length is not that of `size`.
     pub fn grey(size: Size, plane: Vec<f32>) -> Self {
-        assert_eq!(plane.len(), size.len(), "plane and size disagree");
-        Self { size, planes: vec![plane] }
+        Self::new(size, Planes::Grey(plane))
     }
 
     /// A colour picture from its red, green and blue planes.
@@ -25,8 +116,7 @@ impl Raster {
     /// # Panics
     /// If a plane's length is not that of `size`.
     pub fn colour(size: Size, planes: [Vec<f32>; 3]) -> Self {
-        assert!(planes.iter().all(|plane| plane.len() == size.len()), "planes and size disagree");
-        Self { size, planes: planes.into() }
+        Self::new(size, Planes::Colour(planes))
     }
 
     /// Width and height in pixels.
@@ -35,17 +125,41 @@ impl Raster {
     }
 
     /// One plane for a grey picture, three (red, green, blue) for a colour picture.
-    pub fn planes(&self) -> &[Vec<f32>] {
+    pub fn planes(&self) -> &Planes<Vec<f32>> {
         &self.planes
     }
 
     /// Whether there is but one plane.
     pub fn is_grey(&self) -> bool {
-        self.planes.len() == 1
+        matches!(self.planes, Planes::Grey(_))
     }
 
     /// Whether all pixels are of one colour.
     pub fn is_flat(&self) -> bool {
         self.planes.iter().all(|plane| plane.iter().all(|value| value.to_bits() == plane[0].to_bits()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_done_to_one_plane_is_done_to_all() {
+        let grey = Planes::Grey(2);
+        let colour = Planes::Colour([1, 2, 3]);
+        assert_eq!(grey.map(|v| v * 2), Planes::Grey(4));
+        assert_eq!(colour.map(|v| v * 2), Planes::Colour([2, 4, 6]));
+        assert_eq!((grey.as_slice(), colour.as_slice()), (&[2][..], &[1, 2, 3][..]));
+        assert_eq!((grey.as_colour(), colour.as_colour()), ([2; 3], [1, 2, 3]));
+        assert_eq!(colour.map(|v| (v < 3).then_some(v)).all(), None);
+        assert_eq!(colour.map(Some).all(), Some(colour));
+    }
+
+    #[test]
+    fn a_raster_is_flat_when_all_planes_are() {
+        let size = Size::new(2, 1);
+        assert!(Raster::grey(size, vec![0.5; 2]).is_flat());
+        assert!(!Raster::colour(size, [vec![0.0; 2], vec![0.0; 2], vec![0.0, 0.1]]).is_flat());
     }
 }

@@ -13,7 +13,7 @@ use crate::decode::{check, decode_to, fault, folder, open, read, whole};
 fn nothing_outside_a_drawing_is_reached() {
     // The linked picture lies beside the drawing, and in the folder tests run in; it must not show.
     let picture = open("linked.svg");
-    assert_eq!(picture.raster.planes(), [vec![1.0; 64 * 32]]);
+    assert_eq!(picture.raster.planes().as_slice(), [vec![1.0; 64 * 32]]);
     let [Note::LeftOut(file), Note::LeftOut(net)] = &picture.notes[..] else { panic!("{:?}", picture.notes) };
     assert!(file.contains("rgb.png") && net.contains("http://localhost/rgb.png"), "{file} {net}");
     let path = folder().join("rgb.png");
@@ -26,7 +26,7 @@ fn nothing_outside_a_drawing_is_reached() {
     ] {
         let text = format!("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>{what}</svg>");
         let picture = whole(text.as_bytes()).unwrap();
-        assert!(picture.raster.planes()[0].iter().all(|&v| v.total_cmp(&1.0).is_eq()), "{what}");
+        assert!(picture.raster.planes().iter().flatten().all(|&v| v.total_cmp(&1.0).is_eq()), "{what}");
     }
 }
 
@@ -238,10 +238,10 @@ fn a_drawing_inside_a_drawing_is_drawn_but_no_deeper() {
     };
     let black = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"><path d=\"M0 0h9v9H0z\"/></svg>";
     let one = whole(inside(black).as_bytes()).unwrap();
-    assert_eq!(one.raster.planes(), [vec![0.0; 81]]);
+    assert_eq!(one.raster.planes().as_slice(), [vec![0.0; 81]]);
     assert_eq!(one.notes, []);
     let two = whole(inside(&inside(black)).as_bytes()).unwrap();
-    assert_eq!(two.raster.planes(), [vec![1.0; 81]]);
+    assert_eq!(two.raster.planes().as_slice(), [vec![1.0; 81]]);
     assert!(matches!(&two.notes[..], [Note::LeftOut(_)]), "{:?}", two.notes);
 }
 

@@ -9,6 +9,8 @@ use std::sync::Arc;
 
 use moxcms::{ColorProfile, DataColorSpace, Layout, ToneReprCurve, Transform16BitExecutor, TransformOptions};
 
+use crate::raster::planes::Planes;
+
 /// A table from a sample to linear light 0..=1.
 pub(super) type Table = Arc<[f32]>;
 
@@ -27,8 +29,8 @@ pub(super) enum Kind {
 pub(super) enum Meaning {
     /// By the curve of sRGB; for CMYK by the plain formula.
     Srgb,
-    /// By curves (one, or one for each of red, green and blue), and then a matrix if there is one.
-    Curves(Vec<Curve>, Option<Matrix>),
+    /// By one curve or one for each of red, green and blue, and then a matrix if there is one.
+    Curves(Planes<Curve>, Option<Matrix>),
     /// By moxcms to 16-bit sRGB.
     Transform(Arc<Transform16BitExecutor>),
 }
@@ -91,20 +93,18 @@ impl Meaning {
         if near_srgb || !(0.1..=10.0).contains(&exponent) {
             return Self::Srgb;
         }
-        Self::Curves(vec![Box::new(move |value| value.powf(exponent))], None)
+        Self::Curves(Planes::Grey(Box::new(move |value| value.powf(exponent))), None)
     }
 }
 
 fn grey(curve: &ToneReprCurve) -> Result<Meaning, String> {
     let curve = evaluator(curve)?;
-    Ok(if is_srgb_curve(&curve) { Meaning::Srgb } else { Meaning::Curves(vec![curve], None) })
+    Ok(if is_srgb_curve(&curve) { Meaning::Srgb } else { Meaning::Curves(Planes::Grey(curve), None) })
 }
 
 fn curves_and_matrix(profile: &ColorProfile) -> Result<Meaning, String> {
-    let curves = [&profile.red_trc, &profile.green_trc, &profile.blue_trc]
-        .into_iter()
-        .map(|curve| evaluator(curve.as_ref().ok_or("it is a profile without curves")?))
-        .collect::<Result<Vec<_>, String>>()?;
+    let curve = |curve: &Option<ToneReprCurve>| evaluator(curve.as_ref().ok_or("it is a profile without curves")?);
+    let curves = Planes::Colour([curve(&profile.red_trc)?, curve(&profile.green_trc)?, curve(&profile.blue_trc)?]);
     let matrix = profile.transform_matrix(&ColorProfile::new_srgb()).to_f32().v;
     if matrix.iter().flatten().any(|value| !value.is_finite()) {
         return Err("its primary colours are no colours".into());
@@ -150,8 +150,7 @@ fn is_identity(matrix: &Matrix) -> bool {
 }
 
 /// Applies a matrix to three planes; colours outside sRGB are brought to its border.
-pub(super) fn apply_matrix(planes: &mut [Vec<f32>], matrix: &Matrix) {
-    let [red, green, blue] = planes else { return };
+pub(super) fn apply_matrix([red, green, blue]: &mut [Vec<f32>; 3], matrix: &Matrix) {
     for ((r, g), b) in red.iter_mut().zip(green).zip(blue) {
         let from = [*r, *g, *b];
         let to = matrix.map(|row| sane(row[0] * from[0] + row[1] * from[1] + row[2] * from[2]));
@@ -188,10 +187,9 @@ mod tests {
     #[test]
     fn a_wide_profile_gets_a_matrix_that_keeps_white() {
         let icc = ColorProfile::new_display_p3().encode().unwrap();
-        let Ok(Meaning::Curves(curves, Some(matrix))) = Meaning::from_profile(&icc, Kind::Rgb) else {
-            panic!("Display P3 is curves and a matrix")
+        let Ok(Meaning::Curves(Planes::Colour(_), Some(matrix))) = Meaning::from_profile(&icc, Kind::Rgb) else {
+            panic!("Display P3 is three curves and a matrix")
         };
-        assert_eq!(curves.len(), 3);
         for row in matrix {
             assert!((row.iter().sum::<f32>() - 1.0).abs() < 1e-3, "{matrix:?}");
         }

@@ -17,7 +17,8 @@ use super::colour::{Kind, Meaning, one_line};
 use super::job::{
     self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, working_bytes,
 };
-use super::rows::{Depth, Layout, Rows};
+use super::light::{Depth, Layout};
+use super::rows::{Extents, Samples};
 use crate::raster::crop::Part;
 use crate::raster::planes::Raster;
 use crate::units::Size;
@@ -102,9 +103,9 @@ fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<Raster, 
     let transform = tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32);
     resvg::render(tree, transform, &mut canvas.as_mut());
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
-    let rows =
-        Rows::whole(layout, Meaning::Srgb, (target.width, Part::whole(target)), target, Orientation::NoTransforms);
-    rows.finish_with(canvas.data()).ok_or_else(room)
+    let source = Extents::pixels(target.width, Part::whole(target));
+    let samples = Samples::new(layout, Meaning::Srgb, source, target, Orientation::NoTransforms);
+    samples.raster(canvas.data()).ok_or_else(room)
 }
 
 /// The drawing's size in whole pixels. A size that is no whole number is doubled until rounding leaves its shape alone:

@@ -12,9 +12,10 @@ use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, PixelFormat, Unsuppor
 
 use super::colour::{Kind, one_line};
 use super::job::{Job, Options, Picture, ends_early, undecodable};
-use super::rows::{Layout, Rows};
-use super::shrink::Extent;
+use super::light::Layout;
+use super::rows::{Extents, Samples};
 use crate::Error;
+use crate::raster::shrink::Extent;
 use crate::units::Size;
 
 const FORMAT: &str = "JPEG";
@@ -79,9 +80,9 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let meaning = job.meaning(icc.as_deref(), kind);
     let part = job.part;
     let across = Extent::scaled(part.left, part.size.width, eighths);
-    let extents = (scaled.width, across, Extent::scaled(part.top, part.size.height, eighths));
-    let rows = Rows::new(layout, meaning, extents, job.target, job.orientation);
-    job.end(rows.finish_with(&pixels))
+    let source = Extents { width: scaled.width, across, down: Extent::scaled(part.top, part.size.height, eighths) };
+    let samples = Samples::new(layout, meaning, source, job.target, job.orientation);
+    job.end(samples.raster(&pixels))
 }
 
 /// The smallest scale, in eighths, at which no side is shorter than the target's.

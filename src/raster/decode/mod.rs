@@ -10,12 +10,12 @@ mod colour;
 mod drawing;
 mod job;
 mod jpeg;
+mod light;
 mod orient;
 mod other;
 mod pixels;
 mod png;
 mod rows;
-mod shrink;
 mod sniff;
 
 use self::job::{guarded, undecodable};

@@ -14,7 +14,8 @@ use image::{ColorType, ImageDecoder, ImageError};
 
 use super::colour::{Kind, one_line};
 use super::job::{Job, Options, Picture, ends_early, undecodable};
-use super::rows::{Depth, Layout, Rows};
+use super::light::{Depth, Layout};
+use super::rows::{Extents, Samples};
 use crate::Error;
 use crate::units::Size;
 
@@ -63,8 +64,9 @@ fn picture<D: ImageDecoder>(
     let meaning = job.meaning(icc.as_deref(), layout.kind);
     let mut whole = vec![0; usize::try_from(length).map_err(|_| undecodable(format, "it does not fit into memory"))?];
     decoder.read_image(&mut whole).map_err(fault)?;
-    let rows = Rows::whole(layout, meaning, (size.width, job.part), job.target, job.orientation);
-    job.end(rows.finish_with(&whole))
+    let source = Extents::pixels(size.width, job.part);
+    let samples = Samples::new(layout, meaning, source, job.target, job.orientation);
+    job.end(samples.raster(&whole))
 }
 
 fn layout(format: &'static str, colour: ColorType) -> Result<Layout, Error> {

@@ -3,8 +3,9 @@
 use image::metadata::Orientation;
 
 use super::colour::{Kind, Meaning};
-use super::rows::{Depth, Layout, Rows};
 use super::job::{Job, Options, Picture};
+use super::light::{Depth, Layout};
+use super::rows::{Extents, Samples};
 use crate::Error;
 use crate::units::Size;
 
@@ -15,6 +16,7 @@ const FORMAT: &str = "RGBA";
 pub(super) fn decode_rgba8(size: Size, pixels: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
     let job = Job::begin(FORMAT, size, Orientation::NoTransforms, options)?;
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
-    let rows = Rows::whole(layout, Meaning::Srgb, (size.width, job.part), job.target, job.orientation);
-    job.end(rows.finish_with(pixels))
+    let source = Extents::pixels(size.width, job.part);
+    let samples = Samples::new(layout, Meaning::Srgb, source, job.target, job.orientation);
+    job.end(samples.raster(pixels))
 }

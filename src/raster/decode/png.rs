@@ -8,7 +8,8 @@ use png::{BitDepth, ColorType, Decoder, DecodingError, Reader, Transformations};
 
 use super::colour::{Kind, Meaning, one_line};
 use super::job::{Job, Options, Picture, ends_early, undecodable};
-use super::rows::{Depth, Layout, Rows};
+use super::light::{Depth, Layout};
+use super::rows::{Extents, Rows, Samples};
 use crate::Error;
 use crate::units::Size;
 
@@ -26,14 +27,16 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let mut reader = decoder.read_info().map_err(fault)?;
     let layout = layout(&reader)?;
     let meaning = meaning(&mut job, &reader, layout.kind);
-    let mut rows = Rows::whole(layout, meaning, (size.width, job.part), job.target, job.orientation);
+    let source = Extents::pixels(size.width, job.part);
+    let samples = Samples::new(layout, meaning, source, job.target, job.orientation);
     if reader.info().interlaced {
         let length = layout.row_bytes(size.width) as u64 * u64::from(size.height);
         job.check_memory(length)?;
         let mut whole = vec![0; length as usize];
         reader.next_frame(&mut whole).map_err(fault)?;
-        return job.end(rows.finish_with(&whole));
+        return job.end(samples.raster(&whole));
     }
+    let mut rows = samples.rows();
     push_while_inflating(&mut reader, layout.row_bytes(size.width), size.height, &mut rows).map_err(fault)?;
     job.end(rows.finish())
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use tactograph::internals::edges::{self, Params};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::plane::shrink;
+use tactograph::internals::raster::shrink::shrink;
 use tactograph::internals::units::Size;
 
 use crate::condition::{Condition, TIMED, mosaic};
@@ -103,8 +103,8 @@ fn trace(raster: &Raster, factor: f64, params: &Params) -> Vec<Traced> {
     let mut lines = if small == size {
         return traced(&edges::find(raster, params));
     } else {
-        let [red, green, blue] = [0, 1, 2].map(|i| shrink(&raster.planes()[i], size, small).values);
-        traced(&edges::find(&Raster::colour(small, [red, green, blue]), params))
+        let planes = raster.planes().as_ref().map(|plane| shrink(plane, size, small).values);
+        traced(&edges::find(&Raster::new(small, planes), params))
     };
     let scale = [f64::from(size.width) / f64::from(small.width), f64::from(size.height) / f64::from(small.height)];
     for point in lines.iter_mut().flat_map(|line| &mut line.points) {

@@ -13,7 +13,7 @@ use tactograph::internals::page::{Figure, Overview, Page, Parts};
 use tactograph::internals::profile::Plan;
 use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{self, Limits, Options, Source};
-use tactograph::internals::raster::plane::shrink;
+use tactograph::internals::raster::shrink::shrink;
 use tactograph::internals::textures;
 use tactograph::internals::units::{MmRect, Size};
 
@@ -101,9 +101,6 @@ fn smaller(raster: Raster, size: Size) -> Raster {
     if raster.size() == size {
         return raster;
     }
-    let plane = |plane: &Vec<f32>| shrink(plane, raster.size(), size).values;
-    match raster.planes() {
-        [red, green, blue] => Raster::colour(size, [plane(red), plane(green), plane(blue)]),
-        planes => Raster::grey(size, planes.first().map_or_else(Vec::new, plane)),
-    }
+    let smaller = |plane: &Vec<f32>| shrink(plane, raster.size(), size).values;
+    Raster::new(size, raster.planes().as_ref().map(smaller))
 }

@@ -1,0 +1,389 @@
+//! Averages planes over areas down to a smaller size, row by row as they come, so that a large picture is never held whole.
+//!
+//! Exact area coverage: a target pixel is the mean of the source area under it, and a source pixel cut by an edge counts
+//! in two targets by the two parts of its area. The edges are worked out in whole numbers, so a picture turned or flipped
+//! is cut at the same places turned or flipped.
+//!
+//! ```text
+//!  source   |  0  |  1  |  2  |  3  |  4  |      5 px to 2: a target is 2.5 px wide
+//!  target   |      0       |      1       |      pixel 2 goes half to the left and half to the right
+//! ```
+//!
+//! Rows are added up first, over whole vectors; only the sum of a row of targets is then shrunk along x.
+
+use std::iter::Sum;
+use std::ops::{AddAssign, Mul, Range};
+use std::sync::Arc;
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::plane::Plane;
+use crate::units::Size;
+
+/// What sums are made in: `f32`, or `f64` where a target may cover tens of thousands of rows, of which `f32` would lose a
+/// part in a thousand.
+pub trait Accumulator:
+    Copy + Default + From<f32> + Mul<Output = Self> + AddAssign + Sum + Send + Sync + std::fmt::Debug
+{
+    /// The nearest value.
+    fn from_f64(value: f64) -> Self;
+    /// The nearest value.
+    fn to_f32(self) -> f32;
+}
+
+impl Accumulator for f32 {
+    fn from_f64(value: f64) -> Self {
+        value as Self
+    }
+    fn to_f32(self) -> f32 {
+        self
+    }
+}
+
+impl Accumulator for f64 {
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    fn to_f32(self) -> f32 {
+        self as f32
+    }
+}
+
+/// How far the picture, or the part of it that is used, reaches along one axis of the rows that come. A JPEG of 4001 pixels
+/// decoded at 1/8 comes as 501 pixels of which the picture fills only 500 and one eighth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Extent {
+    /// Where it begins, in parts of a pixel.
+    start: u64,
+    /// Its length, in parts of a pixel.
+    length: u64,
+    /// How many parts make a pixel.
+    parts: u64,
+}
+
+impl Extent {
+    /// `count` whole pixels after `start` others.
+    pub(crate) fn pixels(start: u32, count: u32) -> Self {
+        Self { start: u64::from(start), length: u64::from(count), parts: 1 }
+    }
+
+    /// `count` pixels after `start` others, each scaled by `eighths` / 8.
+    pub(crate) fn scaled(start: u32, count: u32, eighths: u32) -> Self {
+        let scaled = |pixels: u32| u64::from(pixels) * u64::from(eighths);
+        Self { start: scaled(start), length: scaled(count), parts: 8 }
+    }
+
+    /// The spans of `target` pixels of equal width that fill the extent.
+    fn spans<A: Accumulator>(self, target: u32) -> Vec<Span<A>> {
+        // In units of which a source pixel has `unit` and a target pixel `length`.
+        let unit = self.parts * u64::from(target);
+        let before = self.start * u64::from(target);
+        let span = |i: u64| {
+            let (from, to) = (before + i * self.length, before + (i + 1) * self.length);
+            let covered = |pixel: u64| to.min((pixel + 1) * unit) - from.max(pixel * unit);
+            let weight = |pixel: u64| A::from_f64(covered(pixel) as f64 / self.length as f64);
+            Span { start: (from / unit) as usize, weights: (from / unit..to.div_ceil(unit)).map(weight).collect() }
+        };
+        (0..u64::from(target)).map(span).collect()
+    }
+
+    /// Whether pixels become `target` pixels just as they are.
+    fn is_copied_to(self, target: u32) -> bool {
+        self.parts == 1 && self.length == u64::from(target)
+    }
+}
+
+/// The source pixels under one target pixel, along one axis.
+#[derive(Debug, Clone, PartialEq)]
+struct Span<A> {
+    /// First source pixel.
+    start: usize,
+    /// The share of every source pixel in the mean; they sum to 1.
+    weights: Vec<A>,
+}
+
+impl<A> Span<A> {
+    fn end(&self) -> usize {
+        self.start + self.weights.len()
+    }
+}
+
+/// Shrinks a plane whose rows come one after another.
+#[derive(Debug, Clone)]
+pub struct Shrinker<A = f32> {
+    arch: Arch,
+    across: Arc<[Span<A>]>,
+    /// Of the rows that are made here.
+    down: Arc<[Span<A>]>,
+    /// Whether nothing is to be averaged.
+    is_copy: bool,
+    /// Weighted sum of the rows of the target row in work.
+    sum: Vec<A>,
+    /// The source row that comes next.
+    next_row: usize,
+    /// The target row in work, of those made here.
+    target: usize,
+    out: Plane,
+}
+
+impl Shrinker<f32> {
+    /// For a plane of `from` pixels that becomes one of `to`, which is not larger.
+    pub fn new(from: Size, to: Size) -> Self {
+        Self::part(from, to, 0..from.height as usize)
+    }
+
+    /// Makes only those rows of the small plane whose cells begin in these rows of the large one.
+    pub fn part(from: Size, to: Size, begin: Range<usize>) -> Self {
+        let (across, down) = (Extent::pixels(0, from.width), Extent::pixels(0, from.height));
+        // Of target row i the first source row is floor(i * from / to), so those before row r are ceil(r * to / from).
+        let before = |row: usize| {
+            let rows = (row as u64 * u64::from(to.height)).div_ceil(from.height.into());
+            rows.min(to.height.into()) as usize
+        };
+        let rows = before(begin.start)..before(begin.end).max(before(begin.start));
+        let mut shrinker = Self::of_rows(from.width, across, down, to, rows);
+        shrinker.next_row = 0;
+        shrinker
+    }
+}
+
+impl<A: Accumulator> Shrinker<A> {
+    /// For rows of `width` pixels, of which the extents `across` and `down` become a plane of `to` pixels, which is not
+    /// larger; makes only the rows `rows` of it. The first row to come is the first of [`Shrinker::rows`].
+    pub(crate) fn of_rows(width: u32, across: Extent, down: Extent, to: Size, rows: Range<usize>) -> Self {
+        let is_copy = across.is_copied_to(to.width) && down.is_copied_to(to.height);
+        let out = Plane::filled(Size::new(to.width, rows.len() as u32), 0.0);
+        let down: Arc<[Span<A>]> = down.spans(to.height).drain(rows).collect();
+        Self {
+            arch: Arch::new(),
+            across: across.spans(to.width).into(),
+            is_copy,
+            sum: if is_copy { Vec::new() } else { vec![A::default(); width as usize] },
+            next_row: down.first().map_or(0, |span| span.start),
+            down,
+            target: 0,
+            out,
+        }
+    }
+
+    /// The rows of the large plane in which the rows made here begin.
+    pub fn starts(&self) -> Vec<usize> {
+        self.down.iter().map(|span| span.start).collect()
+    }
+
+    /// The rows of the large plane that are looked at.
+    pub fn rows(&self) -> Range<usize> {
+        match &self.down[..] {
+            [] => 0..0,
+            [first, ..] => first.start..self.down.last().map_or(0, Span::end),
+        }
+    }
+
+    /// Sets which row of the large plane comes first. Rows that are not looked at may come as well.
+    pub fn start(&mut self, row: usize) {
+        self.next_row = row;
+    }
+
+    /// Adds the rows below those made here.
+    pub fn append(&mut self, below: Self) {
+        self.out.size.height += below.out.size.height;
+        self.out.values.extend(below.out.values);
+    }
+
+    /// Takes the next row, from the top.
+    pub fn push(&mut self, row: &[f32]) {
+        let width = self.across.len();
+        // A row lies under one target row, or on the border of two.
+        while let Some(span) = self.down.get(self.target)
+            && span.start <= self.next_row
+        {
+            let to = &mut self.out.values[self.target * width..][..width];
+            if self.is_copy {
+                let left = self.across.first().map_or(0, |span| span.start);
+                to.copy_from_slice(&row[left..left + width]);
+                self.target += 1;
+                break;
+            }
+            let place = self.next_row - span.start;
+            if let Some(&weight) = span.weights.get(place) {
+                self.arch.dispatch(AddRow { sum: &mut self.sum, row, weight });
+            }
+            if place + 1 < span.weights.len() {
+                break;
+            }
+            for (to, span) in to.iter_mut().zip(&self.across[..]) {
+                let covered = span.weights.iter().zip(&self.sum[span.start..]);
+                *to = covered.map(|(weight, value)| *weight * *value).sum::<A>().to_f32();
+            }
+            self.sum.fill(A::default());
+            self.target += 1;
+        }
+        self.next_row += 1;
+    }
+
+    /// The small plane; what rows that have not come would have filled is 0.
+    pub fn finish(self) -> Plane {
+        self.out
+    }
+
+    /// The small plane; `None` when rows are missing.
+    pub(crate) fn finish_whole(self) -> Option<Plane> {
+        (self.target == self.down.len()).then_some(self.out)
+    }
+}
+
+struct AddRow<'a, A> {
+    sum: &'a mut [A],
+    row: &'a [f32],
+    weight: A,
+}
+
+impl<A: Accumulator> WithSimd for AddRow<'_, A> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.sum.iter_mut().zip(self.row).for_each(|(sum, value)| *sum += self.weight * A::from(*value));
+    }
+}
+
+/// Averages a plane of `from` pixels over areas down to `to`, which is not larger. Each new pixel is the mean over exactly
+/// the area that it covers, so a picture turned or flipped shrinks to the turned or flipped result.
+pub fn shrink(values: &[f32], from: Size, to: Size) -> Plane {
+    let mut shrinker = Shrinker::new(from, to);
+    values.chunks_exact(from.width as usize).for_each(|row| shrinker.push(row));
+    shrinker.finish()
+}
+
+impl Plane {
+    /// [`shrink`] for a plane that knows its size.
+    pub fn shrunk(&self, size: Size) -> Self {
+        shrink(&self.values, self.size, size)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn extents(source: Size) -> (Extent, Extent) {
+        (Extent::pixels(0, source.width), Extent::pixels(0, source.height))
+    }
+
+    /// In sums of 64 bits, as decoders do.
+    fn shrunk(source: Size, target: Size, plane: &[f32]) -> Vec<f32> {
+        let (across, down) = extents(source);
+        let rows = 0..target.height as usize;
+        let mut shrink = Shrinker::<f64>::of_rows(source.width, across, down, target, rows);
+        plane.chunks_exact(source.width as usize).for_each(|row| shrink.push(row));
+        shrink.finish_whole().expect("all rows").values
+    }
+
+    fn mean(plane: &[f32]) -> f64 {
+        plane.iter().map(|&value| f64::from(value)).sum::<f64>() / plane.len() as f64
+    }
+
+    /// A picture and a target that is not larger.
+    fn pictures() -> impl Strategy<Value = (Size, Size, Vec<f32>)> {
+        (1..40u32, 1..40u32)
+            .prop_flat_map(|(width, height)| {
+                let plane = prop::collection::vec(0.0..=1.0f32, (width * height) as usize);
+                (Just(Size::new(width, height)), 1..=width, 1..=height, plane)
+            })
+            .prop_map(|(source, width, height, plane)| (source, Size::new(width, height), plane))
+    }
+
+    proptest! {
+        #[test]
+        fn the_mean_is_kept((source, target, plane) in pictures()) {
+            let small = shrunk(source, target, &plane);
+            prop_assert!((mean(&small) - mean(&plane)).abs() < 1e-6);
+        }
+
+        #[test]
+        fn the_same_size_is_the_same_picture((source, _, plane) in pictures()) {
+            prop_assert_eq!(&shrunk(source, source, &plane), &plane);
+            prop_assert_eq!(shrink(&plane, source, source).values, plane);
+        }
+
+        #[test]
+        fn a_picture_turned_half_round_gives_the_page_turned_half_round((source, target, plane) in pictures()) {
+            let turned: Vec<f32> = plane.iter().rev().copied().collect();
+            let small = shrunk(source, target, &plane);
+            let small_turned = shrunk(source, target, &turned);
+            for (a, b) in small.iter().zip(small_turned.iter().rev()) {
+                prop_assert!((a - b).abs() <= f32::EPSILON, "{a} {b}");
+            }
+        }
+
+        #[test]
+        fn one_colour_stays_exactly_that_colour((source, target, _) in pictures(), value in 0.0..=1.0f32) {
+            let small = shrunk(source, target, &vec![value; source.len()]);
+            prop_assert!(small.iter().all(|&v| (v - value).abs() <= f32::EPSILON), "{value} {small:?}");
+        }
+
+        #[test]
+        fn sums_of_32_bits_are_nearly_those_of_64((source, target, plane) in pictures()) {
+            let (short, long) = (shrink(&plane, source, target).values, shrunk(source, target, &plane));
+            prop_assert!(short.iter().zip(&long).all(|(a, b)| (a - b).abs() < 1e-5));
+        }
+
+        #[test]
+        fn parts_put_together_are_the_whole((source, target, plane) in pictures(), cut in 0.0..1.0f32) {
+            let cut = (cut * source.height as f32) as usize;
+            let part = |begin: Range<usize>| {
+                let mut part = Shrinker::part(source, target, begin);
+                plane.chunks_exact(source.width as usize).for_each(|row| part.push(row));
+                part
+            };
+            let mut whole = part(0..cut);
+            whole.append(part(cut..source.height as usize));
+            prop_assert_eq!(whole.finish(), shrink(&plane, source, target));
+        }
+    }
+
+    #[test]
+    fn a_part_makes_the_rows_that_begin_in_it() {
+        // 10 rows to 4 begin in the rows 0, 2, 5 and 7.
+        let (from, to) = (Size::new(3, 10), Size::new(3, 4));
+        let part = |begin| {
+            let part = Shrinker::part(from, to, begin);
+            (part.starts(), part.rows())
+        };
+        assert_eq!(part(0..10), (vec![0, 2, 5, 7], 0..10));
+        assert_eq!(part(2..5), (vec![2], 2..5));
+        assert_eq!(part(3..8), (vec![5, 7], 5..10));
+        assert_eq!(part(8..10), (vec![], 0..0));
+    }
+
+    #[test]
+    fn a_pixel_cut_by_an_edge_counts_on_both_sides() {
+        let small = shrunk(Size::new(5, 1), Size::new(2, 1), &[1.0, 1.0, 0.0, 1.0, 0.0]);
+        assert_eq!(small, [2.0 / 2.5, 1.0 / 2.5]);
+    }
+
+    #[test]
+    fn a_part_of_a_pixel_beyond_the_picture_counts_as_little_as_there_is_of_it() {
+        // 9 px at 1/8: one pixel and an eighth, of which the second is seen by its eighth only.
+        let (across, down) = (Extent::scaled(0, 9, 1), Extent::pixels(0, 1));
+        let mut shrink = Shrinker::<f64>::of_rows(2, across, down, Size::new(1, 1), 0..1);
+        shrink.push(&[0.0, 1.0]);
+        assert_eq!(shrink.finish().values, [(0.125 / 1.125) as f32]);
+    }
+
+    #[test]
+    fn a_strip_of_a_hundred_thousand_rows_keeps_its_mean() {
+        let value = 0.1f32;
+        let small = shrunk(Size::new(1, 100_000), Size::new(1, 1), &vec![value; 100_000]);
+        assert_eq!(small, [value]);
+    }
+
+    #[test]
+    fn missing_rows_are_seen() {
+        let (across, down) = extents(Size::new(2, 2));
+        let mut shrink = Shrinker::<f64>::of_rows(2, across, down, Size::new(1, 1), 0..1);
+        shrink.push(&[0.0, 1.0]);
+        assert!(shrink.finish_whole().is_none());
+    }
+}
