@@ -1,20 +1,22 @@
-//! Averaging colours as the eye does, without staining: the blur stops at contours.
+//! Edge-stopping blur of the colours: averaging as the eye does, without mixing the colours of two areas.
 //!
-//! On the grid of cells, heat-like diffusion does what a Gaussian does: after n steps that each exchange a share `k` over
-//! every border of two cells, a point has spread with sigma = sqrt(2 k n) cells. A border that a contour crosses between
-//! the two cells' centres is shut, so nothing is exchanged there. The cells along a contour are mixed
-//! already (and a drawn outline is itself a colour), so pixels beside contours hardly count: colours are carried as
-//! weighted sums.
+//! Diffusion on a grid of cells (as of P. Perona and J. Malik, Scale-space and edge detection using anisotropic
+//! diffusion, 1990, but with a conductance of 0 or 1 that contours found before decide). After n steps, each of which
+//! exchanges a share `k` between every two neighbours, a point has spread with sigma = sqrt(2 k n) cells, as in a
+//! Gaussian blur. The conductance is 0 where a contour passes between the centres of two cells. The cells along a
+//! contour hold mixed colours already (and a drawn outline has a colour of its own), so pixels beside contours hardly
+//! count: colours are weighted sums.
 //!
 //! ```text
-//!   blue blue|yell yell      | contour: shut for the exchange
+//!   blue blue|yell yell      | contour: conductance 0
 //!   blue bl..|..ll yell      . pixels beside it: weight near 0, so these cells get their colour from their own side
 //! ```
 //!
-//! All of it is on cells of a millimetre, six steps for the default blur, whatever the size of the picture. Share of the
-//! picture that keeps its own area's class, on drawn maps of twelve areas (`tests/colours/stains.rs`, which prints more):
+//! Cells are a millimetre wide, so the default blur takes six steps, whatever the size of the picture. Share of the
+//! picture that keeps the class of its own area, on drawn maps of twelve areas (`tests/colours/stains.rs`, which prints
+//! more):
 //!
-//! | borders of the areas | Gaussian | this | this, borders smoothed |
+//! | boundaries of the areas | Gaussian | this | this, boundaries smoothed |
 //! |---|---|---|---|
 //! | bare | 0.951 | 0.989 | 0.987 |
 //! | black line, 0.6 mm | 0.969 | 0.996 | 0.996 |
@@ -23,7 +25,7 @@
 //! | soft | 0.950 | 0.986 | 0.985 |
 //! | grainy | 0.949 | 0.988 | 0.986 |
 //!
-//! What is left comes from the cells themselves: one that lies across a border can have one class only.
+//! The rest comes from the cells themselves: one that lies across a boundary can have one class only.
 
 use pulp::Arch;
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
@@ -35,27 +37,27 @@ use crate::raster::shrink::{Shrinker, shrink};
 use crate::raster::{Planes, Raster};
 use crate::units::{PxPoint, Size};
 
-/// Share that two cells exchange in a step, at most: above 0.25 a step overshoots.
+/// Largest share that two cells exchange in a step: above 0.25 the scheme is unstable.
 const MOST_EXCHANGE: f32 = 0.2;
 
-/// Weight of a pixel beside a contour: where there is nothing else (in a strip between two contours) it must do.
+/// Weight of a pixel beside a contour; above 0, since a strip between two contours has no others.
 const BESIDE_WEIGHT: f32 = 0.001;
 
-/// Which borders between cells are open.
-pub(super) struct Borders {
+/// Between which neighbouring cells values diffuse.
+pub(super) struct Conductance {
     size: Size,
-    /// Of each cell to its right neighbour and to the one below, 0 or 1; 0 at the edge of the picture.
+    /// Conductance from each cell to its right neighbour and to the one below, 0 or 1; 0 at the edge of the picture.
     right: Vec<f32>,
     below: Vec<f32>,
 }
 
-impl Borders {
-    /// All open.
+impl Conductance {
+    /// 1 everywhere.
     pub(super) fn open(size: Size) -> Self {
         Self::between(size, |_, _| true)
     }
 
-    /// Open where `open` says so of two neighbouring cells.
+    /// 1 where `open` is true for two neighbouring cells.
     pub(super) fn between(size: Size, open: impl Fn(usize, usize) -> bool) -> Self {
         let (width, height) = (size.width as usize, size.height as usize);
         let link = |inside: bool, cell: usize, other: usize| if inside && open(cell, other) { 1.0 } else { 0.0 };
@@ -64,11 +66,11 @@ impl Borders {
         Self { size, right, below }
     }
 
-    /// Shuts every border whose two cells have a contour between their centres. Points are in cells.
-    fn shut(&mut self, contour: impl Iterator<Item = (f32, f32)> + Clone) {
+    /// Sets to 0 what a contour crosses on the line between the centres of two cells. Points are in cells.
+    fn block(&mut self, contour: impl Iterator<Item = (f32, f32)> + Clone) {
         let (width, height) = (self.size.width as usize, self.size.height as usize);
         for ((ax, ay), (bx, by)) in contour.clone().zip(contour.skip(1)) {
-            // A row of centres lies at y = row + 0.5; where the contour crosses it, it parts two cells of that row.
+            // The centres of a row lie at y = row + 0.5; where the contour crosses that line, it separates two cells.
             crossings(ay, by, |row, share| {
                 for column in between(ax + share * (bx - ax), width).filter(|_| row < height) {
                     self.right[row * width + column] = 0.0;
@@ -82,7 +84,7 @@ impl Borders {
         }
     }
 
-    /// Whether two neighbouring cells exchange.
+    /// Whether values diffuse between two neighbouring cells.
     pub(super) fn is_open(&self, cell: usize, other: usize) -> bool {
         let (first, second) = (cell.min(other), cell.max(other));
         let side_by_side = second - first == 1 && self.size.width > 1;
@@ -90,8 +92,8 @@ impl Borders {
         links[first] > 0.0
     }
 
-    /// Diffuses planes over the open borders as a Gaussian of `sigma` cells would.
-    pub(super) fn spread(&self, planes: &mut [Vec<f32>], sigma: f32) {
+    /// Diffuses planes; without barriers this is a Gaussian blur of `sigma` cells.
+    pub(super) fn diffuse(&self, planes: &mut [Vec<f32>], sigma: f32) {
         if sigma <= 0.0 {
             return;
         }
@@ -110,7 +112,7 @@ impl Borders {
     #[inline(always)]
     fn step(&self, plane: &mut [f32], exchange: f32) {
         let width = self.size.width as usize;
-        // What flows in from the left of each cell, and out of the last one: nothing at both ends.
+        // The flow into each cell from its left, and out of the last one: 0 at both ends.
         let mut along = vec![0.0; width + 1];
         let (mut from_above, mut down) = (vec![0.0; width], vec![0.0; width]);
         for start in (0..plane.len()).step_by(width) {
@@ -135,8 +137,8 @@ impl Borders {
     }
 }
 
-/// Calls `cross` for every centre line at a whole number and a half between two values, with the number and how far on the
-/// way from `a` to `b` it is.
+/// Calls `cross` for every line of centres (at whole numbers plus a half) between two values, with its number and where
+/// it lies between `a` (0) and `b` (1).
 fn crossings(a: f32, b: f32, mut cross: impl FnMut(usize, f32)) {
     let (low, high) = (a.min(b), a.max(b));
     let mut line = (low - 0.5).ceil().max(0.0);
@@ -147,8 +149,8 @@ fn crossings(a: f32, b: f32, mut cross: impl FnMut(usize, f32)) {
     }
 }
 
-/// The cell of `count` in a row that lies before a place, with its centre at a half, if there is one behind it as well. A
-/// place exactly on a centre is parted from both sides, so that a mirrored picture has the mirrored borders.
+/// Of `count` cells in a row the one whose centre comes last before `at`, if another follows. A contour exactly on a
+/// centre separates that cell from both neighbours, so that a mirrored picture has the mirrored barriers.
 fn between(at: f32, count: usize) -> impl Iterator<Item = usize> {
     let (low, high) = ((at - 0.5).ceil() - 1.0, (at - 0.5).floor());
     let inside = move |cell: &f32| *cell >= 0.0 && *cell + 1.0 < count as f32;
@@ -158,12 +160,12 @@ fn between(at: f32, count: usize) -> impl Iterator<Item = usize> {
 /// A picture on its grid of cells.
 pub(super) struct Cells {
     pub(super) size: Size,
-    /// Blurred, in linear light, as the raster's planes.
+    /// Blurred planes of the raster, linear light.
     pub(super) planes: Planes<Vec<f32>>,
     /// Share of each cell that does not lie beside a contour; never 0.
     pub(super) weight: Vec<f32>,
-    /// Shut where contours are.
-    pub(super) borders: Borders,
+    /// 0 where contours are.
+    pub(super) conductance: Conductance,
 }
 
 impl Cells {
@@ -173,45 +175,46 @@ impl Cells {
     }
 }
 
-/// Averages the picture over cells and blurs it with `sigma` (cells), neither across `contours`. Pixels nearer to a contour than
-/// `beside` px hardly count.
+/// Averages the picture over cells and blurs it with `sigma` (cells), both without crossing `contours`. Pixels nearer
+/// to a contour than `beside` px hardly count.
 pub(super) fn average(raster: &Raster, contours: &[Polyline<PxPoint>], size: Size, sigma: f32, beside: f32) -> Cells {
     let from = raster.size();
-    let mut borders = Borders::open(size);
+    let mut conductance = Conductance::open(size);
     if contours.is_empty() {
         let mut planes = raster.planes().as_ref().map(|plane| shrink(plane, from, size).values);
-        borders.spread(planes.as_mut_slice(), sigma);
-        return Cells { size, planes, weight: vec![1.0; size.len()], borders };
+        conductance.diffuse(planes.as_mut_slice(), sigma);
+        return Cells { size, planes, weight: vec![1.0; size.len()], conductance };
     }
     let (sx, sy) = (size.width as f32 / from.width as f32, size.height as f32 / from.height as f32);
     for contour in contours {
-        borders.shut(contour.path().map(|at| (at.x * sx, at.y * sy)));
+        conductance.block(contour.path().map(|at| (at.x * sx, at.y * sy)));
     }
-    let clear = clear_of(contours, from, beside);
-    let weight = shrink(&clear, from, size).values;
-    // row by row: a whole plane of products would only be written to be read once
+    let weights = pixel_weights(contours, from, beside);
+    let weight = shrink(&weights, from, size).values;
+    // Row by row: a whole plane of products would be written only to be read once.
     let weighted = |plane: &Vec<f32>| {
         let width = from.width as usize;
         let mut shrinker = Shrinker::new(from, size);
         let mut row = vec![0.0; width];
-        for (values, clear) in plane.chunks_exact(width).zip(clear.chunks_exact(width)) {
-            row.iter_mut().zip(values).zip(clear).for_each(|((row, value), clear)| *row = value * clear);
+        for (values, weights) in plane.chunks_exact(width).zip(weights.chunks_exact(width)) {
+            row.iter_mut().zip(values).zip(weights).for_each(|((row, value), weight)| *row = value * weight);
             shrinker.push(&row);
         }
         shrinker.finish().values
     };
     let mut planes = raster.planes().as_ref().par_map(weighted);
     let mut total = [weight.clone()];
-    rayon::join(|| borders.spread(planes.as_mut_slice(), sigma), || borders.spread(&mut total, sigma));
+    rayon::join(|| conductance.diffuse(planes.as_mut_slice(), sigma), || conductance.diffuse(&mut total, sigma));
     for plane in planes.as_mut_slice() {
         plane.iter_mut().zip(&total[0]).for_each(|(value, weight)| *value /= weight);
     }
-    Cells { size, planes, weight, borders }
+    Cells { size, planes, weight, conductance }
 }
 
-/// 1 for every pixel whose centre is `beside` px or more away from all contours' points, else [`BESIDE_WEIGHT`].
-fn clear_of(contours: &[Polyline<PxPoint>], size: Size, beside: f32) -> Vec<f32> {
-    let mut clear = Plane::filled(size, 1.0).values;
+/// Weight of every pixel: 1 if its centre is `beside` px or more away from the points of all contours, else
+/// [`BESIDE_WEIGHT`].
+fn pixel_weights(contours: &[Polyline<PxPoint>], size: Size, beside: f32) -> Vec<f32> {
+    let mut weights = Plane::filled(size, 1.0).values;
     let pixels = |at: f32, most: u32| {
         let first = (at - beside - 0.5).ceil().max(0.0) as usize;
         let last = (at + beside - 0.5).floor().min(most as f32 - 1.0);
@@ -223,12 +226,12 @@ fn clear_of(contours: &[Polyline<PxPoint>], size: Size, beside: f32) -> Vec<f32>
             for x in pixels(at.x, size.width) {
                 let dx = x as f32 + 0.5 - at.x;
                 if dx * dx + dy * dy < beside * beside {
-                    clear[y * size.width as usize + x] = BESIDE_WEIGHT;
+                    weights[y * size.width as usize + x] = BESIDE_WEIGHT;
                 }
             }
         }
     }
-    clear
+    weights
 }
 
 #[cfg(test)]
@@ -242,7 +245,7 @@ mod tests {
         point[20 * 41 + 20] = 1.0;
         let gaussian = Plane { size, values: point.clone() }.blurred(1.5).values;
         let mut planes = [point];
-        Borders::open(size).spread(&mut planes, 1.5);
+        Conductance::open(size).diffuse(&mut planes, 1.5);
         let [spread] = planes;
         assert!((spread.iter().sum::<f32>() - 1.0).abs() < 1e-4);
         let variance: f32 = spread.iter().enumerate().map(|(i, v)| v * ((i % 41) as f32 - 20.0).powi(2)).sum();
@@ -256,20 +259,20 @@ mod tests {
     fn nothing_leaks_through_a_contour() {
         let size = Size::new(30, 20);
         for (from, to) in [((7.3, -1.0), (21.9, 21.0)), ((-1.0, 6.0), (31.0, 11.7)), ((14.1, -1.0), (14.1, 21.0))] {
-            let mut borders = Borders::open(size);
+            let mut conductance = Conductance::open(size);
             let steps = 37;
             let at = |i: i32| {
                 let share = i as f32 / steps as f32;
                 (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
             };
-            borders.shut((0..=steps).map(at));
+            conductance.block((0..=steps).map(at));
             let side = |cell: usize| {
                 let (x, y) = ((cell % 30) as f32 + 0.5, (cell / 30) as f32 + 0.5);
                 (to.0 - from.0) * (y - from.1) - (to.1 - from.1) * (x - from.0) > 1e-3
             };
             let mut planes = [(0..size.len()).map(|cell| f32::from(u8::from(side(cell)))).collect::<Vec<f32>>()];
             let before = planes[0].clone();
-            borders.spread(&mut planes, 6.0);
+            conductance.diffuse(&mut planes, 6.0);
             assert!(planes[0] == before, "{from:?} to {to:?}");
         }
     }

@@ -1,99 +1,109 @@
-//! Calm areas: smooth borders, no area that nobody could read, none that is another colour by a hair only.
+//! Regions from labels: smooth boundaries, no component too small to be read, none that differs from its neighbour by a
+//! hair.
 
-use super::blur::{Borders, Cells};
-use super::hue::{self, Shade, encoded};
-use super::{Class, Region};
+use super::blur::{Cells, Conductance};
+use super::class::{Class, Region};
+use super::hue::{self, Membership, encoded};
 use crate::geom::components::{self, four_neighbours};
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
 type Label = Option<Class>;
 
-/// A border that a contour runs along counts this much less when an area looks for a neighbour to join.
-const SHUT_BORDER: f32 = 0.5;
-/// What a neighbour of a wholly different colour counts, beside 1 for the very same.
-const STRANGER: f32 = 0.25;
+/// Weight of a common boundary that a contour runs along, where a component looks for a neighbour to join.
+const BLOCKED_WEIGHT: f32 = 0.5;
+/// Weight of a neighbour whose colour is wholly different, beside 1 for the very same.
+const UNLIKE_WEIGHT: f32 = 0.25;
 
-/// An area of the least readable size wavers if it is of the neighbour's class to at least this share. One half would be
-/// the neighbour's own; 0.3 is 5 degrees of hue, or a saturation of 0.83 of the bound.
-const WAVERS_FROM: f32 = 0.3;
-/// What is asked for rises to one half at this many times the least readable size: a large area is a colour of its own even
-/// if only by a hair (the table in `samples/coffee.png`, a little more yellow than the saucer).
-const FIRM_AREAS: f32 = 16.0;
-/// It joins the neighbour only if at least this share of their common border is without a contour: one thing, not two.
-const OPEN_BORDER: f32 = 0.6;
+/// A component of the least readable size is undecided if its membership in the neighbour's class is at least this. One
+/// half would be the neighbour's own class; 0.3 is 5 degrees of hue, or a saturation of 0.83 of the bound.
+const UNDECIDED_FROM: f32 = 0.3;
+/// The bound rises to one half at this many times the least readable size: a large area is a colour of its own, however
+/// little it differs (the table in `samples/coffee.png`, a little more yellow than the saucer).
+const DECIDED_AREA: f32 = 16.0;
+/// An undecided component joins a neighbour only if at least this share of their common boundary is without a contour.
+const OPEN_SHARE: f32 = 0.6;
 
-/// The class of every cell from the shades around it, weighted by a Gaussian of `sigma` cells and by how far the cells lie off
-/// contours. Borders become smooth, what is narrower than about twice `sigma` vanishes (drawn outlines, tongues
-/// that have room for single glyphs only), and seams of mixed colour go to the one side or the other.
-pub(super) fn smooth(shades: &[Shade], grid: &Cells, sigma: f32) -> Vec<Label> {
+/// The class of every cell by the memberships around it, weighted by a Gaussian of `sigma` cells and by the cells'
+/// weights, which are low along contours. Boundaries become smooth, what is narrower than about twice `sigma` vanishes
+/// (drawn outlines, tongues that have room for single glyphs only), and seams of mixed colour go to one side or the
+/// other.
+pub(super) fn smooth(memberships: &[Membership], grid: &Cells, sigma: f32) -> Vec<Label> {
     if sigma <= 0.0 {
-        return shades.iter().map(Shade::label).collect();
+        return memberships.iter().map(Membership::label).collect();
     }
-    if shades.iter().all(|shade| *shade == shades[0]) {
-        return vec![shades[0].label(); shades.len()];
+    if memberships.iter().all(|membership| *membership == memberships[0]) {
+        return vec![memberships[0].label(); memberships.len()];
     }
     let mut planes = vec![grid.weight.clone()];
-    for part in 0..Shade::PARTS {
-        let weighted = shades.iter().zip(&grid.weight).map(|(shade, weight)| shade.parts()[part] * weight);
+    for part in 0..Membership::PARTS {
+        let weighted =
+            memberships.iter().zip(&grid.weight).map(|(membership, weight)| membership.parts()[part] * weight);
         planes.push(weighted.collect());
     }
-    Borders::open(grid.size).spread(&mut planes, sigma);
+    Conductance::open(grid.size).diffuse(&mut planes, sigma);
     let mean = |cell: usize| {
         let weight = planes[0][cell];
-        Shade::from_parts(std::array::from_fn(|part| planes[part + 1][cell] / weight)).label()
+        Membership::from_parts(std::array::from_fn(|part| planes[part + 1][cell] / weight)).label()
     };
-    (0..shades.len()).map(mean).collect()
+    (0..memberships.len()).map(mean).collect()
 }
 
-/// Gives connected areas (white ones too) of fewer than `min_cells` cells to the neighbour that suits them best, until none
-/// is left or all is one. What suits: a long common border, a colour that is nearly the neighbour's own, no contour between.
-pub(super) fn join_small(labels: Vec<Label>, shades: &[Shade], grid: &Cells, min_cells: f32) -> Vec<Label> {
+/// Gives connected components (white ones too) of fewer than `min_cells` cells to the neighbour that suits best, until
+/// none is left or all is one. A neighbour suits by a long common boundary, a colour that is nearly its own, and no
+/// contour between.
+pub(super) fn join_small(labels: Vec<Label>, memberships: &[Membership], grid: &Cells, min_cells: f32) -> Vec<Label> {
     let small = |area: &[usize]| (area.len() as f32) < min_cells;
     join(labels, grid.size, small, |area, label, border| {
-        let shade = mean_shade(area, shades, grid);
-        let open = border.iter().filter(|&&(cell, other)| grid.borders.is_open(cell, other)).count() as f32;
-        let length = open + SHUT_BORDER * (border.len() as f32 - open);
-        Some(length * (STRANGER + (1.0 - STRANGER) * shade.share(label)))
+        let membership = mean_membership(area, memberships, grid);
+        let open = border.iter().filter(|&&(cell, other)| grid.conductance.is_open(cell, other)).count() as f32;
+        let length = open + BLOCKED_WEIGHT * (border.len() as f32 - open);
+        Some(length * (UNLIKE_WEIGHT + (1.0 - UNLIKE_WEIGHT) * membership.share(label)))
     })
 }
 
-/// Gives areas that are nearly of a larger neighbour's class, and not parted from it by a contour, to that neighbour: a sky that
-/// passes from blue to grey, or flips to and fro in haze, keeps to one class as long as it is not clearly another.
-pub(super) fn join_wavering(labels: Vec<Label>, shades: &[Shade], grid: &Cells, min_cells: f32) -> Vec<Label> {
+/// Gives components that are nearly of a larger neighbour's class, and not separated from it by a contour, to that
+/// neighbour: a sky that passes from blue to grey, or alternates between them in haze, keeps to one class as long as it
+/// is not clearly another.
+pub(super) fn join_undecided(
+    labels: Vec<Label>,
+    memberships: &[Membership],
+    grid: &Cells,
+    min_cells: f32,
+) -> Vec<Label> {
     join(
         labels,
         grid.size,
-        |area| (area.len() as f32) < FIRM_AREAS * min_cells,
+        |area| (area.len() as f32) < DECIDED_AREA * min_cells,
         |area, label, border| {
-            let share = mean_shade(area, shades, grid).share(label);
-            let open = border.iter().filter(|&&(cell, other)| grid.borders.is_open(cell, other)).count();
-            let one_thing = open as f32 >= OPEN_BORDER * border.len() as f32;
-            let firm = (area.len() as f32 / min_cells).ln() / FIRM_AREAS.ln();
-            let asked = WAVERS_FROM + (0.5 - WAVERS_FROM) * firm.clamp(0.0, 1.0);
-            (one_thing && share >= asked).then_some(share * border.len() as f32)
+            let share = mean_membership(area, memberships, grid).share(label);
+            let open = border.iter().filter(|&&(cell, other)| grid.conductance.is_open(cell, other)).count();
+            let is_open = open as f32 >= OPEN_SHARE * border.len() as f32;
+            let decided = (area.len() as f32 / min_cells).ln() / DECIDED_AREA.ln();
+            let asked = UNDECIDED_FROM + (0.5 - UNDECIDED_FROM) * decided.clamp(0.0, 1.0);
+            (is_open && share >= asked).then_some(share * border.len() as f32)
         },
     )
 }
 
-/// The mean shade of some cells; those beside contours hardly count.
-fn mean_shade(cells: &[usize], shades: &[Shade], grid: &Cells) -> Shade {
-    let mut sum = [0.0_f64; Shade::PARTS];
+/// The mean membership of some cells; those beside contours hardly count.
+fn mean_membership(cells: &[usize], memberships: &[Membership], grid: &Cells) -> Membership {
+    let mut sum = [0.0_f64; Membership::PARTS];
     let mut total = 0.0;
     for &cell in cells {
         let weight = f64::from(grid.weight[cell]);
         total += weight;
-        sum.iter_mut().zip(shades[cell].parts()).for_each(|(sum, part)| *sum += weight * f64::from(part));
+        sum.iter_mut().zip(memberships[cell].parts()).for_each(|(sum, part)| *sum += weight * f64::from(part));
     }
-    Shade::from_parts(sum.map(|sum| (sum / total) as f32))
+    Membership::from_parts(sum.map(|sum| (sum / total) as f32))
 }
 
-/// Lets areas join neighbours until none wants to. `wants` says which areas look for a neighbour; `suits` is asked for each
-/// neighbour with the area's cells, the neighbour's label and the common border (own cell, other cell), and says how well
-/// it suits, if at all.
+/// Lets components join neighbours until none wants to. `wants` decides which components look for a neighbour. `suits`
+/// gets a component's cells, the label of a neighbour and their common boundary (own cell, other cell), and scores that
+/// neighbour, if it may be joined at all.
 ///
-/// All areas of a round decide at once, and each only for a neighbour that is larger (or, at equal size, comes later in
-/// the order of labels): so two never swap, it comes to an end, and no direction of the picture is special.
+/// All components of a round decide at once, and each only for a neighbour that is larger (or, at equal size, comes
+/// later in the order of labels). So two never swap labels, the loop ends, and no direction of the picture is special.
 fn join<L: Copy + Ord>(
     mut labels: Vec<L>,
     size: Size,
@@ -133,7 +143,7 @@ fn join<L: Copy + Ord>(
     }
 }
 
-/// Numbers the areas that have a texture.
+/// The connected components that have a texture, and which of them each cell belongs to.
 pub(super) fn regions(labels: &[Label], grid: &Cells) -> (Vec<Option<u32>>, Vec<Region>) {
     let mut of_cell = vec![None; labels.len()];
     let mut regions = Vec::new();
@@ -157,8 +167,8 @@ fn mean_colour(cells: &[usize], grid: &Cells) -> [u8; 3] {
     grid.planes.as_ref().map(mean).as_colour()
 }
 
-/// Lightness for the boldness of glyphs: cells beside contours, which show the contour's own ink or a mixture, take it from
-/// their region.
+/// Lightness for the boldness of glyphs. Cells beside contours show the contour's own ink or a mixture, so they take
+/// theirs from their region.
 pub(super) fn lightness(colours: &[[f32; 3]], region: &[Option<u32>], grid: &Cells) -> Plane {
     let size = grid.size;
     let own: Vec<f32> = colours.iter().map(|rgb| hue::lightness(*rgb)).collect();
@@ -167,7 +177,7 @@ pub(super) fn lightness(colours: &[[f32; 3]], region: &[Option<u32>], grid: &Cel
     }
     let weighted = own.iter().zip(&grid.weight).map(|(value, weight)| value * weight).collect();
     let mut planes = [weighted, grid.weight.clone()];
-    Borders::between(size, |cell, other| region[cell] == region[other]).spread(&mut planes, 1.0);
+    Conductance::between(size, |cell, other| region[cell] == region[other]).diffuse(&mut planes, 1.0);
     let [sum, total] = planes;
     let fill = |cell: usize| {
         let weight = grid.weight[cell];
@@ -176,7 +186,7 @@ pub(super) fn lightness(colours: &[[f32; 3]], region: &[Option<u32>], grid: &Cel
     Plane { size, values: (0..size.len()).map(fill).collect() }
 }
 
-/// For every cell of a region the class that its surroundings within the region lean to.
+/// For every cell of a region the neighbouring class that the colours around it, within the region, tend to.
 pub(super) fn fringe(
     colours: &[[f32; 3]],
     region: &[Option<u32>],
@@ -188,10 +198,10 @@ pub(super) fn fringe(
     let class = |cell: usize| region[cell].map(|number| regions[number as usize].class);
     let leans: Vec<Label> =
         (0..size.len()).map(|cell| class(cell).and_then(|class| hue::leaning(colours[cell], class))).collect();
-    let within = Borders::between(size, |cell, other| region[cell] == region[other]);
+    let within = Conductance::between(size, |cell, other| region[cell] == region[other]);
     let share_of = |class: Label| {
         let mut planes = [leans.iter().map(|lean| f32::from(u8::from(*lean == class))).collect::<Vec<f32>>()];
-        within.spread(&mut planes, sigma);
+        within.diffuse(&mut planes, sigma);
         let [plane] = planes;
         plane
     };
@@ -211,12 +221,11 @@ pub(super) fn fringe(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::classes::Params;
+    use crate::classes::class::Params;
     use crate::raster::Planes;
 
-    /// Classes by their first letters; small letters have a shade half way to the class in capitals, such as `g` for a green
-    /// that is nearly blue.
-    fn read(map: &str) -> (Vec<Label>, Vec<Shade>, Cells) {
+    /// Classes by their first letters; `g` is a green that is nearly blue.
+    fn read(map: &str) -> (Vec<Label>, Vec<Membership>, Cells) {
         let rows: Vec<&str> = map.split_whitespace().collect();
         let size = Size::new(rows[0].len() as u32, rows.len() as u32);
         let rgb = |c| match c {
@@ -227,10 +236,10 @@ mod tests {
             _ => [1.0; 3],
         };
         let colours: Vec<[f32; 3]> = rows.iter().flat_map(|row| row.chars().map(rgb)).collect();
-        let shades: Vec<Shade> = colours.iter().map(|rgb| hue::shade(*rgb, &Params::TEST)).collect();
+        let memberships: Vec<Membership> = colours.iter().map(|rgb| hue::membership(*rgb, &Params::TEST)).collect();
         let planes = Planes::Colour([0, 1, 2].map(|channel| colours.iter().map(|rgb| rgb[channel]).collect()));
-        let grid = Cells { size, planes, weight: vec![1.0; size.len()], borders: Borders::open(size) };
-        (shades.iter().map(Shade::label).collect(), shades, grid)
+        let grid = Cells { size, planes, weight: vec![1.0; size.len()], conductance: Conductance::open(size) };
+        (memberships.iter().map(Membership::label).collect(), memberships, grid)
     }
 
     fn written(labels: &[Label], size: Size) -> String {
@@ -243,8 +252,8 @@ mod tests {
 
     #[track_caller]
     fn small(before: &str, min_cells: f32, after: &str) {
-        let (labels, shades, grid) = read(before);
-        assert_eq!(written(&join_small(labels, &shades, &grid, min_cells), grid.size), after);
+        let (labels, memberships, grid) = read(before);
+        assert_eq!(written(&join_small(labels, &memberships, &grid, min_cells), grid.size), after);
     }
 
     #[test]
@@ -265,15 +274,15 @@ mod tests {
     }
 
     #[test]
-    fn a_wavering_area_joins_a_larger_neighbour_unless_a_contour_lies_between() {
+    fn an_undecided_area_joins_a_larger_neighbour_unless_a_contour_lies_between() {
         let map = "BBBBBB BBBBBB gggBBB gggBBB";
-        let (labels, shades, grid) = read(map);
+        let (labels, memberships, grid) = read(map);
         assert_eq!(written(&labels, grid.size), "BBBBBB BBBBBB GGGBBB GGGBBB");
-        let calm = join_wavering(labels.clone(), &shades, &grid, 5.0);
+        let calm = join_undecided(labels.clone(), &memberships, &grid, 5.0);
         assert_eq!(written(&calm, grid.size), "BBBBBB BBBBBB BBBBBB BBBBBB");
-        let parted = |cell: usize, other: usize| labels[cell] == labels[other];
-        let parted = Cells { borders: Borders::between(grid.size, parted), ..grid };
-        assert_eq!(join_wavering(labels.clone(), &shades, &parted, 5.0), labels);
+        let same = |cell: usize, other: usize| labels[cell] == labels[other];
+        let parted = Cells { conductance: Conductance::between(grid.size, same), ..grid };
+        assert_eq!(join_undecided(labels.clone(), &memberships, &parted, 5.0), labels);
     }
 
     #[test]

@@ -1,36 +1,38 @@
-//! The class of one colour, without a jump anywhere in hue, saturation and value (HSV).
+//! The class of one colour: fuzzy memberships that are continuous in hue, saturation and value (HSV).
 //!
 //! 1. **White** is what is lighter than `white_from` (HSL lightness).
-//! 2. **Grey** is what is less saturated than a bound. From [`BRIGHT`] upwards the bound falls from `min_saturation`, since
-//!    a light tint beside white paper is seen as a colour sooner; below [`BRIGHT`] it rises to 1 at `min_value`, where even a
-//!    pure hue is black. With the default numbers that rising part is a constant chroma (saturation times value) of 0.15.
-//! 3. **The hue is corrected** before it is cut into sectors, as in the paper (Rataj 2004): darkening turns yellow to green
-//!    and orange to yellow. `hue + 70 min(0.5, 1 - value)^1.5 * w(hue) * min(1, saturation / 0.4)` degrees, where `w` is 1 from 45
-//!    to 75 degrees and falls to 0 at 15 and at 160; a drab, weakly saturated brown is not seen as olive, so it turns
-//!    less.
+//! 2. **Grey** is what is less saturated than a bound. From [`BRIGHT`] upwards the bound falls from `min_saturation`,
+//!    since a light tint beside white paper is seen as a colour sooner; below [`BRIGHT`] it rises to 1 at `min_value`,
+//!    where even a pure hue is black. With the default numbers that rising part is a constant chroma (saturation times
+//!    value) of 0.15.
+//! 3. **The hue is corrected** before it is cut into sectors, as in the paper (Rataj 2004): darkening turns yellow to
+//!    green and orange to yellow. `hue + 70 min(0.5, 1 - value)^1.5 * w(hue) * min(1, saturation / 0.4)` degrees, where
+//!    `w` is 1 from 45 to 75 degrees and falls to 0 at 15 and at 160; a drab, weakly saturated brown is not seen as
+//!    olive, so it turns less.
 //!
-//! The paper names the directions of the corrections and the four centres, not the numbers. Those here were set on a list of
-//! 182 named colours (`tests/colours/named.csv`), which tells what is met and what is missed.
+//! The paper names the directions of the corrections and the four centres, not the numbers. Those here were set on a
+//! list of 182 named colours (`tests/colours/named.csv`), whose test counts which are classed as a person would.
 //! `docs/colours/classes.svg` shows the result; `cargo run -p tactograph-tools --bin colours -- chart` draws it.
 //!
-//! Every decision is a [`Shade`] first: how far a colour is of each class, 0 to 1. One half is the border. Areas are
-//! decided by the shades of all their cells, so a sky that hovers at a border does not fall to pieces.
+//! Every decision is a [`Membership`] first: how far a colour belongs to each class, 0 to 1, with the boundary at one
+//! half. Areas are decided by the memberships of all their cells, so a sky that varies around a boundary is not split
+//! into pieces.
 
-use super::{Class, Params};
+use super::class::{Class, Params};
 
-/// Where the sector of a class begins, degrees of corrected hue, and from where to where the class is typical; what lies
-/// outside that is a fringe towards the neighbour on that side.
+/// Where the sector of a class begins and between which hues the class is typical, degrees of corrected hue; the rest
+/// of the sector is a fringe towards the neighbour on that side.
 struct Sector {
     class: Class,
     from: f32,
     typical: [f32; 2],
 }
 
-/// In the order of the colour wheel. Borders: 24 parts pinkish orange (coral, 16) and red browns (sienna, 19, at most 23
-/// when corrected) from light orange (sandy brown, 28) and brown (25); 70 parts a slightly dark yellow (66) from olive (80);
-/// 173 is where people part green from blue (ismy.blue, an online test of 2024, found 174 as the median); 285 is half way from
-/// blue to red, by our eye: violet is bluish, purple reddish. Typical: half way from the middle of the class as we see it
-/// (blue 215, green 120, yellow 54, red 0) to its borders.
+/// In the order of the colour wheel. Boundaries: 24 separates pinkish orange (coral, 16) and red browns (sienna, 19, at
+/// most 23 when corrected) from light orange (sandy brown, 28) and brown (25); 70 a slightly dark yellow (66) from
+/// olive (80); 173 is where people separate green from blue (ismy.blue, an online test of 2024, found 174 as the
+/// median); 285 is half way from blue to red, by our eye: violet is bluish, purple reddish. Typical: half way from the
+/// middle of the class as we see it (blue 215, green 120, yellow 54, red 0) to its boundaries.
 const SECTORS: [Sector; 4] = [
     Sector { class: Class::Yellow, from: 24.0, typical: [39.0, 62.0] },
     Sector { class: Class::Green, from: 70.0, typical: [95.0, 146.0] },
@@ -38,11 +40,13 @@ const SECTORS: [Sector; 4] = [
     Sector { class: Class::Red, from: 285.0, typical: [322.0, 372.0] },
 ];
 
-/// Degrees that a dark yellow turns for each unit of lost value to the power below: takes olive (value 0.5) from 60 to 85.
+/// Degrees that a dark yellow turns for each unit of lost value to the power below: takes olive (value 0.5) from 60 to
+/// 85.
 const DARK_TURN: f32 = 70.0;
 /// Power of the lost value: a little less than full brightness (the shaded side of a lemon) hardly turns.
 const DARK_POWER: f32 = 1.5;
-/// Lost value from which colours do not turn further: darker than half, a brown stays brown (dark blond hair is not olive).
+/// Lost value from which colours do not turn further: darker than half, a brown stays brown (dark blond hair is not
+/// olive).
 const DARK_FULL: f32 = 0.5;
 /// HSV saturation from which dark colours turn fully.
 const FULL_TURN: f32 = 0.4;
@@ -51,23 +55,23 @@ const BRIGHT: f32 = 0.75;
 /// Share by which the bound on saturation falls from [`BRIGHT`] to value 1: cream and beige (0.10 at 0.96) are colours.
 const PALE_FALL: f32 = 0.6;
 
-/// Half width of the passage from one hue to the next, degrees: neighbours within it are mixed up by people, too.
-const HUE_PASSAGE: f32 = 12.0;
-/// The passage from grey to colour, as a factor on the bound.
-const GREY_PASSAGE: f32 = 1.6;
-/// Half width of the passage to white, HSL lightness.
-const WHITE_PASSAGE: f32 = 0.03;
+/// Half width of the transition from one hue to the next, degrees: within it people confuse the two as well.
+const HUE_TRANSITION: f32 = 12.0;
+/// Half width of the transition from grey to colour, as a factor on the bound.
+const GREY_TRANSITION: f32 = 1.6;
+/// Half width of the transition to white, HSL lightness.
+const WHITE_TRANSITION: f32 = 0.03;
 
 /// How far a colour belongs to each class, 0 to 1; grey has what the others leave.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Shade {
+pub(super) struct Membership {
     pub(super) white: f32,
     /// In the order of [`SECTORS`].
     hues: [f32; 4],
 }
 
-impl Shade {
-    /// How many numbers a shade has.
+impl Membership {
+    /// How many numbers a membership has.
     pub(super) const PARTS: usize = 5;
 
     pub(super) fn parts(self) -> [f32; Self::PARTS] {
@@ -79,7 +83,7 @@ impl Shade {
         Self { white, hues: [a, b, c, d] }
     }
 
-    /// How far it is of a class, or white (`None`).
+    /// Membership in a class, or in white (`None`).
     pub(super) fn share(&self, label: Option<Class>) -> f32 {
         match label {
             None => self.white,
@@ -98,7 +102,7 @@ impl Shade {
         (1.0 - self.white - self.coloured()).max(0.0)
     }
 
-    /// White or not is decided first, then grey or not, then the hue: a colour between two hues is not grey for it.
+    /// White or not is decided first, then grey or not, then the hue: a colour between two hues does not become grey.
     pub(super) fn label(&self) -> Option<Class> {
         if self.white > 0.5 {
             return None;
@@ -111,16 +115,16 @@ impl Shade {
     }
 }
 
-/// The shade of a colour given as sRGB values 0..=1.
-pub(super) fn shade(rgb: [f32; 3], params: &Params) -> Shade {
+/// The membership of a colour given as sRGB values 0..=1.
+pub(super) fn membership(rgb: [f32; 3], params: &Params) -> Membership {
     let (least, value) = range(rgb);
-    let white = passage((lightness(rgb) - params.white_from) / WHITE_PASSAGE);
+    let white = transition((lightness(rgb) - params.white_from) / WHITE_TRANSITION);
     let saturation = if value > 0.0 { (value - least) / value } else { 0.0 };
     let bound = grey_bound(value, params);
     let coloured = if saturation <= 0.0 || value <= 0.0 {
         0.0
     } else {
-        passage((saturation / bound.max(f32::MIN_POSITIVE)).ln() / GREY_PASSAGE.ln())
+        transition((saturation / bound.max(f32::MIN_POSITIVE)).ln() / GREY_TRANSITION.ln())
     };
     let coloured = coloured * (1.0 - white);
     let mut hues = [0.0; 4];
@@ -128,23 +132,23 @@ pub(super) fn shade(rgb: [f32; 3], params: &Params) -> Shade {
         let hue = corrected(hue(rgb, least, value), saturation, value);
         let own = sector_of(hue);
         let (before, after) = ((own + SECTORS.len() - 1) % SECTORS.len(), (own + 1) % SECTORS.len());
-        // Every sector is wider than two passages, so at most one neighbour has a share.
+        // Every sector is wider than two transitions, so at most one neighbour has a share.
         let above = (hue - SECTORS[own].from).rem_euclid(360.0);
         let below = (SECTORS[after].from - hue).rem_euclid(360.0);
         let (other, distance) = if above < below { (before, above) } else { (after, below) };
-        hues[other] = coloured * (1.0 - passage(distance / HUE_PASSAGE));
+        hues[other] = coloured * (1.0 - transition(distance / HUE_TRANSITION));
         hues[own] = coloured - hues[other];
     }
-    Shade { white, hues }
+    Membership { white, hues }
 }
 
-/// The shade of a grey given as an sRGB value 0..=1; no hue is looked at.
-pub(super) fn shade_of_grey(value: f32, params: &Params) -> Shade {
-    Shade { white: passage((value - params.white_from) / WHITE_PASSAGE), hues: [0.0; 4] }
+/// The membership of a grey given as an sRGB value 0..=1; no hue is looked at.
+pub(super) fn membership_of_grey(value: f32, params: &Params) -> Membership {
+    Membership { white: transition((value - params.white_from) / WHITE_TRANSITION), hues: [0.0; 4] }
 }
 
-/// A straight passage from 0 at -1 to 1 at 1.
-fn passage(x: f32) -> f32 {
+/// A linear transition from 0 at -1 to 1 at 1.
+fn transition(x: f32) -> f32 {
     (0.5 + 0.5 * x).clamp(0.0, 1.0)
 }
 
@@ -154,7 +158,7 @@ fn sector_of(hue: f32) -> usize {
 
 /// The class of a colour given as sRGB values 0..=1; `None` is white. The blurred picture's cells are sorted by it.
 pub fn class_of(rgb: [f32; 3], params: &Params) -> Option<Class> {
-    shade(rgb, params).label()
+    membership(rgb, params).label()
 }
 
 /// The neighbour on the colour wheel that a colour of class `class` leans to, if it is not typical of its class.
@@ -252,10 +256,10 @@ mod tests {
         })
     }
 
-    /// No jump: a step of one code value of 255 changes no share by more than a fifth, and that only in dark colours, where the
-    /// hue turns by many degrees from one code value to the next.
+    /// A step of one code value of 255 changes no membership by more than a fifth, and that only in dark colours, where
+    /// the hue turns by many degrees from one code value to the next.
     #[test]
-    fn shades_are_continuous() {
+    fn memberships_are_continuous() {
         let step = 1.0 / 255.0;
         let mut worst = 0.0_f32;
         for hue in (0..360).step_by(4) {
@@ -265,7 +269,7 @@ mod tests {
                     for channel in 0..3 {
                         let mut near = rgb;
                         near[channel] = (near[channel] + step).min(1.0);
-                        let (a, b) = (shade(rgb, &PARAMS).parts(), shade(near, &PARAMS).parts());
+                        let (a, b) = (membership(rgb, &PARAMS).parts(), membership(near, &PARAMS).parts());
                         let jump = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                         worst = worst.max(jump);
                     }
@@ -280,13 +284,13 @@ mod tests {
         for hue in 0..360 {
             for (saturation, value) in [(0.0, 0.5), (0.2, 0.9), (0.3, 0.5), (0.7, 0.3), (1.0, 1.0), (0.05, 0.99)] {
                 let rgb = rgb_of(hue as f32, saturation, value);
-                let shade = shade(rgb, &PARAMS);
+                let membership = membership(rgb, &PARAMS);
                 let labels = || [None].into_iter().chain(Class::ALL.map(Some));
-                let sum: f32 = labels().map(|label| shade.share(label)).sum();
+                let sum: f32 = labels().map(|label| membership.share(label)).sum();
                 assert!((sum - 1.0).abs() < 1e-5, "{hue} {saturation} {value}: {sum}");
-                assert!(shade.parts().iter().all(|part| (0.0..=1.0).contains(part)));
-                let most = labels().find(|label| shade.share(*label) > 0.5 + 1e-4);
-                assert!(most.is_none_or(|label| label == shade.label()), "{hue} {saturation} {value}");
+                assert!(membership.parts().iter().all(|part| (0.0..=1.0).contains(part)));
+                let most = labels().find(|label| membership.share(*label) > 0.5 + 1e-4);
+                assert!(most.is_none_or(|label| label == membership.label()), "{hue} {saturation} {value}");
             }
         }
     }

@@ -1,134 +1,28 @@
 //! The picture's colours, averaged as the eye does and sorted into the five that have a texture.
 //!
 //! ```text
-//! Raster, contours -> blur (linear light, not across contours) -> hue (shade of every cell) -> smooth borders
-//!   -> clean (small areas, wavering areas) -> Classes
+//! Raster, contours -> blur (linear light, not across contours) -> hue (membership of every cell) -> smooth boundaries
+//!   -> clean (small components, undecided components) -> Classes
 //! ```
 //!
 //! All of it is done on cells of about a millimetre: a texture cannot show finer detail.
 
 mod blur;
+mod class;
 mod clean;
 mod hue;
 
-use hue::Shade;
+use hue::Membership;
 
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
-use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
+pub use class::{Class, Classes, Params, Region};
 pub use hue::{class_of, leaning};
 
-/// A colour that has a texture. White has none.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Class {
-    /// Blue, cyan and indigo.
-    Blue,
-    /// Green and olive.
-    Green,
-    /// Yellow and light orange.
-    Yellow,
-    /// Red, pink, magenta and brownish red.
-    Red,
-    /// Black, greys and weakly saturated colours.
-    Grey,
-}
-
-impl Class {
-    /// All five, in the order in which they are written.
-    pub const ALL: [Self; 5] = [Self::Blue, Self::Green, Self::Yellow, Self::Red, Self::Grey];
-
-    /// Its name in lower case.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Blue => "blue",
-            Self::Green => "green",
-            Self::Yellow => "yellow",
-            Self::Red => "red",
-            Self::Grey => "grey",
-        }
-    }
-}
-
-/// How colours are sorted. Lengths are in pixels of the working picture, areas in square pixels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Params {
-    /// Side of a cell, px; at least 1.
-    pub cell: f32,
-    /// Sigma of the blur, px.
-    pub blur: f32,
-    /// Pixels nearer to a contour than this hardly count for the colour of an area, px.
-    pub beside: f32,
-    /// Sigma of the smoothing of the borders between areas, px.
-    pub smoothing: f32,
-    /// Colours less saturated than this (HSV, 0..=1) are grey; of dark colours more is asked, of light ones less.
-    pub min_saturation: f32,
-    /// Colours darker than this (HSV value, 0..=1) are grey.
-    pub min_value: f32,
-    /// Colours lighter than this (HSL lightness, 0..=1) are white: no texture.
-    pub white_from: f32,
-    /// An area smaller than this joins the neighbour that suits it best, px^2.
-    pub min_area: f32,
-    /// Whether to look for the parts of areas that lean to a neighbouring class.
-    pub fringe: bool,
-}
-
-#[cfg(test)]
-impl Params {
-    /// The numbers of `swell-a4`, one pixel a cell, and no spatial work at all.
-    const TEST: Self = Self {
-        cell: 1.0,
-        blur: 0.0,
-        beside: 0.0,
-        smoothing: 0.0,
-        min_saturation: 0.2,
-        min_value: 0.15,
-        white_from: 0.92,
-        min_area: 0.0,
-        fringe: false,
-    };
-}
-
-/// The picture in classes, on a grid of cells.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Classes {
-    /// Cells from left to right and from top to bottom.
-    pub size: Size,
-    /// For each cell the number of its region in `regions`, or `None` where the picture is white.
-    pub region: Vec<Option<u32>>,
-    /// The connected areas of one class, in reading order of their first cell.
-    pub regions: Vec<Region>,
-    /// HSL lightness (max + min) / 2 of the blurred colour, 0..=1: what decides how bold a texture is.
-    pub lightness: Plane,
-    /// For each cell the neighbouring class that its part of the region leans to; empty unless asked for
-    /// ([`Params::fringe`]).
-    pub fringe: Vec<Option<Class>>,
-}
-
-/// A connected area of one class.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Region {
-    /// Its class.
-    pub class: Class,
-    /// Its mean colour (averaged in linear light) as sRGB red, green and blue.
-    pub colour: [u8; 3],
-    /// How many cells it has.
-    pub cells: u32,
-}
-
-impl Classes {
-    /// Share of the picture that each class takes, 0..=1, in the order of [`Class::ALL`]; what is left is white.
-    pub fn shares(&self) -> [f32; 5] {
-        Class::ALL.map(|class| {
-            let cells: u32 =
-                self.regions.iter().filter(|region| region.class == class).map(|region| region.cells).sum();
-            cells as f32 / self.size.area() as f32
-        })
-    }
-}
-
-/// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary one.
+/// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary
+/// one.
 pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) -> Classes {
     let cells = |pixels: u32| ((pixels as f32 / params.cell.max(1.0)).round() as u32).clamp(1, pixels);
     let from = raster.size();
@@ -136,17 +30,17 @@ pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) ->
     let cells_per_px = (size.area() as f32 / from.area() as f32).sqrt();
     let grid = blur::average(raster, contours, size, params.blur * cells_per_px, params.beside);
     let colours: Vec<[f32; 3]> = (0..size.len()).map(|cell| grid.colour(cell)).collect();
-    let shades: Vec<Shade> = if raster.is_grey() {
-        colours.iter().map(|rgb| hue::shade_of_grey(rgb[0], params)).collect()
+    let memberships: Vec<Membership> = if raster.is_grey() {
+        colours.iter().map(|rgb| hue::membership_of_grey(rgb[0], params)).collect()
     } else {
-        colours.iter().map(|rgb| hue::shade(*rgb, params)).collect()
+        colours.iter().map(|rgb| hue::membership(*rgb, params)).collect()
     };
 
     let sigma = params.smoothing * cells_per_px;
     let min_cells = params.min_area * cells_per_px * cells_per_px;
-    let labels = clean::smooth(&shades, &grid, sigma);
-    let labels = clean::join_small(labels, &shades, &grid, min_cells);
-    let labels = clean::join_wavering(labels, &shades, &grid, min_cells);
+    let labels = clean::smooth(&memberships, &grid, sigma);
+    let labels = clean::join_small(labels, &memberships, &grid, min_cells);
+    let labels = clean::join_undecided(labels, &memberships, &grid, min_cells);
     let (region, regions) = clean::regions(&labels, &grid);
     let lightness = clean::lightness(&colours, &region, &grid);
     let fringe = match params.fringe {

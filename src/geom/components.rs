@@ -6,8 +6,8 @@ use lyon::geom::euclid::{Point2D, Vector2D};
 
 use crate::units::Size;
 
-/// The connected components of the nodes below `count` that are `member`s, found breadth first: ordered by their lowest node,
-/// which comes first in each. `linked` gives the neighbours of a node; links have to go both ways.
+/// The connected components of the nodes below `count` that are `member`s, found breadth first: ordered by their lowest
+/// node, which comes first in each. `linked` gives the neighbours of a node; links have to go both ways.
 pub fn components<I: Iterator<Item = usize>>(
     count: usize,
     member: impl Fn(usize) -> bool,

@@ -50,8 +50,8 @@ impl Part {
 }
 
 impl Crop {
-    /// The part of a picture of `size` pixels; what is in percent is rounded to whole pixels, its edges one by one, so that
-    /// parts that touch in percent touch in pixels.
+    /// The part of a picture of `size` pixels; what is in percent is rounded to whole pixels, its edges one by one, so
+    /// that parts that touch in percent touch in pixels.
     ///
     /// # Errors
     /// If it is not wholly in the picture, or empty.

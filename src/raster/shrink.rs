@@ -1,8 +1,9 @@
-//! Averages planes over areas down to a smaller size, row by row as they come, so that a large picture is never held whole.
+//! Averages planes over areas down to a smaller size, row by row as they come, so that a large picture is never held
+//! whole.
 //!
-//! Exact area coverage: a target pixel is the mean of the source area under it, and a source pixel cut by an edge counts
-//! in two targets by the two parts of its area. The edges are worked out in whole numbers, so a picture turned or flipped
-//! is cut at the same places turned or flipped.
+//! Exact area coverage: a target pixel is the mean of the source area under it, and a source pixel cut by an edge
+//! counts in two targets by the two parts of its area. The edges are worked out in whole numbers, so a picture turned
+//! or flipped is cut at the same places turned or flipped.
 //!
 //! ```text
 //!  source   |  0  |  1  |  2  |  3  |  4  |      5 px to 2: a target is 2.5 px wide
@@ -20,8 +21,8 @@ use pulp::{Arch, Simd, WithSimd};
 use super::plane::Plane;
 use crate::units::Size;
 
-/// What sums are made in: `f32`, or `f64` where a target may cover tens of thousands of rows, of which `f32` would lose a
-/// part in a thousand.
+/// What sums are made in: `f32`, or `f64` where a target may cover tens of thousands of rows, of which `f32` would lose
+/// a part in a thousand.
 pub trait Accumulator:
     Copy + Default + From<f32> + Mul<Output = Self> + AddAssign + Sum + Send + Sync + std::fmt::Debug
 {
@@ -49,8 +50,8 @@ impl Accumulator for f64 {
     }
 }
 
-/// How far the picture, or the part of it that is used, reaches along one axis of the rows that come. A JPEG of 4001 pixels
-/// decoded at 1/8 comes as 501 pixels of which the picture fills only 500 and one eighth.
+/// How far the picture, or the part of it that is used, reaches along one axis of the rows that come. A JPEG of 4001
+/// pixels decoded at 1/8 comes as 501 pixels of which the picture fills only 500 and one eighth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Extent {
     /// Where it begins, in parts of a pixel.
@@ -247,8 +248,8 @@ impl<A: Accumulator> WithSimd for AddRow<'_, A> {
     }
 }
 
-/// Averages a plane of `from` pixels over areas down to `to`, which is not larger. Each new pixel is the mean over exactly
-/// the area that it covers, so a picture turned or flipped shrinks to the turned or flipped result.
+/// Averages a plane of `from` pixels over areas down to `to`, which is not larger. Each new pixel is the mean over
+/// exactly the area that it covers, so a picture turned or flipped shrinks to the turned or flipped result.
 pub fn shrink(values: &[f32], from: Size, to: Size) -> Plane {
     let mut shrinker = Shrinker::new(from, to);
     values.chunks_exact(from.width as usize).for_each(|row| shrinker.push(row));

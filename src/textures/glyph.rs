@@ -1,6 +1,7 @@
-//! One rhombus or dot, as bold as its place is dark.
+//! Glyphs: rhombuses and dots, bold where the colour is dark.
 
-use super::Params;
+use super::palette::Sign;
+use super::params::Params;
 use crate::classes::Class;
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::units::{MmPoint, MmVector};
@@ -33,17 +34,32 @@ pub enum Shape {
     },
 }
 
-/// HSL lightness from which down a glyph is as bold as it gets. Chosen by us: dark shades (half of pure colours' 0.5 and
-/// less) are few in pictures, and more ink only fills the gaps between glyphs.
+/// The texture of one region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texture {
+    /// The class of its colour.
+    pub class: Class,
+    /// The sign that stands for it.
+    pub sign: Sign,
+    /// The region's mean colour as sRGB red, green and blue.
+    pub colour: [u8; 3],
+    /// The region's area, gaps and all, mm^2.
+    pub area: f32,
+    /// Its glyphs, row by row.
+    pub glyphs: Vec<Glyph>,
+}
+
+/// HSL lightness from which down a glyph is as bold as it gets. Chosen by us: dark shades (half of pure colours' 0.5
+/// and less) are few in pictures, and more ink only fills the gaps between glyphs.
 const BOLDEST_AT: f32 = 0.25;
 /// Length of the lightest rhombus as a share of the boldest one's: it stays long enough to point somewhere.
 const LIGHTEST_LENGTH: f32 = 0.75;
 /// Diameter of the lightest dot as a share of the boldest one's.
 const LIGHTEST_DOT: f32 = 0.6;
 
-/// Below this boldness glyphs do not shrink further (they are the smallest already) but go, row after row. At the profile's
-/// `white_from` of 0.92 that is lightness 0.892 to 0.92: just wide enough that no step of 256 takes more than 8 % of full
-/// ink, so that pale skies keep their rows as long as can be.
+/// Below this boldness glyphs do not shrink further (they are the smallest already) but go, row after row. At the
+/// profile's `white_from` of 0.92 that is lightness 0.892 to 0.92: just wide enough that no step of 256 takes more than
+/// 8 % of full ink, so that pale skies keep their rows as long as can be.
 const FADING: f32 = 0.042;
 
 /// The unit vector on the sheet (y down) that points along `degrees` as a reader sees it (y up).
@@ -63,8 +79,8 @@ pub(crate) fn boldness_of(lightness: f32, white_from: f32) -> f32 {
     ((white_from - lightness) / range).clamp(0.0, 1.0)
 }
 
-/// The glyph of a class at a place of this boldness. It never is smaller than the least that can be felt; where a colour
-/// fades away, [`is_left`] leaves out one after the other instead.
+/// The glyph of a class with this boldness. It never is smaller than the least that can be felt; where a colour fades
+/// to white, [`is_left`] leaves out one after the other instead.
 pub(super) fn bold(class: Class, at: MmPoint, boldness: f32, params: &Params) -> Glyph {
     let between = |least: f32, most: f32| least + (most - least) * boldness;
     let shape = match params.palette.degrees(class) {
@@ -121,7 +137,7 @@ impl Glyph {
         }
     }
 
-    /// Distance of the glyph's outline to a segment, mm; its own corners are given so that they are computed once.
+    /// Distance of the glyph's outline to a segment, mm. `corners` are its own, given so that they are computed once.
     pub(super) fn distance_to(&self, segment: (MmPoint, MmPoint), corners: &[MmPoint]) -> f32 {
         match self.shape {
             Shape::Dot { diameter } => nearest_on_segment(self.at, segment.0, segment.1).0 - 0.5 * diameter,

@@ -1,17 +1,18 @@
-//! Which class is told by which sign.
+//! Which sign stands for which class.
 
 use crate::classes::Class;
 
-/// Two rows of rhombuses whose directions are nearer than this, degrees, cannot be told apart. Chosen by us: the paper's four
-/// directions are 45 degrees apart; five classes of rhombuses, evenly spread, would be 36 apart.
+/// Two rows of rhombuses whose directions are nearer than this, degrees, cannot be told apart. Chosen by us: the
+/// paper's four directions are 45 degrees apart; five classes of rhombuses, evenly spread, would be 36 apart.
 pub const LEAST_ANGLE: f32 = 30.0;
 
-/// What a class is told by.
+/// What stands for a class.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sign {
     /// Rows of rhombuses that lie along the rows.
     Rhombus {
-        /// Direction of the rows: degrees counter-clockwise from the x axis as a reader sees the page, from 0 to below 180.
+        /// Direction of the rows: degrees counter-clockwise from the x axis as a reader sees the page, from 0 to below
+        /// 180.
         degrees: f32,
     },
     /// Dots on a lattice without a direction.
@@ -76,8 +77,8 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// The paper's, with its reasons: water lies flat; `/` is the sweep of the right hand, calm as green; then on round the
-    /// colour wheel; grey has no direction, by contrast.
+    /// That of the paper (Rataj 2004), with its reasons: water lies flat; `/` is the sweep of the right hand, calm as green; then on round
+    /// the colour wheel; grey has no direction, by contrast.
     pub const PAPER: Self = Self {
         signs: [
             Sign::Rhombus { degrees: 0.0 },

@@ -1,11 +1,13 @@
 //! Glyphs keep inside their own region, and regions from one another, whatever the regions look like.
 
-use super::{Params, Shape, fill, tests_support::PARAMS};
+use super::{Params, Shape, fill};
 use crate::classes::{Class, Classes, Region};
 use crate::lines::{Line, Run};
 use crate::raster::plane::Plane;
 use crate::units::{MmPoint, MmRect, Size};
 use proptest::prelude::*;
+
+const PARAMS: Params = Params::TEST;
 
 const CELLS: u32 = 60;
 

@@ -40,7 +40,7 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], part: MmRect) -> Vec<Vec<M
     let gap = (params.line_gap + 1) as f32 * params.pitch;
     let near = index(lines, *area, gap);
     for class in Class::ALL {
-        lattice::each_place(class, *area, &lattice, |place| {
+        lattice::each_position(class, *area, &lattice, |place| {
             let at = place.at;
             let Some((region, amount)) = field.at(at) else { return };
             let fits = field.class_of(region) == class && from_amount(place.from_density) <= amount;

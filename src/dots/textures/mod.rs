@@ -19,7 +19,7 @@ use crate::classes::{Class, Classes, Region};
 use crate::devices::DotArea;
 use crate::lines::Line;
 use crate::raster::plane::Plane;
-use crate::textures::{Borders, Glyph, Palette, Shape, Texture, boldness_of, density};
+use crate::textures::{Glyph, Palette, RegionMap, Shape, Texture, boldness_of, line_density};
 use crate::units::{MmPoint, MmRect};
 
 /// How textures of dots are drawn. Lengths are in millimetres on the sheet.
@@ -50,8 +50,8 @@ pub struct Params {
 /// Fringes ([`Classes::fringe`]) are not shown: a single dot has no direction to turn.
 pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &DotArea, params: &Params) -> Vec<Texture> {
     let mut field = Field {
-        borders: Borders::new(classes, area),
-        density: density::map(lines, area, params.density_blur),
+        borders: RegionMap::new(classes, area),
+        density: line_density(lines, area, params.density_blur),
         classes,
         area,
         params,
@@ -86,7 +86,7 @@ pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], room: &DotArea, par
 
 /// What is known of every place of the figure.
 struct Field<'a> {
-    borders: Borders<'a>,
+    borders: RegionMap<'a>,
     density: Plane,
     classes: &'a Classes,
     area: MmRect,
@@ -134,7 +134,7 @@ pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, room: &D
         fringe: Vec::new(),
     };
     let field = Field {
-        borders: Borders::new(&classes, area),
+        borders: RegionMap::new(&classes, area),
         density: Plane::filled(size, density),
         classes: &classes,
         area,

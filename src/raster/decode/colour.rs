@@ -1,9 +1,9 @@
 //! What the numbers in a file mean as light: transfer curves, and ICC profiles through moxcms.
 //!
-//! Nearly every profile of an RGB or grey picture is three curves and a matrix. Averaging and a matrix may change places, so
-//! only the curves are applied to the many pixels of the file (as tables, which the sRGB curve needs as well), and the
-//! matrix to the few of the working picture: such a profile costs nothing. Profiles made of a table of colours (CMYK,
-//! some scanners) go through moxcms row by row.
+//! Nearly every profile of an RGB or grey picture is three curves and a matrix. Averaging and a matrix may change
+//! places, so only the curves are applied to the many pixels of the file (as tables, which the sRGB curve needs as
+//! well), and the matrix to the few of the working picture: such a profile costs nothing. Profiles made of a table of
+//! colours (CMYK, some scanners) go through moxcms row by row.
 
 use std::sync::Arc;
 
@@ -69,7 +69,8 @@ impl Meaning {
             (Kind::Grey, DataColorSpace::Gray) => {
                 grey(profile.gray_trc.as_ref().ok_or("it is a grey profile without a curve")?)
             }
-            // A colour photo that was made grey and kept its profile: equal red, green and blue are grey by their curve.
+            // A colour photo that was made grey and kept its profile: equal red, green and blue are grey by their
+            // curve.
             (Kind::Grey, DataColorSpace::Rgb) if profile.is_matrix_shaper() => {
                 grey(profile.green_trc.as_ref().ok_or("it is a profile without curves")?)
             }
@@ -83,10 +84,11 @@ impl Meaning {
         }
     }
 
-    /// What the samples of a PNG without a profile mean by its gAMA chunk: the exponent by which light was encoded, such
-    /// as 0.45455.
+    /// What the samples of a PNG without a profile mean by its gAMA chunk: the exponent by which light was encoded,
+    /// such as 0.45455.
     pub(super) fn from_encoding_gamma(gamma: f32) -> Self {
-        // sRGB pictures often say 1/2.2, by which their own curve is meant. Below a twentieth of difference nobody sees it.
+        // sRGB pictures often say 1/2.2, by which their own curve is meant. Below a twentieth of difference nobody sees
+        // it.
         const NEAR: f32 = 0.05;
         let exponent = 1.0 / gamma;
         let near_srgb = (gamma * 2.2 - 1.0).abs() < NEAR;

@@ -12,8 +12,8 @@ use usvg::fontdb::Database;
 use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
-use super::burden;
 use super::colour::{Kind, Meaning, one_line};
+use super::complexity;
 use super::job::{
     self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, working_bytes,
 };
@@ -58,7 +58,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         font_resolver: font_resolver(&left_out, options.fonts, &fonts),
         ..usvg::Options::default()
     };
-    let document = document(text, burden::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
+    let document = document(text, complexity::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
     let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, &parsing))?;
     let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
     drop((parsing, document));
@@ -82,8 +82,8 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     Ok(Picture { raster, source, notes: left_out.notes() })
 }
 
-/// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it has
-/// no height where it is put (found by the test of damaged pictures, and a test of its own now).
+/// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
+/// has no height where it is put (found by the test of damaged pictures, and a test of its own now).
 fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
     guarded(work).map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
 }
@@ -164,7 +164,7 @@ fn document(text: &str, most_levels: u32) -> Result<Document<'_>, String> {
         let what = what.trim_end_matches(&format!(" at {place}"));
         format!("line {}, column {}: {what}", place.row, place.col)
     })?;
-    burden::check(&document, most_levels)?;
+    complexity::check(&document, most_levels)?;
     Ok(document)
 }
 
@@ -173,7 +173,7 @@ fn document(text: &str, most_levels: u32) -> Result<Document<'_>, String> {
 /// # Errors
 /// In plain words: what is wrong, and where.
 pub(crate) fn checked_document(text: &str) -> Result<Document<'_>, String> {
-    document(text, burden::MOST_LEVELS)
+    document(text, complexity::MOST_LEVELS)
 }
 
 fn fault_in(fault: &usvg::Error) -> String {
@@ -238,7 +238,7 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
 fn drawing_inside(data: &[u8], options: &usvg::Options<'_>, level: &AtomicUsize) -> Option<ImageKind> {
     // All of them share the stack.
     const MOST_LEVELS: usize = 1;
-    document(std::str::from_utf8(data).ok()?, burden::MOST_LEVELS_INSIDE).ok()?;
+    document(std::str::from_utf8(data).ok()?, complexity::MOST_LEVELS_INSIDE).ok()?;
     let tree = (level.fetch_add(1, Ordering::Relaxed) < MOST_LEVELS).then(|| Tree::from_data_nested(data, options));
     level.fetch_sub(1, Ordering::Relaxed);
     Some(ImageKind::SVG(tree?.ok()?))

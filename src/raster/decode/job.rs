@@ -33,8 +33,8 @@ pub type Fonts<'a> = dyn Fn() -> Arc<usvg::fontdb::Database> + Sync + 'a;
 /// What a file's header says of its picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Source {
-    /// Pixels after the turn that EXIF asks for; for an SVG drawing its size in CSS pixels, rounded. Of the part that is
-    /// used, where there is a [`Crop`].
+    /// Pixels after the turn that EXIF asks for; for an SVG drawing its size in CSS pixels, rounded. Of the part that
+    /// is used, where there is a [`Crop`].
     pub size: Size,
     /// Whether it is a vector drawing, which can be rendered at any size.
     pub is_drawing: bool,
@@ -137,8 +137,8 @@ pub(super) fn part(upright: Size, options: &Options<'_>) -> Result<Part, Error> 
     options.crop.map_or_else(|| Ok(Part::whole(upright)), |crop| crop.part(upright))
 }
 
-/// Memory that a page takes for a working picture of this size: three planes in linear light and three in the space where
-/// edges are found, 4 bytes a value.
+/// Memory that a page takes for a working picture of this size: three planes in linear light and three in the space
+/// where edges are found, 4 bytes a value.
 pub(super) fn working_bytes(target: Size) -> u64 {
     target.area().saturating_mul(2 * 3 * 4)
 }
@@ -167,10 +167,10 @@ pub(super) fn ends_early(format: &'static str) -> Error {
 /// pictures to convert. Nothing that a decoder leaves half done is used again.
 ///
 /// Two things stay as they are:
-/// * Where panics abort (`panic = "abort"`, and WebAssembly, which does not unwind) nothing is caught. So what is known to
-///   panic is refused before the decoder sees it, and this is only the second line.
-/// * The panic hook of the process runs before anything is caught; Rust's own writes the message to standard error. A hook
-///   belongs to the program and not to a library, so none is set here. The program `tactograph` sets a silent one.
+/// * Where panics abort (`panic = "abort"`, and WebAssembly, which does not unwind) nothing is caught. So what is known
+///   to panic is refused before the decoder sees it, and this is only the second line.
+/// * The panic hook of the process runs before anything is caught; Rust's own writes the message to standard error. A
+///   hook belongs to the program and not to a library, so none is set here. The program `tactograph` sets a silent one.
 pub(super) fn guarded<T>(decoder: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(decoder)).map_err(|panic| {
         let text = panic.downcast_ref::<String>().map(String::as_str);

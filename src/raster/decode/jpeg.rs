@@ -1,14 +1,11 @@
 //! JPEG: decoded at 1, 1/2, 1/4 or 1/8 of its size straight from the transform's coefficients, the smallest that is not
 //! smaller than the working size, and averaged the rest of the way.
 
-#[cfg(feature = "turbojpeg")]
-mod turbo;
-
 use std::cell::Cell;
 use std::io::{ErrorKind, Read};
 
 use image::metadata::Orientation;
-use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, PixelFormat, UnsupportedFeature};
+use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, ImageInfo, PixelFormat, UnsupportedFeature};
 
 use super::colour::{Kind, one_line};
 use super::job::{Job, Options, Picture, ends_early, undecodable};
@@ -20,8 +17,8 @@ use crate::units::Size;
 
 const FORMAT: &str = "JPEG";
 
-/// Longest side; libjpeg has the same limit, so no program writes more. jpeg-decoder counts rows of blocks in 16 bits and
-/// overflows beyond 65528.
+/// Longest side; libjpeg has the same limit, so no program writes more. jpeg-decoder counts rows of blocks in 16 bits
+/// and overflows beyond 65528.
 const LONGEST_SIDE: u32 = 65_500;
 
 pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
@@ -34,38 +31,22 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let size = Size::new(info.width.into(), info.height.into());
     let orientation = decoder.exif_data().and_then(Orientation::from_exif_chunk).unwrap_or(Orientation::NoTransforms);
     let mut job = Job::begin(FORMAT, size, orientation, options)?;
-    if info.coding_process == CodingProcess::Lossless || info.pixel_format == PixelFormat::L16 {
-        return Err(undecodable(FORMAT, "it is of the lossless kind, which hardly any program reads"));
-    }
-    if size.width.max(size.height) > LONGEST_SIDE {
-        return Err(undecodable(FORMAT, format!("no side may be longer than {LONGEST_SIDE} pixels")));
-    }
-    let kind = match info.pixel_format {
-        PixelFormat::L8 | PixelFormat::L16 => Kind::Grey,
-        PixelFormat::RGB24 => Kind::Rgb,
-        PixelFormat::CMYK32 => Kind::Cmyk,
-    };
-    let layout = Layout::plain(kind);
+    let kind = kind(&info, size)?;
     if kind == Kind::Rgb && head.is_adobe_rgb() {
         decoder.set_color_transform(ColorTransform::RGB);
     }
 
     let eighths = eighths(job.part.size, job.stored_target());
     let scaled = Size::new((size.width * eighths).div_ceil(8), (size.height * eighths).div_ceil(8));
-    // The planes before and after colours are made of them; a progressive picture also has all its coefficients, of two
-    // bytes each.
-    let pixels = 2 * layout.row_bytes(scaled.width) as u64 * u64::from(scaled.height);
-    let coefficients =
-        if head.progressive { 2 * layout.row_bytes(size.width) as u64 * u64::from(size.height) } else { 0 };
-    job.check_memory(pixels + coefficients)?;
-
+    let layout = Layout::plain(kind);
+    job.check_memory(memory(layout, size, scaled, head.progressive))?;
     let (across, down) = asked_size(size, eighths);
     let came = decoder.scale(across, down).map_err(fault)?;
     if (u32::from(came.0), u32::from(came.1)) != (scaled.width, scaled.height) {
         return Err(undecodable(FORMAT, format!("it cannot be scaled to {eighths}/8")));
     }
     #[cfg(feature = "turbojpeg")]
-    let quick = (!head.icc_behind_size).then(|| turbo::pixels(bytes, kind, eighths, scaled)).flatten();
+    let quick = (!head.icc_behind_size).then(|| turbo_pixels(bytes, kind, eighths, scaled)).flatten();
     #[cfg(not(feature = "turbojpeg"))]
     let quick = None;
     let mut pixels = quick.map_or_else(|| decoder.decode().map_err(fault), Ok)?;
@@ -83,6 +64,53 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let source = Extents { width: scaled.width, across, down: Extent::scaled(part.top, part.size.height, eighths) };
     let samples = Samples::new(layout, meaning, source, job.target, job.orientation);
     job.end(samples.raster(&pixels))
+}
+
+/// What the pixels are made of.
+///
+/// # Errors
+/// If it is a picture that jpeg-decoder cannot decode or that is too long.
+fn kind(info: &ImageInfo, size: Size) -> Result<Kind, Error> {
+    if info.coding_process == CodingProcess::Lossless || info.pixel_format == PixelFormat::L16 {
+        return Err(undecodable(FORMAT, "it is of the lossless kind, which hardly any program reads"));
+    }
+    if size.width.max(size.height) > LONGEST_SIDE {
+        return Err(undecodable(FORMAT, format!("no side may be longer than {LONGEST_SIDE} pixels")));
+    }
+    Ok(match info.pixel_format {
+        PixelFormat::L8 | PixelFormat::L16 => Kind::Grey,
+        PixelFormat::RGB24 => Kind::Rgb,
+        PixelFormat::CMYK32 => Kind::Cmyk,
+    })
+}
+
+/// Bytes that decoding takes: the planes before and after colours are made of them; a progressive picture also has all
+/// its coefficients, of two bytes each.
+fn memory(layout: Layout, size: Size, scaled: Size, progressive: bool) -> u64 {
+    let bytes = |size: Size| layout.row_bytes(size.width) as u64 * u64::from(size.height);
+    2 * bytes(scaled) + if progressive { 2 * bytes(size) } else { 0 }
+}
+
+/// The pixels at so many eighths of their size, which is `size`, through the C library libjpeg-turbo. `None` for
+/// pictures of inks and for whatever that library finds wrong: jpeg-decoder then tells what it is, or reads the picture
+/// all the same.
+#[cfg(feature = "turbojpeg")]
+fn turbo_pixels(bytes: &[u8], kind: Kind, eighths: u32, size: Size) -> Option<Vec<u8>> {
+    use turbojpeg::{Decompressor, Image, PixelFormat, ScalingFactor};
+
+    let (format, channels) = match kind {
+        Kind::Grey => (PixelFormat::GRAY, 1),
+        Kind::Rgb => (PixelFormat::RGB, 3),
+        Kind::Cmyk => return None,
+    };
+    let (width, height) = (size.width as usize, size.height as usize);
+    let pitch = channels * width;
+    let mut pixels = vec![0; pitch * height];
+    let mut decompressor = Decompressor::new().ok()?;
+    decompressor.read_header(bytes).ok()?;
+    decompressor.set_scaling_factor(ScalingFactor::new(eighths as usize, 8)).ok()?;
+    decompressor.decompress(bytes, Image { pixels: &mut pixels[..], width, pitch, height, format }).ok()?;
+    Some(pixels)
 }
 
 /// The smallest scale, in eighths, at which no side is shorter than the target's.
@@ -138,7 +166,7 @@ impl Head {
                             head.adobe = Some(*transform);
                         }
                         (0xE0, [b'J', b'F', b'I', b'F', 0, ..]) => head.jfif = true,
-                        _ => {}
+                        _ => (), // of no interest here
                     }
                     head.progressive |= kind == 0xC2;
                     #[cfg(feature = "turbojpeg")]
@@ -162,8 +190,8 @@ impl Head {
     }
 
     /// What to read after the file's end. Some cameras forget the end mark, and their pictures are whole. For a picture
-    /// in one pass many one-bits and then the mark do: no code is made of ones only, so a picture that lacks more than the
-    /// mark is told by a fault. One in several passes could lose whole passes so, and gets nothing.
+    /// in one pass many one-bits and then the mark do: no code is made of ones only, so a picture that lacks more than
+    /// the mark is told by a fault. One in several passes could lose whole passes so, and gets nothing.
     fn fill(&self) -> &'static [u8] {
         const ONES_AND_END: [u8; 66] = {
             let mut fill = [0; 66];

@@ -141,8 +141,8 @@ impl Light {
     }
 }
 
-/// Light for the samples 0..=`last` of a grey picture. One with a profile of colours is read by the curve of green; those
-/// that are no curves are refused before ([`Meaning::from_profile`]).
+/// Light for the samples 0..=`last` of a grey picture. One with a profile of colours is read by the curve of green;
+/// those that are no curves are refused before ([`Meaning::from_profile`]).
 fn grey_table(meaning: Meaning, last: u32) -> Table {
     match meaning {
         Meaning::Curves(Planes::Grey(curve) | Planes::Colour([_, curve, _]), _) => curve_table(&curve, last),

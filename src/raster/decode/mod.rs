@@ -1,12 +1,13 @@
 //! Bytes of a picture file become a [`Raster`](super::Raster) at the working size.
 //!
 //! ```text
-//!  bytes -- sniff --> jpeg | png | other | drawing --> rows (colour -> light, over white) --> shrink --> orient
-//!                       `- header: Job::begin checks the limits and asks for the working size before anything is decoded
+//!  bytes -- sniff --> jpeg | png | other | drawing --> rows (light, shrink, orient)
+//!                       `- header: Job::begin checks the limits and asks for the working size,
+//!                          before anything is decoded
 //! ```
 
-mod burden;
 mod colour;
+mod complexity;
 mod drawing;
 mod job;
 mod jpeg;

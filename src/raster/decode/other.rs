@@ -53,8 +53,8 @@ fn picture<D: ImageDecoder>(
     let mut job = Job::begin(format, size, orientation, options)?;
     // Before the limits: those that image 0.25.10 sets for a TIFF drop a profile that is large beside a small picture.
     let icc = decoder.icc_profile().unwrap_or_default();
-    // The pixels, and as much again for what the decoders hold beside them (strips of a TIFF, the luma and chroma planes
-    // of a WebP, the canvas of a GIF).
+    // The pixels, and as much again for what the decoders hold beside them (strips of a TIFF, the luma and chroma
+    // planes of a WebP, the canvas of a GIF).
     let length = decoder.total_bytes();
     job.check_memory(length.saturating_mul(2))?;
     let mut limits = image::Limits::no_limits();

@@ -44,8 +44,8 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
 /// Bytes of rows that are inflated before they are averaged: few enough to stay in a core's cache.
 const BLOCK_BYTES: usize = 1 << 18;
 
-/// Averages a block of rows while the next is inflated, on another core if there is one. Inflating takes several times as
-/// long, so more cores would have nothing to do.
+/// Averages a block of rows while the next is inflated, on another core if there is one. Inflating takes several times
+/// as long, so more cores would have nothing to do.
 fn push_while_inflating<R: std::io::BufRead + std::io::Seek + Send>(
     reader: &mut Reader<R>,
     row_bytes: usize,

@@ -66,8 +66,8 @@ impl Samples {
         Rows { shrink, samples: self }
     }
 
-    /// The working picture of all rows, which lie one behind the other: the cores take bands of it side by side. `None` when
-    /// rows are missing.
+    /// The working picture of all rows, which lie one behind the other: the cores take bands of it side by side. `None`
+    /// when rows are missing.
     pub(super) fn raster(self, samples: &[u8]) -> Option<Raster> {
         let row_bytes = self.light.layout.row_bytes(self.source.width);
         let height = self.stored.height as usize;

@@ -1,21 +1,22 @@
-//! How deep and how large a drawing is once its references are followed, found before usvg and resvg do so: both call
-//! themselves for each level, and run out of stack (which ends the program) where a drawing is a few hundred levels deep; a
-//! pattern of ten shapes that are filled with a pattern of ten shapes and so on is small as a file and takes years to draw.
+//! Complexity of a drawing: how deep and how large it is once its references are followed, found before usvg and resvg
+//! follow them. Both are recursive, and run out of stack (which ends the program) where a drawing is a few hundred levels
+//! deep. And a pattern of ten shapes that are filled with a pattern of ten shapes and so on is a small file that takes
+//! years to draw.
 
 use std::collections::HashMap;
 
 use usvg::roxmltree::{Document, Node, NodeId};
 
 /// Most levels. On a thread's usual stack of 2 MB usvg and resvg 0.49 end at 528 levels of patterns in patterns, 548 of
-/// tspan in tspan, 551 of svg in svg, 751 of groups in groups (release, x86-64); WebAssembly has half that stack. Drawings
-/// by people and their programs have 30 at most.
+/// tspan in tspan, 551 of svg in svg, 751 of groups in groups (release, x86-64); WebAssembly has half that stack.
+/// Drawings by people and their programs have 30 at most.
 pub(super) const MOST_LEVELS: u32 = 200;
 
 /// Most elements with each reference counted as often as it is drawn; usvg has the same limit for elements.
 const MOST_ELEMENTS: u64 = 1_000_000;
 
-/// Most octaves of a turbulence filter: each is half as strong as the one before, so the ninth is under a step of 8 bits.
-/// Each costs as much as the first.
+/// Most octaves of a turbulence filter: each is half as strong as the one before, so the ninth is under a step of 8
+/// bits. Each costs as much as the first.
 const MOST_OCTAVES: f64 = 16.0;
 
 /// Most comparisons of elements with rules of a style sheet that have references.

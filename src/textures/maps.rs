@@ -1,25 +1,27 @@
-//! Where regions end, and whether a glyph keeps inside its own.
+//! What is where on the sheet: the regions, and how densely lines lie.
 
 use super::glyph::{Glyph, Shape};
 use crate::classes::{Class, Classes};
 use crate::geom::segment_distance;
-use crate::units::{MmPoint, MmRect, MmVector};
+use crate::lines::Line;
+use crate::raster::plane::Plane;
+use crate::units::{MmPoint, MmRect, MmVector, Size};
 
 /// The regions as they lie on the sheet.
-pub(crate) struct Borders<'a> {
+pub(crate) struct RegionMap<'a> {
     classes: &'a Classes,
     area: MmRect,
     /// Width and height of a cell, mm.
     cell: MmVector,
 }
 
-impl<'a> Borders<'a> {
+impl<'a> RegionMap<'a> {
     pub(crate) fn new(classes: &'a Classes, area: MmRect) -> Self {
         let cell = MmVector::new(area.width() / classes.size.width as f32, area.height() / classes.size.height as f32);
         Self { classes, area, cell }
     }
 
-    /// The place in cells.
+    /// A position in cells.
     fn in_cells(&self, at: MmPoint) -> (f32, f32) {
         ((at.x - self.area.min.x) / self.cell.x, (at.y - self.area.min.y) / self.cell.y)
     }
@@ -30,13 +32,13 @@ impl<'a> Borders<'a> {
         if inside { self.classes.region[y as usize * size.width as usize + x as usize] } else { None }
     }
 
-    /// The region at a place; `None` where the picture is white or has ended.
+    /// The region at a position; `None` where the picture is white and outside of it.
     pub(crate) fn region_at(&self, at: MmPoint) -> Option<u32> {
         let (x, y) = self.in_cells(at);
         self.region_of(x.floor() as i64, y.floor() as i64)
     }
 
-    /// The neighbouring class that the colour at a place leans to.
+    /// The neighbouring class that the colour at a position tends to.
     pub(super) fn fringe_at(&self, at: MmPoint) -> Option<Class> {
         let (x, y) = self.in_cells(at);
         let size = self.classes.size;
@@ -45,13 +47,13 @@ impl<'a> Borders<'a> {
         if inside { self.classes.fringe.get(cell()).copied().flatten() } else { None }
     }
 
-    /// The colour's lightness at a place.
+    /// The lightness of the colour at a position.
     pub(crate) fn lightness_at(&self, at: MmPoint) -> f32 {
         let (x, y) = self.in_cells(at);
         self.classes.lightness.at(x, y)
     }
 
-    /// Whether all of a glyph lies in `region`, and `gap` mm or more from what is not.
+    /// Whether all of a glyph lies in `region`, with a clearance of `gap` mm from everything else.
     pub(crate) fn keeps_inside(&self, glyph: &Glyph, corners: &[MmPoint; 4], region: u32, gap: f32) -> bool {
         let mut low = glyph.at;
         let mut high = glyph.at;
@@ -97,12 +99,42 @@ fn distance_to_box(glyph: &Glyph, corners: &[MmPoint; 4], cell: MmRect) -> f32 {
     }
 }
 
+/// Cells of the map of line density, mm. The blur is several times wider.
+const DENSITY_CELL: f32 = 1.0;
+/// Lines are marked in steps of this, mm.
+const DENSITY_STEP: f32 = 0.25;
+
+/// The density of lines over `area`, where textures stand dense; its pixels are [`DENSITY_CELL`] wide. As in the paper
+/// (Rataj 2004), every line is marked and the marks are blurred with `sigma` millimetres. The result is divided by the
+/// value that a lone straight line has on itself, `1 / (sqrt(tau) sigma)`, and cut at 1: the local density, whatever
+/// the resolution.
+pub(crate) fn line_density(lines: &[Line], area: MmRect, sigma: f32) -> Plane {
+    let cells = |mm: f32| (mm / DENSITY_CELL).ceil().max(1.0) as u32;
+    let mut map = Plane::filled(Size::new(cells(area.width()), cells(area.height())), 0.0);
+    if lines.is_empty() {
+        return map;
+    }
+    for (&a, &b) in lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.polyline().segments()) {
+        let (step, length) = (b - a, (b - a).length());
+        let steps = (length / DENSITY_STEP).ceil().max(1.0);
+        for k in 0..steps as u32 {
+            let at = a + step * ((k as f32 + 0.5) / steps) - area.min.to_vector();
+            let x = ((at.x / DENSITY_CELL) as u32).min(map.size.width - 1);
+            let y = ((at.y / DENSITY_CELL) as u32).min(map.size.height - 1);
+            map.values[(y * map.size.width + x) as usize] += length / steps;
+        }
+    }
+    let mut map = map.blurred(sigma / DENSITY_CELL);
+    let lone_line = DENSITY_CELL / (std::f32::consts::TAU.sqrt() * sigma / DENSITY_CELL);
+    map.values.iter_mut().for_each(|value| *value = (*value / lone_line).min(1.0));
+    map
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::classes::{Class, Region};
-    use crate::raster::plane::Plane;
-    use crate::units::Size;
+    use crate::classes::Region;
+    use crate::lines::Run;
 
     /// Ten by ten cells of 1 mm from (20, 30), the right half another region than the left.
     fn halves() -> Classes {
@@ -113,22 +145,33 @@ mod tests {
     }
 
     #[test]
-    fn a_glyph_keeps_its_gap_from_the_border_and_no_more() {
+    fn a_glyph_keeps_its_gap_from_the_boundary_and_no_more() {
         let classes = halves();
-        let borders = Borders::new(&classes, MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(30.0, 40.0)));
+        let regions = RegionMap::new(&classes, MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(30.0, 40.0)));
         let rhombus = |degrees| Shape::Rhombus { length: 2.0, thickness: 1.0, degrees };
         for (shape, half) in [(rhombus(0.0), 1.0), (rhombus(90.0), 0.5), (Shape::Dot { diameter: 1.5 }, 0.75)] {
             let keeps = |x: f32, y: f32| {
                 let glyph = Glyph { at: MmPoint::new(x, y), shape };
-                borders.keeps_inside(&glyph, &glyph.corners(), 0, 0.3)
+                regions.keeps_inside(&glyph, &glyph.corners(), 0, 0.3)
             };
             assert!(keeps(25.0 - half - 0.31, 35.0), "{shape:?} is far enough");
             assert!(!keeps(25.0 - half - 0.29, 35.0), "{shape:?} is too near to the other region");
-            assert!(!keeps(25.0 - 0.1, 35.0), "{shape:?} lies across the border");
+            assert!(!keeps(25.0 - 0.1, 35.0), "{shape:?} lies across the boundary");
             assert!(
                 keeps(20.0 + half + 0.31, 35.0) && !keeps(20.0 + half + 0.29, 35.0),
                 "{shape:?} at the picture's edge"
             );
         }
+    }
+
+    #[test]
+    fn a_lone_line_has_density_one_on_itself_and_half_at_1_18_sigma() {
+        let area = MmRect::new(MmPoint::new(5.0, 5.0), MmPoint::new(105.0, 105.0));
+        let points = vec![MmPoint::new(55.0, 5.0), MmPoint::new(55.0, 105.0)];
+        let line = Line { strength: 50.0, runs: vec![Run::stroke(1.0, points)] };
+        let map = line_density(&[line], area, 8.0);
+        let at = |x: f32| map.at(x - 5.0, 50.0);
+        assert!((at(55.0) - 1.0).abs() < 0.02, "{}", at(55.0));
+        assert!((at(55.0 + 9.42) - 0.5).abs() < 0.04, "{}", at(64.42));
     }
 }

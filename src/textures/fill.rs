@@ -1,0 +1,150 @@
+//! Which glyphs fill which region.
+
+use super::glyph::{self, Glyph, Texture};
+use super::lattice::{self, Position};
+use super::maps::{RegionMap, line_density};
+use super::params::Params;
+use crate::classes::{Class, Classes, Region};
+use crate::geom::components;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::lines::Line;
+use crate::units::{MmPoint, MmRect};
+
+/// A connected component of fewer glyphs than this is no texture: single glyphs that stand apart, in a tongue of their
+/// region or between two lines, have no direction and are felt as dirt.
+const LEAST_COMPONENT: usize = 4;
+
+/// Fills the regions of `classes`, whose cells cover `area` of the sheet, with a clearance from `lines`. Where there is
+/// room for single glyphs only, none are set; a region without room for a few gives no texture.
+pub fn fill(classes: &Classes, area: MmRect, lines: &[Line], params: &Params) -> Vec<Texture> {
+    let runs = lines.iter().flat_map(|line| &line.runs);
+    let widest = runs.map(|run| run.width).fold(0.0, f32::max);
+    let lines_near = index(lines, area, params);
+    let reach = params.line_gap + 0.5 * widest;
+    let density = line_density(lines, area, params.density_blur);
+    let regions = RegionMap::new(classes, area);
+    let cell = area.area() / classes.size.area() as f32;
+    let empty = |region: &Region| {
+        let Region { class, colour, cells } = *region;
+        Texture { class, sign: params.palette.sign(class), colour, area: cells as f32 * cell, glyphs: Vec::new() }
+    };
+    let mut textures: Vec<Texture> = classes.regions.iter().map(empty).collect();
+    for class in Class::ALL {
+        if !classes.regions.iter().any(|region| region.class == class) {
+            continue;
+        }
+        lattice::each_position(class, area, params, |position| {
+            let Some(region) = regions.region_at(position.at).filter(|&r| textures[r as usize].class == class) else {
+                return;
+            };
+            let at = position.at - area.min;
+            let Some(glyph) =
+                glyph_at(class, position, density.at(at.x, at.y), regions.lightness_at(position.at), params)
+            else {
+                return;
+            };
+            let leaning = regions.fringe_at(position.at).and_then(|class| params.palette.degrees(class));
+            let glyph = leaning.map_or(glyph, |degrees| glyph.turned(degrees));
+            let corners = glyph.corners();
+            // Two glyphs that each keep half of the gap from the boundary between them keep all of it from one another.
+            if regions.keeps_inside(&glyph, &corners, region, 0.5 * params.min_glyph)
+                && is_clear(&glyph, &corners, &lines_near, params.line_gap, reach)
+            {
+                textures[region as usize].glyphs.push(glyph);
+            }
+        });
+    }
+    for texture in &mut textures {
+        remove_small_components(&mut texture.glyphs, params);
+    }
+    textures.retain(|texture| !texture.glyphs.is_empty());
+    textures.sort_by_key(|texture| texture.class);
+    textures
+}
+
+/// The texture of a class at one lightness (HSL, 0..=1) and one density of lines (0..=1) all over `area`: a sample for
+/// charts and tests.
+pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, params: &Params) -> Texture {
+    let mut glyphs = Vec::new();
+    lattice::each_position(class, area, params, |position| {
+        glyphs.extend(glyph_at(class, position, density, lightness, params).filter(|glyph| {
+            let corners = glyph.corners();
+            corners.iter().all(|corner| area.contains_inclusive(*corner))
+        }));
+    });
+    let colour = [(255.0 * lightness).round() as u8; 3];
+    Texture { class, sign: params.palette.sign(class), colour, area: area.area(), glyphs }
+}
+
+/// The glyph at a position of the lattice where lines have this density and the colour this lightness, if there is one.
+fn glyph_at(class: Class, position: Position, density: f32, lightness: f32, params: &Params) -> Option<Glyph> {
+    let boldness = glyph::boldness(lightness, params);
+    let dense = density >= position.from_density * params.dense_from;
+    (dense && glyph::is_left(position.from_boldness, boldness))
+        .then(|| glyph::bold(class, position.at, boldness, params))
+}
+
+/// The segments of all lines, in a grid index.
+fn index(lines: &[Line], area: MmRect, params: &Params) -> Nearby {
+    let mut nearby = Nearby::new(area, params.line_gap + params.length);
+    for (number, run) in lines.iter().flat_map(|line| &line.runs).enumerate() {
+        for (i, (&a, &b)) in run.polyline().segments().enumerate() {
+            nearby.insert(Segment {
+                a,
+                b,
+                half_width: 0.5 * run.width,
+                line: number as u32,
+                index: i as u32,
+                arc: 0.0,
+            });
+        }
+    }
+    nearby
+}
+
+/// Whether a glyph has a clearance of `gap` from every line; `reach` is `gap` and half the width of the widest line.
+fn is_clear(glyph: &Glyph, corners: &[MmPoint], lines: &Nearby, gap: f32, reach: f32) -> bool {
+    let radius = glyph.radius();
+    let mut clear = true;
+    lines.around(glyph.at, glyph.at, reach + radius, |segment| {
+        if clear {
+            let from_centre = crate::geom::nearest_on_segment(glyph.at, segment.a, segment.b).0;
+            let need = gap + segment.half_width;
+            if from_centre < need + radius {
+                clear = glyph.distance_to((segment.a, segment.b), corners) >= need;
+            }
+        }
+    });
+    clear
+}
+
+/// Removes small components of glyphs. Two glyphs are linked if they are no further apart than rows of the sparsest
+/// texture, which are two rows of the dense one.
+fn remove_small_components(glyphs: &mut Vec<Glyph>, params: &Params) {
+    let reach = 1.01 * (2.0 * params.across).max(3.0_f32.sqrt() * params.dot_pitch);
+    let centres: Vec<MmPoint> = glyphs.iter().map(|glyph| glyph.at).collect();
+    let groups = components::of_points(&centres, reach, |between| between.length() <= reach);
+    components::retain(glyphs, &groups, |_, group| group.len() >= LEAST_COMPONENT);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::textures::glyph::Shape;
+
+    #[test]
+    fn three_glyphs_apart_from_the_rest_go() {
+        let glyph = |(x, y)| Glyph { at: MmPoint::new(x, y), shape: Shape::Dot { diameter: 1.0 } };
+        let field = (0..8).map(|i| (10.0 + 3.0 * i as f32, 20.0));
+        let few = [(40.0, 20.0), (40.0, 24.0), (42.0, 22.0)].into_iter();
+        let all: Vec<Glyph> = field.chain(few).map(glyph).collect();
+        let left = |mut glyphs: Vec<Glyph>| {
+            remove_small_components(&mut glyphs, &Params::TEST);
+            glyphs
+        };
+        let edge = 31.0 + 2.0 * Params::TEST.across;
+        assert!(edge < 40.0, "the field ends at 31, out of reach of the three");
+        assert_eq!(left(all.clone()), all[..8]);
+        assert_eq!(left(all[..3].to_vec()), []);
+    }
+}
