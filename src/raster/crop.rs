@@ -1,4 +1,4 @@
-//! A part of a picture, as a person says it: in pixels or in percent.
+//! A part of a picture, given in pixels or in percent.
 
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;
@@ -23,7 +23,7 @@ enum Length {
     Percent(f64),
 }
 
-/// A text that says no part of a picture.
+/// A text that is no part of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error(
     "give four numbers x,y,width,height, each in whole pixels or in percent of the picture from 0% to 100%, such as \

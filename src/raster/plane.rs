@@ -19,7 +19,7 @@ impl Plane {
         Self { size, values: vec![value; size.len()] }
     }
 
-    /// The value at a place in pixels (centres at +0.5), bilinear; beyond the border the nearest pixel counts.
+    /// The value at a position in pixels (centres at +0.5), bilinear; beyond the edge the nearest pixel counts.
     pub fn at(&self, x: f32, y: f32) -> f32 {
         Self::look_up(&self.values, self.size, x, y)
     }
@@ -39,7 +39,7 @@ impl Plane {
         row(top) * (1.0 - ty) + row(bottom) * ty
     }
 
-    /// Blurs with a Gaussian of `sigma` pixels; beyond the border the nearest pixel counts.
+    /// Blurs with a Gaussian of `sigma` pixels; beyond the edge the nearest pixel counts.
     pub fn blurred(self, sigma: f32) -> Self {
         if sigma <= 0.0 {
             return self;

@@ -194,7 +194,7 @@ impl<A: Accumulator> Shrinker<A> {
     /// Takes the next row, from the top.
     pub fn push(&mut self, row: &[f32]) {
         let width = self.across.len();
-        // A row lies under one target row, or on the border of two.
+        // A row lies under one target row, or on the boundary of two.
         while let Some(span) = self.down.get(self.target)
             && span.start <= self.next_row
         {

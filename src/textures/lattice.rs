@@ -1,5 +1,5 @@
-//! The positions of glyphs: one lattice for each class over the whole picture, so that regions of one colour share their
-//! rows, and the density of lines from which on each position is filled.
+//! The positions of glyphs: one lattice for each class over the whole picture, so that regions of one colour share
+//! their rows, and the density of lines from which on each position is filled.
 //!
 //! ```text
 //!   x   x   x   x     base row                A 1 . A 2 . A    A is filled always, a hexagonal lattice;
@@ -12,19 +12,20 @@
 //! scenes of `tools/src/touch`):
 //!
 //! * **A row must outlast the blur.** A fingertip f leaves the fraction exp(-2 pi^2 f^2 / d^2) of rows at a distance d:
-//!   at 1.5 mm 0.02 of rows 3.4 mm apart, 0.06 of rows 4.0 mm apart. The share of all positions that is read right at 1.5
-//!   mm follows:
+//!   at 1.5 mm 0.02 of rows 3.4 mm apart, 0.06 of rows 4.0 mm apart. The share of all positions that is read right at
+//!   1.5 mm follows:
 //!
 //!   | rows, mm | 3.4 | 3.6 | 3.8 | 4.0 | 4.2 |
 //!   |---|---|---|---|---|---|
 //!   | read right | 0.72 | 0.87 | 0.94 | 0.988 | 0.995 |
 //!
-//!   4.0 is taken: what is left to win is little, and nearer rows tell smaller areas. Boldness hardly matters
+//!   4.0 is taken: little is left to gain, and nearer rows show smaller areas. Boldness hardly matters
 //!   (coherence 0.80 for the lightest glyphs, 0.78 for the boldest), nor does it whether rhombuses stand 2.4 or 2.8 mm
 //!   apart in a row.
-//! * **Whole rows are added and left out**, never single rhombuses of one: a row of half its rhombuses has a period of two of
-//!   them, and that is felt across the rows. Coherence fell from 0.5 to 0.2 where rows thinned out. The same where a
-//!   colour fades: a pale sky that lost single rhombuses was felt as grey all over; losing rows it is felt as blue.
+//! * **Whole rows are added and left out**, never single rhombuses of one: a row of half its rhombuses has a period of
+//!   two of them, and that is felt across the rows. Coherence fell from 0.5 to 0.2 where rows thinned out. The same
+//!   where a colour fades: a pale sky that lost single rhombuses was felt as grey all over; losing rows it is felt as
+//!   blue.
 //! * **Two densities of rows are enough.** With three (every fourth row left out in between) the number of glyphs
 //!   follows the map of lines as well (correlation 0.95 both), but bundles of three rows look and feel like a pattern
 //!   of their own, and a little more is misread (0.006 against 0.004). Five are worse than two: their rows stand at
@@ -36,11 +37,11 @@
 //! * **Grey gets dense in small steps.** With a jump from a third of the positions to all, the change of ink itself is
 //!   felt as a direction (coherence up to 0.44, where 0.35 is a direction); in steps of a ninth up to 0.31. Each step
 //!   must be isotropic. In numbers a + b w, with w a third root of 1, the positions divisible by 1 - w are A, and the
-//!   remainder by 3 says which of nine hexagonal lattices a position belongs to: a union of such lattices looks the same
-//!   after a third of a turn about some position, and what has three equal axes has no direction.
+//!   remainder by 3 says which of nine hexagonal lattices a position belongs to: a union of such lattices looks the
+//!   same after a third of a turn about some position, and what has three equal axes has no direction.
 //!
-//! Every position of a density is a position of all higher ones. So there are no seams: where the density changes, no gap is
-//! wider than in the sparser texture and none narrower than in the denser one.
+//! Every position of a density is a position of all higher ones. So there are no seams: where the density changes, no
+//! gap is wider than in the sparser texture and none narrower than in the denser one.
 
 use super::glyph::unit;
 use super::params::Params;
@@ -61,9 +62,9 @@ pub(crate) struct Position {
 /// Positions fade in this many steps, with as many positions each.
 const FADING_STEPS: i32 = 16;
 
-/// Visits the positions of a class's lattice in `area`, row by row. The lattice is centred in the area, so that the rows
-/// of a mirrored picture are the mirrored rows. (Not so the order in which dots are filled: with threefold symmetry it
-/// has a left and a right.)
+/// Visits the positions of a class's lattice in `area`, row by row. The lattice is centred in the area, so that the
+/// rows of a mirrored picture are the mirrored rows. (Not so the order in which dots are filled: with threefold
+/// symmetry it has a left and a right.)
 pub(crate) fn each_position(class: Class, area: MmRect, params: &Params, mut visit: impl FnMut(Position)) {
     let (along, across, step, row) = match params.palette.degrees(class) {
         Some(degrees) => (unit(degrees), unit(degrees + 90.0), params.along, params.across),

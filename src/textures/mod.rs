@@ -2,11 +2,11 @@
 //!
 //! Three things vary and nothing else: the *direction* of the lattice by class, the *boldness* of the glyph by
 //! lightness, the *density* of the lattice by how many lines are near. Around every line the page stays white, and no
-//! glyph crosses a border between classes or the edge of the picture. No glyph is smaller, and no two are nearer to one
-//! another, than the least that is felt: where a colour fades into white its glyphs shrink to that size, and then rows
-//! are left out.
+//! glyph crosses a boundary between classes or the edge of the picture. No glyph is smaller, and no two are nearer to
+//! one another, than the least that is felt: where a colour fades into white its glyphs shrink to that size, and then
+//! rows are left out.
 //!
-//! `lattice` says what was learned about lattices that fingers read right; [`crate::touch`] is the measure.
+//! `lattice` documents which lattices fingers read right; [`crate::touch`] is the measure.
 
 mod fill;
 mod glyph;

@@ -77,8 +77,8 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// That of the paper (Rataj 2004), with its reasons: water lies flat; `/` is the sweep of the right hand, calm as green; then on round
-    /// the colour wheel; grey has no direction, by contrast.
+    /// That of the paper (Rataj 2004), with its reasons: water lies flat; `/` is the sweep of the right hand, calm as
+    /// green; then on round the colour wheel; grey has no direction, by contrast.
     pub const PAPER: Self = Self {
         signs: [
             Sign::Rhombus { degrees: 0.0 },

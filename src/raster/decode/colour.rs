@@ -1,4 +1,4 @@
-//! What the numbers in a file mean as light: transfer curves, and ICC profiles through moxcms.
+//! From the numbers in a file to light: transfer curves, and ICC profiles through moxcms.
 //!
 //! Nearly every profile of an RGB or grey picture is three curves and a matrix. Averaging and a matrix may change
 //! places, so only the curves are applied to the many pixels of the file (as tables, which the sRGB curve needs as
@@ -87,7 +87,7 @@ impl Meaning {
     /// What the samples of a PNG without a profile mean by its gAMA chunk: the exponent by which light was encoded,
     /// such as 0.45455.
     pub(super) fn from_encoding_gamma(gamma: f32) -> Self {
-        // sRGB pictures often say 1/2.2, by which their own curve is meant. Below a twentieth of difference nobody sees
+        // sRGB pictures often declare 1/2.2 and mean the curve of sRGB. Below a twentieth of difference nobody sees
         // it.
         const NEAR: f32 = 0.05;
         let exponent = 1.0 / gamma;
@@ -151,7 +151,7 @@ fn is_identity(matrix: &Matrix) -> bool {
     })
 }
 
-/// Applies a matrix to three planes; colours outside sRGB are brought to its border.
+/// Applies a matrix to three planes; colours outside the gamut of sRGB are clipped.
 pub(super) fn apply_matrix([red, green, blue]: &mut [Vec<f32>; 3], matrix: &Matrix) {
     for ((r, g), b) in red.iter_mut().zip(green).zip(blue) {
         let from = [*r, *g, *b];

@@ -1,7 +1,7 @@
 //! Complexity of a drawing: how deep and how large it is once its references are followed, found before usvg and resvg
-//! follow them. Both are recursive, and run out of stack (which ends the program) where a drawing is a few hundred levels
-//! deep. And a pattern of ten shapes that are filled with a pattern of ten shapes and so on is a small file that takes
-//! years to draw.
+//! follow them. Both are recursive, and run out of stack (which ends the program) where a drawing is a few hundred
+//! levels deep. And a pattern of ten shapes that are filled with a pattern of ten shapes and so on is a small file that
+//! takes years to draw.
 
 use std::collections::HashMap;
 

@@ -37,7 +37,7 @@ pub(super) fn decode_gzip(bytes: &[u8], options: &Options<'_>) -> Result<Picture
     let limit_mb = options.limits.memory_mb;
     let limit = limit_mb.saturating_mul(1_000_000);
     let mut text = Vec::new();
-    // One byte more than the limit, to tell an end at the limit from a cut.
+    // One byte more than the limit, to distinguish an end at the limit from a cut.
     let mut inflate = flate2::read::GzDecoder::new(bytes).take(limit.saturating_add(1));
     inflate.read_to_end(&mut text).map_err(|fault| undecodable("SVGZ", one_line(&fault)))?;
     if text.len() as u64 > limit {
@@ -160,7 +160,7 @@ fn document(text: &str, most_levels: u32) -> Result<Document<'_>, String> {
     let document = Document::parse_with_options(text, parsing).map_err(|fault| {
         let place = fault.pos();
         let what = one_line(&fault);
-        // The place stands at the end of most of roxmltree's messages; it is said in words instead.
+        // Most messages of roxmltree end with the position; here it comes first, in words.
         let what = what.trim_end_matches(&format!(" at {place}"));
         format!("line {}, column {}: {what}", place.row, place.col)
     })?;
@@ -253,7 +253,7 @@ fn is_over(size: Size, limits: Limits) -> bool {
 /// A picture whose header cannot be read.
 struct Unreadable;
 
-/// What the header of a picture inside a drawing says; `None` for a drawing or what is not known here.
+/// The size in the header of a picture inside a drawing; `None` for a drawing or an unknown format.
 fn size_of_picture(data: &[u8]) -> Result<Option<Size>, Unreadable> {
     use super::sniff::{Format, format};
     let reader = Cursor::new(data);

@@ -1,4 +1,4 @@
-//! What all decoders share: what they are asked for, what they give, the limits, and how faults are told.
+//! What all decoders share: what they are asked for, what they give, the limits, and how faults are reported.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ impl Default for Limits {
 /// Where the letters of SVG drawings come from; asked only when a drawing has text.
 pub type Fonts<'a> = dyn Fn() -> Arc<usvg::fontdb::Database> + Sync + 'a;
 
-/// What a file's header says of its picture.
+/// What is known of a picture from the header of its file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Source {
     /// Pixels after the turn that EXIF asks for; for an SVG drawing its size in CSS pixels, rounded. Of the part that
@@ -57,7 +57,7 @@ pub struct Options<'a> {
 pub struct Picture {
     /// The pixels at working size, upright.
     pub raster: Raster,
-    /// What the header said.
+    /// What was known from the header.
     pub source: Source,
     /// Remarks on what was lost.
     pub notes: Vec<Note>,

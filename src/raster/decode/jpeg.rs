@@ -1,5 +1,5 @@
 //! JPEG: decoded at 1, 1/2, 1/4 or 1/8 of its size straight from the transform's coefficients, the smallest that is not
-//! smaller than the working size, and averaged the rest of the way.
+//! smaller than the working size, and then averaged down to it.
 
 use std::cell::Cell;
 use std::io::{ErrorKind, Read};
@@ -92,7 +92,7 @@ fn memory(layout: Layout, size: Size, scaled: Size, progressive: bool) -> u64 {
 }
 
 /// The pixels at so many eighths of their size, which is `size`, through the C library libjpeg-turbo. `None` for
-/// pictures of inks and for whatever that library finds wrong: jpeg-decoder then tells what it is, or reads the picture
+/// pictures of inks and for whatever that library finds wrong: jpeg-decoder then names the fault, or reads the picture
 /// all the same.
 #[cfg(feature = "turbojpeg")]
 fn turbo_pixels(bytes: &[u8], kind: Kind, eighths: u32, size: Size) -> Option<Vec<u8>> {
@@ -115,7 +115,7 @@ fn turbo_pixels(bytes: &[u8], kind: Kind, eighths: u32, size: Size) -> Option<Ve
 
 /// The smallest scale, in eighths, at which no side is shorter than the target's.
 fn eighths(size: Size, target: Size) -> u32 {
-    // Below this jpeg-decoder's way of asking (by a side's length) cannot tell the scales apart.
+    // jpeg-decoder is asked for a scale by the length of a side; below this, two scales have the same.
     const SHORT: u32 = 16;
     if size.width.max(size.height) < SHORT {
         return 8;
@@ -131,7 +131,7 @@ fn asked_size(size: Size, eighths: u32) -> (u16, u16) {
     if size.width >= size.height { (side(size.width), u16::MAX) } else { (u16::MAX, side(size.height)) }
 }
 
-/// What jpeg-decoder does not tell.
+/// What jpeg-decoder does not pass on.
 #[derive(Default)]
 struct Head {
     /// The transform in Adobe's mark, if that is there: 0 for none, 1 for YCbCr, 2 for YCCK.
@@ -166,7 +166,7 @@ impl Head {
                             head.adobe = Some(*transform);
                         }
                         (0xE0, [b'J', b'F', b'I', b'F', 0, ..]) => head.jfif = true,
-                        _ => (), // of no interest here
+                        _ => (), // other segments do not matter here
                     }
                     head.progressive |= kind == 0xC2;
                     #[cfg(feature = "turbojpeg")]
@@ -184,14 +184,15 @@ impl Head {
     }
 
     /// Whether three channels are red, green and blue. By libjpeg's rule (which all browsers follow) Adobe's mark goes
-    /// before the names of the channels; jpeg-decoder has it the other way round.
+    /// before the names of the channels; jpeg-decoder does the opposite.
     fn is_adobe_rgb(&self) -> bool {
         self.adobe == Some(0) && !self.jfif
     }
 
     /// What to read after the file's end. Some cameras forget the end mark, and their pictures are whole. For a picture
     /// in one pass many one-bits and then the mark do: no code is made of ones only, so a picture that lacks more than
-    /// the mark is told by a fault. One in several passes could lose whole passes so, and gets nothing.
+    /// the mark is found by a decoding error. One in several passes could lose whole passes unnoticed, and gets
+    /// nothing.
     fn fill(&self) -> &'static [u8] {
         const ONES_AND_END: [u8; 66] = {
             let mut fill = [0; 66];
@@ -208,7 +209,7 @@ impl Head {
     }
 }
 
-/// The file's bytes and then the fill; tells when the file is used up.
+/// The file's bytes and then the fill; `at_end` becomes true when the file is used up.
 struct Bytes<'a> {
     rest: &'a [u8],
     fill: &'static [u8],
@@ -224,7 +225,7 @@ impl Read for Bytes<'_> {
         self.rest.read(out)
     }
 
-    /// The decoder reads byte by byte, so this is on the way of every one of them.
+    /// The decoder reads byte by byte, so this is called for every one of them.
     #[inline]
     fn read_exact(&mut self, mut out: &mut [u8]) -> std::io::Result<()> {
         if let ([first, rest @ ..], [only]) = (self.rest, &mut *out) {

@@ -26,7 +26,7 @@ use crate::{Error, picture};
 pub(crate) use self::drawing::checked_document;
 pub use self::job::{Fonts, Limits, Options, Picture, Source};
 
-/// Decodes a picture of any format that is read here; the format is told from the bytes, not from a name.
+/// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
 ///
 /// # Errors
 /// When the bytes are no such picture, are damaged beyond use, or are over a limit. A decoder that panics counts as

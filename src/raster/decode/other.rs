@@ -1,5 +1,5 @@
-//! The formats whose decoders cannot shrink on the way: the whole picture is decoded, under the memory limit, and then
-//! averaged row by row.
+//! The formats whose decoders cannot shrink while they decode: the whole picture is decoded, under the memory limit,
+//! and then averaged row by row.
 
 use std::error::Error as _;
 use std::io::{Cursor, ErrorKind};

@@ -1,4 +1,4 @@
-//! Tells a format from the first bytes; a file's name says nothing.
+//! The format of a picture from its first bytes; the name of a file is not looked at.
 
 /// The formats that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ impl Format {
     }
 }
 
-/// The format, or what the bytes look like instead if that can be told.
+/// The format, or what the bytes look like instead if that is known.
 pub(super) fn format(bytes: &[u8]) -> Result<Format, Option<&'static str>> {
     let starts = |magic: &[u8]| bytes.starts_with(magic);
     let at = |offset: usize, magic: &[u8]| bytes.get(offset..).is_some_and(|rest| rest.starts_with(magic));
@@ -49,7 +49,7 @@ pub(super) fn format(bytes: &[u8]) -> Result<Format, Option<&'static str>> {
     })
 }
 
-/// "BM" is too little to tell: texts begin so as well. The size of the second header is one of a few.
+/// "BM" alone proves nothing, since texts begin so as well. The size of the second header is one of a few.
 fn is_bmp(bytes: &[u8]) -> bool {
     const HEADERS: [u8; 8] = [12, 16, 40, 52, 56, 64, 108, 124];
     bytes.starts_with(b"BM") && matches!(bytes.get(14..18), Some([size, 0, 0, 0]) if HEADERS.contains(size))
@@ -62,7 +62,7 @@ fn is_pnm(bytes: &[u8]) -> bool {
     spaced && next.is_some_and(|b| b.is_ascii_digit() || *b == b'#' || (*kind == b'7' && b.is_ascii_uppercase()))
 }
 
-/// The name of the first element of an XML or HTML text, without its prefix and in small letters.
+/// The name of the first element of an XML or HTML text, without its prefix and in lower case.
 fn root_element(bytes: &[u8]) -> Option<String> {
     // What a drawing program writes before its root element is shorter by far, comments and document type included.
     const FAR: usize = 64 * 1024;
@@ -105,7 +105,7 @@ fn svg_or_not(root: &str) -> Result<Format, Option<&'static str>> {
     }
 }
 
-/// What else it may be, with the way out where there is one.
+/// What else it may be, and what to do about it where that helps.
 fn other(bytes: &[u8]) -> Option<&'static str> {
     let starts = |magic: &[u8]| bytes.starts_with(magic);
     let brand = bytes.get(8..12).filter(|_| bytes.get(4..8) == Some(b"ftyp"));
@@ -128,7 +128,7 @@ fn other(bytes: &[u8]) -> Option<&'static str> {
     })
 }
 
-/// Text in UTF-8, or in UTF-16 with its mark, as far as the first kilobyte tells.
+/// Text in UTF-8, or in UTF-16 with its mark, by its first kilobyte.
 fn is_text(bytes: &[u8]) -> bool {
     let head = bytes.get(..1024).unwrap_or(bytes);
     let sound = match std::str::from_utf8(head) {
