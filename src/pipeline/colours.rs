@@ -1,6 +1,8 @@
 //! The way from bytes to sorted colours: as for a page, but no further.
 
-use super::{Request, Stage, Watch, find_edges, run, sort_colours, working_size};
+use super::draw::{find_edges, sort_colours, working_size};
+use super::progress::{Stage, Watch, run};
+use super::request::Request;
 use crate::Error;
 use crate::classes::{self, Classes};
 use crate::profile::Plan;

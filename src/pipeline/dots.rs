@@ -1,6 +1,7 @@
 //! Pages of dots: what is done otherwise than for a printed page.
 
-use super::{Request, finished, origin};
+use super::finish::{finished, origin, title_of_overview};
+use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
@@ -28,11 +29,6 @@ pub(super) fn of_overview(lines: Vec<Line>, area: MmRect, layout: &Layout, plan:
     let Medium::Dots(medium) = &layout.medium else { return lines };
     let heavy_from = if medium.device.has_heights() { 0.0 } else { f32::INFINITY };
     dots::lines(&lines, area, &medium.area, &dots::Params { heavy_from, ..plan.dots(medium) })
-}
-
-/// What the overview of a page is called, which has a sheet to itself.
-pub fn title_of_overview(title: &str) -> String {
-    format!("{title}, overview")
 }
 
 /// Textures of dots.

@@ -1,6 +1,9 @@
 //! The way from bytes to a picture on several sheets.
 
-use super::{Marks, Request, Stage, Watch, draw, finished, origin, run, too_black};
+use super::draw::{Marks, draw};
+use super::finish::{finished, origin, title_of_overview, too_black};
+use super::progress::{Stage, Watch, run};
+use super::request::{Request, SLACK};
 use crate::page::layout::{self, Layout};
 use crate::page::spread::{self, Cut, Grid, Spread};
 use crate::page::{self, Dots, Figure, Line, Medium, MediumParams, Page, Parts, Print, frame};
@@ -79,7 +82,7 @@ fn spread_of(size: Size, grid: Grid, request: &Request<'_>) -> Result<Spread, Er
     let largest = fit(f32::MAX).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() })?;
     match request.fit.width {
         None => Ok(largest),
-        Some(wanted) if wanted > largest.figure.width() + super::fit::SLACK => {
+        Some(wanted) if wanted > largest.figure.width() + SLACK => {
             Err(Error::TooWide { wanted, most: largest.figure.width(), without_overview: None })
         }
         Some(wanted) => fit(wanted).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() }),
@@ -115,7 +118,7 @@ fn assemble(
         let description =
             format!("Overview of a picture on {} sheets. {}", names.len(), page::describe(&own, None, None));
         let frame = params.frame.as_ref().map_or_else(Dots::default, |params| frame::printed(place, params));
-        let title = super::title_of_overview(request.title);
+        let title = title_of_overview(request.title);
         let parts = Parts {
             sheet: layout.sheet,
             orientation_mark: layout.mark,

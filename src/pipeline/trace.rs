@@ -1,6 +1,8 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::{Event, Fit, Request, Stage, Watch, crowded, draw_lines, enough_pixels, run, working_size};
+use super::draw::{crowded, draw_lines, enough_pixels, working_size};
+use super::progress::{Event, Stage, Watch, run};
+use super::request::{Fit, Request};
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
 use crate::frame::Frame;

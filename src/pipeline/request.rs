@@ -1,9 +1,10 @@
-//! How one picture is put on the sheet: what its maker chooses anew for each picture, beside the profile.
+//! What one picture is converted with: the profile, and what its maker chooses anew for each picture.
 
 use crate::Error;
 use crate::page::layout::{self, Layout};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
+use crate::raster::decode::{Fonts, Limits};
 use crate::units::Size;
 
 /// Which part of a picture is drawn, and how. The default is all of it, as large as the sheet allows, for the front.
@@ -49,4 +50,18 @@ impl Fit {
         let mirrored = self.mirrored.then(|| ("mirrored", "true".to_owned()));
         [part, width, mirrored].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
     }
+}
+
+/// Everything beside the picture's bytes.
+pub struct Request<'a> {
+    /// The checked profile.
+    pub plan: &'a Plan,
+    /// What decoding may cost.
+    pub limits: Limits,
+    /// Fonts for drawings; asked only when a drawing has text.
+    pub fonts: &'a Fonts<'a>,
+    /// What the page is called, such as the picture's file name.
+    pub title: &'a str,
+    /// Which part of the picture is drawn, how large, and whether for the back of the sheet.
+    pub fit: Fit,
 }

@@ -1,0 +1,216 @@
+//! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
+
+use super::dots;
+use super::progress::{Event, Stage, Watch, in_parallel, run};
+use super::request::{Fit, Request};
+use crate::classes::{self, Classes};
+use crate::edges::{self, Edges};
+use crate::frame::Frame;
+use crate::lines::{self, Drawn, Line};
+use crate::page::layout::Layout;
+use crate::page::{Figure, Medium, Texture};
+use crate::picture::Picture;
+use crate::profile::Plan;
+use crate::raster::Raster;
+use crate::raster::decode::{self, Options, Source};
+use crate::units::{MmRect, Size};
+use crate::{Error, Note, textures};
+
+/// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
+const MIN_PIXELS: u32 = 8;
+
+/// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out 0.2
+/// to 0.3 and lose little by it.
+const CROWDED: f32 = 0.35;
+
+/// All marks of a picture, where its layout puts them.
+pub(super) struct Marks {
+    pub(super) figure: Figure,
+    pub(super) overview: Option<(MmRect, Vec<Line>)>,
+    /// Of each class of colours, where they were looked at.
+    pub(super) shares: Option<[f32; 5]>,
+    pub(super) layout: Layout,
+    pub(super) is_flat: bool,
+    pub(super) notes: Vec<Note>,
+}
+
+/// Everything but the page: decodes a picture and draws it where `layout_of` its size says.
+pub(super) fn draw(
+    picture: Picture<'_>,
+    request: &Request<'_>,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    watch: &mut Watch<'_>,
+) -> Result<Marks, Error> {
+    let (plan, fit) = (request.plan, &request.fit);
+    let working_size = |source: Source| working_size(source, layout_of, fit, plan);
+    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
+    let picture = run(watch, Stage::Decode, || decode::decode_picture(picture, &options))?;
+    let layout = layout_of(picture.source.size)?;
+    let mut notes = picture.notes;
+
+    let is_flat = picture.raster.is_flat();
+    let edges = find_edges(&picture.raster, is_flat, &layout, plan, watch);
+    let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
+    let (drawn, (overview, classes)) = in_parallel(
+        has_lines,
+        watch,
+        |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
+        |watch| {
+            let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
+            (overview, sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch))
+        },
+    );
+    notes.extend(crowded(&drawn));
+    let lines = drawn.lines;
+    drop(edges);
+    drop(picture.raster);
+    let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
+    let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
+    Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, notes })
+}
+
+/// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never more
+/// than there are.
+pub(super) fn working_size(
+    source: Source,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    fit: &Fit,
+    plan: &Plan,
+) -> Result<Size, Error> {
+    let Source { size, is_drawing } = source;
+    enough_pixels(size)?;
+    let place = layout_of(size)?.figure;
+    let figure = &plan.profile().figure;
+    let side = place.width().min(place.height());
+    if side < figure.min_side {
+        let least = figure.min_side;
+        let why = match fit.width {
+            None => format!(
+                "so long and narrow a picture would be only {side:.1} mm wide on the sheet, and {least} mm is the least; crop it"
+            ),
+            Some(_) => format!(
+                "at the width asked for, its shorter side would be only {side:.1} mm, and {least} mm is the least; ask for more"
+            ),
+        };
+        return Err(Error::TooSmall { size, why });
+    }
+    let pixels = |mm: f32, own: u32| {
+        let wanted = ((mm * figure.resolution).round() as u32).max(1);
+        if is_drawing { wanted } else { wanted.min(own) }
+    };
+    Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
+}
+
+pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
+    if size.width < MIN_PIXELS || size.height < MIN_PIXELS {
+        let why = format!("too few to find anything in; give one of at least {MIN_PIXELS} x {MIN_PIXELS}");
+        return Err(Error::TooSmall { size, why });
+    }
+    Ok(())
+}
+
+pub(super) fn find_edges(
+    raster: &Raster,
+    is_flat: bool,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Option<Edges> {
+    let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
+        "neither the figure nor an overview has lines"
+    } else if is_flat {
+        "the picture is of one colour"
+    } else {
+        let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+        return Some(run(watch, Stage::Edges, || edges::find(raster, &plan.edges(px_per_mm))));
+    };
+    watch(Event::Skip(Stage::Edges, reason));
+    None
+}
+
+pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Drawn {
+    let reason = match edges {
+        _ if !plan.profile().figure.lines => "figure.lines is off",
+        Some(edges) if !edges.is_empty() => {
+            let frame = Frame::new(edges.size, layout.figure);
+            return run(watch, Stage::Lines, || {
+                let drawn = lines::draw(edges, &frame, layout.figure, &plan.lines());
+                dots::pressed(drawn, layout.figure, layout, plan)
+            });
+        }
+        _ => "there are no contours",
+    };
+    watch(Event::Skip(Stage::Lines, reason));
+    Drawn::default()
+}
+
+/// What the maker is told when much was left out for want of room.
+pub(super) fn crowded(drawn: &Drawn) -> Option<Note> {
+    (drawn.crowded_out >= CROWDED).then(|| Note::Crowded((100.0 * drawn.crowded_out).round() as u32))
+}
+
+/// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave fewer.
+pub(super) fn draw_overview(
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Option<(MmRect, Vec<Line>)> {
+    let reason = match (layout.overview, edges) {
+        (None, _) => "overview.on is off",
+        (Some(place), Some(edges)) if !edges.is_empty() => {
+            let frame = Frame::new(edges.size, place);
+            let lines = run(watch, Stage::Overview, || {
+                let drawn = lines::draw(edges, &frame, place, &plan.lines());
+                dots::of_overview(drawn.lines, place, layout, plan)
+            });
+            return (!lines.is_empty()).then_some((place, lines));
+        }
+        _ => "there are no contours",
+    };
+    watch(Event::Skip(Stage::Overview, reason));
+    None
+}
+
+pub(super) fn sort_colours(
+    raster: &Raster,
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Option<Classes> {
+    if !plan.profile().figure.textures {
+        watch(Event::Skip(Stage::Classes, "figure.textures is off"));
+        return None;
+    }
+    if raster.is_grey() {
+        watch(Event::Skip(Stage::Hues, "the picture is grey"));
+    }
+    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+    Some(run(watch, Stage::Classes, || {
+        let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
+        let contours = edges.map(Edges::polylines).unwrap_or_default();
+        classes::sort(raster, &contours, &plan.classes(px_per_mm))
+    }))
+}
+
+pub(super) fn draw_textures(
+    classes: Option<&Classes>,
+    layout: &Layout,
+    lines: &[Line],
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Vec<Texture> {
+    let reason = match classes {
+        None => "figure.textures is off",
+        Some(classes) if classes.regions.is_empty() => "the picture is white",
+        Some(classes) => {
+            return run(watch, Stage::Textures, || match &layout.medium {
+                Medium::Print(_) => textures::fill(classes, layout.figure, lines, &plan.textures()),
+                Medium::Dots(medium) => dots::textures(classes, layout.figure, lines, medium, plan),
+            });
+        }
+    };
+    watch(Event::Skip(Stage::Textures, reason));
+    Vec::new()
+}

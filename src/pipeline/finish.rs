@@ -1,0 +1,43 @@
+//! What every page ends with: its words of how it was made, and the check that it goes through.
+
+use super::request::Request;
+use crate::page::{Medium, Page, Parts, Print};
+use crate::units::Size;
+use crate::{Error, Note};
+
+/// The page of these marks, as it is printed.
+pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, Error> {
+    // Up to here every mark has the size that fingers meet.
+    if let Medium::Print(print) = parts.medium {
+        parts.narrowed(print.swell);
+    }
+    let page = Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))?;
+    Ok(if request.fit.mirrored { page.mirrored() } else { page })
+}
+
+/// What the maker is told when more of the figure is black than the profile allows.
+pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
+    let most = print.max_black;
+    let percent = |share: f32| (100.0 * share).round() as u32;
+    (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
+}
+
+/// How the page was made, so that it can be made again.
+pub(super) fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String)> {
+    let profile = request.plan.profile();
+    let own = |name: &str, value: String| (name.to_owned(), value);
+    let mut origin = vec![
+        own("program", concat!("tactograph ", env!("CARGO_PKG_VERSION")).to_owned()),
+        own("picture", request.title.to_owned()),
+        own("source size in pixels", source.to_string()),
+        own("profile", profile.name.clone()),
+    ];
+    origin.extend(request.fit.origin());
+    origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
+    origin
+}
+
+/// What the overview of a page is called, which has a sheet to itself.
+pub fn title_of_overview(title: &str) -> String {
+    format!("{title}, overview")
+}
