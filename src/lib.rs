@@ -99,7 +99,9 @@ mod touch;
 mod units;
 
 // Functions, and what they take.
-pub use api::{Calibration, Felt, Fonts, Options, calibrate, convert, convert_to_sheets, feel, trace, write_pdf};
+pub use api::{
+    Calibration, FeelError, Felt, Fonts, Options, calibrate, convert, convert_to_sheets, feel, trace, write_pdf,
+};
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
 pub use page::spread::{Grid as SheetGrid, NotAGrid as NotASheetGrid};
@@ -122,7 +124,7 @@ pub use pipeline::Drawing;
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;
 pub use touch::report::{Areas as FeltAreas, OfClass as FeltClass};
-pub use touch::{Error as FeelError, FINGERS, Report as FeelReport};
+pub use touch::{FINGERS, Report as FeelReport};
 // Points and sizes: those of euclid, which is part of the interface.
 pub use lyon::geom::euclid;
 pub use units::{Mm, MmPoint, MmRect, MmVector, Px, PxPoint, PxVector, Size};

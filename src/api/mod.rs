@@ -12,6 +12,8 @@ pub use fonts::Fonts;
 pub use options::Options;
 pub use writing::write_pdf;
 
+pub use crate::touch::Error as FeelError;
+
 use crate::page::Page;
 use crate::page::spread::Grid;
 use crate::picture::Picture;

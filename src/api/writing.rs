@@ -2,8 +2,9 @@
 
 use crate::Error;
 use crate::contours::Trace;
+use crate::output::dots::{gcode, pef};
 use crate::output::png::{Depth, Dpi};
-use crate::output::{DotFormat, Embossing, json, pdf, png, svg, write_dots};
+use crate::output::{DotFormat, DrawingFormat, Embossing, Format, json, pdf, png, svg, write_dots};
 use crate::page::Page;
 
 impl Page {
@@ -61,6 +62,29 @@ impl Trace {
     #[must_use]
     pub fn to_json(&self) -> String {
         json::write(self)
+    }
+
+    /// Whether a file that begins with these bytes is one as [`Trace::to_json`] writes it. Whatever reads JSON and writes it again
+    /// sets its spaces otherwise.
+    #[must_use]
+    pub fn is_json_as_written(head: &[u8]) -> bool {
+        head.starts_with(json::MARK.as_bytes())
+    }
+}
+
+impl Format {
+    /// Whether these bytes are a whole file of this format as this crate wrote it, changed by nobody since. `None` for formats
+    /// that cannot tell, as every byte of theirs is a dot: ubrl, brf, idx and txt.
+    #[must_use]
+    pub fn is_as_written(self, bytes: &[u8]) -> Option<bool> {
+        match self {
+            Self::Drawing(DrawingFormat::Svg) => Some(svg::is_as_written(bytes)),
+            Self::Drawing(DrawingFormat::Pdf) => Some(pdf::is_as_written(bytes)),
+            Self::Drawing(DrawingFormat::Png) | Self::Dots(DotFormat::Pixels) => Some(png::is_as_written(bytes)),
+            Self::Dots(DotFormat::Pef) => Some(pef::is_as_written(bytes)),
+            Self::Dots(DotFormat::Gcode) => Some(gcode::is_as_written(bytes)),
+            Self::Dots(DotFormat::Ubrl | DotFormat::Brf | DotFormat::Idx | DotFormat::Txt) => None,
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 //! `tactograph convert`: pictures in, pages out.
 
-use tactograph::internals::profile::Plan;
 use tactograph::{Error, Page, convert, convert_to_sheets, write_dots, write_pdf};
 
 use super::Exit;
@@ -22,9 +21,7 @@ pub(super) fn run(args: &Convert) -> Exit {
         changes: args.fitting.changes(),
         shared: &args.shared,
         check: &|profile| {
-            let plan = Plan::new(profile);
-            let mut faults: Vec<_> =
-                plan.iter().flat_map(|plan| dots::faults(chosen.format, plan, &args.embossing)).collect();
+            let mut faults = dots::faults(chosen.format, profile, &args.embossing);
             faults.extend(args.fitting.fault(profile));
             faults
         },

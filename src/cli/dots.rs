@@ -1,8 +1,6 @@
 //! Which format of dots goes with which profile.
 
-use tactograph::internals::page::MediumParams;
-use tactograph::internals::profile::Plan;
-use tactograph::{DotFormat, Embossing as Numbers, Format};
+use tactograph::{DotFormat, Embossing as Numbers, Format, Profile};
 
 use super::args::Embossing;
 
@@ -15,7 +13,7 @@ impl Embossing {
 }
 
 /// Everything in which a format does not go with a profile, and what goes instead.
-pub(super) fn faults(format: Format, plan: &Plan, embossing: &Embossing) -> Vec<String> {
+pub(super) fn faults(format: Format, profile: &Profile, embossing: &Embossing) -> Vec<String> {
     let mut faults = Vec::new();
     for (option, given) in [("--copies", embossing.copies.is_some()), ("--impact", embossing.impact.is_some())] {
         if given && format != Format::Dots(DotFormat::Idx) {
@@ -23,17 +21,19 @@ pub(super) fn faults(format: Format, plan: &Plan, embossing: &Embossing) -> Vec<
         }
     }
     let Format::Dots(format) = format else { return faults };
-    match plan.medium() {
-        MediumParams::Print(_) => faults.push(format!(
+    match profile.dots.device {
+        None => faults.push(format!(
             "{} holds dots, and the profile {} is for printing; take one for dots, such as --profile {}",
             format.name().to_uppercase(),
-            plan.profile().name,
+            profile.name,
             format.example_profile()
         )),
-        MediumParams::Dots { device, pitch } => match format.refusal(device) {
+        Some(device) => match format.refusal(device) {
             Some(why) => faults.push(why),
             None if format == DotFormat::Idx => {
-                let page = &plan.profile().page;
+                let page = &profile.page;
+                // as the device has it; profiles may be a hundredth off
+                let pitch = device.pitches().find(profile.dots.pitch).unwrap_or(profile.dots.pitch);
                 faults.extend(embossing.numbers().faults(device, [page.width, page.height], pitch));
             }
             None => {}

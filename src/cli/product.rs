@@ -1,9 +1,8 @@
 //! What a command makes, in words and file names.
 
-pub(super) use tactograph::{DotFormat, DrawingFormat, Format};
+pub(super) use tactograph::{DrawingFormat, Format};
 
-use tactograph::internals::output::dots::{gcode, pef};
-use tactograph::internals::output::{json, pdf, png, svg};
+use tactograph::Trace;
 
 /// What a command makes of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,7 +61,10 @@ impl Product {
 
     /// Whether there is no room in it for a note of who wrote it: every byte is a dot.
     pub(super) fn has_no_seal(self) -> bool {
-        matches!(self, Self::Page(Format::Dots(DotFormat::Ubrl | DotFormat::Brf | DotFormat::Idx | DotFormat::Txt)))
+        match self {
+            Self::Page(format) => format.is_as_written(&[]).is_none(),
+            Self::Trace => false,
+        }
     }
 
     /// How many bytes from its beginning [`Product::is_own`] needs of a file.
@@ -77,17 +79,8 @@ impl Product {
     pub(super) fn is_own(self, head: &[u8]) -> bool {
         match self {
             // Pages carry a number that fits their bytes only as long as nobody changes them.
-            Self::Page(Format::Drawing(DrawingFormat::Svg)) => svg::is_as_written(head),
-            Self::Page(Format::Drawing(DrawingFormat::Pdf)) => pdf::is_as_written(head),
-            Self::Page(Format::Drawing(DrawingFormat::Png) | Format::Dots(DotFormat::Pixels)) => {
-                png::is_as_written(head)
-            }
-            Self::Page(Format::Dots(DotFormat::Pef)) => pef::is_as_written(head),
-            Self::Page(Format::Dots(DotFormat::Gcode)) => gcode::is_as_written(head),
-            // never taken for ours
-            Self::Page(Format::Dots(DotFormat::Ubrl | DotFormat::Brf | DotFormat::Idx | DotFormat::Txt)) => false,
-            // Whatever reads JSON and writes it again sets its spaces otherwise.
-            Self::Trace => head.starts_with(json::MARK.as_bytes()),
+            Self::Page(format) => format.is_as_written(head) == Some(true),
+            Self::Trace => Trace::is_json_as_written(head),
         }
     }
 }
