@@ -108,7 +108,7 @@ pub use page::spread::{Grid as SheetGrid, NotAGrid as NotASheetGrid};
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
 pub use pipeline::{Event, Stage};
-pub use profile::{BuiltIn, Fault, Key, Kind, Profile, Value, built_in};
+pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, built_in, is_path};
 pub use raster::crop::{Crop, NotACrop};
 pub use raster::decode::Limits;
 // What they give.

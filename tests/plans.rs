@@ -9,21 +9,24 @@ use proptest::sample::select;
 use tactograph::internals::output::dots::{Matrix, ubrl};
 use tactograph::internals::output::{pdf, svg};
 use tactograph::internals::pipeline::{Request, convert};
-use tactograph::internals::profile::{Key, Kind, Plan, Profile, built_in};
+use tactograph::internals::profile::{Key, Plan, Profile, built_in};
 
 /// A value of the key as it is written; numbers are often the ends of their range, and often small.
 fn value(key: Key) -> BoxedStrategy<String> {
-    match key.kind {
-        Kind::Switch => any::<bool>().prop_map(|on| on.to_string()).boxed(),
-        Kind::Choice(words) => select(words).prop_map(String::from).boxed(),
-        Kind::Sign => {
-            select(&["rhombus 0", "rhombus 45", "rhombus 90", "rhombus 135", "dots"][..]).prop_map(String::from).boxed()
-        }
-        Kind::Number { low, high, .. } => {
-            let share = prop_oneof![Just(0.0_f32), Just(1.0), 0.0..1.0_f32, (0.0..1.0_f32).prop_map(|x| x * x * x)];
-            share.prop_map(move |share| (low + share * (high - low)).clamp(low, high).to_string()).boxed()
-        }
+    if let Some(limits) = key.limits {
+        let share = prop_oneof![Just(0.0_f32), Just(1.0), 0.0..1.0_f32, (0.0..1.0_f32).prop_map(|x| x * x * x)];
+        let (low, high) = (limits.low, limits.high);
+        return share.prop_map(move |share| (low + share * (high - low)).clamp(low, high).to_string()).boxed();
     }
+    let words: Vec<String> = match key.range().as_str() {
+        "true or false" => vec!["true".to_owned(), "false".to_owned()],
+        _ if key.section() == "textures.palette" => {
+            ["rhombus 0", "rhombus 45", "rhombus 90", "rhombus 135", "dot"].map(str::to_owned).to_vec()
+        }
+        // A choice is told as its words in quotes.
+        range => range.split('"').skip(1).step_by(2).map(str::to_owned).collect(),
+    };
+    select(words).boxed()
 }
 
 fn setting() -> impl Strategy<Value = (&'static str, String)> {

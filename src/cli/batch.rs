@@ -64,8 +64,10 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&[u8], &Options, &Timings) ->
         Err(exit) => return exit,
     };
     let &Order { product, shared, .. } = order;
+    let unused = if matches!(product, Product::Page(_)) { profile.unused() } else { Vec::new() };
     let options = Options::new(profile).limits(shared.limits()).fonts(Fonts::system());
     let report = Report::of_pictures(jobs.len(), shared.quiet);
+    unused.iter().for_each(|key| report.note(&key.place, &key.what));
     let mut failed = 0;
     side_by_side::run(
         jobs.len(),

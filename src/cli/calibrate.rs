@@ -37,6 +37,7 @@ pub(super) fn run(args: &Calibrate) -> Exit {
             return Exit::Failed;
         }
     };
+    profile.unused().iter().for_each(|key| report.note(&key.place, &key.what));
     match sheets::write(&calibration, (format, chosen), &args.output, args.force) {
         Ok(names) => {
             calibration.pages.iter().for_each(|page| report.done(&page.description));

@@ -5,6 +5,7 @@ use tactograph::{BuiltIn, Profile, built_in};
 use super::Exit;
 use super::output;
 use super::report::Report;
+use super::settings;
 
 /// Lists the built-in profiles on standard output, one a line.
 pub(super) fn list(report: &Report) -> Exit {
@@ -31,7 +32,8 @@ pub(super) fn show(name: &str, report: &Report) -> Exit {
     match (built_in().iter().find(|profile| profile.name == name), Profile::named(name)) {
         (Some(profile), _) => print(&with_ranges(profile.text), report),
         (None, named) => {
-            named.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
+            let faults = named.err().map_or_else(Vec::new, settings::faults_of);
+            faults.iter().for_each(|fault| report.error(&fault.place, &fault.what));
             Exit::Usage
         }
     }

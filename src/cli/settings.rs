@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tactograph::{Fault, Profile, built_in};
+use tactograph::{Error, Fault, Profile, built_in, is_path};
 
 use super::input;
 
@@ -54,14 +54,14 @@ pub(super) fn profile(profile: &str, changes: &[Change]) -> Result<Profile, Vec<
             None => match Profile::named(built_in()[0].name) {
                 Ok(default) => stand_in.get_or_insert(default),
                 Err(more) => {
-                    faults.extend(more);
+                    faults.extend(faults_of(more));
                     break;
                 }
             },
         };
-        faults.extend(apply(target, &change.set).err());
+        faults.extend(apply(target, &change.set).err().into_iter().flatten());
     }
-    faults.extend(profile.iter().flat_map(Profile::check));
+    faults.extend(profile.iter().filter_map(|profile| profile.check().err()).flat_map(faults_of));
     let named = |fault| changes.iter().fold(fault, |fault, change| change.named(fault));
     match profile {
         Some(profile) if faults.is_empty() => Ok(profile),
@@ -69,36 +69,40 @@ pub(super) fn profile(profile: &str, changes: &[Change]) -> Result<Profile, Vec<
     }
 }
 
+/// What is wrong with a profile, fault by fault.
+pub(super) fn faults_of(error: Error) -> Vec<Fault> {
+    match error {
+        Error::Profile(faults) => faults,
+        other => vec![Fault { place: "profile".to_owned(), what: other.to_string() }],
+    }
+}
+
 fn load(profile: &str) -> Result<Profile, Vec<Fault>> {
-    if !is_file(profile) {
-        return Profile::named(profile).map_err(|mut faults| {
+    if !is_path(profile) {
+        return Profile::named(profile).map_err(|error| {
+            let mut faults = faults_of(error);
             faults.iter_mut().for_each(|fault| fault.what += "; for a file of your own give a name that ends in .toml");
             faults
         });
     }
-    let bytes =
-        input::read(Path::new(profile), MOST_PROFILE_BYTES, "this is too large for a profile; give a TOML file")
-            .map_err(|error| fault(profile, format!("{error:#}")))?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| fault(profile, "this is not text in UTF-8; give a profile, which is a TOML file".into()))?;
-    Profile::from_toml(&text, profile)
+    let text = text_of(profile).map_err(|what| vec![Fault { place: profile.to_owned(), what }])?;
+    let inherited = |path: &str| text_of(path).map_err(|why| format!("{path}: {why}"));
+    Profile::from_toml_with(&text, profile, &inherited).map_err(faults_of)
 }
 
-fn fault(place: &str, what: String) -> Vec<Fault> {
-    vec![Fault { place: place.into(), what }]
+/// The text of a profile's file, or why it cannot be read.
+fn text_of(path: &str) -> Result<String, String> {
+    let bytes = input::read(Path::new(path), MOST_PROFILE_BYTES, "this is too large for a profile; give a TOML file")
+        .map_err(|error| format!("{error:#}"))?;
+    String::from_utf8(bytes).map_err(|_| "this is not text in UTF-8; give a profile, which is a TOML file".to_owned())
 }
 
-fn is_file(profile: &str) -> bool {
-    let path = Path::new(profile);
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) || path.components().count() > 1
-}
-
-fn apply(profile: &mut Profile, set: &str) -> Result<(), Fault> {
+fn apply(profile: &mut Profile, set: &str) -> Result<(), Vec<Fault>> {
     match set.split_once('=') {
-        Some((key, value)) if !key.trim().is_empty() => profile.set(key.trim(), value.trim()),
-        _ => Err(Fault {
+        Some((key, value)) if !key.trim().is_empty() => profile.set(key.trim(), value.trim()).map_err(faults_of),
+        _ => Err(vec![Fault {
             place: format!("--set {set}"),
             what: "write it as key=value, such as lines.width_max=1.2".into(),
-        }),
+        }]),
     }
 }

@@ -5,6 +5,8 @@
 pub struct BuiltIn {
     /// What it is called.
     pub name: &'static str,
+    /// Names by which it is looked for; each is a reason to suggest it.
+    pub(super) also: &'static [&'static str],
     /// Its whole file, with the reason of every number in a comment.
     pub text: &'static str,
 }
@@ -16,32 +18,48 @@ impl BuiltIn {
     }
 }
 
+/// A profile whose file is called as it is.
+macro_rules! of_file {
+    ($name:literal $(, also $($also:literal),+)?) => {
+        BuiltIn {
+            name: $name,
+            also: &[$($($also),+)?],
+            text: include_str!(concat!("../../profiles/", $name, ".toml")),
+        }
+    };
+}
+
 /// All of them; the first is the one to use when none is asked for.
 pub fn built_in() -> &'static [BuiltIn] {
     &[
-        BuiltIn { name: "swell-a4", text: include_str!("../../profiles/swell-a4.toml") },
-        BuiltIn { name: "swell-a3", text: include_str!("../../profiles/swell-a3.toml") },
-        BuiltIn { name: "swell-letter", text: include_str!("../../profiles/swell-letter.toml") },
-        BuiltIn { name: "swell-11x11.5", text: include_str!("../../profiles/swell-11x11.5.toml") },
-        BuiltIn { name: "swell-11x17", text: include_str!("../../profiles/swell-11x17.toml") },
-        BuiltIn { name: "plain-print", text: include_str!("../../profiles/plain-print.toml") },
-        BuiltIn { name: "index-basic-d", text: include_str!("../../profiles/index-basic-d.toml") },
-        BuiltIn { name: "index-everest-d", text: include_str!("../../profiles/index-everest-d.toml") },
-        BuiltIn { name: "index-basic-d-v3", text: include_str!("../../profiles/index-basic-d-v3.toml") },
-        BuiltIn { name: "index-braillebox", text: include_str!("../../profiles/index-braillebox.toml") },
-        BuiltIn { name: "romeo-60", text: include_str!("../../profiles/romeo-60.toml") },
-        BuiltIn { name: "juliet-120", text: include_str!("../../profiles/juliet-120.toml") },
-        BuiltIn { name: "braillerap", text: include_str!("../../profiles/braillerap.toml") },
-        BuiltIn { name: "viewplus-columbia", text: include_str!("../../profiles/viewplus-columbia.toml") },
-        BuiltIn { name: "graphiti", text: include_str!("../../profiles/graphiti.toml") },
-        BuiltIn { name: "dot-pad", text: include_str!("../../profiles/dot-pad.toml") },
-        BuiltIn { name: "monarch", text: include_str!("../../profiles/monarch.toml") },
-        BuiltIn { name: "pins-120x60", text: include_str!("../../profiles/pins-120x60.toml") },
-        BuiltIn { name: "braille-cells", text: include_str!("../../profiles/braille-cells.toml") },
+        of_file!("swell-a4"),
+        of_file!("swell-a3"),
+        of_file!("swell-letter"),
+        of_file!("swell-11x11.5"),
+        of_file!("swell-11x17"),
+        of_file!("plain-print"),
+        of_file!("index-basic-d", also "index-basic-d-v4", "index-basic-d-v5"),
+        of_file!("index-everest-d", also "index-everest-d-v4", "index-everest-d-v5"),
+        of_file!("index-basic-d-v3"),
+        of_file!("index-braillebox", also "index-braillebox-v4", "index-braillebox-v5"),
+        of_file!("romeo-60"),
+        of_file!("juliet-120"),
+        of_file!("braillerap"),
+        of_file!("viewplus-columbia"),
+        of_file!("graphiti"),
+        of_file!("dot-pad"),
+        of_file!("monarch"),
+        of_file!("pins-120x60"),
+        of_file!("braille-cells"),
     ]
 }
 
 /// The text of the built-in profile of this name.
 pub(super) fn text_of(name: &str) -> Option<&'static str> {
     built_in().iter().find(|profile| profile.name == name).map(|profile| profile.text)
+}
+
+/// Whether a profile's name is the path of a file: it ends in `.toml`, or has a folder in it.
+pub fn is_path(name: &str) -> bool {
+    name.contains(['/', '\\']) || name.to_ascii_lowercase().ends_with(".toml")
 }

@@ -1,7 +1,10 @@
 //! What the keys of a profile owe one another.
 
-use super::keys::KEYS;
-use super::{Fault, Profile, Value};
+use super::device::PALETTE;
+use super::fault::Fault;
+use super::keys::{KEYS, Key, Profile};
+use super::kind::Value;
+use crate::Error;
 use crate::page::layout::{self, Orientation};
 use crate::textures::{LEAST_ANGLE, Sign};
 
@@ -140,9 +143,9 @@ const ROOM: &[&str] = &[
     "dots.pitch",
 ];
 
-/// The keys of marks that may be the narrowest ones printed, each with the switches that must all be on for it to be drawn
-/// and how many times what swelling adds is taken from it. A rhombus loses more than it gains in width at its sides, at
-/// most the square root of 2 times as much, for a square.
+/// The keys of marks that may be the narrowest ones printed, each with the switches that must all be on for it to be
+/// drawn and how many times what swelling adds is taken from it. A rhombus loses more than it gains in width at its
+/// sides, at most the square root of 2 times as much, for a square.
 const NARROW: &[(&str, &[&str], f32)] = &[
     ("lines.width_min", &[], 1.0),
     ("frame.dot", &["frame.on"], 1.0),
@@ -150,29 +153,31 @@ const NARROW: &[(&str, &[&str], f32)] = &[
     ("textures.min_glyph", &["figure.textures"], std::f32::consts::SQRT_2),
 ];
 
-/// The narrowest that anything is printed, mm. Chosen by us, because two dots of a printer of 300 dpi (0.085 mm each) are
-/// the least that surely comes out black.
+/// The narrowest that anything is printed, mm. Chosen by us, because two dots of a printer of 300 dpi (0.085 mm each)
+/// are the least that surely comes out black.
 const LEAST_PRINTED: f32 = 0.17;
 
 /// The keys that decide whether anything is drawn.
 const DRAWN: &[&str] = &["figure.lines", "figure.textures", "overview.on"];
 
 impl Profile {
-    /// Every fault of the values: those out of range and those that do not go together. None in a profile fresh from
-    /// [`Profile::named`] or [`Profile::from_toml`]; to be asked again after [`Profile::set`] or after writing to the
-    /// fields. The place of a fault is where the value concerned was last given by a file or by `set`.
-    pub fn check(&self) -> Vec<Fault> {
-        let refused = KEYS.iter().filter(|key| !key.takes(key.value(self)));
-        let mut faults: Vec<_> = refused
-            .map(|key| Fault { place: self.place(&[key.path]), what: key.refuse(&key.value(self).to_string()) })
-            .collect();
-        faults.append(&mut self.rule_faults());
-        faults
+    /// Whether all values are in range and go together. They do in a profile fresh from [`Profile::named`] or
+    /// [`Profile::from_toml`]; to be asked again after [`Profile::set`] or after writing to the fields.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] with every fault at once. The place of a fault is where the value concerned was last given by
+    /// a file or by `set`.
+    pub fn check(&self) -> Result<(), Error> {
+        let refuse =
+            |key: &Key| Fault { place: self.place(&[key.path]), what: key.refuse(&key.value(self).to_string()) };
+        let mut faults: Vec<_> = KEYS.iter().filter(|key| !key.takes(&key.value(self))).map(refuse).collect();
+        faults.extend(self.rule_faults());
+        if faults.is_empty() { Ok(()) } else { Err(faults.into()) }
     }
 
-    /// The largest width and height in mm that a figure can have on the sheet, beside its frame and above its
-    /// overview, when nothing is taken by the orientation mark; 0 where there is no room at all. Of a sheet that is turned
-    /// to the picture's shape, when it lies upright.
+    /// The largest width and height in mm that a figure can have on the sheet, beside its frame and above its overview,
+    /// when nothing is taken by the orientation mark; 0 where there is no room at all. Of a sheet that is turned to the
+    /// picture's shape, when it lies upright.
     fn figure_room(&self) -> (f32, f32) {
         let band = if self.frame.on { 2.0 * (self.frame.width + self.frame.gap) } else { 0.0 };
         let (short, long) = (self.page.width.min(self.page.height), self.page.width.max(self.page.height));
@@ -193,31 +198,7 @@ impl Profile {
         let device_faults = self.device_faults();
         let fits_device = device_faults.is_empty();
         faults.extend(device_faults);
-        if self.sound(ROOM) && fits_device {
-            let (width, height) = self.figure_room();
-            let least = self.figure.min_side;
-            let square = layout::fit(1.0, f32::MAX, &self.layout()).figure.width();
-            if square < least {
-                let what = if let Some(device) = self.dots.device {
-                    format!(
-                        "the grid of {} leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} mm, \
-                         enlarge the sheet or lessen frame.gap or mark.gap",
-                        device.name
-                    )
-                } else if width >= least && height >= least {
-                    format!(
-                        "the orientation mark leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} \
-                         mm, lessen mark.length or mark.gap, or enlarge the sheet"
-                    )
-                } else {
-                    format!(
-                        "the sheet leaves {width:.1} mm by {height:.1} mm for the figure, but figure.min_side asks for {least} \
-                         mm, enlarge page.width or page.height or lessen margin, frame, overview or their gaps"
-                    )
-                };
-                faults.push(Fault { place: self.place(ROOM), what });
-            }
-        }
+        faults.extend(self.room_fault().filter(|_| fits_device));
         faults.extend(self.swell_fault());
         if self.sound(DRAWN) && !self.figure.lines && !self.figure.textures && !self.overview.on {
             let what = "figure.lines, figure.textures and overview.on are all false, so nothing would be drawn, set \
@@ -227,26 +208,53 @@ impl Profile {
         faults
     }
 
+    /// The fault of a sheet on which a square figure would be too small.
+    fn room_fault(&self) -> Option<Fault> {
+        if !self.sound(ROOM) {
+            return None;
+        }
+        let (width, height) = self.figure_room();
+        let least = self.figure.min_side;
+        let square = layout::fit(1.0, f32::MAX, &self.layout()).figure.width();
+        if square >= least {
+            return None;
+        }
+        let what = if let Some(device) = self.dots.device {
+            format!(
+                "the grid of {} leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} mm, \
+                 enlarge the sheet or lessen frame.gap or mark.gap",
+                device.name
+            )
+        } else if width >= least && height >= least {
+            format!(
+                "the orientation mark leaves {square:.1} mm for a square figure, but figure.min_side asks for {least} \
+                 mm, lessen mark.length or mark.gap, or enlarge the sheet"
+            )
+        } else {
+            format!(
+                "the sheet leaves {width:.1} mm by {height:.1} mm for the figure, but figure.min_side asks for {least} \
+                 mm, enlarge page.width or page.height or lessen margin, frame, overview or their gaps"
+            )
+        };
+        Some(Fault { place: self.place(ROOM), what })
+    }
+
     /// The faults of signs that a finger cannot tell apart, one for each pair.
     fn palette_faults(&self) -> Vec<Fault> {
         let mut faults = Vec::new();
         if !self.figure.textures {
             return faults;
         }
-        let signs: Vec<(&str, Sign)> = KEYS
-            .iter()
-            .filter_map(|key| match key.value(self) {
-                Value::Sign(sign) => Some((key.path, sign)),
-                _ => None,
-            })
-            .collect();
+        let Self { palette, .. } = self;
+        let signs = [palette.blue, palette.green, palette.yellow, palette.red, palette.grey];
+        let signs: Vec<(&str, Sign)> = PALETTE.iter().copied().zip(signs).collect();
         for (i, &(second, sign)) in signs.iter().enumerate() {
             for &(first, other) in signs[..i].iter().filter(|(_, other)| !sign.differs_from(*other)) {
                 let keys = [first, second];
                 if self.sound(&keys) {
                     let what = format!(
-                        "{first} is \"{other}\" and {second} is \"{sign}\", which fingers cannot tell apart, give one of \
-                         them a direction that is {LEAST_ANGLE} degrees or more from all others"
+                        "{first} is \"{other}\" and {second} is \"{sign}\", which fingers cannot tell apart, give one \
+                         of them a direction that is {LEAST_ANGLE} degrees or more from all others"
                     );
                     faults.push(Fault { place: self.place(&keys), what });
                 }
@@ -257,11 +265,8 @@ impl Profile {
 
     fn order_fault(&self, order: &Order) -> Option<Fault> {
         let keys = [order.small, order.large];
-        let matters = order.when.iter().all(|&path| self.get(path) == Some(Value::Switch(true)));
-        let (Some(Value::Number(small)), Some(Value::Number(large))) = (self.get(order.small), self.get(order.large))
-        else {
-            return None;
-        };
+        let matters = self.all_on(order.when);
+        let (small, large) = (self.number(order.small)?, self.number(order.large)?);
         let (holds, relation) = match order.relation {
             Below => (small < large, "below"),
             AtMost => (small <= large, "at most"),
@@ -279,9 +284,9 @@ impl Profile {
     /// The fault of a swelling that leaves too little to print of some mark: of the one that has least.
     fn swell_fault(&self) -> Option<Fault> {
         let left = |(path, when, times): &(&'static str, &[&str], f32)| {
-            let drawn = when.iter().all(|&path| self.get(path) == Some(Value::Switch(true)));
-            let Some(Value::Number(width)) = self.get(path) else { return None };
-            (drawn && self.sound(&[path, "print.swell"])).then(|| (*path, width, width - times * self.print.swell))
+            let width = self.number(path)?;
+            (self.all_on(when) && self.sound(&[path, "print.swell"]))
+                .then(|| (*path, width, width - times * self.print.swell))
         };
         let (path, width, left) = NARROW.iter().filter_map(left).min_by(|a, b| a.2.total_cmp(&b.2))?;
         let swell = self.print.swell;
@@ -289,20 +294,26 @@ impl Profile {
             return None;
         }
         let what = format!(
-            "print.swell is {swell} mm, which leaves too little to print of {path}, which is {width} mm, lessen the one or \
-             enlarge the other"
+            "print.swell is {swell} mm, which leaves too little to print of {path}, which is {width} mm, lessen the \
+             one or enlarge the other"
         );
         Some(Fault { place: self.place(&[path, "print.swell"]), what })
+    }
+
+    fn number(&self, path: &str) -> Option<f32> {
+        let key = KEYS.iter().find(|key| key.path == path)?;
+        if let Value::Number(number) = key.value(self) { Some(number) } else { None }
+    }
+
+    fn all_on(&self, switches: &[&str]) -> bool {
+        let mut keys = KEYS.iter().filter(|key| switches.contains(&key.path));
+        keys.all(|key| key.value(self) == Value::Switch(true))
     }
 
     /// A glyph that fits its place but leaves too little blank to the next.
     fn spacing_fault(&self, glyph: &str, pitch: &str) -> Option<Fault> {
         let keys = [glyph, pitch, BLANK];
-        let [Some(Value::Number(size)), Some(Value::Number(step)), Some(Value::Number(blank))] =
-            keys.map(|path| self.get(path))
-        else {
-            return None;
-        };
+        let (size, step, blank) = (self.number(glyph)?, self.number(pitch)?, self.number(BLANK)?);
         // Sums of decimal numbers are a little off in f32.
         let holds = size + blank <= step + 1e-4;
         // What is wrong with one of the numbers by itself is told by the other rules.
@@ -316,19 +327,6 @@ impl Profile {
              between two glyphs is not felt"
         );
         Some(Fault { place: self.place(&keys), what })
-    }
-
-    /// Are all these values given and in range?
-    pub(super) fn sound(&self, paths: &[&str]) -> bool {
-        let mut keys = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
-        keys.all(|(key, origin)| origin.held && key.takes(key.value(self)))
-    }
-
-    /// Where the one of these keys that was given last was given.
-    pub(super) fn place(&self, paths: &[&str]) -> String {
-        let origins = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
-        let last = origins.map(|(_, origin)| origin).max_by_key(|origin| origin.order);
-        last.filter(|origin| origin.order > 0).map_or_else(|| self.name.clone(), |origin| origin.place.clone())
     }
 }
 

@@ -1,6 +1,7 @@
 //! What the device of a profile of dots cannot do.
 
-use super::{Fault, Profile};
+use super::fault::Fault;
+use super::keys::Profile;
 use crate::classes::Class;
 use crate::devices::{Device, DotArea, Family};
 use crate::dots::textures::carried;
@@ -17,14 +18,13 @@ const FRINGE: &[&str] = &["textures.fringe", "dots.device"];
 const SHEET: &[&str] = &["page.width", "page.height", "page.orientation", "dots.device"];
 const PITCH: &[&str] = &["dots.pitch", "dots.device"];
 
-/// The keys of the signs of colours.
-const PALETTE: &[&str] = &[
+/// The keys of the signs of colours, in the order of the classes.
+pub(super) const PALETTE: [&str; 5] = [
     "textures.palette.blue",
     "textures.palette.green",
     "textures.palette.yellow",
     "textures.palette.red",
     "textures.palette.grey",
-    "dots.device",
 ];
 
 impl Profile {
@@ -69,8 +69,8 @@ impl Profile {
         faults
     }
 
-    /// The classes that the patterns of a grid cannot tell apart. Cells of text carry few directions whatever the palette; the maker
-    /// of such a page is told, and not refused.
+    /// The classes that the patterns of a grid cannot tell apart. Cells of text carry few directions whatever the
+    /// palette; the maker of such a page is told, and not refused.
     fn carried_faults(&self, device: &Device, area: &DotArea) -> Vec<Fault> {
         let palette = [self.palette.blue, self.palette.green, self.palette.yellow, self.palette.red, self.palette.grey];
         // those that no device tells apart are told as such
@@ -78,17 +78,18 @@ impl Profile {
         if told || device.family == Family::Cells {
             return Vec::new();
         }
+        let keys: Vec<_> = PALETTE.into_iter().chain(["dots.device"]).collect();
         let alike = carried(&Palette { signs: palette }, area).err().unwrap_or_default();
         let fault = |(a, b): (Class, Class)| {
             let what = format!(
-                "the dots of {} {} mm apart lie in rows at 0, 45, 90 or 135 degrees, if they are near enough, and cannot tell {} from {}, \
-                 give them directions that are nearest to different ones of these",
+                "the dots of {} {} mm apart lie in rows at 0, 45, 90 or 135 degrees, if they are near enough, and \
+                 cannot tell {} from {}, give them directions that are nearest to different ones of these",
                 device.name,
                 self.dots.pitch,
                 a.name(),
                 b.name()
             );
-            Fault { place: self.place(PALETTE), what }
+            Fault { place: self.place(&keys), what }
         };
         alike.into_iter().map(fault).collect()
     }
@@ -102,7 +103,7 @@ mod tests {
     /// A misspelt path would switch its rule off without a word.
     #[test]
     fn rules_name_keys_that_exist() {
-        let mut paths = PRESSED.iter().chain(PALETTE).chain(FRINGE).chain(SHEET).chain(PITCH);
+        let mut paths = PRESSED.iter().chain(&PALETTE).chain(FRINGE).chain(SHEET).chain(PITCH);
         assert!(paths.all(|path| KEYS.iter().any(|key| key.path == *path)));
     }
 }

@@ -1,9 +1,10 @@
 //! A profile's text and the texts it inherits, laid one over the other.
 
-use super::keys::KEYS;
+use super::built_in;
+use super::fault::{Fault, Found, list};
+use super::keys::{KEYS, Origin, Profile};
 use super::parse::{Written, parse};
-use super::suggest::{list, unknown_profile};
-use super::{Fault, Found, Origin, Profile};
+use super::suggest::unknown_profile;
 
 /// How many faults are listed: a file that is no profile at all has one on every line.
 const MOST_FAULTS: usize = 50;
@@ -11,20 +12,30 @@ const MOST_FAULTS: usize = 50;
 /// How many missing keys are named.
 const MOST_MISSING: usize = 6;
 
-/// Reads a profile and all it inherits. `text_of` gives the texts that can be inherited, and `known_as` is the name by
-/// which it would give this one, if it does.
-pub(super) fn load(
-    text: &str,
-    place: &str,
-    known_as: Option<&str>,
-    text_of: &dyn Fn(&str) -> Option<&'static str>,
-) -> Result<Profile, Vec<Fault>> {
+/// How many texts are laid one over the other. The built-in profiles are three deep; files that name one another by
+/// ever other paths come to an end here.
+const MOST_TEXTS: usize = 16;
+
+/// Gives the text of a profile file that another inherits, by its path, or says why it cannot.
+pub type FindFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
+
+/// Whose text a profile is read from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    /// One of the profiles that come with the program.
+    BuiltIn,
+    /// A file of the maker's own.
+    File,
+}
+
+/// Reads a profile and all it inherits. `place` is the name of the file, or of the built-in profile.
+pub(super) fn load(text: &str, place: &str, source: Source, find: &FindFile<'_>) -> Result<Profile, Vec<Fault>> {
     let mut faults = Vec::new();
-    let chain = chain(text, place, known_as, text_of, &mut faults);
+    let texts = texts(text, place, source, find, &mut faults);
     let mut profile = Profile::blank(name_of(place).to_owned());
-    lay_over(&mut profile, &chain.files);
-    if chain.complete {
-        faults.extend(missing(&profile, &chain.files));
+    lay_over(&mut profile, &texts.layers);
+    if texts.complete {
+        faults.extend(missing(&profile, &texts.layers));
     }
     faults.extend(profile.rule_faults());
     if faults.len() > MOST_FAULTS {
@@ -41,78 +52,125 @@ fn name_of(place: &str) -> &str {
     file.strip_suffix(".toml").unwrap_or(file)
 }
 
-/// A file and those it inherits.
-struct Chain {
-    /// Place and content; the file itself first. Never empty.
-    files: Vec<(String, Written)>,
-    /// Whether the last file inherits nothing and could be read, so that together they must give every key.
+/// A text and those it inherits.
+struct Texts {
+    /// The text itself first. Never empty.
+    layers: Vec<Layer>,
+    /// Whether the last one inherits nothing and could be read, so that together they must give every key.
     complete: bool,
 }
 
-fn chain(
-    text: &str,
-    place: &str,
-    known_as: Option<&str>,
-    text_of: &dyn Fn(&str) -> Option<&'static str>,
-    faults: &mut Vec<Fault>,
-) -> Chain {
-    let mut names: Vec<String> = known_as.into_iter().map(str::to_owned).collect();
-    let mut next = Some((place.to_owned(), text));
-    let mut chain = Chain { files: Vec::new(), complete: true };
-    while let Some((place, text)) = next.take() {
-        let mut found = Vec::new();
-        let written = parse(text, &mut found);
-        chain.complete &= !written.broken;
-        if let Some((parent, line)) = &written.inherits {
-            let round = names.contains(parent);
-            names.push(parent.clone());
-            let what = match text_of(parent) {
-                None => format!("inherits cannot be followed, {}", unknown_profile(parent)),
-                Some(_) if round => {
-                    format!("inherits goes round in a circle, {}, take one of them away", names.join(" to "))
-                }
-                Some(text) => {
-                    next = Some((format!("{parent}.toml"), text));
-                    String::new()
-                }
-            };
-            if next.is_none() {
-                chain.complete = false;
-                found.push(Found::new(*line, what));
-                found.sort_by_key(|fault| fault.line);
-            }
-        }
-        faults.extend(found.into_iter().map(|f| Fault { place: format!("{place}, line {}", f.line), what: f.what }));
-        chain.files.push((place, written));
-    }
-    chain
+struct Layer {
+    place: String,
+    source: Source,
+    written: Written,
 }
 
-/// Writes all values, those of the file itself last. A refused value leaves its key not held, so that no rule is
-/// applied to the inherited one in its place.
-fn lay_over(profile: &mut Profile, files: &[(String, Written)]) {
-    let mut order = 0;
-    for (place, written) in files.iter().rev() {
-        for given in &written.given {
-            order += 1;
-            let key = &KEYS[given.key];
-            if let Some(value) = given.value {
-                key.put(profile, value);
+fn texts(text: &str, place: &str, source: Source, find: &FindFile<'_>, faults: &mut Vec<Fault>) -> Texts {
+    let mut texts = Texts { layers: Vec::new(), complete: true };
+    let mut next = Some((text.to_owned(), place.to_owned(), source));
+    while let Some((text, place, source)) = next.take() {
+        let mut found = Vec::new();
+        let written = parse(&text, &mut found);
+        texts.complete &= !written.broken;
+        let parent = written.inherits.clone();
+        texts.layers.push(Layer { place: place.clone(), source, written });
+        if let Some((parent, line)) = parent {
+            match inherited(&parent, &texts.layers, find) {
+                Ok(text) => next = Some(text),
+                Err(what) => {
+                    texts.complete = false;
+                    found.push(Found::new(line, what));
+                    found.sort_by_key(|fault| fault.line);
+                }
             }
-            let place = format!("{place}, line {}", given.line);
-            profile.origins[given.key] = Origin { order, held: given.value.is_some(), place };
+        }
+        faults.extend(found.into_iter().map(|found| found.in_file(&place)));
+    }
+    texts
+}
+
+/// The text, place and source of what the last of `layers` inherits.
+fn inherited(parent: &str, layers: &[Layer], find: &FindFile<'_>) -> Result<(String, String, Source), String> {
+    let child = layers.last().map_or("", |layer| layer.place.as_str());
+    let (place, source) = if built_in::is_path(parent) {
+        (beside(child, parent), Source::File)
+    } else {
+        (format!("{parent}.toml"), Source::BuiltIn)
+    };
+    let names = || layers.iter().map(|layer| layer.name()).chain([parent]).collect::<Vec<_>>().join(" to ");
+    if layers.iter().any(|layer| layer.source == source && same_file(&layer.place, &place)) {
+        return Err(format!("inherits goes round in a circle, {}, take one of them away", names()));
+    }
+    if layers.len() >= MOST_TEXTS {
+        return Err(format!("inherits goes through more than {MOST_TEXTS} profiles, {}, use fewer", names()));
+    }
+    let text = match source {
+        Source::BuiltIn => built_in::text_of(parent).map(str::to_owned).ok_or_else(|| unknown_profile(parent)),
+        Source::File => find(&place),
+    };
+    let text = text.map_err(|why| format!("inherits cannot be followed, {why}"))?;
+    Ok((text, place, source))
+}
+
+impl Layer {
+    /// As a profile names it that inherits it.
+    fn name(&self) -> &str {
+        match self.source {
+            Source::BuiltIn => name_of(&self.place),
+            Source::File => &self.place,
         }
     }
-    if let Some((_, written)) = files.first() {
-        profile.description = written.description.clone().unwrap_or_default();
+}
+
+/// A path that is meant from the folder of the file `child`.
+fn beside(child: &str, path: &str) -> String {
+    let absolute = path.starts_with(['/', '\\']) || path.get(1..2) == Some(":");
+    match child.rfind(['/', '\\']).and_then(|end| child.get(..=end)) {
+        Some(folder) if !absolute => format!("{folder}{path}"),
+        _ => path.to_owned(),
+    }
+}
+
+/// Whether two paths name one file as far as their letters tell.
+fn same_file(a: &str, b: &str) -> bool {
+    let parts = |path: &str| {
+        let mut parts: Vec<String> = Vec::new();
+        for part in path.split(['/', '\\']).enumerate().filter(|&(i, part)| part != "." && (i == 0 || !part.is_empty()))
+        {
+            match parts.last() {
+                Some(last) if part.1 == ".." && last != ".." && !last.is_empty() => drop(parts.pop()),
+                _ => parts.push(part.1.to_owned()),
+            }
+        }
+        parts
+    };
+    parts(a) == parts(b)
+}
+
+/// Writes all values, those of the text itself last. A refused value leaves its key not held, so that no rule is
+/// applied to the inherited one in its place.
+fn lay_over(profile: &mut Profile, layers: &[Layer]) {
+    let mut order = 0;
+    for (depth, layer) in layers.iter().enumerate().rev() {
+        for given in &layer.written.given {
+            order += 1;
+            let held = given.value.as_ref().is_some_and(|value| KEYS[given.key].put(profile, value));
+            let own = depth == 0 && layer.source == Source::File;
+            let place = format!("{}, line {}", layer.place, given.line);
+            profile.origins[given.key] = Origin { order, held, own, place };
+        }
+    }
+    if let Some(layer) = layers.first() {
+        profile.description = layer.written.description.clone().unwrap_or_default();
     }
 }
 
 /// The fault of a profile that inherits nothing and does not give every key.
-fn missing(profile: &Profile, files: &[(String, Written)]) -> Option<Fault> {
+fn missing(profile: &Profile, layers: &[Layer]) -> Option<Fault> {
     let missing: Vec<_> =
         KEYS.iter().zip(&profile.origins).filter(|(_, origin)| origin.order == 0).map(|(key, _)| key.path).collect();
-    let (place, _) = files.last()?;
+    let place = &layers.last()?.place;
     let count = missing.len();
     let named = match count {
         0 => return None,
@@ -129,54 +187,75 @@ fn missing(profile: &Profile, files: &[(String, Written)]) -> Option<Fault> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::built_in;
     use super::*;
 
-    fn text_of(name: &str) -> Option<&'static str> {
-        match name {
-            "egg" => Some("inherits = \"hen\""),
-            "hen" => Some("# lays\ninherits = \"egg\""),
-            "self" => Some("inherits = \"self\""),
-            "faulty" => Some("inherits = \"swell-a4\"\nlines.width_max = 99"),
-            name => built_in::text_of(name),
-        }
+    /// A folder of files that inherit one another.
+    fn find(path: &str) -> Result<String, String> {
+        let text = match path {
+            "egg.toml" => "inherits = \"hen.toml\"",
+            "hen.toml" => "# lays\ninherits = \"./egg.toml\"",
+            "faulty.toml" => "inherits = \"swell-a4\"\nlines.width_max = 99",
+            "school/our.toml" => "inherits = \"papers/thin.toml\"\nlines.width_max = 1.4",
+            "school/papers/thin.toml" => "inherits = \"swell-letter\"\nlines.width_max = 1.2\nlines.min_length = 9",
+            path if path.starts_with("deep") => {
+                return Ok(format!("inherits = \"{}.toml\"", path.trim_end_matches(".toml").to_owned() + "x"));
+            }
+            _ => return Err(format!("{path}: there is no such file")),
+        };
+        Ok(text.to_owned())
     }
 
-    fn faults(text: &str, known_as: Option<&str>) -> String {
-        let Err(faults) = load(text, "my.toml", known_as, &text_of) else { return "none".to_owned() };
-        faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("\n")
+    fn read(text: &str, place: &str) -> Result<Profile, String> {
+        load(text, place, Source::File, &find)
+            .map_err(|faults| faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("\n"))
+    }
+
+    #[test]
+    fn a_file_inherits_files_from_where_it_lies() {
+        let profile = read("inherits = \"our.toml\"\nlines.detail = 0.6", "school/me.toml").expect("it is sound");
+        assert_eq!([profile.lines.width_max, profile.lines.min_length, profile.lines.detail], [1.4, 9.0, 0.6]);
+        assert_eq!(profile.page.width, 215.9);
+        assert_eq!(profile.name, "me");
     }
 
     #[test]
     fn circles_are_told() {
-        for (text, known_as, expected) in [
+        for (text, place, expected) in [
             (
-                "inherits = \"egg\"",
-                Some("hen"),
-                "egg.toml, line 1: inherits goes round in a circle, hen to egg to hen, take one of them away",
+                "inherits = \"egg.toml\"",
+                "hen.toml",
+                "egg.toml, line 1: inherits goes round in a circle, hen.toml to egg.toml to hen.toml, take \
+                 one of them away",
             ),
             (
-                "inherits = \"egg\"\npage.margin = 200",
-                None,
+                "inherits = \"egg.toml\"\npage.margin = 200",
+                "my.toml",
                 "my.toml, line 2: page.margin must be a number from 0 to 100 mm, not 200\n\
-                 hen.toml, line 2: inherits goes round in a circle, egg to hen to egg, take one of them away",
+                 hen.toml, line 2: inherits goes round in a circle, my.toml to egg.toml to hen.toml to ./egg.toml, \
+                 take one of them away",
             ),
             (
-                "inherits = \"self\"",
-                Some("self"),
-                "my.toml, line 1: inherits goes round in a circle, self to self, take one of them away",
+                "inherits = \"../a/self.toml\"",
+                "a/self.toml",
+                "a/self.toml, line 1: inherits goes round in a circle, a/self.toml to ../a/self.toml, take one \
+                 of them away",
             ),
         ] {
-            assert_eq!(faults(text, known_as), expected);
+            assert_eq!(read(text, place).expect_err("a circle"), expected);
         }
+        let told = read("inherits = \"deep.toml\"", "my.toml").expect_err("no end");
+        assert!(told.contains("inherits goes through more than 16 profiles, my.toml to deep.toml to "), "{told}");
     }
 
     /// Faults stay where they are, and a rule is not held against what stands in for a refused value.
     #[test]
     fn faults_of_inherited_profiles_name_them() {
         let refused = "faulty.toml, line 2: lines.width_max must be a number from 0.3 to 10 mm, not 99";
-        assert_eq!(faults("inherits = \"faulty\"\nlines.width_min = 2", None), refused);
-        assert_eq!(faults("inherits = \"faulty\"\nlines.width_max = 2", None), refused);
+        for own in ["lines.width_min = 2", "lines.width_max = 2"] {
+            assert_eq!(read(&format!("inherits = \"faulty.toml\"\n{own}"), "my.toml").expect_err("refused"), refused);
+        }
+        let none = "my.toml, line 1: inherits cannot be followed, none.toml: there is no such file";
+        assert_eq!(read("inherits = \"none.toml\"", "my.toml").expect_err("none"), none);
     }
 
     #[test]
@@ -184,5 +263,18 @@ mod tests {
         for (place, name) in [("a/b/my.toml", "my"), ("C:\\my.toml", "my"), ("my.txt", "my.txt"), ("", "")] {
             assert_eq!(name_of(place), name);
         }
+    }
+
+    #[test]
+    fn paths_are_meant_from_the_file_that_names_them() {
+        for (child, path, expected) in [
+            ("my.toml", "our.toml", "our.toml"),
+            ("a/my.toml", "b/our.toml", "a/b/our.toml"),
+            ("a/my.toml", "/b/our.toml", "/b/our.toml"),
+            ("a\\my.toml", "our.toml", "a\\our.toml"),
+        ] {
+            assert_eq!(beside(child, path), expected);
+        }
+        assert!(same_file("./a/../b.toml", "b.toml") && !same_file("a/b.toml", "/a/b.toml"));
     }
 }

@@ -2,85 +2,125 @@
 //! reading, checking and documenting a profile need, so that a key is added in one place. The values themselves are
 //! in `profiles/*.toml`, each with its reason; the ranges here only keep out what can be no page at all.
 
-use super::Origin;
-use super::key::{DEVICES, Key, Kind};
+use super::fault::{Fault, has_decimal_comma, quoted_path};
+use super::kind::{NumberRange, Setting, Value};
 use crate::devices::Device;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
 
-macro_rules! field {
-    (switch) => {
-        bool
-    };
-    (orientation) => {
-        Orientation
-    };
-    (device) => {
-        Option<&'static Device>
-    };
-    (sign) => {
-        Sign
-    };
-    (number) => {
-        f32
-    };
+/// One key of a profile, such as `lines.width_max`.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// Section and name, joined by a point.
+    pub path: &'static str,
+    /// What it is for, in one line.
+    pub doc: &'static str,
+    /// From which to which number it goes; none for what is no number.
+    pub limits: Option<NumberRange>,
+    range: fn(Option<NumberRange>) -> String,
+    get: fn(&Profile) -> Value,
+    put: fn(&mut Profile, &Value, Option<NumberRange>) -> bool,
+    takes: fn(&Value, Option<NumberRange>) -> bool,
+    blank: fn() -> Value,
 }
 
-macro_rules! blank {
-    (switch) => {
-        false
-    };
-    (orientation) => {
-        Orientation::Auto
-    };
-    (device) => {
-        None
-    };
-    (sign) => {
-        Sign::Dot
-    };
-    (number) => {
-        f32::NAN
-    };
+impl Key {
+    /// The section before the last point.
+    pub fn section(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or("", |(section, _)| section)
+    }
+
+    /// The name after the last point.
+    pub fn name(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
+    }
+
+    /// What the profile holds under this key.
+    pub fn value(&self, profile: &Profile) -> Value {
+        (self.get)(profile)
+    }
+
+    /// What the key takes, in words: "a number from 0.3 to 10 mm", "true or false".
+    pub fn range(&self) -> String {
+        (self.range)(self.limits)
+    }
+
+    /// Is the value of the right kind and within the range?
+    pub fn takes(&self, value: &Value) -> bool {
+        (self.takes)(value, self.limits)
+    }
+
+    /// Is the value of the right kind, be it in the range or not?
+    pub(super) fn is_of_kind(&self, value: &Value) -> bool {
+        std::mem::discriminant(&(self.blank)()) == std::mem::discriminant(value)
+    }
+
+    /// Writes a value to the profile. One that the key does not take changes nothing and gives `false`.
+    pub(super) fn put(&self, profile: &mut Profile, value: &Value) -> bool {
+        (self.put)(profile, value, self.limits)
+    }
+
+    /// The fault of a value out of range or of the wrong kind; `got` names it.
+    pub(super) fn refuse(&self, got: &str) -> String {
+        let bare = got.trim_end_matches('"');
+        let with_unit = self.limits.is_some_and(|limits| !limits.unit.is_empty() && bare.ends_with(limits.unit));
+        let advice = if with_unit {
+            ", write it without the unit"
+        } else if self.limits.is_some() && has_decimal_comma(got) {
+            ", write a point for the decimal comma"
+        } else {
+            ""
+        };
+        format!("{} must be {}, not {got}{advice}", self.path, self.range())
+    }
 }
 
-macro_rules! kind {
-    (switch) => {
-        Kind::Switch
-    };
-    (orientation) => {
-        Kind::Choice(&Orientation::NAMES)
-    };
-    (device) => {
-        Kind::Choice(&DEVICES)
-    };
-    (sign) => {
-        Kind::Sign
-    };
-    (number $low:literal $high:literal $unit:literal) => {
-        Kind::Number { low: $low, high: $high, unit: $unit }
-    };
+/// Where a key got its value.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Origin {
+    /// Which value was given before which: 0 for none at all, then counted up.
+    pub(super) order: usize,
+    /// Whether the value was taken; a refused one is in no rule.
+    pub(super) held: bool,
+    /// Whether the maker of this page gave it: in their own file or by `set`, not in what that file inherits.
+    pub(super) own: bool,
+    pub(super) place: String,
 }
 
-macro_rules! in_words {
-    (switch) => {
-        ""
-    };
-    (orientation) => {
-        ""
-    };
-    (device) => {
-        ""
-    };
-    (sign) => {
-        ""
-    };
-    (number $low:literal $high:literal "") => {
-        concat!(" From ", $low, " to ", $high, ".")
-    };
-    (number $low:literal $high:literal $unit:literal) => {
-        concat!(" From ", $low, " to ", $high, " ", $unit, ".")
-    };
+impl Profile {
+    /// Are all these values given and in range?
+    pub(super) fn sound(&self, paths: &[&str]) -> bool {
+        let mut keys = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
+        keys.all(|(key, origin)| origin.held && key.takes(&key.value(self)))
+    }
+
+    /// Where the one of these keys that was given last was given.
+    pub(super) fn place(&self, paths: &[&str]) -> String {
+        let origins = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
+        let last = origins.map(|(_, origin)| origin).max_by_key(|origin| origin.order);
+        last.filter(|origin| origin.order > 0).map_or_else(|| self.name.clone(), |origin| origin.place.clone())
+    }
+
+    /// Gives the key at `index` of [`KEYS`] the value of a text such as `1.2`; a refused one changes nothing.
+    pub(super) fn put_text(&mut self, index: usize, text: &str, place: String) -> Result<(), Fault> {
+        let key = &KEYS[index];
+        if !key.put(self, &Value::of_text(text)) {
+            return Err(Fault { place, what: key.refuse(&quoted_path(&[text])) });
+        }
+        let order = 1 + self.origins.iter().map(|origin| origin.order).max().unwrap_or(0);
+        self.origins[index] = Origin { order, held: true, own: true, place };
+        Ok(())
+    }
+}
+
+/// Where in [`KEYS`] a key is.
+pub(super) fn position(section: &str, name: &str) -> Option<usize> {
+    KEYS.iter().position(|key| key.section() == section && key.name() == name)
+}
+
+/// The key that `true` or `false` in place of a whole section stands for.
+pub(super) fn switch_of(section: &str) -> Option<usize> {
+    position(section, "on")
 }
 
 /// How a section is written in a profile: the palette is a part of the textures.
@@ -93,20 +133,28 @@ macro_rules! section_path {
     };
 }
 
+/// None or one, as the table gives it.
+const fn at_most_one(limits: &[NumberRange]) -> Option<NumberRange> {
+    match limits {
+        [limits, ..] => Some(*limits),
+        [] => None,
+    }
+}
+
 macro_rules! table {
     ($(
-        #[doc = $section_doc:literal]
+        $(#[doc = $section_doc:literal])+
         $section:ident: $settings:ident {
-            $( #[doc = $doc:literal] $key:ident: $kind:ident $(($low:tt to $high:tt, $unit:tt))?; )+
+            $( $(#[doc = $doc:literal])+ $key:ident: $kind:ty $(= $low:literal to $high:literal $(, $unit:literal)?)?; )+
         }
     )+) => {
         $(
-            #[doc = $section_doc]
+            $(#[doc = $section_doc])+
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct $settings {
                 $(
-                    #[doc = concat!($doc, in_words!($kind $($low $high $unit)?))]
-                    pub $key: field!($kind),
+                    #[doc = concat!($($doc),+ $(, " From ", $low, " to ", $high $(, " ", $unit)?, ".")?)]
+                    pub $key: $kind,
                 )+
             }
         )+
@@ -119,7 +167,7 @@ macro_rules! table {
             /// What it is for, in one line.
             pub description: String,
             $(
-                #[doc = $section_doc]
+                $(#[doc = $section_doc])+
                 pub $section: $settings,
             )+
             /// Where each key of [`KEYS`] got its value.
@@ -132,7 +180,7 @@ macro_rules! table {
                 Self {
                     name,
                     description: String::new(),
-                    $($section: $settings { $($key: blank!($kind)),+ },)+
+                    $($section: $settings { $($key: <$kind as Setting>::BLANK),+ },)+
                     origins: vec![Origin::default(); KEYS.len()],
                 }
             }
@@ -143,16 +191,24 @@ macro_rules! table {
 
         /// Every section with what it is about, in the order of the table.
         pub(super) fn section_docs() -> impl Iterator<Item = (&'static str, &'static str)> {
-            [$((section_path!($section), $section_doc.trim_ascii())),+].into_iter()
+            [$((section_path!($section), concat!($($section_doc),+).trim_ascii())),+].into_iter()
         }
 
         /// Every key, in the order of the table.
         pub(super) const KEYS: &[Key] = &[$($(Key {
             path: concat!(section_path!($section), ".", stringify!($key)),
-            doc: $doc.trim_ascii(),
-            kind: kind!($kind $($low $high $unit)?),
-            get: |profile| profile.$section.$key.into(),
-            slot: |profile| (&mut profile.$section.$key).into(),
+            doc: concat!($($doc),+).trim_ascii(),
+            limits: at_most_one(&[$(NumberRange { low: $low, high: $high, unit: concat!("" $(, $unit)?) })?]),
+            range: <$kind as Setting>::range,
+            get: |profile| profile.$section.$key.write(),
+            put: |profile, value, limits| {
+                let value = <$kind as Setting>::read(value, limits);
+                let taken = value.is_some();
+                profile.$section.$key = value.unwrap_or(profile.$section.$key);
+                taken
+            },
+            takes: |value, limits| <$kind as Setting>::read(value, limits).is_some(),
+            blank: || <$kind as Setting>::BLANK.write(),
         }),+),+];
     };
 }
@@ -161,168 +217,171 @@ table! {
     /// The sheet of paper.
     page: PageSettings {
         /// Width of the sheet, which is turned as the orientation says.
-        width: number(60.0 to 1200.0, "mm");
+        width: f32 = 60.0 to 1200.0, "mm";
         /// Height of the sheet, which is turned as the orientation says.
-        height: number(60.0 to 1200.0, "mm");
+        height: f32 = 60.0 to 1200.0, "mm";
         /// Which way up the sheet lies; "auto" is the way in which the picture becomes larger.
-        orientation: orientation;
+        orientation: Orientation;
         /// Blank margin on all four sides.
-        margin: number(0.0 to 100.0, "mm");
+        margin: f32 = 0.0 to 100.0, "mm";
     }
     /// The band of fine dots round the figure, and round the overview.
     frame: FrameSettings {
         /// Whether figure and overview have a frame.
-        on: switch;
+        on: bool;
         /// Width of the band.
-        width: number(0.5 to 20.0, "mm");
+        width: f32 = 0.5 to 20.0, "mm";
         /// Diameter of its dots.
-        dot: number(0.3 to 3.0, "mm");
+        dot: f32 = 0.3 to 3.0, "mm";
         /// Distance from the centre of a dot to the centre of the next.
-        pitch: number(0.6 to 10.0, "mm");
+        pitch: f32 = 0.6 to 10.0, "mm";
         /// Blank between the frame and the picture.
-        gap: number(0.0 to 50.0, "mm");
+        gap: f32 = 0.0 to 50.0, "mm";
     }
     /// The short bar across the top right corner of the sheet, by which fingers find the right way up.
     mark: MarkSettings {
         /// Whether there is one.
-        on: switch;
+        on: bool;
         /// Length of the bar.
-        length: number(3.0 to 50.0, "mm");
+        length: f32 = 3.0 to 50.0, "mm";
         /// Width of the bar.
-        width: number(0.3 to 10.0, "mm");
+        width: f32 = 0.3 to 10.0, "mm";
         /// Least blank between the bar and the frame.
-        gap: number(0.0 to 50.0, "mm");
+        gap: f32 = 0.0 to 50.0, "mm";
     }
     /// A picture that is spread over several sheets.
     sheets: SheetsSettings {
         /// How much of the picture is on two neighbouring sheets.
-        overlap: number(5.0 to 60.0, "mm");
+        overlap: f32 = 5.0 to 60.0, "mm";
     }
     /// The large picture, with lines and textures.
     figure: FigureSettings {
         /// Whether contours are drawn.
-        lines: switch;
+        lines: bool;
         /// Whether colours are drawn.
-        textures: switch;
+        textures: bool;
         /// Working resolution, at most the picture's own.
-        resolution: number(1.0 to 12.0, "px per mm");
+        resolution: f32 = 1.0 to 12.0, "px per mm";
         /// A picture whose shorter side would be smaller than this on the sheet is refused.
-        min_side: number(3.0 to 100.0, "mm");
+        min_side: f32 = 3.0 to 100.0, "mm";
     }
     /// The smaller picture below the figure, lines only, for a quick first impression.
     overview: OverviewSettings {
         /// Whether there is one.
-        on: switch;
+        on: bool;
         /// Its width and height as a share of the figure's.
-        scale: number(0.1 to 1.0, "");
+        scale: f32 = 0.1 to 1.0;
         /// Blank between the figure's frame and its own.
-        gap: number(0.0 to 100.0, "mm");
+        gap: f32 = 0.0 to 100.0, "mm";
     }
     /// Finding contours in the picture.
     edges: EdgesSettings {
         /// Sigma of the Gaussian derivative: details smaller than this are blurred away.
-        scale: number(0.1 to 5.0, "mm");
+        scale: f32 = 0.1 to 5.0, "mm";
         /// Height of a colour step down to which a contour is followed, chroma counted twice.
-        low: number(0.5 to 300.0, "units of lightness");
+        low: f32 = 0.5 to 300.0, "units of lightness";
         /// Height of a colour step that a contour must reach somewhere, chroma counted twice.
-        high: number(0.5 to 300.0, "units of lightness");
+        high: f32 = 0.5 to 300.0, "units of lightness";
         /// How strongly grass, gravel and other texture is kept from becoming contours; 0 is off.
-        texture_suppression: number(0.0 to 1.0, "");
+        texture_suppression: f32 = 0.0 to 1.0;
     }
     /// Drawing contours as lines.
     lines: LinesSettings {
         /// Width of the line of the weakest contour.
-        width_min: number(0.3 to 10.0, "mm");
+        width_min: f32 = 0.3 to 10.0, "mm";
         /// Width of the line of a strong contour.
-        width_max: number(0.3 to 10.0, "mm");
+        width_max: f32 = 0.3 to 10.0, "mm";
         /// Height of a colour step from which a line has its greatest width, chroma counted twice.
-        full_strength: number(1.0 to 600.0, "units of lightness");
-        /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that fingers can part.
-        detail: number(0.0 to 1.0, "");
+        full_strength: f32 = 1.0 to 600.0, "units of lightness";
+        /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that fingers can
+        /// part.
+        detail: f32 = 0.0 to 1.0;
         /// Lines shorter than this are left out.
-        min_length: number(0.0 to 200.0, "mm");
+        min_length: f32 = 0.0 to 200.0, "mm";
         /// Least blank between the edges of two lines.
-        min_gap: number(0.5 to 30.0, "mm");
+        min_gap: f32 = 0.5 to 30.0, "mm";
         /// Longest gap that is bridged between two ends that continue one another.
-        join_gap: number(0.0 to 30.0, "mm");
+        join_gap: f32 = 0.0 to 30.0, "mm";
         /// Sigma of the smoothing along a line.
-        smoothing: number(0.0 to 5.0, "mm");
+        smoothing: f32 = 0.0 to 5.0, "mm";
         /// How far a simplified line may lie from the traced one.
-        tolerance: number(0.005 to 1.0, "mm");
+        tolerance: f32 = 0.005 to 1.0, "mm";
     }
     /// Sorting colours into blue, green, yellow, red and grey.
     colours: ColoursSettings {
         /// Sigma of the blur before colours are sorted.
-        blur: number(0.0 to 20.0, "mm");
+        blur: f32 = 0.0 to 20.0, "mm";
         /// Whether the blur stops at contours, so that no area is stained by its neighbour.
-        stop_at_lines: switch;
+        stop_at_lines: bool;
         /// Sigma of the smoothing of the borders between areas of different colours.
-        smoothing: number(0.0 to 20.0, "mm");
+        smoothing: f32 = 0.0 to 20.0, "mm";
         /// HSV saturation below which a colour counts as grey; dark colours need more, light ones less.
-        min_saturation: number(0.0 to 1.0, "");
+        min_saturation: f32 = 0.0 to 1.0;
         /// HSV value below which a colour counts as black, which is drawn as grey.
-        min_value: number(0.0 to 1.0, "");
+        min_value: f32 = 0.0 to 1.0;
         /// HSL lightness above which a colour counts as white, which has no texture.
-        white_from: number(0.3 to 1.0, "");
+        white_from: f32 = 0.3 to 1.0;
         /// Areas of one colour that are smaller than this go to the neighbour that suits them best.
-        min_area: number(0.0 to 5000.0, "square mm");
+        min_area: f32 = 0.0 to 5000.0, "square mm";
     }
     /// Drawing colours as textures of rhombuses, and grey as dots.
     textures: TexturesSettings {
         /// White between a line's edge and the nearest glyph.
-        line_gap: number(0.0 to 30.0, "mm");
+        line_gap: f32 = 0.0 to 30.0, "mm";
         /// Distance from a rhombus to the next in its row.
-        along: number(1.0 to 20.0, "mm");
+        along: f32 = 1.0 to 20.0, "mm";
         /// Distance from a row of rhombuses to the next where the texture is dense.
-        across: number(1.0 to 20.0, "mm");
+        across: f32 = 1.0 to 20.0, "mm";
         /// Length of the boldest rhombus, along its row.
-        length: number(0.5 to 15.0, "mm");
+        length: f32 = 0.5 to 15.0, "mm";
         /// Thickness of the boldest rhombus.
-        thickness: number(0.3 to 10.0, "mm");
+        thickness: f32 = 0.3 to 10.0, "mm";
         /// Diameter of the boldest dot.
-        dot: number(0.3 to 10.0, "mm");
+        dot: f32 = 0.3 to 10.0, "mm";
         /// Distance from a dot to the next where the texture is dense.
-        dot_pitch: number(1.0 to 20.0, "mm");
+        dot_pitch: f32 = 1.0 to 20.0, "mm";
         /// Thickness of the lightest glyph; from there on glyphs grow with the darkness of the colour.
-        min_glyph: number(0.1 to 5.0, "mm");
+        min_glyph: f32 = 0.1 to 5.0, "mm";
         /// Sigma of the blur that turns lines into a density map.
-        density_blur: number(0.5 to 50.0, "mm");
+        density_blur: f32 = 0.5 to 50.0, "mm";
         /// Density of lines from which the texture is dense; 1 is a lone straight line on itself.
-        dense_from: number(0.0 to 1.0, "");
+        dense_from: f32 = 0.0 to 1.0;
         /// Whether colours between two classes are told: their rhombuses point in the neighbouring class's direction.
-        fringe: switch;
+        fringe: bool;
     }
     /// Which class is told by which sign.
     palette: PaletteSettings {
         /// The sign of blue, cyan and violet.
-        blue: sign;
+        blue: Sign;
         /// The sign of green and olive.
-        green: sign;
+        green: Sign;
         /// The sign of yellow, light orange and light brown.
-        yellow: sign;
+        yellow: Sign;
         /// The sign of red, pink and purple.
-        red: sign;
+        red: Sign;
         /// The sign of black, greys and weakly saturated colours.
-        grey: sign;
+        grey: Sign;
     }
-    /// Pages of dots, for embossers and pin displays: widths of lines, and sizes and rows of textures, are then those of the device.
+    /// Pages of dots, for embossers and pin displays: widths of lines, and sizes and rows of textures, are then the
+    /// device's.
     dots: DotsSettings {
         /// What presses the page; with "none" it is printed.
-        device: device;
+        device: Option<&'static Device>;
         /// Distance of dots along a line, and of the columns and rows of a grid; one that the device has.
-        pitch: number(1.0 to 10.0, "mm");
+        pitch: f32 = 1.0 to 10.0, "mm";
         /// Empty dots between two lines, at least.
-        line_gap: number(1.0 to 10.0, "dots");
-        /// Empty dots between a line and a texture; one is enough in areas that would lose more than half of their texture otherwise.
-        texture_gap: number(0.0 to 10.0, "dots");
+        line_gap: f32 = 1.0 to 10.0, "dots";
+        /// Empty dots between a line and a texture; one is enough in areas that would lose more than half of their
+        /// texture otherwise.
+        texture_gap: f32 = 0.0 to 10.0, "dots";
         /// Height of a colour step from which a line is two dots wide, or higher where the device has heights.
-        heavy_from: number(1.0 to 600.0, "units of lightness");
+        heavy_from: f32 = 1.0 to 600.0, "units of lightness";
     }
     /// Printing and swelling.
     print: PrintSettings {
         /// How much wider a mark is once it has risen than it was printed: marks are printed narrower by this.
-        swell: number(0.0 to 2.0, "mm");
+        swell: f32 = 0.0 to 2.0, "mm";
         /// Share of the figure that may be black; the maker of a page with more is told so.
-        max_black: number(0.0 to 1.0, "");
+        max_black: f32 = 0.0 to 1.0;
     }
 }

@@ -1,16 +1,17 @@
-//! What there is to know of every key, as a page to read. Made from the table of keys and from the profile that the others
-//! inherit, so that it says what the program does.
+//! What there is to know of every key, as a page to read. Made from the table of keys and from the profile that the
+//! others inherit, so that it says what the program does.
 
 use super::built_in::built_in;
-use super::keys::{KEYS, section_docs};
-use super::{Key, Kind, Profile};
+use super::keys::{KEYS, Key, Profile, section_docs};
+use super::unused;
 
 const HEAD: &str = "\
 # Every key of a profile
 
 A profile is a paper with all the numbers that a page for it needs. `tactograph profiles` lists those that come with the
 program, and `tactograph profiles show NAME` prints one. One value can be changed on the command line, such as
-`--set lines.width_max=1.2`. For a profile of your own, write a TOML file with what differs, and give its name to `--profile`:
+`--set lines.width_max=1.2`. For [a profile of your own](own-profile.md), write a TOML file with what differs, and give
+its name to `--profile`:
 
 ```toml
 inherits = \"swell-a4\"
@@ -20,16 +21,18 @@ description = \"Thin lines\"
 width_max = 1.2
 ```
 
-Lengths are in millimetres on the sheet. The defaults are those of the profile `swell-a4`, which the others inherit; what
-they change is listed at the end. A section with a key `on` can be switched as a whole: `overview = false`.
+Lengths are in millimetres on the sheet. The defaults are those of the profile `swell-a4`, which the others inherit;
+what they change is listed at the end. A section with a key `on` can be switched as a whole: `overview = false`.
 
-\"Chosen by us\" marks a number for which no source was found that we could read: a starting point, to be judged by blind
-readers.
+\"Chosen by us\" marks a number for which no source was found that we could read: a starting point, to be judged by
+blind readers.
 ";
 
-/// Who made the page, as its last lines.
+/// Where to read on, and who made the page, as its last lines.
 const FOOT: &str = "\
-<!-- Made by `tactograph profiles keys`. Change the table in src/profile/keys.rs or profiles/swell-a4.toml, not this page. -->
+[README](../README.md) · [A profile of your own](own-profile.md) · [Embossers and pin displays](embossers.md)
+
+<!-- Made by `tactograph profiles keys`: change the table in src/profile/keys.rs or profiles/swell-a4.toml instead. -->
 ";
 
 impl Profile {
@@ -62,6 +65,9 @@ pub fn write() -> String {
             }
         }
     }
+    page += "\n## Keys that do not count on every page\n\n\
+             Who sets one of these is told so.\n";
+    page += &unused::listing();
     page + &differences(values.as_ref()) + "\n" + FOOT
 }
 
@@ -74,14 +80,11 @@ fn without_unit(reason: &str, key: &Key) -> String {
 }
 
 fn unit_and_range(key: &Key) -> (&'static str, String) {
-    match key.kind {
-        Kind::Switch | Kind::Choice(_) | Kind::Sign => ("", key.range()),
-        Kind::Number { low, high, unit } => (unit, format!("{low} to {high}")),
-    }
+    key.limits.map_or_else(|| ("", key.range()), |limits| (limits.unit, format!("{} to {}", limits.low, limits.high)))
 }
 
-/// The comments of a profile: each key's path with what is said above it or beside it, as one line. Where nothing is said
-/// of a switch, the comment at the top of its section is about it.
+/// The comments of a profile: each key's path with what is said above it or beside it, as one line. Where nothing is
+/// said of a switch, the comment at the top of its section is about it.
 fn reasons(text: &str) -> Vec<(String, String)> {
     let (mut section, mut above, mut reasons) = ("", Vec::new(), Vec::new());
     for line in text.lines() {

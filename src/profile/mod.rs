@@ -1,71 +1,36 @@
 //! What the maker of a page can choose: a profile as it is written, read with all its faults at once.
 //!
 //! A profile is a TOML file with one section for each part of the page. `inherits = "swell-a4"` takes every key that is
-//! not given from a built-in profile; without it, every key must be given. A section with a key `on` can be replaced by
-//! `true` or `false`: `overview = false`.
+//! not given from a built-in profile, `inherits = "our-school.toml"` from another file; without it, every key must be
+//! given. A section with a key `on` can be replaced by `true` or `false`: `overview = false`.
 
 mod built_in;
 mod check;
 mod device;
+mod fault;
 mod inherit;
-mod key;
 mod keys;
+mod kind;
 pub mod manual;
 mod parse;
 mod plan;
 mod suggest;
 mod syntax;
+mod unused;
 
-pub use built_in::{BuiltIn, built_in};
-pub use key::{Key, Kind, Value};
+pub use built_in::{BuiltIn, built_in, is_path};
+pub use fault::Fault;
+pub(crate) use fault::faults_in_one_line;
+pub use inherit::FindFile;
 pub use keys::{
-    ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, LinesSettings, MarkSettings, OverviewSettings,
+    ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, Key, LinesSettings, MarkSettings, OverviewSettings,
     PageSettings, PaletteSettings, PrintSettings, Profile, SheetsSettings, TexturesSettings,
 };
+pub use kind::{NumberRange, Value};
 pub use plan::Plan;
 
-/// One fault in a profile.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Fault {
-    /// Where: a file's name and line, or the option.
-    pub place: String,
-    /// What is wrong and what would do.
-    pub what: String,
-}
-
-impl std::fmt::Display for Fault {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.place, self.what)
-    }
-}
-
-pub(crate) fn faults_in_one_line(faults: &[Fault]) -> String {
-    faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("; ")
-}
-
-/// A fault in a text whose name is not known yet.
-#[derive(Debug)]
-struct Found {
-    /// Counted from 1.
-    line: usize,
-    what: String,
-}
-
-impl Found {
-    fn new(line: usize, what: String) -> Self {
-        Self { line, what }
-    }
-}
-
-/// Where a key got its value.
-#[derive(Debug, Clone, Default)]
-struct Origin {
-    /// Which value was given before which: 0 for none at all, then counted up.
-    order: usize,
-    /// Whether the value was taken; a refused one is in no rule.
-    held: bool,
-    place: String,
-}
+use crate::Error;
+use inherit::Source;
 
 impl Profile {
     /// Every key there is, in a fixed order.
@@ -73,26 +38,38 @@ impl Profile {
         keys::KEYS
     }
 
-    /// The built-in profile of this name.
+    /// The built-in profile of this name, such as `swell-a4`.
     ///
     /// # Errors
-    /// When there is none, with the names that there are.
-    pub fn named(name: &str) -> Result<Self, Vec<Fault>> {
+    /// [`Error::Profile`] when there is none, with the names that there are.
+    pub fn named(name: &str) -> Result<Self, Error> {
         let Some(text) = built_in::text_of(name) else {
-            let place = format!("profile {}", suggest::quoted_path(&[name]));
-            return Err(vec![Fault { place, what: suggest::unknown_profile(name) }]);
+            let place = format!("profile {}", fault::quoted_path(&[name]));
+            return Err(Fault { place, what: suggest::unknown_profile(name) }.into());
         };
-        inherit::load(text, &format!("{name}.toml"), Some(name), &built_in::text_of)
+        Ok(inherit::load(text, &format!("{name}.toml"), Source::BuiltIn, &no_file)?)
     }
 
-    /// Reads a profile. `place` is the file's name as the messages shall give it; the profile is called by its last
-    /// part without `.toml`. The text may inherit any built-in profile.
+    /// Reads a profile from the text of a TOML file. `place` is the file's name as the messages shall give it; the
+    /// profile is called by its last part without `.toml`. The text may inherit any built-in profile.
     ///
     /// # Errors
-    /// Every fault with its line: mistakes in the TOML, unknown keys, wrong kinds, values out of range, keys missing
-    /// where nothing is inherited, and values that do not go together.
-    pub fn from_toml(text: &str, place: &str) -> Result<Self, Vec<Fault>> {
-        inherit::load(text, place, None, &built_in::text_of)
+    /// [`Error::Profile`] with every fault and its line: mistakes in the TOML, unknown keys, wrong kinds, values out of
+    /// range, keys missing where nothing is inherited, and values that do not go together.
+    pub fn from_toml(text: &str, place: &str) -> Result<Self, Error> {
+        Self::from_toml_with(text, place, &no_file)
+    }
+
+    /// As [`Profile::from_toml`], for a text that may inherit other files too, such as `inherits = "our-school.toml"`.
+    /// `find` gives their texts: it gets a path that is meant from the folder of the file that names it, so `a/b.toml`
+    /// if
+    /// `a/my.toml` inherits `b.toml`. If there is no such file, it says why in words for the maker of the profile.
+    ///
+    /// # Errors
+    /// As [`Profile::from_toml`], with the faults of the inherited files too; and files that inherit one another in a
+    /// circle.
+    pub fn from_toml_with(text: &str, place: &str, find: &FindFile<'_>) -> Result<Self, Error> {
+        Ok(inherit::load(text, place, Source::File, find)?)
     }
 
     /// What a key holds, by its path, such as `lines.width_max`.
@@ -104,40 +81,40 @@ impl Profile {
     /// Whether the values still go together is for [`Profile::check`] to say, after the last `set`.
     ///
     /// # Errors
-    /// When there is no such key, or the value is not of its kind or not in its range; then nothing is changed.
-    pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
+    /// [`Error::Profile`] when there is no such key, or the value is not of its kind or not in its range; then nothing
+    /// is changed.
+    pub fn set(&mut self, key: &str, value: &str) -> Result<(), Error> {
         let (key, value) = (key.trim(), value.trim());
-        let place = format!("--set {}={}", suggest::quoted_path(&[key]), suggest::quoted_path(&[value]));
-        let fail = |what| Err(Fault { place: place.clone(), what });
-        let known = |parts: &(&str, &str)| keys::SECTIONS.contains(&parts.0) && !keys::SECTIONS.contains(&key);
-        let found = match key.rsplit_once('.').filter(known).or_else(|| key.split_once('.')) {
-            _ if key.contains('.') && keys::SECTIONS.contains(&key) => Err(suggest::section_alone(key)),
-            Some((section, name)) if keys::SECTIONS.contains(&section) => {
-                parse::position(section, name).ok_or_else(|| suggest::unknown_key(section, name))
-            }
-            Some((section, _)) => Err(suggest::unknown_section(section, &[])),
-            None if keys::SECTIONS.contains(&key) => parse::switch_of(key).ok_or_else(|| suggest::section_alone(key)),
-            None => Err(suggest::unknown_section(key, &[])),
-        };
-        let index = match found {
-            Ok(index) => index,
-            Err(what) => return fail(what),
-        };
-        let key = &keys::KEYS[index];
-        match key.read(value) {
-            Some(value) if key.takes(value) => {
-                key.put(self, value);
-                let order = 1 + self.origins.iter().map(|origin| origin.order).max().unwrap_or(0);
-                self.origins[index] = Origin { order, held: true, place };
-                Ok(())
-            }
-            _ => fail(key.refuse(&suggest::quoted_path(&[value]))),
-        }
+        let place = format!("--set {}={}", fault::quoted_path(&[key]), fault::quoted_path(&[value]));
+        let index = index_of(key).map_err(|what| Fault { place: place.clone(), what })?;
+        Ok(self.put_text(index, value, place)?)
     }
 
     /// Every parameter as (path, value), in the order of [`Profile::keys`]; numbers are the shortest decimals that read
     /// back as the same.
     pub fn parameters(&self) -> Vec<(&'static str, String)> {
         keys::KEYS.iter().map(|key| (key.path, key.value(self).to_string())).collect()
+    }
+}
+
+fn no_file(path: &str) -> Result<String, String> {
+    Err(format!("no file is given for {}", fault::quoted_path(&[path])))
+}
+
+/// Where in the table the key of `--set` is, or what is wrong with its name.
+fn index_of(key: &str) -> Result<usize, String> {
+    let is_section = keys::SECTIONS.contains(&key);
+    if is_section {
+        let switch = keys::switch_of(key).filter(|_| !key.contains('.'));
+        return switch.ok_or_else(|| suggest::section_alone(key));
+    }
+    // The palette is a section in a section.
+    let inner = key.rsplit_once('.').filter(|(section, _)| keys::SECTIONS.contains(section));
+    match inner.or_else(|| key.split_once('.')) {
+        Some((section, name)) if keys::SECTIONS.contains(&section) => {
+            keys::position(section, name).ok_or_else(|| suggest::unknown_key(section, name))
+        }
+        Some((section, _)) => Err(suggest::unknown_section(section, &[])),
+        None => Err(suggest::unknown_section(key, &[])),
     }
 }

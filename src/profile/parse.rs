@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::Found;
-use super::key::{Key, Kind, Value};
-use super::keys::{KEYS, SECTIONS};
-use super::suggest::{quoted, quoted_path, unknown_key, unknown_section};
-use super::syntax::{self, Table};
+use super::fault::{Found, quoted, quoted_path};
+use super::keys::{KEYS, SECTIONS, position, switch_of};
+use super::kind::Value;
+use super::suggest::{unknown_key, unknown_section};
+use super::syntax::{self, Lines};
 
 /// Longest profile that is read, in bytes; the longest built-in one is an eighth of it.
 const LONGEST_TEXT: usize = 64 * 1024;
@@ -50,10 +50,11 @@ pub(super) fn parse(text: &str, faults: &mut Vec<Found>) -> Written {
         return Written { broken: true, ..Written::default() };
     }
     let lines = Lines::of(text);
-    let mut reader = Reader { text, lines: &lines, written: Written::default(), faults: Vec::new() };
-    let mistakes = syntax::read(text, &lines, &mut |table| match table {
-        Table::Damaged(table, mistakes) => reader.damaged(table, mistakes),
-        Table::Sound(table) => reader.table(table),
+    let mut reader =
+        Reader { text, lines: &lines, mistakes: BTreeSet::new(), written: Written::default(), faults: Vec::new() };
+    let mistakes = syntax::read(text, &lines, &mut |table, mistakes| {
+        reader.mistakes.clone_from(mistakes);
+        reader.table(table);
     });
     reader.written.broken |= !mistakes.is_empty();
     // Of a line told of already, the mistake in the TOML is the same thing said less well.
@@ -68,6 +69,8 @@ pub(super) fn parse(text: &str, faults: &mut Vec<Found>) -> Written {
 struct Reader<'l> {
     text: &'l str,
     lines: &'l Lines,
+    /// Lines with a mistake in the TOML: what was made of them is not to be trusted.
+    mistakes: BTreeSet<usize>,
     written: Written,
     faults: Vec<Found>,
 }
@@ -75,8 +78,11 @@ struct Reader<'l> {
 type Name<'i> = Spanned<std::borrow::Cow<'i, str>>;
 
 impl Reader<'_> {
+    /// A mistake in the TOML of a line is told instead of what follows from it.
     fn fault(&mut self, line: usize, what: String) {
-        self.faults.push(Found::new(line, what));
+        if !self.mistakes.contains(&line) {
+            self.faults.push(Found::new(line, what));
+        }
     }
 
     fn line<T>(&self, spanned: &Spanned<T>) -> usize {
@@ -89,7 +95,7 @@ impl Reader<'_> {
                 ("description", DeValue::String(text)) if !text.chars().any(char::is_control) => {
                     self.written.description = Some(text.to_string());
                 }
-                ("inherits", DeValue::String(text)) => {
+                ("inherits", DeValue::String(text)) if !self.mistakes.contains(&self.line(name)) => {
                     self.written.inherits = Some((text.to_string(), self.line(name)));
                 }
                 (top, _) if TOP.contains(&top) => {
@@ -138,37 +144,18 @@ impl Reader<'_> {
 
     fn key(&mut self, index: usize, name: &Name<'_>, value: &Spanned<DeValue<'_>>) {
         let (key, line) = (&KEYS[index], self.line(name));
-        let value = match given(key, value.get_ref()) {
-            Some(given) if key.takes(given) => Some(given),
-            _ => {
-                self.fault(line, key.refuse(&self.said(value)));
-                None
-            }
+        let damaged = self.mistakes.contains(&line);
+        let given = given(value.get_ref());
+        let refused = match &given {
+            // Of `1.2mm` it is said better that it is no number than that it is no TOML.
+            Some(given) if damaged => !key.is_of_kind(given),
+            Some(given) => !key.takes(given),
+            None => true,
         };
-        self.written.given.push(Given { key: index, value, line });
-    }
-
-    /// Finds keys with a value of the wrong kind in the lines with mistakes, for a better message: `1.2mm` is no
-    /// number.
-    fn damaged(&mut self, table: &DeTable<'_>, mistakes: &BTreeSet<usize>) {
-        for (section, keys) in table.iter().filter_map(|(section, value)| Some((section, value.get_ref().as_table()?)))
-        {
-            self.damaged_section(section.get_ref(), keys, mistakes);
+        if refused {
+            self.faults.push(Found::new(line, key.refuse(&self.said(value))));
         }
-    }
-
-    fn damaged_section(&mut self, section: &str, keys: &DeTable<'_>, mistakes: &BTreeSet<usize>) {
-        for (name, value) in keys {
-            if let Some(keys) = value.get_ref().as_table() {
-                self.damaged_section(&format!("{section}.{}", name.get_ref()), keys, mistakes);
-            } else {
-                let line = self.line(name);
-                let Some(index) = position(section, name.get_ref()) else { continue };
-                if wrong_kind(&KEYS[index], value.get_ref()) && mistakes.contains(&line) {
-                    self.key(index, name, value);
-                }
-            }
-        }
+        self.written.given.push(Given { key: index, value: given.filter(|_| !refused && !damaged), line });
     }
 
     /// Names a value in a message: "the text \"thick\"", "12.5".
@@ -186,65 +173,16 @@ impl Reader<'_> {
     }
 }
 
-fn wrong_kind(key: &Key, value: &DeValue<'_>) -> bool {
-    !matches!(
-        (key.kind, given(key, value)),
-        (Kind::Switch, Some(Value::Switch(_)))
-            | (Kind::Number { .. }, Some(Value::Number(_)))
-            | (Kind::Choice(_), Some(Value::Choice(_)))
-            | (Kind::Sign, Some(Value::Sign(_)))
-    )
-}
-
-/// Where in [`KEYS`] a key is.
-pub(super) fn position(section: &str, name: &str) -> Option<usize> {
-    KEYS.iter().position(|key| key.section() == section && key.name() == name)
-}
-
-/// The key that `true` or `false` in place of a whole section stands for.
-pub(super) fn switch_of(section: &str) -> Option<usize> {
-    position(section, "on")
-}
-
-/// What a value stands for; a text only for a key that has it as one of its words, or that takes a sign.
-fn given(key: &Key, value: &DeValue<'_>) -> Option<Value> {
+/// What a value stands for; `None` for one of a kind that no key has.
+fn given(value: &DeValue<'_>) -> Option<Value> {
     match value {
-        DeValue::String(text) if matches!(key.kind, Kind::Sign) => text.parse().ok().map(Value::Sign),
-        DeValue::String(text) => key.word(text),
+        DeValue::String(text) => Some(Value::Text(text.to_string())),
         DeValue::Boolean(switch) => Some(Value::Switch(*switch)),
         DeValue::Float(number) => number.as_str().parse().ok().map(Value::Number),
         DeValue::Integer(number) if number.radix() == 10 => number.as_str().parse().ok().map(Value::Number),
         DeValue::Integer(number) => {
             i64::from_str_radix(number.as_str(), number.radix()).ok().map(|number| Value::Number(number as f32))
         }
-        _ => None,
-    }
-}
-
-/// Where the lines of a text begin.
-pub(super) struct Lines {
-    starts: Vec<usize>,
-}
-
-impl Lines {
-    pub(super) fn of(text: &str) -> Self {
-        let after_breaks = text.bytes().enumerate().filter(|&(_, byte)| byte == b'\n').map(|(at, _)| at + 1);
-        Self { starts: std::iter::once(0).chain(after_breaks).collect() }
-    }
-
-    /// The line of a byte, counted from 1.
-    pub(super) fn line(&self, byte: usize) -> usize {
-        self.starts.partition_point(|&start| start <= byte)
-    }
-
-    /// The bytes of a line that is counted from 1, its break included; `end` is the length of the text.
-    pub(super) fn bytes(&self, line: usize, end: usize) -> std::ops::Range<usize> {
-        let start = self.starts.get(line - 1).copied().unwrap_or(end);
-        start..self.starts.get(line).copied().unwrap_or(end)
-    }
-
-    /// How many lines there are.
-    pub(super) fn count(&self) -> usize {
-        self.starts.len()
+        DeValue::Datetime(_) | DeValue::Array(_) | DeValue::Table(_) => None,
     }
 }

@@ -1,15 +1,17 @@
-//! A checked profile, turned into what each stage asks for: millimetres of the sheet become pixels of the working picture
-//! where a stage works in pixels.
+//! A checked profile, turned into what each stage asks for: millimetres of the sheet become pixels of the working
+//! picture where a stage works in pixels.
 
-use super::{Fault, Profile};
+use super::keys::Profile;
+use crate::Error;
 use crate::devices::Device;
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
 use crate::{classes, dots, edges, lines, textures};
 
-/// Cells of mean colour, and how far from an edge they are compared, mm. On photographs of 481 pixels, which have 0.4 mm
-/// for a pixel on an A4 sheet, 5 and 8 pixels scored best, 2.0 and 3.2 mm. A little less here, which costs about .002 of the
-/// score: what is narrower than twice the distance, a tower or a chair's leg, would be looked right through.
+/// Cells of mean colour, and how far from an edge they are compared, mm. On photographs of 481 pixels, which have 0.4
+/// mm for a pixel on an A4 sheet, 5 and 8 pixels scored best, 2.0 and 3.2 mm. A little less here, which costs about
+/// .002 of the score: what is narrower than twice the distance, a tower or a chair's leg, would be looked right
+/// through.
 const SIDE_CELL: f32 = 1.6;
 const SIDE_OFFSET: f32 = 2.4;
 
@@ -18,6 +20,11 @@ const STRENGTH_WINDOW: f32 = 1.0;
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;
+
+/// Pixels this near to a contour do not count for the colour of an area, mm: what lies there is a mixture of both
+/// sides, or a drawn outline, whose own contours lie at its two edges. From 0.3 to 0.9 mm it is nearly the same
+/// (`tests/colours/stains.rs`).
+const BESIDE: f32 = 0.6;
 
 impl Profile {
     /// Distance of dots as the device has it, mm; profiles may be a hundredth off.
@@ -52,9 +59,6 @@ impl Profile {
         }
     }
 }
-/// Pixels this near to a contour do not count for the colour of an area, mm: what lies there is a mixture of both sides, or
-/// a drawn outline, whose own contours lie at its two edges. From 0.3 to 0.9 mm it is nearly the same (`tests/colours/stains.rs`).
-const BESIDE: f32 = 0.6;
 
 /// A profile that has been found to make sense. Everything after trusts its numbers.
 #[derive(Debug, Clone)]
@@ -66,10 +70,10 @@ impl Plan {
     /// Checks a profile as a whole.
     ///
     /// # Errors
-    /// Every fault, each with the place where its number comes from.
-    pub fn new(profile: &Profile) -> Result<Self, Vec<Fault>> {
-        let faults = profile.check();
-        if faults.is_empty() { Ok(Self { profile: profile.clone() }) } else { Err(faults) }
+    /// [`Error::Profile`] with every fault, each with the place where its number comes from.
+    pub fn new(profile: &Profile) -> Result<Self, Error> {
+        profile.check()?;
+        Ok(Self { profile: profile.clone() })
     }
 
     /// The profile.

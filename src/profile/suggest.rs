@@ -1,9 +1,10 @@
 //! "Did you mean": the names nearest to one that does not exist.
 
 use super::built_in::built_in;
+use super::fault::{list, quoted_path};
 use super::keys::{KEYS, SECTIONS};
 
-/// Longest name that is compared; no real one comes near.
+/// How many letters of a name are compared; no real one has as many.
 const LONGEST: usize = 40;
 
 /// How many names are offered at most: more are no help.
@@ -47,7 +48,8 @@ pub(super) fn section_alone(section: &str) -> String {
 /// What to say of a profile that does not exist.
 pub(super) fn unknown_profile(name: &str) -> String {
     let names: Vec<_> = built_in().iter().map(|profile| profile.name).collect();
-    let near = nearest(name, names.iter().map(|&known| (known, known)));
+    let other_names = built_in().iter().flat_map(|profile| profile.also.iter().map(|&also| (also, profile.name)));
+    let near = nearest(name, names.iter().map(|&known| (known, known)).chain(other_names));
     let advice = did_you_mean(&near.offers).map_or_else(String::new, |advice| format!(", {advice}"));
     format!(
         "there is no built-in profile {} (the built-in profiles are {}){advice}",
@@ -94,35 +96,4 @@ fn sorted_words(name: &str) -> String {
 fn did_you_mean(near: &[&str]) -> Option<String> {
     let near = &near[..near.len().min(MOST)];
     (!near.is_empty()).then(|| format!("did you mean {}?", list(near, "or")))
-}
-
-/// "a", "a and b", "a, b and c".
-pub(super) fn list(names: &[&str], and: &str) -> String {
-    match names {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} {and} {last}", first.join(", ")),
-    }
-}
-
-/// Names joined by points; one that is not plain letters is quoted, without anything that would break the line.
-pub(super) fn quoted_path(names: &[&str]) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-' || c == '.';
-    let parts = names.iter().map(|name| {
-        if !name.is_empty() && name.len() <= LONGEST && name.chars().all(plain) {
-            (*name).to_owned()
-        } else {
-            quoted(name)
-        }
-    });
-    parts.collect::<Vec<_>>().join(".")
-}
-
-/// A text in quotes, on one line and not too long.
-pub(super) fn quoted(text: &str) -> String {
-    let mut short: String = text.chars().take(LONGEST).collect();
-    if short.len() < text.len() {
-        short.push_str("...");
-    }
-    format!("{short:?}")
 }

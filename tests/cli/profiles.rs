@@ -39,7 +39,7 @@ fn every_key_is_told_on_one_page() {
 fn an_unknown_profile_is_wrong_usage() {
     let place = Place::with_picture("a.png");
     let expected = tactograph::internals::profile::Profile::named("swel-a4").expect_err("no such profile");
-    let expected = format!("{}: {}", expected[0].place, expected[0].what);
+    let expected = expected.to_string();
     assert!(expected.contains("swell-a4"), "no suggestion: {expected}");
     place.refuses(&["profiles", "show", "swel-a4"], 2, &[&expected]);
     let with_hint = format!("{expected}; for a file of your own give a name that ends in .toml");
@@ -65,6 +65,56 @@ fn a_profile_can_be_named_or_a_file() {
     place.put("latin.toml", b"# caf\xe9\n");
     let latin = "latin.toml: this is not text in UTF-8; give a profile, which is a TOML file";
     place.refuses(&["convert", "a.png", "--profile", "latin.toml"], 2, &[latin]);
+}
+
+#[test]
+fn a_profile_file_inherits_another_from_where_it_lies() {
+    let place = Place::with_picture("a.png");
+    place.put("school/our.toml", b"inherits = \"papers/thin.toml\"\noverview = false\n");
+    place.put("school/papers/thin.toml", b"inherits = \"swell-a4\"\nlines.width_max = 1.2\n");
+    place.put("my.toml", b"inherits = \"school/our.toml\"\nlines.detail = 0.6\n");
+    let page = |words: &[&str]| place.run(&[&["convert", "a.png", "-q", "-o", "-", "--profile"], words].concat());
+    let (own, set) = (page(&["my.toml"]), ["overview=false", "lines.width_max=1.2", "lines.detail=0.6"]);
+    let sets = set.iter().flat_map(|set| ["--set", set]).collect::<Vec<_>>();
+    let same = page(&[&["swell-a4"], &sets[..]].concat());
+    assert_eq!((own.code, own.err.as_str()), (0, ""));
+    assert_eq!(
+        without_seal(&own.out).replace("profile = my\n", ""),
+        without_seal(&same.out).replace("profile = swell-a4\n", "")
+    );
+    place.put("school/papers/thin.toml", b"inherits = \"../our.toml\"\n");
+    let circle = "school/papers/thin.toml, line 1: inherits goes round in a circle, my.toml to school/our.toml to \
+                  school/papers/thin.toml to ../our.toml, take one of them away";
+    place.refuses(&["convert", "a.png", "--profile", "my.toml"], 2, &[circle]);
+    place.put("school/papers/thin.toml", b"inherits = \"none.toml\"\n");
+    let none = "school/papers/thin.toml, line 1: inherits cannot be followed, school/papers/none.toml: there is no \
+                such file; check the name";
+    place.refuses(&["convert", "a.png", "--profile", "my.toml"], 2, &[none]);
+}
+
+/// The page without its last line, which tells whether anybody has changed it.
+fn without_seal(page: &str) -> String {
+    page.lines().filter(|line| !line.starts_with("<!--")).fold(String::new(), |text, line| text + line + "\n")
+}
+
+/// What does not count on a page is told once, where it was given; what a profile only inherits is nobody's choice.
+#[test]
+fn keys_that_do_not_count_are_told() {
+    let place = Place::with_picture("a.png");
+    place.put("my.toml", b"inherits = \"index-basic-d\"\nlines.width_max = 1.3\nlines.detail = 0.6\n");
+    let dots = ["convert", "a.png", "-o", "a.idx", "--profile", "my.toml", "--set", "print.swell=0.1"];
+    let run = place.run(&dots);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let notes: Vec<_> = run.err.lines().filter(|line| line.contains("does not count")).collect();
+    let line = "tactograph: my.toml, line 2: note: lines.width_max does not count on a page of dots: a line is one row \
+                of the device's dots, or two; dots.heavy_from says from which strength it is two";
+    let set = "tactograph: --set print.swell=0.1: note: print.swell does not count on a page of dots: dots are pressed \
+               and do not swell; the device has their size";
+    assert_eq!(notes, [line, set]);
+    let run = place.run(&["convert", "a.png", "-o", "a.svg", "--set", "dots.pitch=2"]);
+    assert!(run.err.contains("note: dots.pitch does not count on a printed page: "), "{}", run.err);
+    let run = place.run(&["convert", "a.png", "-q", "-o", "b.svg", "--set", "dots.pitch=2"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
 }
 
 #[test]

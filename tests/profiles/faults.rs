@@ -97,7 +97,8 @@ fn mistakes_in_the_toml_are_told_and_the_rest_is_read() {
         (
             "[lines]\nmin_gap = 4\nmin_gap = 5\n[page]\n[lines]\nwidth_max = 99",
             "my.toml, line 4: this key is given twice, take one \
-          of the two away\nmy.toml, line 6: this section is given twice, take one of the two away",
+          of the two away\nmy.toml, line 6: this section is given twice, take one of the two away\n\
+          my.toml, line 7: lines.width_max must be a number from 0.3 to 10 mm, not 99",
         ),
         (
             "description = \"\"\"x\n[page]\nmargin = 200",
@@ -273,6 +274,29 @@ fn without_inherits_every_key_must_be_given() {
         "my.toml: without inherits every key must be given, lines.tolerance is missing, write inherits = \"swell-a4\" \
          at the top to take what is missing from there",
     );
+}
+
+/// A value that goes on over lines and ends is blamed for nothing, whatever else is wrong.
+#[test]
+fn mistakes_hide_no_others() {
+    for (text, expected) in [
+        (
+            "mark = {\n  length = 12,\n  gap = 4 }\nlines.detail = 2\nlines.min_gap 3\nlines.min_length = 999",
+            "my.toml, line 5: lines.detail must be a number from 0 to 1, not 2\n\
+             my.toml, line 6: \"lines.min_gap 3\" cannot be read as TOML: key with no value, expected \"=\"\n\
+             my.toml, line 7: lines.min_length must be a number from 0 to 200 mm, not 999",
+        ),
+        (
+            "description = \"\"\"x\n[page]\nmargin = 200\n[lines]\nmin_gap = '''\nmin_length 3\ndetail = 7",
+            "my.toml, line 2: the value does not end on its line, close the quotes or brackets\n\
+             my.toml, line 4: page.margin must be a number from 0 to 100 mm, not 200\n\
+             my.toml, line 6: the value does not end on its line, close the quotes or brackets\n\
+             my.toml, line 7: \"min_length 3\" cannot be read as TOML: key with no value, expected \"=\"\n\
+             my.toml, line 8: lines.detail must be a number from 0 to 1, not 7",
+        ),
+    ] {
+        check(&format!("{HEIR}{text}"), expected);
+    }
 }
 
 /// A file that is no profile at all is told so without a flood.

@@ -19,12 +19,13 @@ fn a_school_keeps_its_own_code() {
         let profile = Profile::from_toml(&format!("inherits = \"swell-a4\"\n{text}"), "my.toml").expect("it is sound");
         assert_eq!(profile.palette.blue, Sign::Rhombus { degrees: 90.0 });
         assert_eq!(profile.palette.yellow, Sign::Rhombus { degrees: 0.0 });
-        assert_eq!(profile.get("textures.palette.red"), Some(Value::Sign(Sign::Rhombus { degrees: 135.0 })));
+        assert_eq!(profile.get("textures.palette.red"), Some(Value::Text("rhombus 135".to_owned())));
     }
     let mut profile = Profile::named("swell-a4").expect("it is built in");
     profile.set("textures.palette.grey", "rhombus 67.5").expect("it is a sign");
     assert_eq!(profile.palette.grey, Sign::Rhombus { degrees: 67.5 });
-    assert_eq!(profile.check().len(), 2, "between green and yellow there is no room");
+    let told = super::in_lines(&profile.check().expect_err("between green and yellow there is no room"));
+    assert_eq!(told.lines().count(), 2, "{told}");
 }
 
 #[test]
@@ -72,11 +73,8 @@ fn signs_that_fingers_cannot_tell_apart_are_refused() {
 /// What dots on a grid cannot tell is refused where it was given; what cells of text cannot tell is theirs to say.
 #[test]
 fn what_dots_cannot_carry_is_refused() {
-    let faults = |text: &str| match Profile::from_toml(text, "my.toml") {
-        Ok(_) => String::new(),
-        Err(faults) => {
-            faults.iter().map(|fault| format!("{}: {}", fault.place, fault.what)).collect::<Vec<_>>().join("\n")
-        }
+    let faults = |text: &str| {
+        Profile::from_toml(text, "my.toml").map_or_else(|error| super::in_lines(&error), |_| String::new())
     };
     let school = "[textures.palette]\ngreen = \"rhombus 60\"\nyellow = \"rhombus 95\"\nred = \"rhombus 150\"\n";
     assert_eq!(faults(&format!("inherits = \"braillerap\"\n{school}")), "");

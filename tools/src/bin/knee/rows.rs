@@ -48,12 +48,10 @@ impl Row {
 /// # Errors
 /// There is no such profile or key.
 pub(crate) fn profile(name: &str, changes: &[(&str, f32)]) -> Result<Profile, String> {
-    let told = |faults: Vec<tactograph::internals::profile::Fault>| {
-        faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
-    };
+    let told = |error: tactograph::Error| error.to_string();
     let mut profile = Profile::named(name).map_err(told)?;
     for (key, value) in changes {
-        profile.set(key, &value.to_string()).map_err(|fault| fault.to_string())?;
+        profile.set(key, &value.to_string()).map_err(told)?;
     }
     Ok(profile)
 }

@@ -26,8 +26,7 @@ const REFERENCE: f32 = 12.0;
 pub(crate) fn sweep(name: &str, pictures: &[Picture], rounds: usize, draw: Option<&Path>) -> Result<Vec<Row>, String> {
     let plan = |setting: &Setting| {
         let changes = [("figure.resolution", setting.resolution), ("edges.scale", setting.scale)];
-        let told = |faults: Vec<_>| format!("{faults:?}");
-        Plan::new(&profile(name, &changes)?).map_err(told)
+        Plan::new(&profile(name, &changes)?).map_err(|error| error.to_string())
     };
     let outcome = |picture: &Picture, setting: &Setting| {
         run(picture, &plan(setting)?, setting.eighths).map_err(|fault| format!("{}: {fault}", picture.name))

@@ -1,0 +1,77 @@
+//! Faults of profiles, and the pieces that their messages are put together from.
+
+/// Longest name or text that a message repeats, in letters; no real key comes near.
+const LONGEST: usize = 40;
+
+/// One fault in a profile.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// Where: a file's name and line, or the option.
+    pub place: String,
+    /// What is wrong and what would do.
+    pub what: String,
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.place, self.what)
+    }
+}
+
+pub(crate) fn faults_in_one_line(faults: &[Fault]) -> String {
+    faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("; ")
+}
+
+/// A fault in a text whose name is not known yet.
+#[derive(Debug)]
+pub(super) struct Found {
+    /// Counted from 1.
+    pub(super) line: usize,
+    pub(super) what: String,
+}
+
+impl Found {
+    pub(super) fn new(line: usize, what: String) -> Self {
+        Self { line, what }
+    }
+
+    pub(super) fn in_file(self, place: &str) -> Fault {
+        Fault { place: format!("{place}, line {}", self.line), what: self.what }
+    }
+}
+
+/// "a", "a and b", "a, b and c".
+pub(super) fn list(names: &[&str], and: &str) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} {and} {last}", first.join(", ")),
+    }
+}
+
+/// Names joined by points; one that is not plain letters is quoted, without anything that would break the line.
+pub(super) fn quoted_path(names: &[&str]) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-' || c == '.';
+    let parts = names.iter().map(|name| {
+        if !name.is_empty() && name.len() <= LONGEST && name.chars().all(plain) {
+            (*name).to_owned()
+        } else {
+            quoted(name)
+        }
+    });
+    parts.collect::<Vec<_>>().join(".")
+}
+
+/// A text in quotes, on one line and not too long.
+pub(super) fn quoted(text: &str) -> String {
+    let mut short: String = text.chars().take(LONGEST).collect();
+    if short.len() < text.len() {
+        short.push_str("...");
+    }
+    format!("{short:?}")
+}
+
+/// Whether a value is a number with a comma where TOML wants a point, such as `1,5`.
+pub(super) fn has_decimal_comma(value: &str) -> bool {
+    value.as_bytes().windows(3).any(|w| w[0].is_ascii_digit() && w[1] == b',' && w[2].is_ascii_digit())
+}

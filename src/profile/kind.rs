@@ -1,0 +1,167 @@
+//! What a key can hold. A new kind of value is one type that implements [`Setting`], here and nowhere else.
+
+use super::fault::list;
+use crate::devices::Device;
+use crate::page::layout::Orientation;
+use crate::textures::Sign;
+
+/// What a key holds, as TOML has it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// `true` or `false`.
+    Switch(bool),
+    /// A number in the key's unit.
+    Number(f32),
+    /// A word or a texture's sign.
+    Text(String),
+}
+
+/// From which to which number a key goes, both included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NumberRange {
+    /// The smallest value taken.
+    pub low: f32,
+    /// The largest value taken.
+    pub high: f32,
+    /// Its unit; empty for a bare ratio.
+    pub unit: &'static str,
+}
+
+/// A type of which a field of a profile can be.
+pub(super) trait Setting: Sized {
+    /// What a profile holds that nothing has been read into; out of every range where there is such a value.
+    const BLANK: Self;
+
+    /// What is taken, in words: "a number from 0.3 to 10 mm", "true or false".
+    fn range(limits: Option<NumberRange>) -> String;
+
+    /// What a value stands for; `None` if it is of another kind or out of range.
+    fn read(value: &Value, limits: Option<NumberRange>) -> Option<Self>;
+
+    /// As TOML has it.
+    fn write(&self) -> Value;
+}
+
+impl Value {
+    /// The value that a text on the command line stands for, such as `1.2`, `false`, `auto` or `"auto"`.
+    pub(super) fn of_text(text: &str) -> Self {
+        match (text.parse(), text.parse()) {
+            (Ok(switch), _) => Self::Switch(switch),
+            (_, Ok(number)) => Self::Number(number),
+            _ => Self::Text(text.trim_matches('"').to_owned()),
+        }
+    }
+}
+
+/// As TOML has it: `true`, `false`, a text in quotes, or the shortest decimal that reads back as the same number.
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Switch(switch) => switch.fmt(f),
+            Self::Number(number) => number.fmt(f),
+            Self::Text(text) => write!(f, "\"{text}\""),
+        }
+    }
+}
+
+impl Setting for bool {
+    const BLANK: Self = false;
+
+    fn range(_: Option<NumberRange>) -> String {
+        "true or false".to_owned()
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        if let Value::Switch(switch) = value { Some(*switch) } else { None }
+    }
+
+    fn write(&self) -> Value {
+        Value::Switch(*self)
+    }
+}
+
+impl Setting for f32 {
+    const BLANK: Self = Self::NAN;
+
+    fn range(limits: Option<NumberRange>) -> String {
+        match limits {
+            None => "a number".to_owned(),
+            Some(NumberRange { low, high, unit: "" }) => format!("a number from {low} to {high}"),
+            Some(NumberRange { low, high, unit }) => format!("a number from {low} to {high} {unit}"),
+        }
+    }
+
+    fn read(value: &Value, limits: Option<NumberRange>) -> Option<Self> {
+        let Value::Number(number) = value else { return None };
+        let within = limits.is_none_or(|limits| (limits.low..=limits.high).contains(number));
+        // Adding nothing turns minus zero, which is written oddly, into zero.
+        within.then_some(number + 0.0)
+    }
+
+    fn write(&self) -> Value {
+        Value::Number(*self)
+    }
+}
+
+impl Setting for Sign {
+    const BLANK: Self = Self::Dot;
+
+    fn range(_: Option<NumberRange>) -> String {
+        r#""dot" or "rhombus D" with D from 0 to below 180 degrees"#.to_owned()
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        if let Value::Text(text) = value { text.parse().ok() } else { None }
+    }
+
+    fn write(&self) -> Value {
+        Value::Text(self.to_string())
+    }
+}
+
+impl Setting for Orientation {
+    const BLANK: Self = Self::Auto;
+
+    fn range(_: Option<NumberRange>) -> String {
+        one_of(&Self::ALL.map(Self::name))
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        let Value::Text(text) = value else { return None };
+        Self::ALL.into_iter().find(|orientation| orientation.name() == text)
+    }
+
+    fn write(&self) -> Value {
+        Value::Text(self.name().to_owned())
+    }
+}
+
+/// What presses a page: `none`, which prints it, or a device.
+impl Setting for Option<&'static Device> {
+    const BLANK: Self = None;
+
+    fn range(_: Option<NumberRange>) -> String {
+        let ids = Device::ALL.iter().map(|device| device.id);
+        one_of(&std::iter::once(PRINTED).chain(ids).collect::<Vec<_>>())
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        match value {
+            Value::Text(text) if text == PRINTED => Some(None),
+            Value::Text(text) => Device::named(text).map(Some),
+            Value::Switch(_) | Value::Number(_) => None,
+        }
+    }
+
+    fn write(&self) -> Value {
+        Value::Text(self.map_or(PRINTED, |device| device.id).to_owned())
+    }
+}
+
+/// The word for a page that is printed, in place of a device.
+const PRINTED: &str = "none";
+
+fn one_of(words: &[&str]) -> String {
+    let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+}
