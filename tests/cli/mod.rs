@@ -2,6 +2,7 @@
 
 mod calibrate;
 mod common;
+mod docs;
 mod dots;
 mod feel;
 mod fitting;

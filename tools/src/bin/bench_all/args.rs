@@ -11,7 +11,7 @@ pub(crate) struct Args {
     pub(crate) only: Option<String>,
     /// Slow programs run once; nothing of 50 megapixels.
     pub(crate) quick: bool,
-    /// The tables go into README.md and docs/speed.md too.
+    /// The tables go into docs/speed.md too.
     pub(crate) write: bool,
     /// Another program than the one that is built here.
     pub(crate) program: Option<PathBuf>,

@@ -6,7 +6,7 @@
 //!   --quick            three rounds, nothing of 50 MP, no vtracer (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
 //!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "skipped", "growth"
-//!   --write            also writes the tables to docs/speed.md and the first of them into README.md
+//!   --write            also writes the tables into docs/speed.md, a short one of them at its head
 //!   --program FILE     another program than the one built here, such as one with other settings
 //! ```
 //!

@@ -207,7 +207,7 @@ pub(crate) fn long_table(title: &'static str, about: &str, rows: &[Row]) -> Tabl
     table
 }
 
-/// What the README shows: what was promised, and everybody on one picture.
+/// What the head of docs/speed.md shows: what was promised, and everybody on one picture.
 pub(crate) fn short_table(rows: &[Row]) -> Table {
     let mut table = Table::new("", "", &["work", "tactograph", "beside", "", "ratio", "wanted", "met"]);
     let is_short = |row: &&Row| row.met.is_some() || row.work == "12 MP JPEG";

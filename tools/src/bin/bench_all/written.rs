@@ -1,38 +1,39 @@
-//! The tables in docs/speed.md, and the first of them in README.md.
+//! The tables in docs/speed.md: a short one for everybody, and all of them.
 
 use std::fs;
 
 use crate::args::Args;
 use crate::table::Table;
 
-const README: &str = "README.md";
 const DOCS: &str = "docs/speed.md";
-/// What stands in the README between these is written anew.
-const BEGIN: &str = "<!-- bench-all -->\n";
-const END: &str = "<!-- /bench-all -->\n";
+/// What stands in the page between the lines of a mark is written anew.
+const SHORT: &str = "bench-all";
+const ALL: &str = "bench-all-tables";
 
 /// Writes both.
 ///
 /// # Errors
-/// A file cannot be written, or the README lacks the marks between which the table stands.
+/// The page cannot be written, or lacks the marks between which the tables stand.
 pub(crate) fn write(short: &Table, tables: &[Table], args: &Args) -> Result<(), String> {
-    let readme = fs::read_to_string(README).map_err(|fault| format!("{README}: {fault}"))?;
-    fs::write(README, between(&readme, &short.body())?).map_err(|fault| format!("{README}: {fault}"))?;
-    let mut docs = format!(
-        "# How fast it is\n\n`cargo run --release -p tactograph-tools --bin bench_all -- --write` made these tables, on {}, with {} rounds. \
-         Other machines take other times; the ratios are what to look at. How each figure is taken stands at the head of \
+    let page = fs::read_to_string(DOCS).map_err(|fault| format!("{DOCS}: {fault}"))?;
+    let page = between(&page, SHORT, short.body().trim_end())?;
+    let mut all = format!(
+        "Made by `cargo run --release -p tactograph-tools --bin bench_all -- --write`, on {}, with {} rounds. Other \
+         machines take other times; the ratios are what to look at. How each figure is taken stands at the head of \
          [the program](../tools/src/bin/bench_all/main.rs).\n\n",
         machine(),
         args.runs
     );
-    docs.extend(tables.iter().map(Table::text));
-    fs::write(DOCS, docs.trim_end().to_owned() + "\n").map_err(|fault| format!("{DOCS}: {fault}"))
+    all.extend(tables.iter().map(Table::text));
+    fs::write(DOCS, between(&page, ALL, all.trim_end())?).map_err(|fault| format!("{DOCS}: {fault}"))
 }
 
-fn between(text: &str, table: &str) -> Result<String, String> {
-    let parts = text.split_once(BEGIN).and_then(|(before, rest)| Some((before, rest.split_once(END)?.1)));
-    let (before, after) = parts.ok_or_else(|| format!("{README} has no lines {} and {}", BEGIN.trim(), END.trim()))?;
-    Ok(format!("{before}{BEGIN}\n{table}\n{END}{after}"))
+/// The text with what stands between the lines `<!-- mark -->` and `<!-- /mark -->` exchanged.
+fn between(text: &str, mark: &str, new: &str) -> Result<String, String> {
+    let (begin, end) = (format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->\n"));
+    let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
+    let (before, after) = parts.ok_or_else(|| format!("{DOCS} has no lines {} and {}", begin.trim(), end.trim()))?;
+    Ok(format!("{before}{begin}\n{new}\n\n{end}{after}"))
 }
 
 /// What the figures depend on most.
@@ -49,10 +50,11 @@ mod tests {
 
     #[test]
     fn the_table_is_exchanged_and_the_rest_stays() {
-        let old = format!("before\n{BEGIN}old\n{END}after\n");
-        let new = between(&old, "| new |\n").unwrap();
-        assert_eq!(new, format!("before\n{BEGIN}\n| new |\n\n{END}after\n"));
-        assert_eq!(between(&new, "| new |\n").unwrap(), new);
-        assert!(between("no marks", "").is_err());
+        let (begin, end) = ("<!-- bench-all -->", "<!-- /bench-all -->");
+        let old = format!("before\n{begin}\nold\n{end}\nafter\n");
+        let new = between(&old, SHORT, "| new |").unwrap();
+        assert_eq!(new, format!("before\n{begin}\n\n| new |\n\n{end}\nafter\n"));
+        assert_eq!(between(&new, SHORT, "| new |").unwrap(), new);
+        assert!(between("no marks", ALL, "").is_err());
     }
 }

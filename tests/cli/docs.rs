@@ -1,0 +1,171 @@
+//! README and docs: every command works as it stands there, every page is found, and every link leads somewhere.
+//!
+//! A command is a line `tactograph ...` (or `cargo run --release -- ...`) in an indented or fenced block. Each is run
+//! in a place where the sample pictures lie under their own names, in the order of its page. After a comment
+//! `<!-- only parsed: why -->` the commands of the next block are not run (they need hardware, take minutes or are
+//! patterns); their options must exist all the same.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::common::*;
+
+/// One command of a page.
+struct Shown {
+    line: usize,
+    words: Vec<String>,
+    only_parsed: bool,
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// README.md and the pages in docs, by their paths from the root.
+fn pages() -> Vec<PathBuf> {
+    let docs = fs::read_dir(root().join("docs")).expect("the pages");
+    let docs =
+        docs.map(|entry| entry.expect("an entry").path()).filter(|path| path.extension().is_some_and(|e| e == "md"));
+    let mut pages: Vec<_> =
+        docs.map(|path| path.strip_prefix(root()).expect("it lies in the root").to_owned()).collect();
+    pages.sort();
+    pages.insert(0, "README.md".into());
+    pages
+}
+
+fn text_of(page: &Path) -> String {
+    fs::read_to_string(root().join(page)).unwrap_or_else(|error| panic!("{}: {error}", page.display()))
+}
+
+/// The commands in a page's blocks.
+fn commands(text: &str) -> Vec<Shown> {
+    let (mut shown, mut fenced, mut only_parsed, mut in_block) = (Vec::new(), false, false, false);
+    for (i, line) in text.lines().enumerate() {
+        let was_in_block = std::mem::replace(&mut in_block, fenced || line.starts_with("    "));
+        if line.starts_with("```") {
+            fenced = !fenced;
+            only_parsed &= fenced;
+        } else if line.starts_with("<!-- only parsed: ") {
+            only_parsed = true;
+        } else if was_in_block && !in_block {
+            only_parsed = false;
+        }
+        let command = line.trim();
+        let command = command.strip_prefix("cargo run --release -- ").or_else(|| command.strip_prefix("tactograph "));
+        if let Some(command) = command.filter(|_| in_block) {
+            let words = command.split_whitespace().map(str::to_owned).collect();
+            shown.push(Shown { line: i + 1, words, only_parsed });
+        }
+    }
+    shown
+}
+
+/// A place with the sample pictures, as `coffee.png` and as `samples/coffee.png`, a page `coffee.svg`, and the files
+/// that the pages speak of.
+fn prepared() -> Place {
+    let place = Place::new();
+    for entry in fs::read_dir(root().join("samples")).expect("the samples") {
+        let path = entry.expect("a sample").path();
+        let (name, bytes) = (path.file_name().expect("a name").to_string_lossy().into_owned(), fs::read(&path));
+        let bytes = bytes.expect("its bytes");
+        place.put(&name, &bytes);
+        place.put(&format!("samples/{name}"), &bytes);
+    }
+    place.put("my.toml", b"inherits = \"our-school.toml\"\n[lines]\nwidth_max = 1.2\n");
+    place.put("our-school.toml", b"inherits = \"swell-a4\"\n");
+    let run = place.run(&["convert", "coffee.png", "-q", "-o", "coffee.svg"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    place
+}
+
+#[test]
+fn every_command_works_as_it_is_shown() {
+    let (place, mut faults, mut count) = (prepared(), String::new(), 0);
+    for page in pages() {
+        for Shown { line, words, only_parsed } in commands(&text_of(&page)) {
+            let words: Vec<_> = words.iter().map(String::as_str).collect();
+            count += 1;
+            if only_parsed {
+                let help = place.run(&[words[0], "--help"]).out;
+                let unknown = words.iter().filter(|word| word.starts_with("--") && !help.contains(**word));
+                unknown.for_each(|word| faults += &format!("{}, line {line}: no option {word}\n", page.display()));
+                continue;
+            }
+            let run = place.run(&words);
+            if run.code != 0 {
+                faults += &format!("{}, line {line}: {}\n{}", page.display(), words.join(" "), run.err);
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{faults}");
+    assert!(count >= 12, "only {count} commands were found");
+}
+
+/// Measuring programs are not run here, but they are there.
+#[test]
+fn every_measuring_program_is_there() {
+    for page in pages() {
+        for (i, line) in text_of(&page).lines().enumerate() {
+            for rest in line.split("-p tactograph-tools --bin ").skip(1) {
+                let name = rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+                let bins = root().join("tools/src/bin");
+                let there = bins.join(name).join("main.rs").exists() || bins.join(format!("{name}.rs")).exists();
+                assert!(there, "{}, line {}: there is no program {name}", page.display(), i + 1);
+            }
+        }
+    }
+}
+
+/// The targets of the links and pictures in a page, without those on the net.
+fn links(text: &str) -> Vec<String> {
+    let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')').map(|(target, _)| target.to_owned()));
+    targets.filter(|target| !target.starts_with("http")).collect()
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    for page in pages() {
+        let folder = root().join(page.parent().unwrap_or(Path::new("")));
+        for link in links(&text_of(&page)) {
+            let (file, heading) = link.split_once('#').unwrap_or((&link, ""));
+            let path = if file.is_empty() { root().join(&page) } else { folder.join(file) };
+            assert!(path.exists(), "{}: {link} leads nowhere", page.display());
+            if !heading.is_empty() {
+                let text = fs::read_to_string(&path).unwrap_or_default();
+                let slugs = text.lines().filter(|line| line.starts_with('#')).map(slug);
+                assert!(
+                    slugs.into_iter().any(|slug| slug == heading),
+                    "{}: {link} has no such heading",
+                    page.display()
+                );
+            }
+        }
+    }
+}
+
+/// A heading as links name it.
+fn slug(heading: &str) -> String {
+    let letters = heading.trim_start_matches('#').trim().to_lowercase();
+    letters
+        .chars()
+        .filter(|c| c.is_alphanumeric() || " -_".contains(*c))
+        .map(|c| if c == ' ' { '-' } else { c })
+        .collect()
+}
+
+#[test]
+fn the_readme_is_short_and_leads_to_every_page_and_back() {
+    let readme = text_of(Path::new("README.md"));
+    assert!(readme.lines().count() <= 150, "the README has {} lines", readme.lines().count());
+    let linked = links(&readme);
+    for page in pages().iter().skip(1) {
+        let path = page.to_string_lossy().replace('\\', "/");
+        assert!(linked.contains(&path), "the README does not lead to {path}");
+        let back = links(&text_of(page));
+        assert!(back.iter().any(|link| link == "../README.md"), "{path} does not lead back");
+        assert!(
+            back.iter().filter(|link| link.ends_with(".md")).count() >= 3,
+            "{path} does not lead to its neighbours"
+        );
+    }
+}
