@@ -79,6 +79,10 @@ const NOT_IN_THE_LIBRARY: &[&str] = &[
 ];
 const MACROS_NOT_IN_THE_LIBRARY: &[&str] = &["print", "println", "eprint", "eprintln", "dbg"];
 
+/// Modules whose files still form a circle; all others have none and stay so.
+const CIRCLES_LEFT: &[&str] =
+    &["classes", "cli", "devices", "dots", "lines", "output", "pipeline", "profile", "raster", "textures"];
+
 /// A file this long has more than one job.
 const MOST_LINES: usize = 500;
 /// As rustfmt breaks code; it leaves comments and long texts alone.
@@ -96,9 +100,13 @@ fn imports_run_downhill() {
 
 /// Shared types live in a leaf file; `mod.rs` re-exports and orchestrates (see `tidy/circles.rs`).
 #[test]
-#[ignore = "some circles are left"]
 fn files_of_a_module_form_no_circle() {
-    complain(circles::circles(&House::of(&sources()).code));
+    let circles = circles::circles(&House::of(&sources()).code);
+    let (left, new): (Vec<_>, Vec<_>) = circles
+        .into_iter()
+        .partition(|told| CIRCLES_LEFT.iter().any(|module| told.contains(&format!(" src/{module}"))));
+    left.iter().for_each(|told| println!("{told}")); // `-- --nocapture` shows what is left to do
+    complain(new);
 }
 
 #[test]
@@ -238,7 +246,7 @@ fn machine_paths(file: &str, text: &str) -> Vec<String> {
 fn faults_in(file: &str, text: &str) -> Vec<String> {
     let own = module_of(file);
     let mut sources = BTreeMap::from([
-        ("src/lib.rs".into(), "pub mod page; pub use error::Error; pub use crate::page::{Page, Mark as M};".into()),
+        ("src/lib.rs".into(), "pub mod page; pub use error::Error; pub use crate::page::{Page, Error as M};".into()),
         (file.to_string(), text.to_string()),
     ]);
     for depth in 0..own.len() {

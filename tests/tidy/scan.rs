@@ -251,14 +251,11 @@ pub(crate) fn definitions(tokens: &[Token]) -> BTreeSet<String> {
     found
 }
 
-/// Where the names that `lib.rs` exports come from: `Error` from `error`.
+/// Where the names that `lib.rs` exports come from: `Error` from `error`, and `FeelError` from `touch` if it is `touch::Error`
+/// under another name.
 pub(crate) fn exports(lib: &[Token]) -> BTreeMap<String, String> {
-    let mut found = Vec::new();
-    for (at, _) in lib.windows(2).enumerate().filter(|(_, pair)| pair[0].text == "pub" && pair[1].text == "use") {
-        tree(lib, at + 2, Vec::new(), &mut found);
-    }
-    let long = found.into_iter().map(|found| found.path.into_iter().filter(|part| part != "crate").collect::<Vec<_>>());
-    long.filter_map(|path| Some((path.last()?.clone(), path.first()?.clone()))).collect()
+    let public = imports(lib, &[]).into_iter().filter(|import| import.public);
+    public.filter_map(|import| Some((import.name, import.path.first()?.clone()))).collect()
 }
 
 /// The files that `lib.rs` and `main.rs` reach by `mod name;`, so without those that only tests reach.
