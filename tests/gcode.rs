@@ -1,19 +1,21 @@
-//! G-code for BrailleRAP, run on a machine that forgives nothing (`tools/src/travel/machine.rs`), and how far the needle
-//! travels.
+//! G-code for BrailleRAP, run on a simulated machine that accepts no fault (`tools/src/travel/machine.rs`), and how
+//! far the needle travels.
 
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use tactograph::internals::output::dots::gcode::{Params, Refused, is_as_written, write};
-use tactograph::internals::output::dots::tour::{self, Place};
+use tactograph::internals::output::dots::path_order::{Position, order};
 use tactograph::internals::units::MmPoint;
+use tactograph_tools::travel::bound::lower_bound;
 use tactograph_tools::travel::machine::{self, Sheet};
+use tactograph_tools::travel::orders::{length, nearest_neighbour, row_by_row};
 use tactograph_tools::travel::sets;
 
 /// How far above the bound a path may lie: the drawing's is 6 % above it, where the bound itself is low.
 const OVER_BOUND: f64 = 1.08;
 
-fn points(dots: &[Place]) -> Vec<MmPoint> {
+fn points(dots: &[Position]) -> Vec<MmPoint> {
     dots.iter().map(|&[x, y]| MmPoint::new(x as f32 / 100.0, y as f32 / 100.0)).collect()
 }
 
@@ -26,14 +28,24 @@ fn made(dots: &[MmPoint], params: &Params) -> (Sheet, String) {
 }
 
 #[track_caller]
-fn pressed_once(sheet: &Sheet, dots: &[Place]) {
-    let wanted: BTreeSet<Place> = dots.iter().copied().collect();
-    let pressed: BTreeSet<Place> = sheet.dots.iter().copied().collect();
+fn pressed_once(sheet: &Sheet, dots: &[Position]) {
+    let wanted: BTreeSet<Position> = dots.iter().copied().collect();
+    let pressed: BTreeSet<Position> = sheet.dots.iter().copied().collect();
     assert_eq!(pressed, wanted);
     assert_eq!(sheet.dots.len(), wanted.len(), "a dot is pressed twice");
 }
 
-fn ends(params: &Params) -> [Place; 2] {
+/// How far back the path goes at most: the largest drop of the second coordinate from any dot to any later one.
+fn pulled_back(dots: &[Position]) -> i32 {
+    let mut lowest = i32::MIN;
+    let back = dots.iter().map(|dot| {
+        lowest = lowest.max(dot[1]);
+        lowest.saturating_sub(dot[1])
+    });
+    back.max().unwrap_or(0)
+}
+
+fn ends(params: &Params) -> [Position; 2] {
     [[0, 0], [0, (params.paper_length * 100.0) as i32 + 2_000]]
 }
 
@@ -76,10 +88,10 @@ fn every_dot_of_every_set_is_pressed_once_and_the_sheet_comes_out() {
         for params in [Params::a4(), Params { most_back: f32::INFINITY, feed: 10_000, ..Params::xl_a4() }] {
             let (sheet, _) = made(&points(&dots), &params);
             pressed_once(&sheet, &dots);
-            let back = f64::from(tour::most_back(&sheet.dots)) / 100.0;
+            let back = f64::from(pulled_back(&sheet.dots)) / 100.0;
             assert!(back <= f64::from(params.most_back), "{name}: paper is pulled back {back} mm");
             // The needle goes as the order says.
-            let length = tour::length(&sheet.dots, ends(&params));
+            let length = length(&sheet.dots, ends(&params));
             assert!((sheet.travel - length).abs() < 0.01, "{name}: {} and {length}", sheet.travel);
         }
     }
@@ -90,26 +102,26 @@ fn twenty_thousand_dots_on_a3() {
     let (dots, params) = (sets::large(), Params::xl_a3());
     let (sheet, _) = made(&points(&dots), &params);
     pressed_once(&sheet, &dots);
-    let nearest = tour::nearest_neighbour(&dots, [0, 0], 1_200);
+    let nearest = nearest_neighbour(&dots, [0, 0], 1_200);
     // Firmware stops the sheet at 420 mm, of 440.
-    assert!(sheet.travel < 0.8 * tour::length(&nearest, ends(&params)));
+    assert!(sheet.travel < 0.8 * length(&nearest, ends(&params)));
 }
 
 #[test]
 fn paths_are_no_longer_than_nearest_neighbours_and_close_to_the_bound() {
     let ends = ends(&Params::a4());
     for (name, dots) in sets::all() {
-        let length = |path: &[Place]| tour::length(path, ends);
+        let length = |path: &[Position]| length(path, ends);
         for back in [i32::MAX, 1_200, 200, 0] {
-            let ours = length(&tour::order(&dots, ends, back));
-            let nearest = length(&tour::nearest_neighbour(&dots, ends[0], back));
+            let ours = length(&order(&dots, ends, back));
+            let nearest = length(&nearest_neighbour(&dots, ends[0], back));
             assert!(ours <= nearest + 1e-3, "{name}, {back}: {ours:.0}, nearest neighbour {nearest:.0}");
         }
-        let ours = length(&tour::order(&dots, ends, i32::MAX));
-        let bound = tour::lower_bound(&dots, ends);
+        let ours = length(&order(&dots, ends, i32::MAX));
+        let bound = lower_bound(&dots, ends);
         assert!(bound <= ours && ours <= OVER_BOUND * bound, "{name}: {ours:.0}, bound {bound:.0}");
-        let within = length(&tour::order(&dots, ends, 1_200));
-        let rows = length(&tour::row_by_row(&dots, 200));
+        let within = length(&order(&dots, ends, 1_200));
+        let rows = length(&row_by_row(&dots, 200));
         assert!(within < 0.75 * rows, "{name}: {within:.0}, rows of 2 mm {rows:.0}");
     }
 }
@@ -119,22 +131,22 @@ fn the_bound_is_below_the_shortest_path_and_tight_on_a_line() {
     // Every order of seven dots.
     let mut next = sets::numbers(5);
     for _ in 0..20 {
-        let dots: Vec<Place> = (0..7).map(|_| [next(1_000) as i32, next(1_000) as i32]).collect();
+        let dots: Vec<Position> = (0..7).map(|_| [next(1_000) as i32, next(1_000) as i32]).collect();
         let ends = [[0, 0], [0, 1_000]];
-        let shortest = orders(&dots).iter().map(|order| tour::length(order, ends)).fold(f64::INFINITY, f64::min);
-        let (ours, bound) = (tour::length(&tour::order(&dots, ends, i32::MAX), ends), tour::lower_bound(&dots, ends));
+        let shortest = permutations(&dots).iter().map(|order| length(order, ends)).fold(f64::INFINITY, f64::min);
+        let (ours, bound) = (length(&order(&dots, ends, i32::MAX), ends), lower_bound(&dots, ends));
         assert!(bound <= shortest + 1e-6, "{dots:?}: bound {bound}, shortest {shortest}");
         assert!(ours <= 1.02 * shortest, "{dots:?}: {ours}, shortest {shortest}");
     }
-    let line: Vec<Place> = (1..50).map(|y| [0, 240 * y]).collect();
-    let bound = tour::lower_bound(&line, [[0, 0], [0, 12_000]]);
+    let line: Vec<Position> = (1..50).map(|y| [0, 240 * y]).collect();
+    let bound = lower_bound(&line, [[0, 0], [0, 12_000]]);
     assert!((bound - 12_000.0).abs() < 1e-6, "{bound}");
 }
 
-fn orders(dots: &[Place]) -> Vec<Vec<Place>> {
+fn permutations(dots: &[Position]) -> Vec<Vec<Position>> {
     let Some((&first, rest)) = dots.split_first() else { return vec![vec![]] };
-    let put = |order: Vec<Place>| (0..=order.len()).map(move |at| [&order[..at], &[first], &order[at..]].concat());
-    orders(rest).into_iter().flat_map(put).collect()
+    let put = |order: Vec<Position>| (0..=order.len()).map(move |at| [&order[..at], &[first], &order[at..]].concat());
+    permutations(rest).into_iter().flat_map(put).collect()
 }
 
 #[test]
@@ -186,7 +198,7 @@ fn what_cannot_be_done_is_said_in_one_line() {
          260.25 mm down; make the figure smaller, move it, or take a larger machine"
     );
     let nowhere = [MmPoint::new(f32::NAN, 1.0), MmPoint::new(1.0, f32::INFINITY), MmPoint::new(1.0, 1.0)];
-    assert_eq!(write(&nowhere, &Params::a4()), Err(Refused::NoPlace { count: 2, all: 3 }));
+    assert_eq!(write(&nowhere, &Params::a4()), Err(Refused::NoPosition { count: 2, all: 3 }));
     let params = Params {
         limits: [f32::NAN, 250.0],
         origin: [f32::INFINITY, 0.0],
@@ -245,15 +257,15 @@ proptest! {
         seed in 0..u64::MAX,
     ) {
         // Coarse numbers, so that dots share rows, columns and places.
-        let dots: Vec<Place> = dots.into_iter().map(|(x, y, grain)| [x * 100 / grain, y * 100 / grain]).collect();
+        let dots: Vec<Position> = dots.into_iter().map(|(x, y, grain)| [x * 100 / grain, y * 100 / grain]).collect();
         let params = Params { most_back: back, ..Params::a4() };
         let (sheet, gcode) = made(&points(&dots), &params);
         pressed_once(&sheet, &dots);
-        prop_assert!(tour::most_back(&sheet.dots) as f32 <= back * 100.0);
+        prop_assert!(pulled_back(&sheet.dots) as f32 <= back * 100.0);
         prop_assert_eq!(made(&points(&shuffled(&dots, seed)), &params).1, gcode);
         let limit = if back.is_finite() { (back * 100.0) as i32 } else { i32::MAX };
-        let nearest = tour::nearest_neighbour(&dots, [0, 0], limit);
-        prop_assert!(tour::length(&sheet.dots, ends(&params)) <= tour::length(&nearest, ends(&params)) + 1e-3);
-        prop_assert!(tour::lower_bound(&dots, ends(&params)) <= tour::length(&sheet.dots, ends(&params)) + 1e-3);
+        let nearest = nearest_neighbour(&dots, [0, 0], limit);
+        prop_assert!(length(&sheet.dots, ends(&params)) <= length(&nearest, ends(&params)) + 1e-3);
+        prop_assert!(lower_bound(&dots, ends(&params)) <= length(&sheet.dots, ends(&params)) + 1e-3);
     }
 }

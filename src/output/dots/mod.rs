@@ -10,7 +10,7 @@
 //! | [`index`] | Index embossers, straight | bands of 4 rows |
 //! | [`art`] | eyes, braille displays, screen readers | a letter a dot |
 //! | [`greys`] | ViewPlus's own driver, pin displays | a pixel a dot, with heights |
-//! | [`gcode`] | BrailleRAP | anywhere, in the order of [`tour`] |
+//! | [`gcode`] | BrailleRAP | anywhere, in the order of [`path_order`] |
 
 pub mod art;
 pub mod brf;
@@ -19,8 +19,8 @@ pub mod greys;
 pub mod index;
 mod matrix;
 mod of_page;
+pub mod path_order;
 pub mod pef;
-pub mod tour;
 pub mod ubrl;
 
 pub use matrix::Matrix;

@@ -1,23 +1,25 @@
-//! How far BrailleRAP's needle travels over sets of dots: our order beside others and beside a bound that no order is below.
+//! How far BrailleRAP's needle travels over sets of dots: our order beside others and beside a bound that no order is
+//! below.
 //!
 //! ```text
 //! cargo run --release -p tactograph-tools --bin travel -- [FILE.gcode ...]
 //! ```
 //!
-//! Prints a table in Markdown. Lengths in mm from the needle's zero over all dots until an A4 sheet (A3 for the last set) is
-//! out. *Free* may pull the paper back any way, *12 mm* and *2 mm* no farther than that; *nearest* goes to the nearest dot;
-//! *rows* is row by row, to and fro, and *rows of 2 mm* the same in bands of that height, which are what DesktopBrailleRAP
-//! does by default and as its first choice beyond. *Over* is how far *free* and *12 mm* lie over the bound. Minutes are what
-//! the machine takes with the default speeds and the magnet's time, milliseconds what finding the order takes.
+//! Prints a table in Markdown. Lengths in mm from the needle's zero over all dots until an A4 sheet (A3 for the last
+//! set) is out. *Free* may pull the paper back any way, *12 mm* and *2 mm* no farther than that; *nearest* goes to
+//! the nearest dot; *rows* is row by row, to and fro, and *rows of 2 mm* the same in bands of that height, which are
+//! what DesktopBrailleRAP does by default and as its first choice beyond. *Over* is how far *free* and *12 mm* lie
+//! over the bound. Minutes are what the machine takes with the default speeds and the magnet's time, milliseconds
+//! what finding the order takes.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
 use std::error::Error;
 use std::time::Instant;
 
 use tactograph::internals::output::dots::gcode::{self, Params};
-use tactograph::internals::output::dots::tour::{self, Place};
+use tactograph::internals::output::dots::path_order::{self, Position};
 use tactograph::internals::units::MmPoint;
-use tactograph_tools::travel::{machine, sets};
+use tactograph_tools::travel::{bound, machine, orders, sets};
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!(
@@ -36,18 +38,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn row(name: &str, dots: &[Place], params: &Params) -> Result<(), Box<dyn Error>> {
+fn row(name: &str, dots: &[Position], params: &Params) -> Result<(), Box<dyn Error>> {
     let paper = (params.paper_length * 100.0) as i32;
     let ends = [[0, 0], [0, paper + 2_000]];
-    let mm = |path: &[Place]| tour::length(path, ends) / 100.0;
+    let mm = |path: &[Position]| orders::length(path, ends) / 100.0;
     let timed = |most_back: i32| {
         let start = Instant::now();
-        let path = tour::order(dots, ends, most_back);
+        let path = path_order::order(dots, ends, most_back);
         (mm(&path), path.len(), start.elapsed().as_secs_f64() * 1e3)
     };
     let (free, count, free_ms) = timed(i32::MAX);
     let (bounded, _, bounded_ms) = timed(1_200);
-    let bound = tour::lower_bound(dots, ends) / 100.0;
+    let bound = bound::lower_bound(dots, ends) / 100.0;
     let points: Vec<MmPoint> = dots.iter().map(|&[x, y]| MmPoint::new(x as f32 / 100.0, y as f32 / 100.0)).collect();
     let limits = params.limits.map(|mm| (mm * 100.0) as i32);
     let minutes = |most_back: f32| -> Result<f64, Box<dyn Error>> {
@@ -57,10 +59,10 @@ fn row(name: &str, dots: &[Place], params: &Params) -> Result<(), Box<dyn Error>
     println!(
         "| {name} | {count} | {free:.0} | {bounded:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {bound:.0} | {:.1} % | {:.1} % | {:.1} | {:.1} | {free_ms:.0} | {bounded_ms:.0} |",
         timed(200).0,
-        mm(&tour::nearest_neighbour(dots, ends[0], i32::MAX)),
-        mm(&tour::nearest_neighbour(dots, ends[0], 1_200)),
-        mm(&tour::row_by_row(dots, 200)),
-        mm(&tour::row_by_row(dots, 1)),
+        mm(&orders::nearest_neighbour(dots, ends[0], i32::MAX)),
+        mm(&orders::nearest_neighbour(dots, ends[0], 1_200)),
+        mm(&orders::row_by_row(dots, 200)),
+        mm(&orders::row_by_row(dots, 1)),
         100.0 * (free / bound - 1.0),
         100.0 * (bounded / bound - 1.0),
         minutes(f32::INFINITY)?,

@@ -1,9 +1,9 @@
 //! A BrailleRAP that reads G-code as its firmware does, but forgives nothing.
 
-use tactograph::internals::output::dots::tour::Place;
+use tactograph::internals::output::dots::path_order::Position;
 
 /// What the firmware holds the axes to, hundredths of a millimetre: it goes no farther (MarlinBraille2).
-const BED: Place = [30_000, 42_000];
+const BED: Position = [30_000, 42_000];
 /// How long the magnet holds a dot, s: 15 ms on, 10 ms off (MarlinBraille2).
 const PRESS: f64 = 0.025;
 
@@ -11,7 +11,7 @@ const PRESS: f64 = 0.025;
 #[derive(Debug, Default)]
 pub struct Sheet {
     /// Dots in the order in which they were pressed, hundredths of a millimetre.
-    pub dots: Vec<Place>,
+    pub dots: Vec<Position>,
     /// Way of the needle over the paper, from its zero until the paper is out, hundredths of a millimetre.
     pub travel: f64,
     /// Time for it, s.
@@ -21,7 +21,7 @@ pub struct Sheet {
 #[derive(Debug, Default)]
 struct Machine {
     homed: [bool; 2],
-    at: Place,
+    at: Position,
     acceleration: f64,
     feed: f64,
     down: bool,
@@ -33,7 +33,7 @@ struct Machine {
 
 /// Runs `gcode` on a machine whose needle reaches `limits` and whose paper is `length` long, in hundredths of a millimetre.
 /// The machine starts as Marlin does: millimetres, absolute places, nothing homed.
-pub fn run(gcode: &str, limits: Place, length: i32) -> Result<Sheet, String> {
+pub fn run(gcode: &str, limits: Position, length: i32) -> Result<Sheet, String> {
     let mut machine = Machine::default();
     let Some(text) = gcode.strip_suffix("\r\n") else { return Err("the last line has no end".into()) };
     for (number, line) in text.split("\r\n").enumerate() {
@@ -47,7 +47,7 @@ pub fn run(gcode: &str, limits: Place, length: i32) -> Result<Sheet, String> {
 }
 
 impl Machine {
-    fn line(&mut self, line: &str, limits: Place) -> Result<(), String> {
+    fn line(&mut self, line: &str, limits: Position) -> Result<(), String> {
         if line.contains(['\r', '\n']) {
             return Err("half an end of a line".into());
         }
@@ -95,8 +95,8 @@ impl Machine {
         Ok(())
     }
 
-    fn go(&mut self, to: Place, limits: Place) -> Result<(), String> {
-        let within = |most: Place| (0..2).all(|axis| (0..=most[axis]).contains(&to[axis]));
+    fn go(&mut self, to: Position, limits: Position) -> Result<(), String> {
+        let within = |most: Position| (0..2).all(|axis| (0..=most[axis]).contains(&to[axis]));
         if self.homed != [true, true] {
             return Err("the machine does not know where it is".into());
         } else if self.down {

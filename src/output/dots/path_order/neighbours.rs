@@ -1,63 +1,72 @@
-//! What lies near a place: places in a grid of square cells.
+//! Which dots lie near a position: a grid index of square cells, for queries of the nearest dot that is left and of
+//! neighbour lists.
 
-use super::{Place, distance};
+/// A position: across and down, in hundredths of a millimetre.
+pub type Position = [i32; 2];
 
-/// Places for each cell on average: few enough that a cell is quickly looked through, enough that few cells are empty.
+/// The Euclidean distance of two positions, hundredths of a millimetre.
+pub(super) fn distance(a: Position, b: Position) -> f64 {
+    let (x, y) = (f64::from(a[0]) - f64::from(b[0]), f64::from(a[1]) - f64::from(b[1]));
+    (x * x + y * y).sqrt()
+}
+
+/// Positions for each cell on average: few enough that a cell is searched quickly, enough that few cells are empty.
 const PER_CELL: usize = 2;
 /// Nearest neighbours, whatever their direction.
 const NEAREST: usize = 6;
-/// Nearest neighbours in each quadrant: in a line of dots the nearest all belong to the line, and the way to the next line
-/// is found by these (Johnson and McGeoch 1997, The Traveling Salesman Problem: a case study, section 3.3).
+/// Nearest neighbours in each quadrant: in a line of dots the nearest all belong to the line, and these lead to the
+/// next line (Johnson and McGeoch 1997, The Traveling Salesman Problem: a case study, section 3.3).
 const PER_QUADRANT: usize = 2;
-/// How many rings of cells are searched for neighbours; bounds the work in sparse places.
+/// How many rings of cells are searched for neighbours; bounds the work where dots are sparse.
 const MOST_RINGS: i32 = 10;
 
-/// Places by cells; those that are taken out are found no more.
+/// Positions by cells; those that are removed are found no more.
 pub(super) struct Grid<'a> {
-    places: &'a [Place],
-    low: Place,
+    positions: &'a [Position],
+    low: Position,
     cell: i64,
     columns: i32,
     rows: i32,
-    /// Numbers of the places in each cell, lowest first.
+    /// Numbers of the positions in each cell, lowest first.
     cells: Vec<Vec<u32>>,
 }
 
 impl<'a> Grid<'a> {
-    pub(super) fn new(places: &'a [Place]) -> Self {
-        let extreme = |axis: usize, pick: fn(i32, i32) -> i32| places.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0);
+    pub(super) fn new(positions: &'a [Position]) -> Self {
+        let extreme =
+            |axis: usize, pick: fn(i32, i32) -> i32| positions.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0);
         let low = [extreme(0, i32::min), extreme(1, i32::min)];
         let size = |axis: usize, high: i32| i64::from(high) - i64::from(low[axis]) + 1;
         let (width, height) = (size(0, extreme(0, i32::max)), size(1, extreme(1, i32::max)));
-        let wanted = (places.len() / PER_CELL).max(1) as f64;
+        let wanted = (positions.len() / PER_CELL).max(1) as f64;
         // A row of dots has no area: its cells are no shorter than the row over their number.
         let area = width as f64 * height as f64;
         let cell = (area / wanted).sqrt().max(width.max(height) as f64 / wanted).ceil().max(1.0) as i64;
         let (columns, rows) = (((width - 1) / cell) as i32 + 1, ((height - 1) / cell) as i32 + 1);
-        let mut grid = Self { places, low, cell, columns, rows, cells: vec![Vec::new(); (columns * rows) as usize] };
-        for (number, &place) in places.iter().enumerate() {
-            let [column, row] = grid.cell_of(place);
+        let mut grid = Self { positions, low, cell, columns, rows, cells: vec![Vec::new(); (columns * rows) as usize] };
+        for (number, &position) in positions.iter().enumerate() {
+            let [column, row] = grid.cell_of(position);
             grid.cells[(row * columns + column) as usize].push(number as u32);
         }
         grid
     }
 
-    fn cell_of(&self, place: Place) -> [i32; 2] {
+    fn cell_of(&self, position: Position) -> [i32; 2] {
         let index = |axis: usize, count: i32| {
-            let cells = (i64::from(place[axis]) - i64::from(self.low[axis])).div_euclid(self.cell);
+            let cells = (i64::from(position[axis]) - i64::from(self.low[axis])).div_euclid(self.cell);
             cells.clamp(0, i64::from(count) - 1) as i32
         };
         [index(0, self.columns), index(1, self.rows)]
     }
 
-    /// Takes a place out.
+    /// Removes a position.
     pub(super) fn remove(&mut self, number: u32) {
-        let [column, row] = self.cell_of(self.places[number as usize]);
+        let [column, row] = self.cell_of(self.positions[number as usize]);
         self.cells[(row * self.columns + column) as usize].retain(|&other| other != number);
     }
 
-    /// The nearest place still in whose second coordinate is at most `lowest`; of several the first.
-    pub(super) fn nearest(&self, to: Place, lowest: i32) -> Option<u32> {
+    /// The nearest position that was not removed and whose second coordinate is at most `lowest`; of several the first.
+    pub(super) fn nearest(&self, to: Position, lowest: i32) -> Option<u32> {
         let mut best: Option<(f64, u32)> = None;
         let last_row = self.cell_of([0, lowest])[1];
         for ring in 0..=self.columns.max(self.rows) {
@@ -66,9 +75,9 @@ impl<'a> Grid<'a> {
                 break;
             }
             self.ring(self.cell_of(to), ring, last_row, |number| {
-                let place = self.places[number as usize];
-                let found = (distance(to, place), number);
-                if place[1] <= lowest && best.is_none_or(|best| found < best) {
+                let position = self.positions[number as usize];
+                let found = (distance(to, position), number);
+                if position[1] <= lowest && best.is_none_or(|best| found < best) {
                     best = Some(found);
                 }
             });
@@ -76,23 +85,23 @@ impl<'a> Grid<'a> {
         best.map(|(_, number)| number)
     }
 
-    /// For each place the numbers of its neighbours: some nearest, and the nearest of each quadrant.
+    /// For each position the numbers of its neighbours: some nearest, and the nearest of each quadrant.
     pub(super) fn neighbours(&self) -> Vec<Vec<u32>> {
-        (0..self.places.len() as u32).map(|number| self.neighbours_of(number)).collect()
+        (0..self.positions.len() as u32).map(|number| self.neighbours_of(number)).collect()
     }
 
     fn neighbours_of(&self, number: u32) -> Vec<u32> {
-        let at = self.places[number as usize];
+        let at = self.positions[number as usize];
         let mut found: Vec<(f64, u32)> = Vec::new();
         let mut seen_in = [0; 4];
         for ring in 0..=MOST_RINGS {
-            // One ring more than is needed to fill the list, as a nearer place can lie in it.
+            // One ring more than is needed to fill the list, as a nearer position can lie in it.
             let full = found.len() > NEAREST && seen_in.iter().all(|&count| count >= PER_QUADRANT);
             self.ring(self.cell_of(at), ring, self.rows - 1, |other| {
                 if other != number {
-                    let place = self.places[other as usize];
-                    seen_in[quadrant(at, place)] += 1;
-                    found.push((distance(at, place), other));
+                    let position = self.positions[other as usize];
+                    seen_in[quadrant(at, position)] += 1;
+                    found.push((distance(at, position), other));
                 }
             });
             if full {
@@ -103,7 +112,7 @@ impl<'a> Grid<'a> {
         let mut taken_in = [0; 4];
         let mut rank = 0;
         found.retain(|&(_, other)| {
-            let quadrant = quadrant(at, self.places[other as usize]);
+            let quadrant = quadrant(at, self.positions[other as usize]);
             taken_in[quadrant] += 1;
             rank += 1;
             rank <= NEAREST || taken_in[quadrant] <= PER_QUADRANT
@@ -128,7 +137,7 @@ impl<'a> Grid<'a> {
 }
 
 /// Which quarter of all directions; half-open, so that each direction belongs to one.
-fn quadrant([x, y]: Place, [to_x, to_y]: Place) -> usize {
+fn quadrant([x, y]: Position, [to_x, to_y]: Position) -> usize {
     if to_x > x && to_y <= y {
         0
     } else if to_x >= x && to_y > y {
@@ -147,19 +156,19 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_nearest_is_found_while_places_are_taken_out(
-            places in prop::collection::btree_set((0..400, 0..900), 1..60),
+        fn the_nearest_is_found_while_positions_are_removed(
+            positions in prop::collection::btree_set((0..400, 0..900), 1..60),
             to in (-100..500, -100..1_000),
             lowest in 0..900,
         ) {
-            let places: Vec<Place> = places.into_iter().map(|(x, y)| [x, y]).collect();
+            let positions: Vec<Position> = positions.into_iter().map(|(x, y)| [x, y]).collect();
             let to = [to.0, to.1];
-            let mut grid = Grid::new(&places);
-            let mut left: Vec<u32> = (0..places.len() as u32).collect();
+            let mut grid = Grid::new(&positions);
+            let mut left: Vec<u32> = (0..positions.len() as u32).collect();
             loop {
-                let far = |number: &u32| (distance(to, places[*number as usize]), *number);
-                let allowed = left.iter().filter(|number| places[**number as usize][1] <= lowest);
-                let expected = allowed.min_by(|a, b| far(a).partial_cmp(&far(b)).expect("distances are numbers")).copied();
+                let far = |number: &u32| (distance(to, positions[*number as usize]), *number);
+                let allowed = left.iter().filter(|number| positions[**number as usize][1] <= lowest);
+                let expected = allowed.min_by(|a, b| far(a).partial_cmp(&far(b)).expect("finite distances")).copied();
                 prop_assert_eq!(grid.nearest(to, lowest), expected);
                 let Some(number) = expected else { break };
                 grid.remove(number);
@@ -169,13 +178,13 @@ mod tests {
 
         #[test]
         fn neighbours_come_nearest_first_and_the_nearest_is_among_them(
-            places in prop::collection::btree_set((0..400, 0..900), 2..60),
+            positions in prop::collection::btree_set((0..400, 0..900), 2..60),
         ) {
-            let places: Vec<Place> = places.into_iter().map(|(x, y)| [x, y]).collect();
-            for (number, found) in Grid::new(&places).neighbours().iter().enumerate() {
-                let far = |other: u32| distance(places[number], places[other as usize]);
+            let positions: Vec<Position> = positions.into_iter().map(|(x, y)| [x, y]).collect();
+            for (number, found) in Grid::new(&positions).neighbours().iter().enumerate() {
+                let far = |other: u32| distance(positions[number], positions[other as usize]);
                 prop_assert!(found.is_sorted_by(|&a, &b| far(a) <= far(b)));
-                let others = (0..places.len() as u32).filter(|&other| other as usize != number);
+                let others = (0..positions.len() as u32).filter(|&other| other as usize != number);
                 let least = others.map(far).fold(f64::INFINITY, f64::min);
                 prop_assert!(found.first().is_some_and(|&first| far(first) <= least));
                 prop_assert!(found.len() <= NEAREST + 4 * PER_QUADRANT);
@@ -186,8 +195,8 @@ mod tests {
     #[test]
     fn a_line_sees_the_line_beside_it() {
         // Two rows of dots 20 apart, a dot each 1: the six nearest of each dot are all in its own row.
-        let places: Vec<Place> = (0..100).flat_map(|x| [[x, 0], [x, 20]]).collect();
-        let neighbours = Grid::new(&places).neighbours();
-        assert!(neighbours[100].iter().any(|&other| places[other as usize][1] == 20));
+        let positions: Vec<Position> = (0..100).flat_map(|x| [[x, 0], [x, 20]]).collect();
+        let neighbours = Grid::new(&positions).neighbours();
+        assert!(neighbours[100].iter().any(|&other| positions[other as usize][1] == 20));
     }
 }

@@ -1,0 +1,125 @@
+//! The order in which a machine visits dots, so that it travels little: an open path through all of them with fixed
+//! ends, the shortest Hamiltonian path by local search.
+//!
+//! Positions are in hundredths of a millimetre, as the machine is told them: whole numbers, so that equal positions
+//! are equal and the order is the same on every computer. The machine moves in a straight line from one to the next:
+//! Marlin, the firmware of BrailleRAP, runs both axes at once and takes the feed as the speed along the line (its
+//! `G1`), so that the length of the path is Euclidean.
+//!
+//! The first axis moves the needle, the second the paper. [`order`] keeps paper from being pulled back far: going along
+//! the path, no dot lies more than `most_back` above any dot before it.
+//!
+//! # How, and at what cost
+//!
+//! 1. Sorted by position, equal positions once: the order of the input does not matter.
+//! 2. Nearest neighbour: from where the needle is to the nearest dot that does not leave another dot more than
+//!    `most_back` above it. About n steps of a few cells each.
+//! 3. 2-opt and Or-opt with neighbour lists until no change is a gain: about n changes of up to n steps each, mostly
+//!    few.
+//! 4. Up to 10,000 double bridges, each undone unless 2-opt and Or-opt make a gain of it.
+//!
+//! 20,000 dots take 0.16 s, 2,000 dots 0.06 s. `tools/src/bin/travel.rs` prints lengths and times: without a limit to
+//! `most_back` paths are 1 to 3 % above the bound of Held and Karp for up to some 3,000 dots at random, in text and in
+//! textures, 6 % in drawings where the bound itself is low.
+
+mod improve;
+mod neighbours;
+
+pub use neighbours::Position;
+
+/// The dots in an order of short travel that begins at `ends[0]` and goes on to `ends[1]` behind the last dot;
+/// neither is a dot. Equal positions come once; the order of `dots` does not matter. Going along the path, no dot
+/// lies more than `most_back` (hundredths of a millimetre, taken as 0 if negative) above a dot before it; `i32::MAX`
+/// lifts the limit.
+pub fn order(dots: &[Position], ends: [Position; 2], most_back: i32) -> Vec<Position> {
+    let dots = sorted(dots);
+    let start = nearest_neighbour(&dots, ends[0], most_back.max(0));
+    if dots.len() < 2 {
+        return dots;
+    }
+    let neighbours = neighbours::Grid::new(&dots).neighbours();
+    let count = dots.len() as u32;
+    let path = [count].into_iter().chain(start).chain([count + 1]).collect();
+    let positions: Vec<Position> = dots.iter().copied().chain(ends).collect();
+    let path = improve::shorten(&positions, &neighbours, path, most_back.max(0));
+    path[1..=dots.len()].iter().map(|&number| positions[number as usize]).collect()
+}
+
+fn sorted(dots: &[Position]) -> Vec<Position> {
+    let mut dots = dots.to_vec();
+    dots.sort_unstable_by_key(|&[x, y]| (y, x));
+    dots.dedup();
+    dots
+}
+
+/// The path from each dot to the nearest that may come next, as numbers of the dots, which are sorted.
+fn nearest_neighbour(dots: &[Position], start: Position, most_back: i32) -> Vec<u32> {
+    let mut grid = neighbours::Grid::new(dots);
+    let mut visited = vec![false; dots.len()];
+    let (mut here, mut highest) = (start, 0);
+    let mut path = Vec::with_capacity(dots.len());
+    while highest < dots.len() {
+        // The highest that is left is always allowed, so there is a nearest one.
+        let lowest = dots[highest][1].saturating_add(most_back);
+        let Some(next) = grid.nearest(here, lowest) else { break };
+        grid.remove(next);
+        visited[next as usize] = true;
+        path.push(next);
+        here = dots[next as usize];
+        highest += visited[highest..].iter().take_while(|&&visited| visited).count();
+    }
+    path
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Dots of a picture in characters, 1 mm apart; letters give the order.
+    fn dots(picture: &str) -> Vec<Position> {
+        let rows = picture.split_whitespace().enumerate();
+        let mut dots: Vec<_> = rows
+            .flat_map(|(y, row)| {
+                row.bytes().enumerate().map(move |(x, letter)| (letter, [x as i32 * 100, y as i32 * 100]))
+            })
+            .filter(|(letter, _)| *letter != b'.')
+            .collect();
+        dots.sort_unstable();
+        dots.into_iter().map(|(_, position)| position).collect()
+    }
+
+    /// The largest drop of the second coordinate from any dot to any later one.
+    fn pulled_back(path: &[Position]) -> i32 {
+        let drop = |(i, dot): (usize, &Position)| path[i..].iter().map(|later| dot[1] - later[1]).max();
+        path.iter().enumerate().filter_map(drop).max().unwrap_or(0)
+    }
+
+    #[test]
+    fn the_nearest_comes_next_unless_it_leaves_another_too_far_behind() {
+        for (picture, most_back) in [("a..c b... ....", i32::MAX), ("a..b c... ....", 0)] {
+            let sorted = sorted(&dots(picture));
+            let path = nearest_neighbour(&sorted, [0, 0], most_back);
+            assert_eq!(path.iter().map(|&dot| sorted[dot as usize]).collect::<Vec<_>>(), dots(picture));
+        }
+    }
+
+    #[test]
+    fn paper_is_pulled_back_as_far_as_is_allowed_and_no_farther() {
+        let picture = "a.f b.e c.d";
+        let ends = [[0, 0], [200, 0]];
+        assert_eq!(order(&dots(picture), ends, 200), dots(picture));
+        assert_eq!(pulled_back(&dots(picture)), 200);
+        for back in [0, 50, 199] {
+            assert!(pulled_back(&order(&dots(picture), ends, back)) <= back);
+        }
+    }
+
+    #[test]
+    fn the_farthest_positions_there_are() {
+        let far = [[i32::MIN, i32::MIN], [i32::MAX, i32::MAX], [i32::MIN, i32::MAX], [0, 0], [i32::MAX, i32::MIN]];
+        for back in [i32::MIN, 0, i32::MAX - 1, i32::MAX] {
+            let path = order(&far, [[i32::MIN, 0], [i32::MAX, 0]], back);
+            assert_eq!(sorted(&path), sorted(&far));
+        }
+    }
+}
