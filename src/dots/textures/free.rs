@@ -1,8 +1,8 @@
 //! Textures of dots that can stand anywhere: the lattices of [`crate::textures`], with dots in place of rhombuses.
 
-use super::Field;
+use super::field::{Field, Params};
 use super::pattern::DENSE_FROM;
-use super::strays::{self, Apart};
+use super::small_components::{self, Spacing};
 use crate::classes::Class;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -14,16 +14,75 @@ use crate::units::{MmPoint, MmRect};
 const ACROSS: f32 = 4.0;
 /// Distance of the dots of dense grey, mm: as that of [`crate::textures`].
 const GREY: f32 = 3.2;
-/// Dots keep this share of the pitch from the border of their region, so that two textures are half as far again apart as
-/// the dots of a row.
+/// Dots keep this share of the pitch from the border of their region, so that two textures are half as far again
+/// apart as the dots of a row.
 const FROM_BORDER: f32 = 0.75;
 
-/// The dots of each region.
-pub(super) fn fill(field: &Field<'_>, lines: &[Line], part: MmRect) -> Vec<Vec<MmPoint>> {
-    let Field { area, classes, params, .. } = field;
-    let mut sets = vec![Vec::new(); classes.regions.len()];
-    let (across, grey) = (ACROSS.max(1.6 * params.pitch), GREY.max(params.pitch));
-    let lattice = textures::Params {
+/// The dots that would be set if there were no lines.
+pub(super) struct Candidates<'a> {
+    field: &'a Field<'a>,
+    /// The region of each dot and where it is.
+    dots: Vec<(u32, MmPoint)>,
+}
+
+impl<'a> Candidates<'a> {
+    /// The candidates in `part` of the sheet.
+    pub(super) fn of(field: &'a Field<'a>, part: MmRect) -> Self {
+        let lattice = lattice_of(field.params);
+        let mut dots = Vec::new();
+        for class in Class::ALL {
+            lattice::each_position(class, field.area, &lattice, |place| {
+                let region = region_at(field, class, place.at, place.from_density);
+                dots.extend(region.filter(|_| part.contains_inclusive(place.at)).map(|region| (region, place.at)));
+            });
+        }
+        Self { field, dots }
+    }
+
+    /// The dots of each region that keep the distance of `gap` empty dots from those of lines.
+    pub(super) fn dots(&self, lines: &[Line], gap: u32) -> Vec<Vec<MmPoint>> {
+        let Field { area, classes, params, .. } = self.field;
+        let gap = (gap + 1) as f32 * params.pitch;
+        let near = index(lines, *area, gap);
+        let mut sets = vec![Vec::new(); classes.regions.len()];
+        for &(region, at) in self.dots.iter().filter(|(_, at)| is_clear(&near, *at, gap)) {
+            sets[region as usize].push(at);
+        }
+        let (across, grey) = distances(params);
+        let spacing = Spacing {
+            pitch: params.pitch,
+            along: params.pitch,
+            off: 0.3 * params.pitch,
+            across: (2.0 * across).max(3.0_f32.sqrt() * grey),
+        };
+        for (set, region) in sets.iter_mut().zip(&classes.regions) {
+            small_components::leave_out(set, params.palette.sign(region.class), spacing);
+        }
+        sets
+    }
+}
+
+/// The region of a dot of the lattice of `class`, if it is set: its region has the class and enough texture, and the
+/// dot is far enough from the region's border.
+fn region_at(field: &Field<'_>, class: Class, at: MmPoint, from_density: f32) -> Option<u32> {
+    let params = field.params;
+    let (region, amount) = field.at(at)?;
+    let fits = field.class_of(region) == class && from_amount(from_density) <= amount;
+    let glyph = Glyph { at, shape: Shape::Dot { diameter: params.diameter } };
+    let margin = (FROM_BORDER * params.pitch - glyph.radius()).max(0.0);
+    let is_inside = || field.holds(at) && field.borders.keeps_inside(&glyph, &glyph.corners(), region, margin);
+    (fits && is_inside()).then_some(region)
+}
+
+/// Distance of rows and of the dots of dense grey, mm.
+fn distances(params: &Params) -> (f32, f32) {
+    (ACROSS.max(1.6 * params.pitch), GREY.max(params.pitch))
+}
+
+/// The lattices of rhombuses with dots in their place.
+fn lattice_of(params: &Params) -> textures::Params {
+    let (across, grey) = distances(params);
+    textures::Params {
         line_gap: 0.0,
         along: params.pitch,
         across,
@@ -36,40 +95,10 @@ pub(super) fn fill(field: &Field<'_>, lines: &[Line], part: MmRect) -> Vec<Vec<M
         dense_from: params.dense_from,
         white_from: params.white_from,
         palette: params.palette,
-    };
-    let gap = (params.line_gap + 1) as f32 * params.pitch;
-    let near = index(lines, *area, gap);
-    for class in Class::ALL {
-        lattice::each_position(class, *area, &lattice, |place| {
-            let at = place.at;
-            let Some((region, amount)) = field.at(at) else { return };
-            let fits = field.class_of(region) == class && from_amount(place.from_density) <= amount;
-            let glyph = Glyph { at, shape: Shape::Dot { diameter: params.diameter } };
-            let margin = (FROM_BORDER * params.pitch - glyph.radius()).max(0.0);
-            if fits
-                && part.contains_inclusive(at)
-                && field.holds(at)
-                && field.borders.keeps_inside(&glyph, &glyph.corners(), region, margin)
-                && is_clear(&near, at, gap)
-            {
-                sets[region as usize].push(at);
-            }
-        });
     }
-    let apart = Apart {
-        pitch: params.pitch,
-        along: params.pitch,
-        off: 0.3 * params.pitch,
-        across: (2.0 * across).max(3.0_f32.sqrt() * grey),
-    };
-    for (set, region) in sets.iter_mut().zip(&classes.regions) {
-        let sign = params.palette.sign(region.class);
-        strays::leave_out(set, sign, apart);
-    }
-    sets
 }
 
-/// The amount of texture from which a place of the lattice is filled.
+/// The amount of texture from which a dot of the lattice is set.
 fn from_amount(from_density: f32) -> f32 {
     if from_density < 0.0 { -1.0 } else { DENSE_FROM + 0.5 * (from_density - 0.5) }
 }

@@ -2,29 +2,31 @@
 //!
 //! ```text
 //!  0 degrees     45 degrees    45, from 2.2 mm   none
-//!  A A A A A A   A . . b . .   A b . . A b       A . A . A .     A is set always, b where the texture is dense. What is
-//!  . . . . . .   . . b . . A   b . . A b .       . b . . . b     dense has in it what is sparse, so there are no seams.
-//!  b b b b b b   . b . . A .   . . A b . .       A . A . A .     Finer grids have more empty rows between, and grey the
-//!  . . . . . .   b . . A . .   . A b . . A       . . . b . .     same pattern larger, or larger and turned by 45 degrees.
+//!  A A A A A A   A . . b . .   A b . . A b       A . A . A .     A is always set, b where the texture is dense.
+//!  . . . . . .   . . b . . A   b . . A b .       . b . . . b     A dense texture contains the sparse one, so there
+//!  b b b b b b   . b . . A .   . . A b . .       A . A . A .     are no seams. Finer grids have more empty rows between,
+//!  . . . . . .   b . . A . .   . A b . . A       . . . b . .     and grey the same pattern larger, or turned by 45 degrees.
 //! ```
 //!
-//! What was learned by measuring (coherence as in [`crate::touch`]; a fingertip of 1.0 mm, 0.30 is a direction; dots of 1.0 to
+//! Measured (coherence as in [`crate::touch`]; a fingertip of 1.0 mm, 0.30 is a direction; dots of 1.0 to
 //! 1.5 mm, and from 2.0 mm on scenes with one empty dot round each line):
 //!
-//! * **Straight rows** some 4.6 mm apart are felt at every pitch, 0.9 and more as single rows, 0.85 and more as rows of two,
-//!   with all their dots. With every second dot left out they are none: 0.0 to 0.2 at 2.0 and 2.5 mm.
+//! * **Straight rows** some 4.6 mm apart are felt at every pitch, 0.9 and more as single rows, 0.85 and more as
+//!   double rows, with all their dots. With every second dot left out they are not felt: 0.0 to 0.2 at 2.0 and 2.5
+//!   mm.
 //! * **Diagonal rows** are harder, since along them dots are 1.4 pitches apart. In dots across the row, coherence at
-//!   2.5 mm: every 2nd 0.00 (a checkerboard), every 3rd 0.45, every 4th 0.45, and every 4th two dots thick 0.62; at 2.0 mm every
-//!   3rd 0.80, thick 0.92. So on coarse grids they get dense by getting thick. On scenes thick rows are misread half as often
-//!   at 2.5 mm (0.002 of places against 0.004); at 2.0 mm it is 0.0003 against 0.0006, and single rows are nearer to one another, which
-//!   leaves more of them in small areas.
-//! * **Grey must have holes**, as among rhombuses: with a whole checkerboard as its dense texture a fingertip of 1.5 mm reads
-//!   0.83 to 0.93 of it right, with a quarter of it left out 0.97 and more. Each is the same after a quarter turn.
-//! * **Two levels** are enough: lightness and lines together say which. A level more would be bundles of rows.
+//!   2.5 mm: every 2nd 0.00 (a checkerboard), every 3rd 0.45, every 4th 0.45, and every 4th two dots wide 0.62; at
+//!   2.0 mm every 3rd 0.80, double 0.92. So on coarse grids dense means double rows. On scenes double rows are
+//!   misread half as often at 2.5 mm (0.002 of places against 0.004); at 2.0 mm it is 0.0003 against 0.0006, and
+//!   single rows lie nearer to one another, so that more of them fit into small areas.
+//! * **Grey must have holes**, as among rhombuses: with a whole checkerboard as its dense texture a fingertip of 1.5
+//!   mm reads 0.83 to 0.93 of it right, with a quarter of it left out 0.97 and more. Each is the same after a quarter
+//!   turn.
+//! * **Two levels** are enough: lightness and lines together select one. A third level would be bundles of rows.
 //!
-//! Read right on the pages that profiles ship, with two empty dots round lines, of the scenes of `tools/src/touch` (`--dots
-//! PROFILE`; all kinds, seeds 1000 to 1005, never tuned to; in brackets seeds 0 to 5; the last two rows before narrow areas kept
-//! one empty dot):
+//! Read right on the pages that profiles ship, with two empty dots round lines, of the scenes of `tools/src/touch`
+//! (`--dots PROFILE`; all kinds, seeds 1000 to 1005, never tuned to; in brackets seeds 0 to 5; the last two rows
+//! before narrow areas kept one empty dot):
 //!
 //! | profile, pitch in mm | dot, mm | 0.5 mm | 1.0 mm | 1.5 mm | grey, 1.0 mm | grey, 1.5 mm |
 //! |---|---|---|---|---|---|---|
@@ -37,30 +39,31 @@
 //! | `braille-cells`, 2.34 | 1.44 | 0.373 | 0.538 (0.459) | 0.598 | 0.837 | 0.728 |
 //!
 //! What is misread lies in narrow areas: two empty dots beside each line take 15 mm of a stripe at 2.5 mm. With
-//! `dots.texture_gap` 1 it was 0.996 of all at 2.5 mm.
+//! `dots.texture_gap` 1, 0.996 were read right at 2.5 mm.
 //!
 //! Diameters are those of [`crate::devices::Device::diameter`].
 //!
 //! **What a device cannot carry.**
 //!
-//! * From 2.0 mm on the finest fingertip (0.5 mm) feels single dots: diagonal rows have no direction for it (coherence 0.0 at
-//!   2.5 mm, up to 0.10 at 2.0 mm, where 0.12 is one), whatever the pattern. Straight rows do.
+//! * From 2.0 mm on the finest fingertip (0.5 mm) feels single dots: diagonal rows have no direction for it
+//!   (coherence 0.0 at 2.5 mm, up to 0.10 at 2.0 mm, where 0.12 is one), whatever the pattern. Straight rows do.
 //! * A pitch of 3.0 mm has no diagonals at 1.0 mm either: green and red are read as grey.
-//! * Braille cells of six dots carry rows (0 degrees), columns (90 degrees) and dots. Of all patterns that repeat after one to
-//!   four cells, line by line the same or shifted by one or two cells, tried one by one, the most diagonal is one letter in every other cell, with a coherence of 0.38 and a direction of
-//!   62 degrees: too little. Diagonal rows are set all the same, since a broader fingertip does feel them (samples
-//!   0.88 at 1.5 mm), and [`carried`] tells which classes they leave alike.
-//! * Directions other than the four [`Way`]s: rows would be stairs. Each is set in the nearest of the four.
+//! * Braille cells of six dots carry rows (0 degrees), columns (90 degrees) and dots. Of all patterns that repeat
+//!   after one to four cells, line by line the same or shifted by one or two cells, tried one by one, the most
+//!   diagonal is one letter in every other cell, with a coherence of 0.38 and a direction of 62 degrees: too little.
+//!   Diagonal rows are set all the same, since a broader fingertip does feel them (samples 0.88 at 1.5 mm), and
+//!   [`carried`] tells which classes they leave alike.
+//! * Directions other than the four [`RowDirection`]s: rows would be stairs. Each is set in the nearest of the four.
 //! * Fringes: a single dot has no direction to turn.
 
-use super::strays::Apart;
+use super::small_components::Spacing;
 use crate::classes::Class;
 use crate::devices::{DotArea, Grid};
 use crate::textures::{Palette, Sign};
 
 /// The directions that rows of dots can have on a grid: along its rows and columns, and its two diagonals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Way {
+pub enum RowDirection {
     /// 0 degrees.
     Flat,
     /// 45 degrees: up to the right.
@@ -71,10 +74,10 @@ pub enum Way {
     Down,
 }
 
-impl Way {
+impl RowDirection {
     const ALL: [Self; 4] = [Self::Flat, Self::Up, Self::Upright, Self::Down];
 
-    /// The way nearest to a direction in degrees counter-clockwise from the x axis as a reader sees the page.
+    /// The one nearest to a direction in degrees counter-clockwise from the x axis as a reader sees the page.
     pub fn nearest(degrees: f32) -> Self {
         Self::ALL[(degrees.rem_euclid(180.0) / 45.0).round() as usize % 4]
     }
@@ -90,32 +93,37 @@ impl Way {
     }
 }
 
-/// The sign that dots make of a sign of the palette.
-pub(super) fn sign(sign: Sign, room: &DotArea) -> Sign {
-    match (sign, room) {
-        (Sign::Rhombus { degrees }, DotArea::Grid(_)) => Sign::Rhombus { degrees: Way::nearest(degrees).degrees() },
+/// The sign of the palette as dots in this area can form it.
+pub(super) fn sign(sign: Sign, area: &DotArea) -> Sign {
+    match (sign, area) {
+        (Sign::Rhombus { degrees }, DotArea::Grid(_)) => {
+            Sign::Rhombus { degrees: RowDirection::nearest(degrees).degrees() }
+        }
         _ => sign,
     }
 }
 
 /// Whether fingers can tell the classes of a palette apart on a device.
 ///
-/// On a grid rows lie in one of four [`Way`]s, each direction in the nearest. On a grid of braille cells, or one coarser than
-/// 2.6 mm, the two diagonal ones are not told from one another nor from dots. Where dots can stand anywhere, rows lie as asked for.
+/// On a grid rows lie in one of four [`RowDirection`]s, each direction in the nearest. On a grid of braille cells, or
+/// one coarser than 2.6 mm, the two diagonal ones cannot be told from one another nor from dots. Where dots can lie
+/// anywhere, rows have the direction that the palette states.
 ///
 /// # Errors
 /// All pairs of classes that feel alike, in the order of [`Class::ALL`].
-pub fn carried(palette: &Palette, room: &DotArea) -> Result<(), Vec<(Class, Class)>> {
+pub fn carried(palette: &Palette, area: &DotArea) -> Result<(), Vec<(Class, Class)>> {
     let is_even = |places: &[f32]| Steps::of(places, 0.0, 0.0).is_even();
     let is_apart = |places: &[f32]| Steps::of(places, 0.0, 0.0).mean > DIAGONALS_TO;
-    let without_diagonals = match room {
+    let without_diagonals = match area {
         DotArea::Grid(Grid { columns, rows }) => {
             [columns, rows].iter().any(|places| !is_even(places) || is_apart(places))
         }
         DotArea::Free(_) => false,
     };
-    let felt = |class| match sign(palette.sign(class), room) {
-        Sign::Rhombus { degrees } if without_diagonals && matches!(Way::nearest(degrees), Way::Up | Way::Down) => {
+    let felt = |class| match sign(palette.sign(class), area) {
+        Sign::Rhombus { degrees }
+            if without_diagonals && matches!(RowDirection::nearest(degrees), RowDirection::Up | RowDirection::Down) =>
+        {
             Sign::Dot
         }
         sign => sign,
@@ -129,10 +137,10 @@ pub fn carried(palette: &Palette, room: &DotArea) -> Result<(), Vec<(Class, Clas
 /// The pattern of a class on a grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Pattern {
-    /// Rows of dots: of every `period` rows of the grid in this direction the first is set always, `second` where the texture
-    /// is dense.
-    Rows { way: Way, period: i32, second: i32 },
-    /// Squares: the dots left when the grid is halved so many times, some of them where the texture is dense.
+    /// Rows of dots: of every `period` rows of the grid in this direction the first is set always, `second` where the
+    /// texture is dense.
+    Rows { direction: RowDirection, period: i32, second: i32 },
+    /// Squares: the dots left when the grid is halved so many times, some of them only where the texture is dense.
     Spots { halvings: u32 },
 }
 
@@ -140,15 +148,13 @@ pub(super) enum Pattern {
 const ROWS: f32 = 4.6;
 /// Distance of dots in dense grey, mm.
 const SPOTS: f32 = 3.2;
-/// Pitch from which on diagonal rows get dense by getting thick, mm: with more rows between them they would be felt less (see
-/// above).
+/// Pitch from which dense diagonal rows are double rows, mm: with more single rows they would be felt less (see above).
 const COARSE: f32 = 2.2;
 /// Pitch up to which diagonal rows are felt as such, mm.
 const DIAGONALS_TO: f32 = 2.6;
-/// Gaps between cells are wider than those in cells by more than this.
+/// Gaps between cells are wider than those in cells by more than this factor.
 const WIDE: f32 = 1.2;
-/// Patterns are counted in steps of the grid, and one finer than this has no steps that a finger knows, mm; a tenth of what
-/// devices have. Chosen by us.
+/// Finest pitch of a grid that patterns are made for, mm: a tenth of what devices have. Chosen by us.
 const FINEST: f32 = 0.1;
 /// Amount of texture, 0..=1, from which it is dense.
 pub(super) const DENSE_FROM: f32 = 0.6;
@@ -158,7 +164,7 @@ pub(super) const DENSE_FROM: f32 = 0.6;
 pub(super) struct Steps {
     /// How many are in a cell, if wider gaps lie between such groups; else 1.
     count: i32,
-    /// The one that patterns are counted from: the first of a cell, or the one in the middle of the picture.
+    /// The index that patterns are counted from: the first of a cell, or the one in the middle of the picture.
     pub(super) origin: i32,
     /// Mean distance, mm; 0 where there are fewer than two.
     mean: f32,
@@ -167,9 +173,9 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    /// How `places` lie, seen from the middle between two of them.
-    pub(super) fn of(places: &[f32], from: f32, to: f32) -> Self {
-        let gaps: Vec<f32> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    /// The steps between `centres`, counted from the middle of `from` and `to`.
+    pub(super) fn of(centres: &[f32], from: f32, to: f32) -> Self {
+        let gaps: Vec<f32> = centres.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let least = gaps.iter().copied().fold(f32::MAX, f32::min);
         let widest = gaps.iter().copied().fold(0.0, f32::max);
         let mean = gaps.iter().sum::<f32>() / gaps.len().max(1) as f32;
@@ -177,8 +183,8 @@ impl Steps {
         if let (Some(first), Some(second)) = (wide.next(), wide.next()) {
             return Self { count: (second - first) as i32, origin: first as i32 + 1, mean, widest };
         }
-        let off = |number: usize| (places[number] - 0.5 * (from + to)).abs();
-        let middle = (0..places.len()).min_by(|a, b| off(*a).total_cmp(&off(*b)));
+        let off = |number: usize| (centres[number] - 0.5 * (from + to)).abs();
+        let middle = (0..centres.len()).min_by(|a, b| off(*a).total_cmp(&off(*b)));
         Self { count: 1, origin: middle.unwrap_or(0) as i32, mean, widest }
     }
 
@@ -199,40 +205,40 @@ impl Pattern {
         let Sign::Rhombus { degrees } = sign else {
             return Some(Self::Spots { halvings: (2.0 * (SPOTS / pitch).log2()).round().max(1.0) as u32 });
         };
-        let way = Way::nearest(degrees);
+        let direction = RowDirection::nearest(degrees);
         let straight = |steps: Steps| {
             if steps.is_even() {
                 let second = every(ROWS).max(2);
-                Self::Rows { way, period: 2 * second, second }
+                Self::Rows { direction, period: 2 * second, second }
             } else {
                 // the first of every cell, and the last of it if that is not its neighbour
-                Self::Rows { way, period: steps.count, second: if steps.count > 2 { steps.count - 1 } else { 0 } }
+                Self::Rows { direction, period: steps.count, second: if steps.count > 2 { steps.count - 1 } else { 0 } }
             }
         };
-        Some(match way {
-            Way::Flat => straight(rows),
-            Way::Upright => straight(columns),
-            Way::Up | Way::Down => {
+        Some(match direction {
+            RowDirection::Flat => straight(rows),
+            RowDirection::Upright => straight(columns),
+            RowDirection::Up | RowDirection::Down => {
                 let rows = every(std::f32::consts::SQRT_2 * ROWS);
                 if pitch >= COARSE {
-                    Self::Rows { way, period: rows.max(4), second: 1 }
+                    Self::Rows { direction, period: rows.max(4), second: 1 }
                 } else {
-                    Self::Rows { way, period: 2 * rows, second: rows }
+                    Self::Rows { direction, period: 2 * rows, second: rows }
                 }
             }
         })
     }
 
-    /// The amount of texture from which the dot in column `x` and row `y` of the grid, counted from [`Steps::origin`], is
-    /// set; below 0 if it always is.
+    /// The amount of texture from which the dot in column `x` and row `y` of the grid, counted from
+    /// [`Steps::origin`], is set; below 0 if it always is.
     pub(super) fn needed_amount(self, x: i32, y: i32) -> f32 {
         match self {
-            Self::Rows { way, period, second } => {
-                let across = match way {
-                    Way::Flat => y,
-                    Way::Up => x + y,
-                    Way::Upright => x,
-                    Way::Down => y - x,
+            Self::Rows { direction, period, second } => {
+                let across = match direction {
+                    RowDirection::Flat => y,
+                    RowDirection::Up => x + y,
+                    RowDirection::Upright => x,
+                    RowDirection::Down => y - x,
                 };
                 match across.rem_euclid(period) {
                     0 => -1.0,
@@ -245,24 +251,24 @@ impl Pattern {
     }
 
     /// How far the dots of the sparsest texture are apart.
-    pub(super) fn apart(self, columns: Steps, rows: Steps, pitch: f32) -> Apart {
+    pub(super) fn spacing(self, columns: Steps, rows: Steps, pitch: f32) -> Spacing {
         let (mean, slope) = (columns.mean.max(rows.mean), columns.widest.hypot(rows.widest));
         let (along, across) = match self {
-            Self::Rows { way: Way::Flat, period, .. } => (columns.widest, period as f32 * rows.mean),
-            Self::Rows { way: Way::Upright, period, .. } => (rows.widest, period as f32 * columns.mean),
+            Self::Rows { direction: RowDirection::Flat, period, .. } => (columns.widest, period as f32 * rows.mean),
+            Self::Rows { direction: RowDirection::Upright, period, .. } => (rows.widest, period as f32 * columns.mean),
             Self::Rows { period, .. } => (slope, period as f32 * mean * std::f32::consts::FRAC_1_SQRT_2),
             Self::Spots { halvings } => (slope, mean * 2.0_f32.powf(0.5 * (halvings + 1) as f32)),
         };
         // on even grids rows are straight; between cells they have kinks
         let kink = (columns.widest.max(rows.widest) - pitch).max(0.0) * std::f32::consts::FRAC_1_SQRT_2;
-        Apart { pitch, along, off: 0.3 * pitch + kink, across }
+        Spacing { pitch, along, off: 0.3 * pitch + kink, across }
     }
 }
 
-/// Every step halves the grid: of a checkerboard's black squares every other one is left, a checkerboard turned by 45 degrees.
-/// In complex numbers x + iy it is what can be divided by 1 + i once more.
+/// Each halving keeps every other black square of a checkerboard, which is a checkerboard turned by 45 degrees. As
+/// complex numbers x + iy these are the multiples of a power of 1 + i (quincunx subsampling).
 fn of_spot(x: i32, y: i32, halvings: u32) -> f32 {
-    // The middle of the picture lies where the pattern of dots that come and go is the same to the left and to the right.
+    // Shifted so that the pattern of the optional dots is symmetric about the middle of the picture.
     let middle = if halvings % 2 == 1 { 1 << (halvings / 2) } else { 0 };
     let (mut x, mut y) = (x + middle, y + middle);
     for _ in 0..halvings {

@@ -1,5 +1,5 @@
-//! Dots keep to the grid, to their own region and from lines, whatever the regions look like; fewer where it is light or far
-//! from lines; mirrored pictures give mirrored dots.
+//! Dots lie on the grid, in their own region and clear of lines, whatever the regions look like; there are fewer
+//! where the colour is light or lines are far; mirrored pictures give mirrored dots.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -92,7 +92,10 @@ proptest! {
         way in (-20_i32..20, -20_i32..20, -1_i32..2, -1_i32..2),
     ) {
         let classes = areas(&seats, lightness);
-        let place = |k: i32| MmPoint::new(80.0 + (way.0 + k * way.2) as f32 * pitch, 90.0 + (way.1 + k * way.3) as f32 * pitch);
+        let place = |k: i32| {
+            let (x, y) = (way.0 + k * way.2, way.1 + k * way.3);
+            MmPoint::new(80.0 + x as f32 * pitch, 90.0 + y as f32 * pitch)
+        };
         let lines = [line((0..20).map(place).collect())];
         let params = Params { line_gap: gap, least_gap: gap, ..params(pitch) };
         let textures = fill(&classes, AREA, &lines, &DotArea::Grid(grid(pitch)), &params);
@@ -109,12 +112,14 @@ proptest! {
                 prop_assert!((glyph.at - on_grid).length() < 1e-3, "{:?} is off the grid", glyph.at);
                 let inner = AREA.inflate(-glyph.radius(), -glyph.radius());
                 prop_assert!(inner.contains_inclusive(glyph.at), "{:?} leaves the picture", glyph.at);
-                let cell = ((glyph.at.y - 30.0) / CELL) as usize * CELLS as usize + ((glyph.at.x - 20.0) / CELL) as usize;
-                let class = classes.region[cell].map(|region| classes.regions[region as usize].class);
+                let (column, row) = ((glyph.at.x - 20.0) / CELL, (glyph.at.y - 30.0) / CELL);
+                let region = classes.region[row as usize * CELLS as usize + column as usize];
+                let class = region.map(|region| classes.regions[region as usize].class);
                 prop_assert_eq!(class, Some(texture.class), "{:?} is off its region", glyph.at);
                 for k in 0..20 {
                     let (i, j) = (way.0 + k * way.2, way.1 + k * way.3);
-                    prop_assert!((i - x).abs().max((j - y).abs()) > gap as i32, "{:?} is too near to a line", glyph.at);
+                    let steps = (i - x).abs().max((j - y).abs());
+                    prop_assert!(steps > gap as i32, "{:?} is too near to a line", glyph.at);
                 }
                 for near in (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j))) {
                     let other = all.get(&near).is_some_and(|class| *class != texture.class);
@@ -142,7 +147,8 @@ proptest! {
         for texture in &textures {
             for glyph in &texture.glyphs {
                 for at in &lines[0].runs[0].points {
-                    prop_assert!((glyph.at - *at).length() >= 2.0 * pitch - 1e-3, "{:?} is too near to a line", glyph.at);
+                    let far = (glyph.at - *at).length();
+                    prop_assert!(far >= 2.0 * pitch - 1e-3, "{:?} is too near to a line", glyph.at);
                 }
                 for (at, class) in &all {
                     let least = if *class == texture.class { pitch } else { 1.5 * pitch };
@@ -161,29 +167,36 @@ proptest! {
         up_down in any::<bool>(),
     ) {
         let classes = areas(&seats, lightness);
-        let other = |i: u32| if up_down { (CELLS - 1 - i / CELLS) * CELLS + i % CELLS } else { i / CELLS * CELLS + CELLS - 1 - i % CELLS };
-        let mirrored = Classes { region: (0..CELLS * CELLS).map(|i| classes.region[other(i) as usize]).collect(), ..classes.clone() };
+        let other = |i: u32| {
+            let (x, y) = (i % CELLS, i / CELLS);
+            if up_down { (CELLS - 1 - y) * CELLS + x } else { y * CELLS + CELLS - 1 - x }
+        };
+        let region = (0..CELLS * CELLS).map(|i| classes.region[other(i) as usize]).collect();
+        let mirrored = Classes { region, ..classes.clone() };
         let palette = Palette { signs: Palette::PAPER.signs.map(crate::textures::Sign::mirrored) };
-        let room = DotArea::Grid(grid(pitch));
-        // Without lines textures are sparse. Dense diagonal rows from 2.2 mm on are two dots thick, the second on one side of the
-        // first; on a picture that stands on its head it lies on the other.
-        let here = fill(&classes, AREA, &[], &room, &params(pitch));
-        let there = fill(&mirrored, AREA, &[], &room, &Params { palette, ..params(pitch) });
-        let back = |(x, y, class): (i32, i32, Class)| if up_down { (x, 18_000 - y, class) } else { (16_000 - x, y, class) };
-        let apart = |a: (i32, i32, Class), b: (i32, i32, Class)| (a.0 - b.0).abs() + (a.1 - b.1).abs();
-        let (here, there): (Vec<_>, Vec<_>) = (dots(&here).into_iter().collect(), dots(&there).into_iter().map(back).collect());
+        let area = DotArea::Grid(grid(pitch));
+        // Without lines textures are sparse. Dense diagonal rows from 2.2 mm on are two dots thick, the second on one
+        // side of the first; on a picture that stands on its head it lies on the other.
+        let here = fill(&classes, AREA, &[], &area, &params(pitch));
+        let there = fill(&mirrored, AREA, &[], &area, &Params { palette, ..params(pitch) });
+        type Dot = (i32, i32, Class);
+        let back = |(x, y, class): Dot| if up_down { (x, 18_000 - y, class) } else { (16_000 - x, y, class) };
+        let apart = |a: Dot, b: Dot| (a.0 - b.0).abs() + (a.1 - b.1).abs();
+        let here: Vec<Dot> = dots(&here).into_iter().collect();
+        let there: Vec<Dot> = dots(&there).into_iter().map(back).collect();
         prop_assert_eq!(here.len(), there.len());
         for dot in here {
-            prop_assert!(there.iter().any(|other| other.2 == dot.2 && apart(dot, *other) <= 2), "{:?} has no mirrored one", dot);
+            let is_mirrored = |other: &Dot| other.2 == dot.2 && apart(dot, *other) <= 2;
+            prop_assert!(there.iter().any(is_mirrored), "{:?} has no mirrored one", dot);
         }
     }
 }
 
 #[test]
 fn darker_and_nearer_to_lines_is_the_same_dots_and_more() {
-    for (room, pitch) in [1.27, 1.6, 2.0, 2.5].map(|p| (DotArea::Grid(grid(p)), p)).into_iter().chain([(free(), 2.5)]) {
+    for (area, pitch) in [1.27, 1.6, 2.0, 2.5].map(|p| (DotArea::Grid(grid(p)), p)).into_iter().chain([(free(), 2.5)]) {
         for class in Class::ALL {
-            let of = |lightness, density| dots(&[sample(class, lightness, density, AREA, &room, &params(pitch))]);
+            let of = |lightness, density| dots(&[sample(class, lightness, density, AREA, &area, &params(pitch))]);
             let (far, near) = (of(0.85, 0.0), of(0.2, 1.0));
             assert!(far.is_subset(&near), "{class:?} at {pitch}: a dot goes where there should be more");
             let ratio = near.len() as f32 / far.len() as f32;
@@ -202,10 +215,10 @@ fn a_grid_of_one_column_or_row_has_no_texture() {
     let places = |count: usize| (0..count).map(|i| 25.0 + i as f32 * 2.5).collect::<Vec<f32>>();
     let classes = areas(&[(15.0, 30.0, 0), (30.0, 15.0, 1), (45.0, 30.0, 4)], 0.1);
     for (columns, rows) in [(0, 0), (1, 1), (1, 40), (40, 1)] {
-        let room = DotArea::Grid(Grid { columns: places(columns), rows: places(rows) });
+        let area = DotArea::Grid(Grid { columns: places(columns), rows: places(rows) });
         let lines = [line(vec![MmPoint::new(60.0, 60.0)])];
-        assert_eq!(fill(&classes, AREA, &lines, &room, &params(2.5)), [], "{columns} x {rows}");
-        let of = |class| sample(class, 0.1, 1.0, AREA, &room, &params(2.5)).glyphs;
+        assert_eq!(fill(&classes, AREA, &lines, &area, &params(2.5)), [], "{columns} x {rows}");
+        let of = |class| sample(class, 0.1, 1.0, AREA, &area, &params(2.5)).glyphs;
         assert!(Class::ALL.into_iter().all(|class| of(class).is_empty()), "{columns} x {rows}");
     }
 }
@@ -234,7 +247,7 @@ fn one_row_and_a_few_dots_are_no_texture() {
 fn regions_of_a_class_share_their_rows() {
     let two = areas(&[(15.0, 30.0, 1), (30.0, 30.0, 5), (45.0, 30.0, 1)], 0.3);
     let one = areas(&[(30.0, 30.0, 1), (99.0, 99.0, 5)], 0.3);
-    let room = DotArea::Grid(grid(1.6));
-    let [two, one] = [two, one].map(|classes| dots(&fill(&classes, AREA, &[], &room, &params(1.6))));
+    let area = DotArea::Grid(grid(1.6));
+    let [two, one] = [two, one].map(|classes| dots(&fill(&classes, AREA, &[], &area, &params(1.6))));
     assert!(two.len() > 200 && two.is_subset(&one));
 }

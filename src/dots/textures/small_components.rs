@@ -1,4 +1,5 @@
-//! A few dots that stand apart say nothing, a dot alone has no direction, and a single row of dots is felt as a line.
+//! Removal of small components: a few dots that stand apart are no texture, a dot alone has no direction, and a
+//! single row of dots is felt as a line.
 
 use crate::geom::components;
 use crate::textures::{Sign, unit};
@@ -11,9 +12,9 @@ const LEAST_ROW: usize = 2;
 /// Two rows lie further apart than this, in pitches; the two halves of a thick row lie nearer.
 const ONE_ROW: f32 = 1.5;
 
-/// How far dots of one texture are from one another, mm.
+/// Distances of the dots of one texture, mm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Apart {
+pub(super) struct Spacing {
     /// The pitch.
     pub(super) pitch: f32,
     /// In a row, at most.
@@ -24,13 +25,14 @@ pub(super) struct Apart {
     pub(super) across: f32,
 }
 
-/// Leaves out dots alone in their row, and then groups of dots that are no texture: few, or all in one row.
-pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, apart: Apart) {
-    let pitch = apart.pitch;
+/// Leaves out dots alone in their row, and then components that are no texture: of few dots, or all in one row.
+pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, spacing: Spacing) {
+    let pitch = spacing.pitch;
     if let Sign::Rhombus { degrees } = sign {
         let (along, across) = (unit(degrees), unit(degrees + 90.0));
-        let in_row = |way: MmVector| way.dot(across).abs() <= apart.off && way.dot(along).abs() <= 1.01 * apart.along;
-        keep(dots, 1.1 * apart.along, in_row, |row| row.len() >= LEAST_ROW);
+        let in_row =
+            |step: MmVector| step.dot(across).abs() <= spacing.off && step.dot(along).abs() <= 1.01 * spacing.along;
+        keep(dots, 1.1 * spacing.along, in_row, |row| row.len() >= LEAST_ROW);
     }
     let across: &[f32] = match sign {
         Sign::Rhombus { degrees } => &[degrees + 90.0],
@@ -38,23 +40,23 @@ pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, apart: Apart) {
     };
     let is_wide = |group: &[MmPoint]| {
         across.iter().all(|degrees| {
-            let way = unit(*degrees);
-            let places = group.iter().map(|at| at.to_vector().dot(way));
-            let (low, high) = places.fold((f32::MAX, f32::MIN), |(low, high), at| (low.min(at), high.max(at)));
+            let axis = unit(*degrees);
+            let positions = group.iter().map(|at| at.to_vector().dot(axis));
+            let (low, high) = positions.fold((f32::MAX, f32::MIN), |(low, high), at| (low.min(at), high.max(at)));
             high - low >= ONE_ROW * pitch
         })
     };
-    let reach = 1.01 * apart.along.max(apart.across);
-    let is_near = |way: MmVector| way.length() <= reach;
+    let reach = 1.01 * spacing.along.max(spacing.across);
+    let is_near = |step: MmVector| step.length() <= reach;
     keep(dots, reach, is_near, |group| group.len() >= LEAST_GROUP && is_wide(group));
 }
 
-/// Keeps the dots of the groups that `stays` lets pass. Two dots are of one group if they are no more than `reach` apart and
-/// `belong` says so of the way between them.
+/// Keeps the components that `stays` accepts. Two dots are linked if they are no more than `reach` apart and `belong`
+/// accepts the vector between them.
 fn keep(dots: &mut Vec<MmPoint>, reach: f32, belong: impl Fn(MmVector) -> bool, stays: impl Fn(&[MmPoint]) -> bool) {
     let groups = components::of_points(dots, reach, belong);
     components::retain(dots, &groups, |dots, group| {
-        let places: Vec<MmPoint> = group.iter().map(|&dot| dots[dot]).collect();
-        stays(&places)
+        let dots: Vec<MmPoint> = group.iter().map(|&dot| dots[dot]).collect();
+        stays(&dots)
     });
 }

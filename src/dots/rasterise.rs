@@ -1,8 +1,9 @@
-//! The dots of a line on a grid: one dot wide, each a neighbour of the next, sideways or diagonally.
+//! The dots of a line on a grid: one dot wide, each an 8-neighbour of the next.
 //!
-//! Wherever the line crosses the middle of a column or of a row, the dot nearest to it is taken. On a straight line that is
-//! one dot a column where it is flat, one a row where it is steep: Bresenham's line, and no dot lies further than half a step
-//! along an axis from the line, but for its ends and where it wavers. Where a line bends, dots may be left that touch both of their neighbours' neighbours:
+//! Wherever the line crosses the middle of a column or of a row, the dot nearest to it is taken. On a straight line
+//! that is one dot a column where it is flat, one a row where it is steep: Bresenham's line, and no dot lies further
+//! than half a step along an axis from the line, except at its ends and where the line wavers. Where a line bends, a
+//! dot may be superfluous, since its two neighbours touch each other:
 //!
 //! ```text
 //!   # #  .        # .  .        # # #        the last is a corner of the line itself, with two
@@ -10,32 +11,33 @@
 //!                               . . #
 //! ```
 
-use super::cells::{Cell, Place, apart, nearest, place};
+use super::cell::{Cell, GridPoint, distance, nearest, to_grid};
 use crate::devices::Grid;
 use crate::units::MmPoint;
 
-/// The dots along a line, in its order. The dots of a closed line end beside the one they begin with.
-pub(super) fn trace(points: &[MmPoint], closed: bool, grid: &Grid) -> Vec<Cell> {
-    let places: Vec<Place> = points.iter().map(|&at| place(at, grid)).collect();
+/// The dots along a line, in its order. The last dot of a closed line is a neighbour of the first.
+pub(super) fn rasterise(points: &[MmPoint], closed: bool, grid: &Grid) -> Vec<Cell> {
+    let points: Vec<GridPoint> = points.iter().map(|&at| to_grid(at, grid)).collect();
     let mut cells = Vec::new();
     if !closed {
-        cells.extend(places.first().map(|&at| nearest(at)));
+        cells.extend(points.first().map(|&at| nearest(at)));
     }
-    for pair in places.windows(2) {
+    for pair in points.windows(2) {
         crossed(pair[0], pair[1], &mut cells);
     }
     if !closed {
-        cells.extend(places.last().map(|&at| nearest(at)));
+        cells.extend(points.last().map(|&at| nearest(at)));
     }
     if cells.is_empty() {
-        // a ring so small that it crosses no middle
-        cells.extend(places.first().map(|&at| nearest(at)));
+        // a ring so small that it crosses the middle of no column or row
+        cells.extend(points.first().map(|&at| nearest(at)));
     }
     cells.dedup();
-    smooth(thin(filled(cells, closed), closed), closed)
+    smooth(thin(connected(cells, closed), closed), closed)
 }
 
-/// Puts single dots back into their row: where a line runs along the middle between two rows, its tremor throws dots to and fro.
+/// Moves single dots back into their row: where a line runs midway between two rows, noise moves dots from one to the
+/// other.
 ///
 /// ```text
 ///   . . # . .        . . . . .
@@ -59,26 +61,26 @@ fn smooth(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     cells
 }
 
-/// The dots nearest to where a straight piece crosses the middles of columns and rows, in its order.
-fn crossed(a: Place, b: Place, cells: &mut Vec<Cell>) {
-    let mut places: Vec<(f32, Cell)> = Vec::new();
+/// The dots nearest to where a straight piece crosses the middles of columns and rows, in order along it.
+fn crossed(a: GridPoint, b: GridPoint, cells: &mut Vec<Cell>) {
+    let mut crossings: Vec<(f32, Cell)> = Vec::new();
     for axis in 0..2 {
         let (from, to) = (a[axis], b[axis]);
         let (low, high) = (from.min(to), from.max(to));
         for middle in low.ceil() as i32..=high.floor() as i32 {
             let share = if high > low { (middle as f32 - from) / (to - from) } else { 0.0 };
-            let beside = a[1 - axis] + (b[1 - axis] - a[1 - axis]) * share;
+            let across = a[1 - axis] + (b[1 - axis] - a[1 - axis]) * share;
             let mut at = [0.0; 2];
-            (at[axis], at[1 - axis]) = (middle as f32, beside);
-            places.push((share, nearest(at)));
+            (at[axis], at[1 - axis]) = (middle as f32, across);
+            crossings.push((share, nearest(at)));
         }
     }
-    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    cells.extend(places.into_iter().map(|(_, cell)| cell));
+    crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    cells.extend(crossings.into_iter().map(|(_, cell)| cell));
 }
 
-/// The same dots with those between that are needed to make each a neighbour of the next.
-fn filled(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
+/// The same dots with those between that make each a neighbour of the next.
+fn connected(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     let first = cells.first().copied();
     let mut out: Vec<Cell> = Vec::with_capacity(cells.len());
     let end = first.filter(|_| closed && cells.len() > 1);
@@ -95,20 +97,20 @@ fn filled(cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     out
 }
 
-/// A line that comes back to itself within this many dots makes a clot, not a shape; the smallest ring with a dot of blank in it
-/// has eight.
+/// A line that returns to itself within this many dots makes a clot, not a shape; the smallest ring around an empty
+/// dot has eight.
 const CURL: usize = 7;
 
 /// The dots between two, each a neighbour of the next.
 pub(super) fn between(a: Cell, b: Cell) -> impl Iterator<Item = Cell> {
-    let steps = apart(a, b);
+    let steps = distance(a, b);
     (1..steps).map(move |step| {
         let share = step as f32 / steps as f32;
         nearest([0, 1].map(|axis| a[axis] as f32 + (b[axis] - a[axis]) as f32 * share))
     })
 }
 
-/// Leaves out dots without which their neighbours are neighbours still, but for true corners.
+/// Removes dots whose two neighbours touch each other, except true corners.
 pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
     loop {
         let before = cells.len();
@@ -118,13 +120,13 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
             false => cells.get(i),
         };
         for (i, &cell) in cells.iter().enumerate() {
-            // a curl: the line comes back to where it was a few dots ago
+            // a curl: the line returns to where it was a few dots ago
             let recent = out.len().saturating_sub(CURL)..out.len().saturating_sub(2);
-            if let Some(j) = recent.into_iter().find(|&j| apart(out[j], cell) <= 1) {
+            if let Some(j) = recent.into_iter().find(|&j| distance(out[j], cell) <= 1) {
                 out.truncate(j + 1);
             }
             while let [.., a, b] = out[..]
-                && apart(a, cell) <= 1
+                && distance(a, cell) <= 1
                 && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, cell, ahead(i + 1).copied())
             {
                 out.pop();
@@ -134,18 +136,18 @@ pub(super) fn thin(mut cells: Vec<Cell>, closed: bool) -> Vec<Cell> {
             }
         }
         if closed {
-            // across the seam: what is last, what is first
+            // across the seam: the last dot, then the first
             while let [first, second, .., a, b] = out[..]
                 && out.len() > 4
                 && (b == first
-                    || apart(a, first) <= 1
+                    || distance(a, first) <= 1
                         && !is_corner(out.len().checked_sub(3).map(|i| out[i]), a, b, first, Some(second)))
             {
                 out.pop();
             }
             if let [first, second, .., last] = out[..]
                 && out.len() > 4
-                && apart(last, second) <= 1
+                && distance(last, second) <= 1
                 && !is_corner(out.get(out.len() - 2).copied(), last, first, second, out.get(2).copied())
             {
                 out.remove(0);
@@ -194,8 +196,8 @@ mod tests {
         let n = cells.len();
         (0..n).all(|i| {
             (0..i).all(|j| {
-                let way = if closed { (i - j).min(n - (i - j)) } else { i - j };
-                (apart(cells[i], cells[j]) <= 1) == (way == 1)
+                let steps = if closed { (i - j).min(n - (i - j)) } else { i - j };
+                (distance(cells[i], cells[j]) <= 1) == (steps == 1)
             })
         })
     }
@@ -206,7 +208,7 @@ mod tests {
             let (sin, cos) = (degrees as f32).to_radians().sin_cos();
             for (x, y) in [(30.0, 30.0), (30.3, 29.6), (30.5, 30.5)] {
                 let end = [x + 20.0 * cos, y + 20.0 * sin];
-                let cells = trace(&[at(x, y), at(end[0], end[1])], false, &grid());
+                let cells = rasterise(&[at(x, y), at(end[0], end[1])], false, &grid());
                 assert!(is_one_dot_wide(&cells, false), "{degrees}: {cells:?}");
                 assert!(cells.len() >= 14 && cells.len() <= 22, "{degrees}: {}", cells.len());
                 for cell in cells {
@@ -222,7 +224,7 @@ mod tests {
         for tenth in 25..200 {
             for (x, y) in [(30.0, 30.0), (29.7, 30.2), (30.5, 30.5)] {
                 let radius = tenth as f32 / 10.0;
-                let cells = trace(&ring(radius, x, y), true, &grid());
+                let cells = rasterise(&ring(radius, x, y), true, &grid());
                 assert!(is_one_dot_wide(&cells, true), "radius {radius}: {cells:?}");
                 for cell in &cells {
                     let off = (cell[0] as f32 - x).hypot(cell[1] as f32 - y) - radius;
@@ -235,7 +237,7 @@ mod tests {
     #[test]
     fn a_rectangle_keeps_its_corners() {
         let points = [at(10.0, 10.0), at(20.2, 10.0), at(20.2, 16.4), at(10.0, 16.4), at(10.0, 10.0)];
-        let cells = trace(&points, true, &grid());
+        let cells = rasterise(&points, true, &grid());
         for corner in [[20, 10], [20, 16], [10, 16]] {
             assert!(cells.contains(&corner), "{corner:?} is not in {cells:?}");
         }

@@ -1,4 +1,4 @@
-//! The dots of a line on a device that can press them anywhere: in even steps along the line.
+//! The dots of a line on a device that can press them anywhere: evenly spaced along the line.
 
 use lyon::path::Path;
 use lyon::walk::{RegularPattern, WalkerEvent, walk_along_path};
@@ -6,11 +6,11 @@ use lyon::walk::{RegularPattern, WalkerEvent, walk_along_path};
 use crate::geom::polyline;
 use crate::units::MmPoint;
 
-/// What a line may lie off its curve when it is walked, mm; it is a polyline, so nothing is.
+/// Tolerance of flattening curves, mm; a polyline has none.
 const TOLERANCE: f32 = 0.01;
 
-/// Dots along a line, as near to `pitch` mm apart as makes the steps even: on both ends of an open line, all round a closed one.
-pub(super) fn along(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoint> {
+/// Dots along a line in equal steps as near to `pitch` mm as fit: on both ends of an open line, all round a closed one.
+pub(super) fn evenly(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoint> {
     let length = polyline::length(points);
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Vec::new() };
     let steps = (length / pitch).round();
@@ -32,7 +32,7 @@ pub(super) fn along(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoint
         interval: length / steps,
     };
     walk_along_path(path.build().iter(), 0.0, TOLERANCE, &mut pattern);
-    // Whether the walker takes the very end hangs on rounding.
+    // Whether the walker reaches the very end depends on rounding.
     dots.truncate(steps as usize);
     if !closed {
         dots.push(last);
@@ -49,7 +49,7 @@ mod tests {
         for (length, pitch, want) in [(25.0, 2.5, 11), (26.0, 2.5, 11), (24.0, 2.5, 11), (3.0, 2.5, 2), (1.0, 2.5, 1)] {
             let points =
                 [MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + 0.4 * length, 10.0), MmPoint::new(10.0 + length, 10.0)];
-            let dots = along(&points, false, pitch);
+            let dots = evenly(&points, false, pitch);
             assert_eq!(dots.len(), want, "{length} mm");
             assert!(
                 dots.windows(2).all(|pair| ((pair[1] - pair[0]).length() - length / (want as f32 - 1.0)).abs() < 1e-3)
@@ -64,7 +64,7 @@ mod tests {
         let angle = |i: i32| (i % 90) as f32 * std::f32::consts::TAU / 90.0;
         let ring: Vec<MmPoint> =
             (0..=90).map(|i| MmPoint::new(50.0 + 20.0 * angle(i).cos(), 50.0 + 20.0 * angle(i).sin())).collect();
-        let dots = along(&ring, true, 2.5);
+        let dots = evenly(&ring, true, 2.5);
         assert_eq!(dots.len(), 50);
         for i in 0..dots.len() {
             let step = (dots[(i + 1) % dots.len()] - dots[i]).length();

@@ -1,0 +1,145 @@
+//! The clearance between lines whose dots can be anywhere. Their middles keep their distance already; where they
+//! join, dots would fall on dots.
+
+use std::collections::BTreeMap;
+
+use super::{LEAST_DOTS, ROUNDED_OFF};
+use crate::dots::params::{Params, points_of};
+use crate::dots::{second_row, spacing};
+use crate::geom::polyline;
+use crate::lines::Line;
+use crate::units::{MmPoint, MmRect};
+
+/// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
+const LEAST_STEP: f32 = 0.75;
+
+/// A line as its first row of dots.
+struct Row<'a> {
+    line: &'a Line,
+    dots: Vec<MmPoint>,
+    closed: bool,
+}
+
+/// Lines whose dots can be anywhere in `part` of the sheet, the strongest first. Second rows come last, where they
+/// keep the gap from all other lines.
+pub(in crate::dots) fn anywhere(lines: &[Line], part: MmRect, params: &Params) -> Vec<Line> {
+    let part = part.inflate(ROUNDED_OFF, ROUNDED_OFF);
+    let least = LEAST_STEP * params.pitch;
+    let mut placed = Placed { squares: BTreeMap::new(), side: params.pitch };
+    let mut rows: Vec<Row<'_>> = Vec::new();
+    for line in lines {
+        let (points, closed) = points_of(line);
+        let mut dots = spacing::evenly(&points, closed, params.pitch);
+        dots.retain(|&at| part.contains_inclusive(at) && placed.is_free(at, least, |_| true));
+        if dots.len() >= LEAST_DOTS && polyline::length(&dots) + params.pitch >= params.min_length {
+            // a line may come near itself at a corner
+            dots.retain(|&at| {
+                let is_free = placed.is_free(at, least, |_| true);
+                is_free.then(|| placed.place(at, rows.len())).is_some()
+            });
+            rows.push(Row { line, dots, closed });
+        }
+    }
+    let mut out = Vec::with_capacity(rows.len());
+    for (own, row) in rows.iter().enumerate() {
+        let mut dots = vec![row.dots.clone()];
+        if params.has_second_row(row.line) && row.dots.len() >= LEAST_DOTS {
+            dots.push(placed.second_row(own, row, part, params));
+        }
+        dots.retain(|dots| !dots.is_empty());
+        let runs = dots.into_iter().map(|dots| params.run(dots, params.height(row.line))).collect();
+        out.push(Line { strength: row.line.strength, runs });
+    }
+    out
+}
+
+/// Dots by the square that they lie in, each with the number of its line.
+struct Placed {
+    squares: BTreeMap<[i32; 2], Vec<(MmPoint, usize)>>,
+    /// Side of the squares, mm.
+    side: f32,
+}
+
+impl Placed {
+    fn square(&self, at: MmPoint) -> [i32; 2] {
+        [at.x, at.y].map(|mm| (mm / self.side).floor() as i32)
+    }
+
+    fn place(&mut self, at: MmPoint, line: usize) {
+        self.squares.entry(self.square(at)).or_default().push((at, line));
+    }
+
+    /// Whether no dot of the lines that `counts` accepts is nearer than `gap` mm.
+    fn is_free(&self, at: MmPoint, gap: f32, counts: impl Fn(usize) -> bool) -> bool {
+        let [x, y] = self.square(at);
+        let reach = (gap / self.side).ceil() as i32;
+        let around = (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| [x + dx, y + dy]));
+        let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
+        near.all(|&(other, line)| !counts(line) || (other - at).length() >= gap)
+    }
+
+    /// Places the second row of a line where it keeps the gap from all other lines; empty if that leaves too few dots.
+    fn second_row(&mut self, own: usize, row: &Row<'_>, part: MmRect, params: &Params) -> Vec<MmPoint> {
+        let gap = params.clearance() - ROUNDED_OFF;
+        let mut second = Vec::new();
+        for (_, at) in second_row::anywhere(&row.dots, row.closed, params.pitch) {
+            let is_free = self.is_free(at, LEAST_STEP * params.pitch, |_| true);
+            if part.contains_inclusive(at) && is_free && self.is_free(at, gap, |line| line != own) {
+                self.place(at, own);
+                second.push(at);
+            }
+        }
+        if second.len() >= LEAST_DOTS { second } else { Vec::new() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::{Pen, Run};
+
+    const PART: MmRect = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(100.0, 100.0));
+
+    fn line(strength: f32, points: &[(f32, f32)]) -> Line {
+        let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        Line { strength, runs: vec![Run { width: 1.0, points, pen: Pen::Stroke }] }
+    }
+
+    fn params() -> Params {
+        Params { pitch: 2.5, diameter: 1.6, line_gap: 1, heavy_from: 50.0, has_heights: false, min_length: 5.0 }
+    }
+
+    fn dots(lines: &[Line]) -> Vec<Vec<usize>> {
+        lines.iter().map(|line| line.runs.iter().map(|run| run.points.len()).collect()).collect()
+    }
+
+    #[test]
+    fn a_crossing_line_leaves_out_what_falls_on_the_dots_of_the_stronger() {
+        let across = line(20.0, &[(10.0, 50.0), (60.0, 50.0)]);
+        let upright = line(10.0, &[(35.0, 25.0), (35.0, 75.0)]);
+        let drawn = anywhere(&[across, upright], PART, &params());
+        assert_eq!(dots(&drawn), [[21], [20]]);
+        let all: Vec<MmPoint> = drawn.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.clone()).collect();
+        for (i, a) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|b| (*a - *b).length() >= LEAST_STEP * 2.5 - 1e-3), "{a:?}");
+        }
+    }
+
+    #[test]
+    fn dots_outside_the_part_and_short_lines_are_left_out() {
+        let leaving = line(20.0, &[(80.0, 50.0), (130.0, 50.0)]);
+        let short = line(10.0, &[(10.0, 10.0), (12.0, 10.0)]);
+        assert_eq!(dots(&anywhere(&[leaving, short], PART, &params())), [[9]]);
+    }
+
+    #[test]
+    fn a_second_row_keeps_the_gap_from_other_lines() {
+        let heavy = line(60.0, &[(10.0, 50.0), (60.0, 50.0)]);
+        assert_eq!(dots(&anywhere(std::slice::from_ref(&heavy), PART, &params())), [[21, 21]]);
+        // 6 mm below it the second row would come within 3.5 mm of the other line, and 5 mm must lie between
+        let light = line(10.0, &[(10.0, 56.0), (60.0, 56.0)]);
+        assert_eq!(dots(&anywhere(&[heavy.clone(), light], PART, &params())), [vec![21], vec![21]]);
+        let high = Params { has_heights: true, ..params() };
+        assert_eq!(dots(&anywhere(&[heavy], PART, &high)), [[21]], "a device with heights has single rows");
+    }
+}

@@ -1,0 +1,269 @@
+//! Empty dots between the lines on a grid: what is left of a weaker line where it comes too near to a stronger one,
+//! or to itself.
+//!
+//! Lines come with their distance in millimetres; rounding to a grid can take up to a step off it. Lines that join stay
+//! together: an end that touches another line may come nearer than the gap.
+
+use std::collections::BTreeMap;
+
+use super::{LEAST_DOTS, ROUNDED_OFF};
+use crate::devices::Grid;
+use crate::dots::cell::{Cell, centre, distance, within};
+use crate::dots::params::{Params, points_of};
+use crate::dots::{rasterise, second_row};
+use crate::geom::polyline;
+use crate::lines::Line;
+use crate::units::{MmPoint, MmRect};
+
+/// Lines on a grid, the strongest first.
+pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params: &Params) -> Vec<Line> {
+    let [columns, rows] = within(part, grid);
+    if columns[0] > columns[1] || rows[0] > rows[1] {
+        return Vec::new();
+    }
+    let mut taken = Taken { lines: BTreeMap::new(), gap: params.line_gap as i32 };
+    let mut drawn: Vec<(&Line, Piece)> = Vec::new();
+    for line in lines {
+        let (cells, closed) = cells_of(line, grid, [columns, rows]);
+        let is_long = |piece: &Piece| {
+            let length = polyline::length(&centres(&piece.cells, grid));
+            piece.cells.len() >= LEAST_DOTS && length + ROUNDED_OFF >= params.min_length
+        };
+        for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
+            piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
+            drawn.push((line, piece));
+        }
+    }
+    // Second rows come last and only where they fit, so that no line is cut for the sake of another's width.
+    let inside = |cell: Cell| (columns[0]..=columns[1]).contains(&cell[0]) && (rows[0]..=rows[1]).contains(&cell[1]);
+    let mut out = Vec::with_capacity(drawn.len());
+    for (number, (line, piece)) in drawn.iter().enumerate() {
+        let mut rows = vec![piece.cells.clone()];
+        if params.has_second_row(line) {
+            let second = taken.second_row(number, piece, inside);
+            second.iter().for_each(|&cell| taken.take(cell, number));
+            rows.push(second);
+        }
+        rows.retain(|row| !row.is_empty());
+        let run = |row: &Vec<Cell>| params.run(centres(row, grid), params.height(line));
+        out.push(Line { strength: line.strength, runs: rows.iter().map(run).collect() });
+    }
+    out
+}
+
+/// The dots of a line within these columns and rows (first and last), one dot wide, and whether it is closed.
+fn cells_of(line: &Line, grid: &Grid, [columns, rows]: [[i32; 2]; 2]) -> (Vec<Cell>, bool) {
+    let (points, closed) = points_of(line);
+    let mut cells = rasterise::rasterise(&points, closed, grid);
+    let inside = |[x, y]: Cell| [x.clamp(columns[0], columns[1]), y.clamp(rows[0], rows[1])];
+    cells.iter_mut().for_each(|cell| *cell = inside(*cell));
+    cells.dedup();
+    // ends that have become neighbours on the grid close the line
+    let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
+    let closed = closed || ends.is_some_and(|(&first, &last)| distance(first, last) <= 1);
+    (rasterise::thin(cells, closed), closed)
+}
+
+fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
+    cells.iter().map(|&cell| centre(cell, grid)).collect()
+}
+
+/// A piece of a line that is far enough from all others.
+struct Piece {
+    cells: Vec<Cell>,
+    closed: bool,
+}
+
+/// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
+struct Taken {
+    lines: BTreeMap<Cell, usize>,
+    gap: i32,
+}
+
+impl Taken {
+    fn take(&mut self, cell: Cell, piece: usize) {
+        self.lines.entry(cell).or_insert(piece);
+    }
+
+    /// The cells that are nearer to `cell` than the gap allows.
+    fn around(&self, cell: Cell) -> impl Iterator<Item = Cell> + use<> {
+        let gap = self.gap;
+        (-gap..=gap).flat_map(move |dy| (-gap..=gap).map(move |dx| [cell[0] + dx, cell[1] + dy]))
+    }
+
+    /// Steps to the nearest dot of another line; none beyond the gap.
+    fn to_others(&self, cell: Cell) -> Option<i32> {
+        self.around(cell).filter(|near| self.lines.contains_key(near)).map(|near| distance(near, cell)).min()
+    }
+
+    /// From how many dots along a line on its distance from itself counts: at a right angle both arms are near each
+    /// other for so long.
+    fn least_arc(&self) -> usize {
+        (4 * self.gap + 4) as usize
+    }
+
+    /// Steps from each dot of a line to the nearest dot of other lines and of the parts of its own that came long
+    /// before; none beyond the gap.
+    fn distances(&self, cells: &[Cell], closed: bool) -> Vec<Option<i32>> {
+        let (n, least_arc) = (cells.len(), self.least_arc());
+        let mut own: BTreeMap<Cell, usize> = BTreeMap::new();
+        let mut out = Vec::with_capacity(n);
+        for (i, &cell) in cells.iter().enumerate() {
+            let far = |j: usize| i - j > least_arc && (!closed || n - (i - j) > least_arc);
+            let is_own = |near: &Cell| own.get(near).is_some_and(|&j| *near == cell || far(j));
+            let of_own = self.around(cell).filter(is_own).map(|near| distance(near, cell)).min();
+            out.push(of_own.into_iter().chain(self.to_others(cell)).min());
+            own.insert(cell, i);
+        }
+        out
+    }
+
+    /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
+    /// itself.
+    fn second_row(&self, number: usize, piece: &Piece, inside: impl Fn(Cell) -> bool) -> Vec<Cell> {
+        let (n, least_arc) = (piece.cells.len(), self.least_arc());
+        // the dots of both rows, each with the index in the first row
+        let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
+        let mut row = second_row::on_grid(&piece.cells, piece.closed);
+        row.retain(|&(i, cell)| {
+            let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
+            let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
+                (Some(&j), _) => !is_other_arm(j),
+                (None, other) => other.is_none_or(|&other| other == number),
+            };
+            let is_kept = inside(cell) && !self.lines.contains_key(&cell) && self.around(cell).all(is_free);
+            if is_kept {
+                own.insert(cell, i);
+            }
+            is_kept
+        });
+        second_row::without_short_pieces(row, LEAST_DOTS)
+    }
+
+    /// The pieces of a line that keep the gap.
+    fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<Piece> {
+        let mut distances = self.distances(cells, closed);
+        if distances.iter().all(Option::is_none) {
+            return vec![Piece { cells: cells.to_vec(), closed }];
+        }
+        let mut cells = cells.to_vec();
+        if closed {
+            // starting where it is too near, it is an open line
+            let start = distances.iter().position(Option::is_some).unwrap_or(0);
+            cells.rotate_left(start);
+            distances.rotate_left(start);
+        } else {
+            self.allow_junction(&mut cells, &mut distances);
+            cells.reverse();
+            distances.reverse();
+            self.allow_junction(&mut cells, &mut distances);
+            cells.reverse();
+            distances.reverse();
+        }
+        let stretches = distances.split(Option::is_some).scan(0, |at, stretch| {
+            let from = *at;
+            *at += stretch.len() + 1;
+            Some(from..from + stretch.len())
+        });
+        stretches
+            .filter(|range| !range.is_empty())
+            .map(|range| Piece { cells: cells[range].to_vec(), closed: false })
+            .collect()
+    }
+
+    /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and
+    /// the dots from the one beside it until the gap is reached are allowed, at most two for each step of the gap. A
+    /// line that runs along the other is none.
+    fn allow_junction(&self, cells: &mut Vec<Cell>, distances: &mut Vec<Option<i32>>) {
+        let near = distances.iter().take_while(|distance| distance.is_some()).count();
+        let touches = distances[..near].iter().rposition(|distance| distance.is_some_and(|steps| steps <= 1));
+        let Some(last) = touches else { return };
+        if near - last > (2 * self.gap) as usize || last > (2 * self.gap + 2) as usize {
+            return;
+        }
+        let skipped = if distances[last] == Some(0) { last + 1 } else { last };
+        distances[..near].iter_mut().for_each(|distance| *distance = None);
+        cells.drain(..skipped);
+        distances.drain(..skipped);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(y: i32, columns: std::ops::Range<i32>) -> Vec<Cell> {
+        columns.map(|x| [x, y]).collect()
+    }
+
+    fn taken(lines: &[Vec<Cell>], gap: i32) -> Taken {
+        let mut taken = Taken { lines: BTreeMap::new(), gap };
+        for (number, cells) in lines.iter().enumerate() {
+            cells.iter().for_each(|&cell| taken.take(cell, number));
+        }
+        taken
+    }
+
+    fn pieces(taken: &Taken, cells: &[Cell], closed: bool) -> Vec<(Vec<Cell>, bool)> {
+        taken.pieces(cells, closed).into_iter().map(|piece| (piece.cells, piece.closed)).collect()
+    }
+
+    #[test]
+    fn a_line_far_from_others_stays_whole() {
+        let taken = taken(&[row(0, 0..20)], 2);
+        assert_eq!(pieces(&taken, &row(3, 0..20), false), [(row(3, 0..20), false)]);
+        // a step nearer there are too few empty dots between
+        assert_eq!(pieces(&taken, &row(2, 0..20), false), []);
+    }
+
+    #[test]
+    fn a_line_is_cut_where_it_comes_near_another() {
+        let taken = taken(&[row(0, 10..12)], 1);
+        assert_eq!(pieces(&taken, &row(1, 0..20), false), [(row(1, 0..9), false), (row(1, 13..20), false)]);
+    }
+
+    #[test]
+    fn a_ring_that_is_cut_is_an_open_line() {
+        let side = |from: Cell, step: Cell| (0..6).map(move |i| [from[0] + i * step[0], from[1] + i * step[1]]);
+        let right_and_down = side([0, 0], [1, 0]).chain(side([6, 0], [0, 1]));
+        let ring: Vec<Cell> = right_and_down.chain(side([6, 6], [-1, 0])).chain(side([0, 6], [0, -1])).collect();
+        assert_eq!(pieces(&taken(&[], 1), &ring, true), [(ring.clone(), true)]);
+        let cut = pieces(&taken(&[vec![[3, -1]]], 1), &ring, true);
+        assert_eq!(cut.len(), 1);
+        let (cells, closed) = &cut[0];
+        assert!(!closed && cells.len() == ring.len() - 3, "{cells:?}");
+        assert_eq!((cells.first(), cells.last()), (Some(&[5, 0]), Some(&[1, 0])));
+    }
+
+    #[test]
+    fn an_end_that_touches_another_line_stays_joined() {
+        let taken = taken(&[row(0, 0..20)], 2);
+        let upright = |rows: std::ops::Range<i32>| rows.map(|y| [10, y]).collect::<Vec<Cell>>();
+        // the dot on the other line is removed, the one beside it stays
+        assert_eq!(pieces(&taken, &upright(0..9), false), [(upright(1..9), false)]);
+        let reversed: Vec<Cell> = upright(0..9).into_iter().rev().collect();
+        assert_eq!(pieces(&taken, &reversed, false), [(upright(1..9).into_iter().rev().collect(), false)]);
+        // an end that only comes near is shortened
+        assert_eq!(pieces(&taken, &upright(2..9), false), [(upright(3..9), false)]);
+    }
+
+    #[test]
+    fn a_line_that_comes_back_keeps_the_gap_from_itself() {
+        let hairpin: Vec<Cell> = row(0, 0..20).into_iter().chain(row(1, 0..20).into_iter().rev()).collect();
+        let left = pieces(&taken(&[], 1), &hairpin, false);
+        // both arms are near each other for 8 dots from the turn on
+        assert_eq!(left.len(), 1);
+        assert_eq!((left[0].0.first(), left[0].0.len()), (Some(&[0, 0]), 20 + 4));
+    }
+
+    #[test]
+    fn a_second_row_keeps_the_gap_from_other_lines() {
+        let first = row(0, 0..12);
+        let piece = Piece { cells: first.clone(), closed: false };
+        let alone = taken(std::slice::from_ref(&first), 1);
+        assert_eq!(alone.second_row(0, &piece, |_| true), row(1, 0..12));
+        assert_eq!(alone.second_row(0, &piece, |cell| cell[1] < 1), row(1, 0..0));
+        let beside = taken(&[first, vec![[6, 2]]], 1);
+        assert_eq!(beside.second_row(0, &piece, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+    }
+}
