@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use crate::common::{page, samples};
 use tactograph::Page;
 use tactograph::internals::devices::{DotArea, Grid};
-use tactograph::internals::output::dots::{Matrix, dots};
+use tactograph::internals::output::dots::{DotMatrix, dots};
 use tactograph::internals::page::{Height, Line, Medium, Pen, Run};
 use tactograph::internals::profile::{Profile, built_in};
 use tactograph::internals::units::MmPoint;
@@ -82,7 +82,7 @@ fn every_dot_is_one_that_the_device_presses_and_none_is_pressed_twice() {
                 for (at, height) in &all {
                     assert!(places.insert(cell(*at, grid, name)), "{name}: a dot is pressed twice, {at:?} {height}");
                 }
-                assert_eq!(Matrix::of(page).map(|matrix| matrix.count()), Some(all.len()), "{name}");
+                assert_eq!(DotMatrix::of(page).map(|matrix| matrix.count()), Some(all.len()), "{name}");
             }
             DotArea::Free(reach) => {
                 let reach = reach.inflate(1e-3, 1e-3);
@@ -227,9 +227,10 @@ fn frames_keep_off_the_picture() {
 #[test]
 fn a_mirrored_page_is_on_the_same_grid() {
     let page = &page::of_sample("coffee.png", "index-basic-d").page;
-    let (front, back) = (Matrix::of(page).expect("a grid"), Matrix::of(&page.clone().mirrored()).expect("a grid"));
+    let (front, back) =
+        (DotMatrix::of(page).expect("a grid"), DotMatrix::of(&page.clone().mirrored()).expect("a grid"));
     for y in 0..front.rows() {
-        let row = |matrix: &Matrix| matrix.row(y).to_vec();
+        let row = |matrix: &DotMatrix| matrix.row(y).to_vec();
         let reversed: Vec<u8> = row(&front).into_iter().rev().collect();
         assert_eq!(row(&back), reversed, "row {y}");
     }

@@ -1,6 +1,6 @@
 //! Pages of dots in the files that embossers, braille programs and pin displays take.
 
-use super::dots::{Matrix, Words, art, brf, dots, gcode, greys, index, pef, ubrl};
+use super::dots::{DotMatrix, Words, brf, dots, gcode, index, pef, pixels, text, ubrl};
 use super::format::DotFormat;
 use crate::Error;
 use crate::devices::{Device, DotArea};
@@ -35,16 +35,16 @@ impl Embossing {
 /// [`Error::CannotPress`] if a page is not one of dots, its device does not take the format, or cannot reach all dots.
 pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossing) -> Result<Vec<Vec<u8>>, Error> {
     let pages = pages.iter().map(|page| Ok((page, medium_of(page, format)?))).collect::<Result<Vec<_>, Error>>()?;
-    let matrices: Vec<Matrix> = pages.iter().filter_map(|(page, _)| Matrix::of(page)).collect();
-    let text = |text: String| Ok(vec![text.into_bytes()]);
+    let matrices: Vec<DotMatrix> = pages.iter().filter_map(|(page, _)| DotMatrix::of(page)).collect();
+    let one = |text: String| Ok(vec![text.into_bytes()]);
     match format {
-        DotFormat::Ubrl => text(ubrl::write(&matrices)),
-        DotFormat::Brf => text(brf::write(&matrices)),
+        DotFormat::Ubrl => one(ubrl::write(&matrices)),
+        DotFormat::Brf => one(brf::write(&matrices)),
         DotFormat::Pef => {
             let words = pages.first().map_or(Words::default(), |(page, _)| words(page));
-            text(pef::write(&matrices, &Words { title, ..words }))
+            one(pef::write(&matrices, &Words { title, ..words }))
         }
-        DotFormat::Txt => text(art::write(&matrices)),
+        DotFormat::Txt => one(text::write(&matrices)),
         DotFormat::Idx => {
             let Some((page, medium)) = pages.first() else { return Ok(Vec::new()) };
             let Embossing { copies, impact } = embossing;
@@ -54,8 +54,8 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
         }
         DotFormat::Gcode => pages.iter().filter_map(|(page, medium)| gcode_of(page, medium)).collect(),
         DotFormat::Pixels => {
-            let of = |((page, medium), matrix): (&(&Page, &DotMedium), &Matrix)| {
-                greys::write(matrix, medium.pitch, medium.device.has_heights(), &words(page))
+            let of = |((page, medium), matrix): (&(&Page, &DotMedium), &DotMatrix)| {
+                pixels::write(matrix, medium.pitch, medium.device.has_heights(), &words(page))
             };
             Ok(pages.iter().zip(&matrices).map(of).collect())
         }

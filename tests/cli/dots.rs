@@ -47,11 +47,11 @@ fn every_format_of_dots_is_chosen_by_name_or_by_format() {
 /// The same dots in every format of a grid.
 #[test]
 fn formats_hold_the_same_dots() {
-    use tactograph::internals::output::dots::ubrl;
+    use crate::dots::reading::ubrl;
     let place = Place::with_picture("a.png");
     let as_format = |format| page(&place, &["--profile", "dot-pad", "--format", format]);
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
-    let pages = ubrl::read(&text(as_format("ubrl"))).expect("it reads back");
+    let pages = ubrl(&text(as_format("ubrl")));
     assert_eq!(pages.len(), 2, "the figure and its overview");
     let drawn = text(as_format("txt"));
     for (page, drawn) in pages.iter().zip(drawn.split('\u{c}')) {

@@ -1,12 +1,13 @@
-//! The language of Index embossers on random pages, against a model that turns text into text as the driver does; faults.
+//! The language of Index embossers on random pages, against a model that turns text into text as the driver does;
+//! faults.
 
 use tactograph::internals::devices::Device;
 use tactograph::internals::output::dots::{index, ubrl};
 
 use super::Random;
 
-/// What the driver makes of a file of Unicode braille: each line's cells become two letters each, ends of `@` go, and lines end
-/// with CR LF, the last one, which holds the form feed, with CR.
+/// What the driver makes of a file of Unicode braille: each line's cells become two letters each, ends of `@` go, and
+/// lines end with CR LF, the last one, which holds the form feed, with CR.
 fn model(text: &str) -> String {
     let letters = |c: char| -> Vec<char> {
         let Some(cell) = u32::from(c).checked_sub(0x2800) else { return vec![c] };

@@ -1,12 +1,13 @@
-//! The formats of dots: against what the drivers of CUPS made of the same dots (`recorded/`), against small models of our own
-//! on random pages, and read back.
+//! The formats of dots: against what the drivers of CUPS made of the same dots (`recorded/`), against small models of
+//! our own on random pages, and read back.
 
 mod index;
 mod pef;
+pub(crate) mod reading;
 mod recorded;
 mod text;
 
-use tactograph::internals::output::dots::Matrix;
+use tactograph::internals::output::dots::DotMatrix;
 
 /// Numbers that are the same on every run: a linear congruential generator, with the constants of Knuth's MMIX.
 struct Random(u64);
@@ -18,9 +19,9 @@ impl Random {
     }
 
     /// A page of any size, sides of whole cells and others, full and nearly empty.
-    fn page(&mut self) -> Matrix {
+    fn page(&mut self) -> DotMatrix {
         let (columns, rows, rarity) = (self.below(40), self.below(40), 1 + self.below(30));
-        let mut page = Matrix::new(columns, rows);
+        let mut page = reading::matrix(columns, rows);
         for (x, y) in (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))) {
             if self.below(rarity) == 0 {
                 page.raise(x, y, 1 + self.below(3) as u8);
@@ -29,13 +30,13 @@ impl Random {
         page
     }
 
-    fn pages(&mut self) -> Vec<Matrix> {
+    fn pages(&mut self) -> Vec<DotMatrix> {
         (0..self.below(4)).map(|_| self.page()).collect()
     }
 }
 
 /// What is raised on a page, whatever its size and heights.
-fn dots(page: &Matrix) -> Vec<(usize, usize)> {
+fn dots(page: &DotMatrix) -> Vec<(usize, usize)> {
     let all = (0..page.rows()).flat_map(|y| (0..page.columns()).map(move |x| (x, y)));
     all.filter(|&(x, y)| page.is_raised(x, y)).collect()
 }

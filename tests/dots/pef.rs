@@ -1,9 +1,9 @@
 //! PEF, read back as XML.
 
 use roxmltree::{Document, Node};
-use tactograph::internals::output::dots::{Matrix, Words, pef, ubrl};
+use tactograph::internals::output::dots::{DotMatrix, Words, pef};
 
-use super::{Random, dots};
+use super::{Random, dots, reading};
 
 const PEF: &str = "http://www.daisy.org/ns/2008/pef";
 const DC: &str = "http://purl.org/dc/elements/1.1/";
@@ -28,12 +28,12 @@ fn pages_come_back() {
         assert_eq!(said[2..], ["0", "false"]);
         let [columns, rows] = [0, 1].map(|i| said[i].parse::<usize>().expect("a number"));
         assert!(columns > 0 && rows > 0);
-        let back: Vec<Matrix> = all("page")
+        let back: Vec<DotMatrix> = all("page")
             .map(|page| {
                 let cells: Vec<&str> =
                     page.children().filter(Node::is_element).map(|row| row.text().unwrap_or("")).collect();
                 assert!(cells.len() <= rows && cells.iter().all(|row| row.chars().count() <= columns));
-                ubrl::read(&(cells.join("\n") + "\n\u{c}")).expect("cells").remove(0)
+                reading::ubrl(&(cells.join("\n") + "\n\u{c}")).remove(0)
             })
             .collect();
         assert_eq!(back.len(), pages.len().max(1));
@@ -62,8 +62,8 @@ fn any_words_are_kept_or_left_out() {
 #[test]
 fn documents_are_told_apart_by_their_identifier() {
     let identifier =
-        |pages: &[Matrix], title| words(&pef::write(pages, &Words { title, ..Words::default() })).remove(1).1;
-    let (page, other) = (Matrix::drawn("#..\n"), Matrix::drawn(".#.\n"));
+        |pages: &[DotMatrix], title| words(&pef::write(pages, &Words { title, ..Words::default() })).remove(1).1;
+    let (page, other) = (reading::drawn("#..\n"), reading::drawn(".#.\n"));
     let one = identifier(std::slice::from_ref(&page), "A");
     assert_eq!(one, identifier(std::slice::from_ref(&page), "A"));
     for another in [

@@ -1,7 +1,9 @@
 //! Byte for byte what the drivers made.
 
 use tactograph::internals::devices::{Device, DotArea};
-use tactograph::internals::output::dots::{Matrix, brf, index, ubrl};
+use tactograph::internals::output::dots::{brf, index, ubrl};
+
+use super::reading;
 
 const PAGES: &str = include_str!("recorded/pages.ubrl");
 const GEOMETRY: &str = include_str!("recorded/geometry.txt");
@@ -38,7 +40,7 @@ fn device(ppd: &str) -> &'static Device {
 
 #[test]
 fn index_documents_are_those_of_the_drivers() {
-    let pages = ubrl::read(PAGES).expect("braille");
+    let pages = reading::ubrl(PAGES);
     assert_eq!(pages.len(), 3);
     for (ppd, page, pitch, copies, impact, want) in [
         ("ibasicd3", "A4", 2.0, 1, 1, &include_bytes!("recorded/pages.ibasicd3.idx")[..]),
@@ -86,19 +88,19 @@ fn cells_are_those_that_cups_makes_of_a_picture() {
     let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
     reader.next_frame(&mut pixels).expect("a PNG");
     let columns = reader.info().width as usize;
-    let mut page = Matrix::new(columns, reader.info().height as usize);
+    let mut page = reading::matrix(columns, reader.info().height as usize);
     for (i, _) in pixels.iter().enumerate().filter(|(_, grey)| **grey == 0) {
         page.raise(i % columns, i / columns, 1);
     }
     let want = include_str!("recorded/picture.ubrl");
     assert!(page.count() > 100);
     assert_eq!(ubrl::write(&[page]), want);
-    assert_eq!(ubrl::write(&ubrl::read(PAGES).expect("braille")), PAGES);
+    assert_eq!(ubrl::write(&reading::ubrl(PAGES)), PAGES);
 }
 
 #[test]
 fn ascii_braille_is_in_the_table_of_cups() {
-    let mut page = Matrix::new(128, 3);
+    let mut page = reading::matrix(128, 3);
     for (cell, bit) in (0..64).flat_map(|cell| (0..6).map(move |bit| (cell, bit))) {
         if cell >> bit & 1 == 1 {
             page.raise(2 * cell + bit / 3, bit % 3, 1);

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use crate::common::{page, samples};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use tactograph::Page;
-use tactograph::internals::output::dots::{Matrix, Words, art, greys, ubrl};
+use tactograph::internals::output::dots::{DotMatrix, Words, pixels, text, ubrl};
 use tactograph::internals::profile::Profile;
 
 /// Resolution of the renderings: 1.6 px for a millimetre, so that every line and glyph leaves its mark in a small file.
@@ -77,14 +77,14 @@ fn pages_of_dots_are_as_somebody_last_saw_them() {
             }
             let drawing = page::of_sample(&picture, name);
             let pages: Vec<&Page> = [Some(&drawing.page), drawing.overview.as_ref()].into_iter().flatten().collect();
-            let matrices: Vec<Matrix> = pages.iter().filter_map(|page| Matrix::of(page)).collect();
+            let matrices: Vec<DotMatrix> = pages.iter().filter_map(|page| DotMatrix::of(page)).collect();
             let mut files = vec![("ubrl", ubrl::write(&matrices).into_bytes())];
             if others.contains(&name) {
                 files = vec![("txt", pages.iter().map(|page| page.to_string()).collect::<String>().into_bytes())];
             } else if name != "index-basic-d" {
                 let words = Words { title: &picture, description: "", language: "" };
-                files.push(("txt", art::write(&matrices).into_bytes()));
-                files.push(("png", greys::write(&matrices[0], profile.dots.pitch, device.has_heights(), &words)));
+                files.push(("txt", text::write(&matrices).into_bytes()));
+                files.push(("png", pixels::write(&matrices[0], profile.dots.pitch, device.has_heights(), &words)));
             }
             for (ending, now) in files {
                 let path = folder.join(format!("{picture}.{name}.{ending}"));

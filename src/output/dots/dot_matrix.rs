@@ -1,11 +1,15 @@
-//! The dots of one page.
+//! The dots of one page: on its device's grid as a dot matrix, or where they lie.
 
-/// The dots of a page on a device's grid, each with a height class: 0 is none, 1 low (textures), 2 middle (the frame, weak
-/// lines), 3 high (lines). Devices with one height raise every dot that is not 0.
+use crate::devices::DotArea;
+use crate::page::{DotMedium, Dots, Height, Medium, Page, Pen, Run};
+use crate::units::MmPoint;
+
+/// The dots of a page on a device's grid, each with a height class: 0 is none, 1 low (textures), 2 middle (the frame,
+/// weak lines), 3 high (lines). Devices with one height raise every dot that is not 0.
 ///
 /// What lies beyond the last column or row reads as blank.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Matrix {
+pub struct DotMatrix {
     columns: usize,
     /// Row by row from the top left corner.
     heights: Vec<u8>,
@@ -21,13 +25,30 @@ pub struct Matrix {
 /// ```
 const CELL: [(usize, usize); 8] = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (0, 3), (1, 3)];
 
-impl Matrix {
+/// Most dots of a matrix: some thousand times those of any device.
+const MOST_DOTS: usize = 100_000_000;
+
+impl DotMatrix {
     /// The highest class.
     pub const HIGHEST: u8 = 3;
 
-    /// No dot anywhere. Takes a byte of memory a place.
-    pub fn new(columns: usize, rows: usize) -> Self {
-        Self { columns, heights: vec![0; columns * rows] }
+    /// No dot anywhere. Takes a byte of memory a dot; `None` if that is more than [`MOST_DOTS`].
+    pub fn new(columns: usize, rows: usize) -> Option<Self> {
+        let dots = columns.checked_mul(rows).filter(|&dots| dots <= MOST_DOTS)?;
+        Some(Self { columns, heights: vec![0; dots] })
+    }
+
+    /// The dots of a page of dots, each at its height. `None` if the page is printed, or its device
+    /// has no grid.
+    pub fn of(page: &Page) -> Option<Self> {
+        let Medium::Dots(DotMedium { area: DotArea::Grid(grid), .. }) = &page.medium else { return None };
+        let mut matrix = Self::new(grid.columns.len(), grid.rows.len())?;
+        for (at, height) in dots(page) {
+            if let Some([x, y]) = grid.nearest(at) {
+                matrix.raise(x, y, class(height));
+            }
+        }
+        Some(matrix)
     }
 
     /// Dots from left to right.
@@ -42,7 +63,7 @@ impl Matrix {
 
     /// The height class at this column and row.
     pub fn height(&self, x: usize, y: usize) -> u8 {
-        self.place(x, y).map_or(0, |place| self.heights[place])
+        self.index(x, y).map_or(0, |index| self.heights[index])
     }
 
     /// Whether there is a dot at this column and row.
@@ -50,18 +71,12 @@ impl Matrix {
         self.height(x, y) != 0
     }
 
-    /// Raises the dot at this column and row to a height class; a higher one stays, so that it does not matter what is drawn
-    /// first. Beyond the matrix nothing happens, and beyond [`Matrix::HIGHEST`] is the highest.
+    /// Raises the dot at this column and row to a height class, unless it is higher already, so that the order of
+    /// drawing does not matter. Beyond the matrix nothing happens; a class beyond [`DotMatrix::HIGHEST`] counts as
+    /// the highest.
     pub fn raise(&mut self, x: usize, y: usize, height: u8) {
-        if let Some(place) = self.place(x, y) {
-            self.heights[place] = height.min(Self::HIGHEST).max(self.heights[place]);
-        }
-    }
-
-    /// Takes the dot at this column and row away.
-    pub fn clear(&mut self, x: usize, y: usize) {
-        if let Some(place) = self.place(x, y) {
-            self.heights[place] = 0;
+        if let Some(index) = self.index(x, y) {
+            self.heights[index] = height.min(Self::HIGHEST).max(self.heights[index]);
         }
     }
 
@@ -72,11 +87,11 @@ impl Matrix {
 
     /// The heights of a row from left to right; empty beyond the last one.
     pub fn row(&self, y: usize) -> &[u8] {
-        self.place(0, y).map_or(&[], |first| &self.heights[first..first + self.columns])
+        self.index(0, y).map_or(&[], |first| &self.heights[first..first + self.columns])
     }
 
-    /// Where a dot is in `heights`, if it is in the matrix.
-    fn place(&self, x: usize, y: usize) -> Option<usize> {
+    /// The index of a dot in `heights`, if it is in the matrix.
+    fn index(&self, x: usize, y: usize) -> Option<usize> {
         (x < self.columns && y < self.rows()).then(|| y * self.columns + x)
     }
 
@@ -97,20 +112,12 @@ impl Matrix {
         raised.enumerate().fold(0, |cell, (bit, raised)| cell | raised << bit)
     }
 
-    /// Raises the dots of a cell of two columns and `dots / 2` rows to the highest class.
-    pub(super) fn raise_cell(&mut self, cx: usize, cy: usize, dots: usize, cell: u8) {
-        for (bit, (x, y)) in CELL[..dots].iter().enumerate() {
-            if cell >> bit & 1 == 1 {
-                self.raise(2 * cx + x, cy * dots / 2 + y, Self::HIGHEST);
-            }
-        }
-    }
-
-    /// The matrix of a picture as `Display` draws it: `.` for none, `-` low, `+` middle, `#` high. Anything else is none, and
-    /// short rows are filled up.
-    pub fn drawn(picture: &str) -> Self {
+    /// The matrix of a picture as `Display` draws it: `.` for none, `-` low, `+` middle, `#` high. Anything else is
+    /// none, and short rows are filled up.
+    #[cfg(test)]
+    pub(super) fn drawn(picture: &str) -> Self {
         let columns = picture.lines().map(|row| row.chars().count()).max().unwrap_or(0);
-        let mut matrix = Self::new(columns, picture.lines().count());
+        let mut matrix = Self::new(columns, picture.lines().count()).expect("a small picture");
         for (y, row) in picture.lines().enumerate() {
             for (x, sign) in row.chars().enumerate() {
                 matrix.raise(x, y, SIGNS.iter().position(|&known| known == sign).unwrap_or(0) as u8);
@@ -120,10 +127,38 @@ impl Matrix {
     }
 }
 
+/// The centres of all dots of a page of dots with their heights, layer by layer.
+pub fn dots(page: &Page) -> Vec<(MmPoint, Height)> {
+    let mut out = Vec::new();
+    let mut all = |dots: &[MmPoint], height| out.extend(dots.iter().map(|&at| (at, height)));
+    let run = |run: &Run| match run.pen {
+        Pen::Dots(height) => height,
+        Pen::Stroke => Height::High,
+    };
+    page.orientation_mark.iter().for_each(|mark| all(&mark.points, run(mark)));
+    all(&page.frame.at, page.height_of_frame());
+    for texture in &page.figure.textures {
+        texture.glyphs.iter().for_each(|glyph| all(&[glyph.at], page.height_of_textures()));
+    }
+    page.figure.lines.iter().flat_map(|line| &line.runs).for_each(|piece| all(&piece.points, run(piece)));
+    let labels = |dots: &Dots| dots.at.clone();
+    page.labels.iter().for_each(|dots| all(&labels(dots), Height::High));
+    out
+}
+
+/// The class of a height in a [`DotMatrix`].
+fn class(height: Height) -> u8 {
+    match height {
+        Height::Low => 1,
+        Height::Middle => 2,
+        Height::High => DotMatrix::HIGHEST,
+    }
+}
+
 /// What `Display` draws for each height class.
 const SIGNS: [char; 4] = ['.', '-', '+', '#'];
 
-impl std::fmt::Display for Matrix {
+impl std::fmt::Display for DotMatrix {
     /// A picture with a sign a dot, a row a line.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for y in 0..self.rows() {
@@ -141,7 +176,7 @@ mod tests {
     #[test]
     fn a_picture_comes_back() {
         let picture = "#..-\n.+..\n....\n...#\n";
-        let matrix = Matrix::drawn(picture);
+        let matrix = DotMatrix::drawn(picture);
         assert_eq!((matrix.columns(), matrix.rows(), matrix.count()), (4, 4, 4));
         assert_eq!(matrix.to_string(), picture);
         assert_eq!([(0, 0), (3, 0), (1, 1), (2, 2)].map(|(x, y)| matrix.height(x, y)), [3, 1, 2, 0]);
@@ -149,28 +184,32 @@ mod tests {
 
     #[test]
     fn beyond_the_matrix_is_blank() {
-        let mut matrix = Matrix::drawn("##\n##\n");
+        let mut matrix = DotMatrix::drawn("##\n##\n");
         for (x, y) in [(2, 0), (0, 2), (2, 1), (usize::MAX, 0), (0, usize::MAX)] {
             assert!(!matrix.is_raised(x, y), "{x} {y}");
             matrix.raise(x, y, 3);
-            matrix.clear(x, y);
         }
         assert_eq!(matrix.to_string(), "##\n##\n");
         assert_eq!((matrix.cell8(0, 0), matrix.cell8(1, 0), matrix.cell6(0, 1)), (0x1b, 0, 0));
         assert!(matrix.row(2).is_empty());
-        let none = Matrix::new(0, 5);
+        let none = DotMatrix::new(0, 5).expect("no dots");
         assert_eq!((none.rows(), none.count(), none.cell8(0, 0)), (0, 0, 0));
     }
 
     #[test]
+    fn more_dots_than_any_device_has_are_refused() {
+        assert!(DotMatrix::new(MOST_DOTS, 1).is_some());
+        assert_eq!(DotMatrix::new(MOST_DOTS, 2), None);
+        assert_eq!(DotMatrix::new(usize::MAX, usize::MAX), None);
+    }
+
+    #[test]
     fn the_higher_dot_stays() {
-        let mut matrix = Matrix::new(1, 1);
+        let mut matrix = DotMatrix::new(1, 1).expect("a dot");
         for (height, want) in [(2, 2), (1, 2), (3, 3), (9, 3), (0, 3)] {
             matrix.raise(0, 0, height);
             assert_eq!(matrix.height(0, 0), want);
         }
-        matrix.clear(0, 0);
-        assert_eq!(matrix.height(0, 0), 0);
     }
 
     #[test]
@@ -179,22 +218,14 @@ mod tests {
         let numbers = [[1, 4], [2, 5], [3, 6], [7, 8]];
         for (y, row) in numbers.iter().enumerate() {
             for (x, number) in row.iter().enumerate() {
-                let mut matrix = Matrix::new(4, 8);
+                let mut matrix = DotMatrix::new(4, 8).expect("cells");
                 matrix.raise(2 + x, 4 + y, 1);
                 assert_eq!(matrix.cell8(1, 1), 1 << (number - 1));
                 if y < 3 {
-                    let mut matrix = Matrix::new(4, 6);
+                    let mut matrix = DotMatrix::new(4, 6).expect("cells");
                     matrix.raise(2 + x, 3 + y, 1);
                     assert_eq!(matrix.cell6(1, 1), 1 << (number - 1));
                 }
-            }
-        }
-        for dots in [6, 8] {
-            for cell in 0..=(1_u16 << dots) - 1 {
-                let mut matrix = Matrix::new(6, 12);
-                matrix.raise_cell(2, 1, dots, cell as u8);
-                let back = if dots == 6 { matrix.cell6(2, 1) } else { matrix.cell8(2, 1) };
-                assert_eq!((u16::from(back), matrix.count() as u32), (cell, cell.count_ones()));
             }
         }
     }

@@ -1,5 +1,5 @@
-//! The language of Index embossers, generations 3 to 5, byte by byte what the drivers of CUPS (cups-filters 1.28, V3 and V4)
-//! send for the same dots.
+//! The language of Index embossers, generations 3 to 5, byte by byte what the drivers of CUPS (cups-filters 1.28, V3
+//! and V4) send for the same dots.
 //!
 //! ```text
 //! ESC D TM0,BI0,FO0,[MCn,]MIn,DP1,TD0,GDn,PN0,<paper>,LSn,BT0;   for this document only: no margins, no page numbers
@@ -14,7 +14,7 @@
 
 use crate::devices::{Device, Family, Paper};
 
-use super::Matrix;
+use super::dot_matrix::DotMatrix;
 
 /// What the header of a document says.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,8 +34,8 @@ const MOST_COPIES: u16 = 999;
 const MOST_IMPACT: u8 = 3;
 
 impl Params {
-    /// For a sheet of this width and length, mm, dots this far apart, mm, so many copies (1 to 999), and a number for how hard
-    /// dots are struck (1, as usual, to 3).
+    /// For a sheet of this width and length, mm, dots this far apart, mm, so many copies (1 to 999), and a number for
+    /// how hard dots are struck (1, as usual, to 3).
     ///
     /// Whether the device takes the sheet is not asked here: [`Device::dot_area`] tells.
     ///
@@ -89,8 +89,9 @@ impl Params {
 const SHORTEST: f32 = 25.4;
 const LONGEST: f32 = 10_000.0;
 
-// Text, which the driver counts in hundredths of a millimetre even where there is none: dots 2.5 mm apart (TD0), cells 3.5 mm
-// and lines 5 mm from each other (LS4 or LS50), six dots a cell, on the sheet without the margins of a V4.
+// Text, which the driver counts in hundredths of a millimetre even where there is none: dots 2.5 mm apart (TD0),
+// cells 3.5 mm and lines 5 mm from each other (LS4 or LS50), six dots a cell, on the sheet without the margins of a
+// V4.
 const TEXT_DOT: i64 = 250;
 const CELL_GAP: i64 = 350;
 const LINE_GAP: i64 = 500;
@@ -106,8 +107,8 @@ fn graphic_distance(pitch: f32) -> Option<u8> {
     }
 }
 
-/// Whole inches and a digit for the fraction, rounded down: 0 none, 1 a quarter, 2 a third, 3 a half, 4 two thirds, 5 three
-/// quarters.
+/// Whole inches and a digit for the fraction, rounded down: 0 none, 1 a quarter, 2 a third, 3 a half, 4 two thirds, 5
+/// three quarters.
 fn inches(hundredths: i64) -> String {
     // The driver's arithmetic: 120ths of an inch.
     let of_120 = hundredths * 12 / 254;
@@ -125,7 +126,7 @@ fn inches(hundredths: i64) -> String {
 const ESC: u8 = 0x1b;
 
 /// The document as the embosser takes it.
-pub fn write(pages: &[Matrix], params: &Params) -> Vec<u8> {
+pub fn write(pages: &[DotMatrix], params: &Params) -> Vec<u8> {
     let mut bytes = vec![ESC];
     bytes.extend(params.header().bytes());
     bytes.extend([ESC, 0x07]);
@@ -151,6 +152,6 @@ pub fn write(pages: &[Matrix], params: &Params) -> Vec<u8> {
 /// A column of four blank dots.
 const BLANK: u8 = 0x40;
 
-fn column(page: &Matrix, x: usize, top: usize) -> u8 {
+fn column(page: &DotMatrix, x: usize, top: usize) -> u8 {
     (0..4).fold(BLANK, |byte, bit| byte | u8::from(page.is_raised(x, top + bit)) << bit)
 }

@@ -1,21 +1,23 @@
 //! The Portable Embosser Format, PEF 2008-1: XML with Unicode braille and words about the document.
 //!
-//! Cells of eight dots in rows without a gap (`rowgap="0"`) are rows of dots at even distances, whatever the embosser's are;
-//! PEF says nothing of distances or paper. There is no date in it, so that the same pages give the same bytes.
+//! Cells of eight dots in rows without a gap (`rowgap="0"`) are rows of dots at even distances, whatever the
+//! embosser's are; PEF says nothing of distances or paper. There is no date in it, so that the same pages give the
+//! same bytes.
 
 use svg::node::Text;
 
-use super::{Matrix, Words, ubrl};
+use super::dot_matrix::DotMatrix;
+use super::{Words, ubrl};
 use crate::output::seal;
 use crate::output::text::plain;
 
 /// The pages as PEF.
 ///
-/// The document is identified by a number that follows from its dots and words. A language that is no language tag (RFC 3066,
-/// as PEF asks for) is left out. No pages make a document with an empty page, since PEF has none without.
-pub fn write(pages: &[Matrix], words: &Words<'_>) -> String {
-    let most = |of: fn(&Matrix) -> usize| pages.iter().map(of).max().unwrap_or(0).max(1);
-    let (columns, rows) = (most(Matrix::columns).div_ceil(2), most(Matrix::rows).div_ceil(4));
+/// The document is identified by a number that follows from its dots and words. A language that is no language tag
+/// (RFC 3066, as PEF asks for) is left out. No pages make a document with an empty page, since PEF has none without.
+pub fn write(pages: &[DotMatrix], words: &Words<'_>) -> String {
+    let most = |of: fn(&DotMatrix) -> usize| pages.iter().map(of).max().unwrap_or(0).max(1);
+    let (columns, rows) = (most(DotMatrix::columns).div_ceil(2), most(DotMatrix::rows).div_ceil(4));
     let mut meta = element("dc:title", words.title);
     if !words.description.is_empty() {
         meta += &element("dc:description", words.description);

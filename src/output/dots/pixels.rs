@@ -1,21 +1,23 @@
 //! Dots as a PNG picture in which a pixel is a dot: for embossers and displays whose own programs take pictures.
 //!
-//! White is no dot; the darker, the higher. The picture says how far apart its pixels are, in whole pixels a metre as PNG has
-//! it: 20 to the inch come out as 787, which is as near as the format goes.
+//! White is no dot; the darker, the higher. The picture says how far apart its pixels are, in whole pixels a metre as
+//! PNG has it: 20 to the inch come out as 787, which is as near as the format goes.
 
 use png::{BitDepth, Filter};
 
-use super::{Matrix, Words};
+use super::Words;
+use super::dot_matrix::DotMatrix;
 use crate::output::layer::GREYS;
 use crate::output::png_file::PngFile;
 
 /// Of zlib, 1..=9. The pictures are small.
 const LEVEL: u8 = 9;
 
-/// One page as PNG, whose dots are `pitch` mm apart. A device with one height (no `has_heights`) gets black for every dot.
+/// One page as PNG, whose dots are `pitch` mm apart. A device with one height (no `has_heights`) gets black for every
+/// dot.
 ///
 /// A matrix without columns or rows comes out as one white pixel, since there are no smaller pictures.
-pub fn write(matrix: &Matrix, pitch: f32, has_heights: bool, words: &Words<'_>) -> Vec<u8> {
+pub fn write(matrix: &DotMatrix, pitch: f32, has_heights: bool, words: &Words<'_>) -> Vec<u8> {
     let [width, height] = [matrix.columns(), matrix.rows()].map(|dots| dots.max(1));
     let file = PngFile {
         size: [width, height].map(|dots| u32::try_from(dots).unwrap_or(u32::MAX)),
@@ -29,7 +31,7 @@ pub fn write(matrix: &Matrix, pitch: f32, has_heights: bool, words: &Words<'_>) 
     let grey = |x, y| match matrix.height(x, y) {
         0 => GREYS[0],
         _ if !has_heights => GREYS[3],
-        height => GREYS[usize::from(height.min(Matrix::HIGHEST))],
+        height => GREYS[usize::from(height.min(DotMatrix::HIGHEST))],
     };
     let written = file
         .write(|out| (0..height).try_for_each(|y| out.write_all(&(0..width).map(|x| grey(x, y)).collect::<Vec<u8>>())));
@@ -51,11 +53,11 @@ mod tests {
 
     #[test]
     fn a_pixel_is_a_dot() {
-        let matrix = Matrix::drawn(".-+#\n#...\n");
+        let matrix = DotMatrix::drawn(".-+#\n#...\n");
         let words = Words { title: "A < B\u{1}", description: "", language: "en" };
         let seen = |pitch, has_heights| pixels(&write(&matrix, pitch, has_heights, &words));
         assert_eq!(seen(1.27, true), (4, 2, vec![255, 170, 85, 0, 0, 255, 255, 255], Some(787)));
         assert_eq!(seen(2.5, false), (4, 2, vec![255, 0, 0, 0, 0, 255, 255, 255], Some(400)));
-        assert_eq!(pixels(&write(&Matrix::new(0, 7), 2.5, false, &words)).2, [255]);
+        assert_eq!(pixels(&write(&DotMatrix::drawn("\n\n"), 2.5, false, &words)).2, [255]);
     }
 }

@@ -1,7 +1,7 @@
 //! Unicode braille, as the filters of CUPS pass it to each other: cells of eight dots, U+2800 to U+28FF.
 //!
-//! A row of cells is four rows of dots and ends with LF, a page ends with FF, the last one too. Every row has all its cells,
-//! blank ones at its end as well, since that is what CUPS makes of a picture of the same dots.
+//! A row of cells is four rows of dots and ends with LF, a page ends with FF, the last one too. Every row has all its
+//! cells, blank ones at its end as well, since that is what CUPS makes of a picture of the same dots.
 //!
 //! The way to an Index V3 with CUPS's own driver, A4 with dots 2.0 mm apart (the driver's default is another page):
 //!
@@ -10,16 +10,18 @@
 //!    -o LibLouis=None -o LibLouis2=None page.ubrl
 //! ```
 //!
-//! Without `LibLouis=None` the driver stops if it knows no braille table for the language that the computer is set to. The
-//! driver for V4 and V5 in cups-filters 1.28 leaves out the header, and with it pitch and paper; send it what
-//! [`index`](super::index) writes: `lp -d PRINTER -o raw page.idx`. A picture with a pixel a dot ([`greys`](super::greys))
-//! needs much more: `Edge=None Rotate=0 fitplot=False`, and 0 for TopMargin, BottomMargin, LeftMargin, RightMargin, page-top,
-//! page-bottom, page-left and page-right, or the filters look for edges, turn it, fit it to the page and shift it.
+//! Without `LibLouis=None` the driver stops if it knows no braille table for the language that the computer is set
+//! to. The driver for V4 and V5 in cups-filters 1.28 leaves out the header, and with it pitch and paper; send it what
+//! [`index`](super::index) writes: `lp -d PRINTER -o raw page.idx`. A picture with a pixel a dot
+//! ([`pixels`](super::pixels)) needs much more: `Edge=None Rotate=0 fitplot=False`, and 0 for TopMargin,
+//! BottomMargin, LeftMargin, RightMargin, page-top, page-bottom, page-left and page-right, or the filters look for
+//! edges, turn it, fit it to the page and shift it.
 
-use super::{FORM_FEED, Matrix, Reading};
+use super::FORM_FEED;
+use super::dot_matrix::DotMatrix;
 
 /// The pages as Unicode braille.
-pub fn write(pages: &[Matrix]) -> String {
+pub fn write(pages: &[DotMatrix]) -> String {
     let mut text = String::new();
     for page in pages {
         for cy in 0..page.rows().div_ceil(4) {
@@ -29,16 +31,6 @@ pub fn write(pages: &[Matrix]) -> String {
         text.push(FORM_FEED);
     }
     text
-}
-
-/// The pages of a text of Unicode braille, every dot at the greatest height; lines may end with CR LF. Columns come in twos and
-/// rows in fours.
-///
-/// # Errors
-/// Names the first character that is no cell.
-pub fn read(text: &str) -> Result<Vec<Matrix>, String> {
-    let cell = |c: char| u8::try_from(u32::from(c).checked_sub(BLANK)?).ok();
-    super::read(text, &Reading { dots: 8, cell, wanted: "a braille cell (U+2800 to U+28FF)" })
 }
 
 /// The blank cell.
@@ -55,31 +47,10 @@ mod tests {
 
     #[test]
     fn rows_are_whole_and_pages_end() {
-        let page = Matrix::drawn("#..\n...\n...\n...\n..#\n");
+        let page = DotMatrix::drawn("#..\n...\n...\n...\n..#\n");
         let text = "⠁⠀\n⠀⠁\n\u{c}";
         assert_eq!(write(std::slice::from_ref(&page)), text);
         assert_eq!(write(&[page.clone(), page]), text.repeat(2));
-        assert_eq!((write(&[]), write(&[Matrix::new(0, 0)])), (String::new(), "\u{c}".into()));
-    }
-
-    #[test]
-    fn what_others_write_is_read() {
-        let picture = "#...\n....\n....\n....\n...#\n....\n....\n....\n";
-        for text in ["⠁⠀\n⠀⠈\n\u{c}", "⠁\r\n⠀⠈\r\n", "\u{feff}⠁\n⠀⠈"] {
-            assert_eq!(
-                read(text).map(|pages| pages.iter().map(ToString::to_string).collect()),
-                Ok(vec![picture.into()])
-            );
-        }
-        let sizes = |text| -> Vec<_> {
-            read(text).expect("braille").iter().map(|page| (page.columns(), page.rows())).collect()
-        };
-        assert_eq!(sizes(""), []);
-        assert_eq!(sizes("\u{c}"), [(0, 0)]);
-        assert_eq!(sizes("⠁\n\u{c}\n⠁⠁\n\u{c}\u{c}"), [(2, 4), (4, 8), (0, 0)]);
-        assert_eq!(
-            read("⠁\n\u{c}⠁⠁a"),
-            Err("line 2, character 3: 'a' is not a braille cell (U+2800 to U+28FF)".into())
-        );
+        assert_eq!((write(&[]), write(&[DotMatrix::drawn("")])), (String::new(), "\u{c}".into()));
     }
 }

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 
 use tactograph::internals::devices::{Device, DotArea};
-use tactograph::internals::output::dots::{Matrix, Words, brf, greys, index, pef, ubrl};
+use tactograph::internals::output::dots::{DotMatrix, Words, brf, index, pef, pixels, ubrl};
 
 /// Pages as the drivers name them, mm.
 const PAGES: [(&str, [f32; 2]); 11] = [
@@ -54,14 +54,14 @@ fn main() -> Outcome<()> {
     let basic = Device::named("index-basic-d-v3").ok_or("no Basic-D V3")?;
     let params = index::Params::new(basic, [210.0, 297.0], 2.0, 1, 1).map_err(|all| all.join("\n"))?;
     let eight = [random.page(104, 144)];
-    put("eight.png", &greys::write(&eight[0], 2.0, false, &Words::default()))?;
+    put("eight.png", &pixels::write(&eight[0], 2.0, false, &Words::default()))?;
     put("eight.ubrl", ubrl::write(&eight).as_bytes())?;
     put("eight.idx", &index::write(&eight, &params))?;
     let six = [random.page(74, 108)];
-    put("six.png", &greys::write(&six[0], 2.5, false, &Words::default()))?;
+    put("six.png", &pixels::write(&six[0], 2.5, false, &Words::default()))?;
     put("six.brf", brf::write(&six).as_bytes())?;
     // All cells of six dots in the order of Unicode.
-    let mut cells = Matrix::new(2 * 64, 3);
+    let mut cells = blank(2 * 64, 3);
     for (cell, bit) in (0..64).flat_map(|cell| (0..6).map(move |bit| (cell, bit))) {
         if cell >> bit & 1 == 1 {
             cells.raise(2 * cell + bit / 3, bit % 3, 1);
@@ -70,12 +70,12 @@ fn main() -> Outcome<()> {
     put("cells6.brf", brf::write(&[cells]).as_bytes())?;
 
     // Heights, at 20 to the inch.
-    let mut steps = Matrix::new(4, 2);
+    let mut steps = blank(4, 2);
     for x in 1..4 {
         steps.raise(x, 0, x as u8);
         steps.raise(3 - x, 1, x as u8);
     }
-    put("heights.png", &greys::write(&steps, 1.27, true, &Words { title: "Heights", ..Words::default() }))?;
+    put("heights.png", &pixels::write(&steps, 1.27, true, &Words { title: "Heights", ..Words::default() }))?;
 
     let words = [
         ("plain", Words { title: "A page", description: "Of dots.", language: "en-GB" }),
@@ -87,7 +87,7 @@ fn main() -> Outcome<()> {
         ),
     ];
     for (name, words) in words {
-        let pages = [random.page(97, 139), random.page(3, 5), Matrix::new(0, 0)];
+        let pages = [random.page(97, 139), random.page(3, 5), blank(0, 0)];
         put(&format!("{name}.pef"), pef::write(&pages, &words).as_bytes())?;
     }
     put("none.pef", pef::write(&[], &Words::default()).as_bytes())?;
@@ -107,7 +107,7 @@ fn index_cases(folder: &Path, random: &mut Random) -> Outcome<()> {
                     Ok(DotArea::Grid(grid)) => (grid.columns.len(), grid.rows.len()),
                     _ => (16, 16),
                 };
-                let pages: Vec<Matrix> = (0..1 + random.below(2)).map(|_| random.page(columns, rows)).collect();
+                let pages: Vec<DotMatrix> = (0..1 + random.below(2)).map(|_| random.page(columns, rows)).collect();
                 let hundredths = (pitch * 100.0).round();
                 let name = format!("{ppd}.{page}.{hundredths}");
                 fs::write(folder.join(format!("{name}.ubrl")), ubrl::write(&pages))?;
@@ -129,8 +129,8 @@ impl Random {
     }
 
     /// Dots on some of the rows, so that there are blank rows and blank ends.
-    fn page(&mut self, columns: usize, rows: usize) -> Matrix {
-        let mut page = Matrix::new(columns, rows);
+    fn page(&mut self, columns: usize, rows: usize) -> DotMatrix {
+        let mut page = blank(columns, rows);
         for band in 0..rows.div_ceil(4) {
             let end = [0, columns / 3, columns, columns][self.below(4) as usize];
             for (x, y) in (0..4).flat_map(|y| (0..end).map(move |x| (x, 4 * band + y))) {
@@ -141,4 +141,9 @@ impl Random {
         }
         page
     }
+}
+
+/// A matrix without dots.
+fn blank(columns: usize, rows: usize) -> DotMatrix {
+    DotMatrix::new(columns, rows).expect("not more dots than there can be")
 }
