@@ -85,7 +85,7 @@ fn a_small_sheet_is_written_as_documented() {
 #[test]
 fn every_dot_of_every_set_is_pressed_once_and_the_sheet_comes_out() {
     for (name, dots) in sets::all() {
-        for params in [Params::a4(), Params { most_back: f32::INFINITY, feed: 10_000, ..Params::xl_a4() }] {
+        for params in [Params::a4(), Params { most_back: f32::INFINITY, feed: 10_000, ..machine::xl_a4() }] {
             let (sheet, _) = made(&points(&dots), &params);
             pressed_once(&sheet, &dots);
             let back = f64::from(pulled_back(&sheet.dots)) / 100.0;
@@ -99,7 +99,7 @@ fn every_dot_of_every_set_is_pressed_once_and_the_sheet_comes_out() {
 
 #[test]
 fn twenty_thousand_dots_on_a3() {
-    let (dots, params) = (sets::large(), Params::xl_a3());
+    let (dots, params) = (sets::large(), machine::xl_a3());
     let (sheet, _) = made(&points(&dots), &params);
     pressed_once(&sheet, &dots);
     let nearest = nearest_neighbour(&dots, [0, 0], 1_200);
@@ -177,7 +177,7 @@ fn the_zero_of_the_needle_is_where_it_is_said_to_be() {
 
 #[test]
 fn the_corners_are_reached_and_nothing_beyond_them() {
-    for params in [Params::a4(), Params::xl_a4(), Params::xl_a3()] {
+    for params in [Params::a4(), machine::xl_a4(), machine::xl_a3()] {
         let [x, y] = params.limits;
         let corners = [[0.0, 0.0], [x, 0.0], [x, y], [0.0, y], [-0.004, y + 0.004]].map(|[x, y]| MmPoint::new(x, y));
         assert_eq!(made(&corners, &params).0.dots.len(), 4);

@@ -87,17 +87,6 @@ impl Params {
             title: String::new(),
         }
     }
-
-    /// BrailleRAP XL with A4: 210 mm across and 250 mm down (DesktopBrailleRAP).
-    pub fn xl_a4() -> Self {
-        Self { limits: [210.0, 250.0], ..Self::a4() }
-    }
-
-    /// BrailleRAP XL with A3: 297 mm across and 373 mm down, which is 47 mm less than the sheet as with A4
-    /// (DesktopBrailleRAP).
-    pub fn xl_a3() -> Self {
-        Self { limits: [297.0, 373.0], paper_length: 420.0, ..Self::a4() }
-    }
 }
 
 /// [`Params::a4`], whose limits every machine reaches.

@@ -29,9 +29,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, dots) in sets::all() {
         row(name, &dots, &Params::a4())?;
     }
-    row("random, many", &sets::large(), &Params::xl_a3())?;
+    row("random, many", &sets::large(), &machine::xl_a3())?;
     for file in std::env::args().skip(1) {
-        let params = Params::xl_a3();
+        let params = machine::xl_a3();
         let dots = machine::run(&std::fs::read_to_string(&file)?, params.limits.map(|mm| (mm * 100.0) as i32), 0)?.dots;
         row(&file, &dots, &params)?;
     }

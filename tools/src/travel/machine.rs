@@ -1,5 +1,6 @@
 //! A BrailleRAP that reads G-code as its firmware does, but forgives nothing.
 
+use tactograph::internals::output::dots::gcode::Params;
 use tactograph::internals::output::dots::path_order::Position;
 
 /// What the firmware holds the axes to, hundredths of a millimetre: it goes no farther (MarlinBraille2).
@@ -31,8 +32,8 @@ struct Machine {
     sheet: Sheet,
 }
 
-/// Runs `gcode` on a machine whose needle reaches `limits` and whose paper is `length` long, in hundredths of a millimetre.
-/// The machine starts as Marlin does: millimetres, absolute places, nothing homed.
+/// Runs `gcode` on a machine whose needle reaches `limits` and whose paper is `length` long, in hundredths of a
+/// millimetre. The machine starts as Marlin does: millimetres, absolute places, nothing homed.
 pub fn run(gcode: &str, limits: Position, length: i32) -> Result<Sheet, String> {
     let mut machine = Machine::default();
     let Some(text) = gcode.strip_suffix("\r\n") else { return Err("the last line has no end".into()) };
@@ -158,4 +159,15 @@ fn place(word: &str, letter: char) -> Result<i32, String> {
         return Err(format!("{word} is not in hundredths"));
     }
     [whole, part].concat().parse().map_err(|_| format!("{word} is too large"))
+}
+
+/// BrailleRAP XL with A4: 210 mm across and 250 mm down (DesktopBrailleRAP).
+pub fn xl_a4() -> Params {
+    Params { limits: [210.0, 250.0], ..Params::a4() }
+}
+
+/// BrailleRAP XL with A3: 297 mm across and 373 mm down, which is 47 mm less than the sheet as with A4
+/// (DesktopBrailleRAP).
+pub fn xl_a3() -> Params {
+    Params { limits: [297.0, 373.0], paper_length: 420.0, ..Params::a4() }
 }
