@@ -25,6 +25,11 @@ pub struct Params {
 /// with which slanting lines lose many dots, and 1.18, with which they lose none but fewer lines fit.
 const ROUNDING: f32 = 1.08;
 
+/// Fewer dots than this are no line, and no piece of a second row.
+pub(super) const LEAST_DOTS: usize = 3;
+/// What rounding may take off a length, mm.
+pub(super) const ROUNDED_OFF: f32 = 1e-3;
+
 impl Params {
     /// Least distance of the middles of two lines, mm.
     pub fn centres(&self) -> f32 {

@@ -3,8 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{LEAST_DOTS, ROUNDED_OFF};
-use crate::dots::params::{Params, points_of};
+use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, points_of};
 use crate::dots::{second_row, spacing};
 use crate::geom::polyline;
 use crate::lines::Line;

@@ -6,10 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{LEAST_DOTS, ROUNDED_OFF};
 use crate::devices::Grid;
 use crate::dots::cell::{Cell, centre, distance, within};
-use crate::dots::params::{Params, points_of};
+use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, points_of};
 use crate::dots::{rasterise, second_row};
 use crate::geom::polyline;
 use crate::lines::Line;

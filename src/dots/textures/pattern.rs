@@ -3,9 +3,10 @@
 //! ```text
 //!  0 degrees     45 degrees    45, from 2.2 mm   none
 //!  A A A A A A   A . . b . .   A b . . A b       A . A . A .     A is always set, b where the texture is dense.
-//!  . . . . . .   . . b . . A   b . . A b .       . b . . . b     A dense texture contains the sparse one, so there
-//!  b b b b b b   . b . . A .   . . A b . .       A . A . A .     are no seams. Finer grids have more empty rows between,
-//!  . . . . . .   b . . A . .   . A b . . A       . . . b . .     and grey the same pattern larger, or turned by 45 degrees.
+//!  . . . . . .   . . b . . A   b . . A b .       . b . . . b     A dense texture contains the sparse one, so
+//!  b b b b b b   . b . . A .   . . A b . .       A . A . A .     there are no seams. Finer grids have more empty
+//!  . . . . . .   b . . A . .   . A b . . A       . . . b . .     rows between, and grey the same pattern larger,
+//!                                                                or larger and turned by 45 degrees.
 //! ```
 //!
 //! Measured (coherence as in [`crate::touch`]; a fingertip of 1.0 mm, 0.30 is a direction; dots of 1.0 to
