@@ -19,6 +19,7 @@ pub mod textures;
 pub use params::Params;
 
 use crate::devices::DotArea;
+use crate::geom::polyline::PolylineRef;
 use crate::lines::{Height, Line, Run};
 use crate::units::{MmPoint, MmRect};
 
@@ -31,14 +32,15 @@ pub fn lines(lines: &[Line], part: MmRect, area: &DotArea, params: &Params) -> V
     }
 }
 
-/// The dots of one run by itself, such as a mark beside the picture.
+/// The dots of an open line by itself, such as a mark beside the picture.
 pub fn mark(points: &[MmPoint], area: &DotArea, params: &Params) -> Run {
+    let line = PolylineRef { vertices: points, closed: false };
     let points = match area {
         DotArea::Grid(grid) => {
-            let cells = rasterise::rasterise(points, false, grid);
+            let cells = rasterise::rasterise(line, grid);
             cells.into_iter().map(|cell| cell::centre(cell, grid)).collect()
         }
-        DotArea::Free(_) => spacing::evenly(points, false, params.pitch),
+        DotArea::Free(_) => spacing::evenly(line, params.pitch),
     };
     params.run(points, Height::High)
 }

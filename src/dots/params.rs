@@ -1,6 +1,7 @@
-//! How lines become dots, and a line as one path.
+//! How lines become dots, and a line as one polyline.
 
-use crate::lines::{Height, Line, Pen, Run};
+use crate::geom::polyline::Polyline;
+use crate::lines::{Height, Line, Run};
 use crate::units::MmPoint;
 
 /// How lines become dots.
@@ -57,17 +58,16 @@ impl Params {
 
     /// A run of dots.
     pub(super) fn run(&self, points: Vec<MmPoint>, height: Height) -> Run {
-        Run { width: self.diameter, points, pen: Pen::Dots(height) }
+        Run::dots(self.diameter, points, height)
     }
 }
 
-/// The points of a line through all its runs, and whether it is closed; then the last point is the first.
-pub(super) fn points_of(line: &Line) -> (Vec<MmPoint>, bool) {
-    let mut points: Vec<MmPoint> = Vec::new();
+/// A line through all its runs.
+pub(super) fn polyline_of(line: &Line) -> Polyline<MmPoint> {
+    let mut path: Vec<MmPoint> = Vec::new();
     for run in &line.runs {
-        let shared = usize::from(points.last().is_some() && points.last() == run.points.first());
-        points.extend(&run.points[shared..]);
+        let shared = usize::from(path.last().is_some() && path.last() == run.points.first());
+        path.extend(run.polyline().path().skip(shared));
     }
-    let closed = points.len() > 2 && points.first() == points.last();
-    (points, closed)
+    Polyline::from_path(path)
 }

@@ -13,11 +13,13 @@
 
 use super::cell::{Cell, GridPoint, distance, nearest, to_grid};
 use crate::devices::Grid;
+use crate::geom::polyline::PolylineRef;
 use crate::units::MmPoint;
 
 /// The dots along a line, in its order. The last dot of a closed line is a neighbour of the first.
-pub(super) fn rasterise(points: &[MmPoint], closed: bool, grid: &Grid) -> Vec<Cell> {
-    let points: Vec<GridPoint> = points.iter().map(|&at| to_grid(at, grid)).collect();
+pub(super) fn rasterise(line: PolylineRef<'_, MmPoint>, grid: &Grid) -> Vec<Cell> {
+    let closed = line.closed;
+    let points: Vec<GridPoint> = line.path().map(|&at| to_grid(at, grid)).collect();
     let mut cells = Vec::new();
     if !closed {
         cells.extend(points.first().map(|&at| nearest(at)));
@@ -176,6 +178,7 @@ fn is_corner(before: Option<Cell>, a: Cell, b: Cell, c: Cell, after: Option<Cell
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::polyline::Polyline;
 
     fn grid() -> Grid {
         let even = |count: usize| (0..count).map(|i| 2.5 * i as f32).collect();
@@ -208,7 +211,7 @@ mod tests {
             let (sin, cos) = (degrees as f32).to_radians().sin_cos();
             for (x, y) in [(30.0, 30.0), (30.3, 29.6), (30.5, 30.5)] {
                 let end = [x + 20.0 * cos, y + 20.0 * sin];
-                let cells = rasterise(&[at(x, y), at(end[0], end[1])], false, &grid());
+                let cells = rasterise(Polyline::open(vec![at(x, y), at(end[0], end[1])]).view(), &grid());
                 assert!(is_one_dot_wide(&cells, false), "{degrees}: {cells:?}");
                 assert!(cells.len() >= 14 && cells.len() <= 22, "{degrees}: {}", cells.len());
                 for cell in cells {
@@ -224,7 +227,7 @@ mod tests {
         for tenth in 25..200 {
             for (x, y) in [(30.0, 30.0), (29.7, 30.2), (30.5, 30.5)] {
                 let radius = tenth as f32 / 10.0;
-                let cells = rasterise(&ring(radius, x, y), true, &grid());
+                let cells = rasterise(Polyline::from_path(ring(radius, x, y)).view(), &grid());
                 assert!(is_one_dot_wide(&cells, true), "radius {radius}: {cells:?}");
                 for cell in &cells {
                     let off = (cell[0] as f32 - x).hypot(cell[1] as f32 - y) - radius;
@@ -237,7 +240,7 @@ mod tests {
     #[test]
     fn a_rectangle_keeps_its_corners() {
         let points = [at(10.0, 10.0), at(20.2, 10.0), at(20.2, 16.4), at(10.0, 16.4), at(10.0, 10.0)];
-        let cells = rasterise(&points, true, &grid());
+        let cells = rasterise(Polyline::from_path(points.to_vec()).view(), &grid());
         for corner in [[20, 10], [20, 16], [10, 16]] {
             assert!(cells.contains(&corner), "{corner:?} is not in {cells:?}");
         }

@@ -3,23 +3,25 @@
 use lyon::path::Path;
 use lyon::walk::{RegularPattern, WalkerEvent, walk_along_path};
 
-use crate::geom::polyline;
+use crate::geom::polyline::PolylineRef;
 use crate::units::MmPoint;
 
 /// Tolerance of flattening curves, mm; a polyline has none.
 const TOLERANCE: f32 = 0.01;
 
 /// Dots along a line in equal steps as near to `pitch` mm as fit: on both ends of an open line, all round a closed one.
-pub(super) fn evenly(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoint> {
-    let length = polyline::length(points);
-    let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Vec::new() };
+pub(super) fn evenly(line: PolylineRef<'_, MmPoint>, pitch: f32) -> Vec<MmPoint> {
+    let length = line.length();
+    let mut points = line.path();
+    let Some(&first) = points.next() else { return Vec::new() };
+    let last = line.path().last().copied().unwrap_or(first);
     let steps = (length / pitch).round();
     if steps < 1.0 {
         return vec![first];
     }
     let mut path = Path::builder();
     path.begin(first.cast_unit());
-    points[1..].iter().for_each(|at| {
+    points.for_each(|at| {
         path.line_to(at.cast_unit());
     });
     path.end(false);
@@ -34,7 +36,7 @@ pub(super) fn evenly(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoin
     walk_along_path(path.build().iter(), 0.0, TOLERANCE, &mut pattern);
     // Whether the walker reaches the very end depends on rounding.
     dots.truncate(steps as usize);
-    if !closed {
+    if !line.closed {
         dots.push(last);
     }
     dots
@@ -43,13 +45,14 @@ pub(super) fn evenly(points: &[MmPoint], closed: bool, pitch: f32) -> Vec<MmPoin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::polyline::Polyline;
 
     #[test]
     fn steps_are_even_and_ends_have_dots() {
         for (length, pitch, want) in [(25.0, 2.5, 11), (26.0, 2.5, 11), (24.0, 2.5, 11), (3.0, 2.5, 2), (1.0, 2.5, 1)] {
             let points =
                 [MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + 0.4 * length, 10.0), MmPoint::new(10.0 + length, 10.0)];
-            let dots = evenly(&points, false, pitch);
+            let dots = evenly(PolylineRef { vertices: &points, closed: false }, pitch);
             assert_eq!(dots.len(), want, "{length} mm");
             assert!(
                 dots.windows(2).all(|pair| ((pair[1] - pair[0]).length() - length / (want as f32 - 1.0)).abs() < 1e-3)
@@ -64,7 +67,7 @@ mod tests {
         let angle = |i: i32| (i % 90) as f32 * std::f32::consts::TAU / 90.0;
         let ring: Vec<MmPoint> =
             (0..=90).map(|i| MmPoint::new(50.0 + 20.0 * angle(i).cos(), 50.0 + 20.0 * angle(i).sin())).collect();
-        let dots = evenly(&ring, true, 2.5);
+        let dots = evenly(Polyline::from_path(ring).view(), 2.5);
         assert_eq!(dots.len(), 50);
         for i in 0..dots.len() {
             let step = (dots[(i + 1) % dots.len()] - dots[i]).length();

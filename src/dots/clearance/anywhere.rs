@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, points_of};
+use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{second_row, spacing};
 use crate::geom::polyline;
 use crate::lines::Line;
@@ -27,8 +27,8 @@ pub(in crate::dots) fn anywhere(lines: &[Line], part: MmRect, params: &Params) -
     let mut placed = Placed { squares: BTreeMap::new(), side: params.pitch };
     let mut rows: Vec<Row<'_>> = Vec::new();
     for line in lines {
-        let (points, closed) = points_of(line);
-        let mut dots = spacing::evenly(&points, closed, params.pitch);
+        let polyline = polyline_of(line);
+        let mut dots = spacing::evenly(polyline.view(), params.pitch);
         dots.retain(|&at| part.contains_inclusive(at) && placed.is_free(at, least, |_| true));
         if dots.len() >= LEAST_DOTS && polyline::length(&dots) + params.pitch >= params.min_length {
             // a line may come near itself at a corner
@@ -36,7 +36,7 @@ pub(in crate::dots) fn anywhere(lines: &[Line], part: MmRect, params: &Params) -
                 let is_free = placed.is_free(at, least, |_| true);
                 is_free.then(|| placed.place(at, rows.len())).is_some()
             });
-            rows.push(Row { line, dots, closed });
+            rows.push(Row { line, dots, closed: polyline.closed });
         }
     }
     let mut out = Vec::with_capacity(rows.len());
@@ -95,13 +95,13 @@ impl Placed {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::{Pen, Run};
+    use crate::lines::Run;
 
     const PART: MmRect = MmRect::new(MmPoint::new(0.0, 0.0), MmPoint::new(100.0, 100.0));
 
     fn line(strength: f32, points: &[(f32, f32)]) -> Line {
         let points = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
-        Line { strength, runs: vec![Run { width: 1.0, points, pen: Pen::Stroke }] }
+        Line { strength, runs: vec![Run::stroke(1.0, points)] }
     }
 
     fn params() -> Params {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::devices::Grid;
 use crate::dots::cell::{Cell, centre, distance, within};
-use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, points_of};
+use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{rasterise, second_row};
 use crate::geom::polyline;
 use crate::lines::Line;
@@ -52,14 +52,14 @@ pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params
 
 /// The dots of a line within these columns and rows (first and last), one dot wide, and whether it is closed.
 fn cells_of(line: &Line, grid: &Grid, [columns, rows]: [[i32; 2]; 2]) -> (Vec<Cell>, bool) {
-    let (points, closed) = points_of(line);
-    let mut cells = rasterise::rasterise(&points, closed, grid);
+    let line = polyline_of(line);
+    let mut cells = rasterise::rasterise(line.view(), grid);
     let inside = |[x, y]: Cell| [x.clamp(columns[0], columns[1]), y.clamp(rows[0], rows[1])];
     cells.iter_mut().for_each(|cell| *cell = inside(*cell));
     cells.dedup();
     // ends that have become neighbours on the grid close the line
     let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
-    let closed = closed || ends.is_some_and(|(&first, &last)| distance(first, last) <= 1);
+    let closed = line.closed || ends.is_some_and(|(&first, &last)| distance(first, last) <= 1);
     (rasterise::thin(cells, closed), closed)
 }
 
