@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use proptest::sample::select;
-use tactograph::internals::output::dots::{Matrix, ubrl};
+use tactograph::internals::output::dots::{DotMatrix, ubrl};
 use tactograph::internals::output::{pdf, svg};
 use tactograph::internals::pipeline::{Request, convert};
 use tactograph::internals::profile::{Key, Plan, Profile, built_in};
@@ -77,7 +77,7 @@ proptest! {
                 for page in [Some(&drawing.page), drawing.overview.as_ref()].into_iter().flatten() {
                     prop_assert!(svg::write(page).ends_with("</svg>\n") || svg::write(page).ends_with("</svg>"));
                     prop_assert!(!pdf::write(&page.title, std::slice::from_ref(page)).is_empty());
-                    Matrix::of(page).iter().for_each(|matrix| drop(ubrl::write(std::slice::from_ref(matrix))));
+                    DotMatrix::of(page).iter().for_each(|matrix| drop(ubrl::write(std::slice::from_ref(matrix))));
                 }
             }
         }
