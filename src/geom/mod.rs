@@ -1,6 +1,7 @@
 //! Plane geometry that several stages share. Lengths are in the unit of the points given (millimetres after the frame).
 
 pub mod components;
+pub mod link;
 pub mod nearby;
 pub mod polyline;
 pub mod simplify;

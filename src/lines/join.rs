@@ -1,8 +1,9 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
 use super::vertex::{Vertex, dot};
+use crate::geom::link::{End, Thread, link};
 use crate::geom::polyline::Polyline;
-use crate::units::{MmPoint, MmVector};
+use crate::units::{Mm, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
 const HEADING: f32 = 1.5;
@@ -18,77 +19,53 @@ const TOUCHING: f32 = 0.5;
 /// Ends that do not meet exactly bend towards one another over this length, mm.
 const BEND: f32 = 4.0;
 
-struct End {
-    polyline: usize,
-    at_start: bool,
-    at: MmPoint,
-    heading: MmVector,
-    /// Colour step as seen when leaving the line through this end.
-    step: [f32; 3],
-}
-
 /// Joins open polylines over gaps of at most `gap` millimetres and closes those whose own ends meet.
 pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32) -> Vec<Polyline<Vertex>> {
-    let ends = ends(&polylines);
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
-    let mut joints = Vec::new();
-    let mut by_x: Vec<usize> = (0..ends.len()).collect();
-    by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x));
-    for (k, &i) in by_x.iter().enumerate() {
-        for &j in by_x[k + 1..].iter().take_while(|&&j| ends[j].at.x - ends[i].at.x <= gap) {
-            let (i, j) = (i.min(j), i.max(j));
-            if let Some(cost) = cost(&ends[i], &ends[j], &lengths, gap) {
-                joints.push((cost, i, j));
-            }
-        }
-    }
-    joints.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    let mut partner = vec![None; ends.len()];
-    for (_, i, j) in joints {
-        if partner[i].is_none() && partner[j].is_none() {
-            partner[i] = Some(j);
-            partner[j] = Some(i);
-        }
-    }
-    thread(polylines, &ends, &partner)
+    let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| cost(a, b, &lengths, gap));
+    let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
+    threads.into_iter().filter_map(|thread| strung(&thread, &mut left)).collect()
 }
 
-fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End> {
+/// Both ends of every open polyline.
+fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End<Mm>> {
     let mut ends = Vec::new();
-    for (number, polyline) in
-        polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed && polyline.vertices.len() > 1)
-    {
+    for (number, polyline) in polylines.iter().enumerate() {
+        let vertices = &polyline.vertices;
+        if polyline.closed || vertices.len() < 2 {
+            continue;
+        }
         for at_start in [true, false] {
-            let from_end = |i: usize| &polyline.vertices[if at_start { i } else { polyline.vertices.len() - 1 - i }];
+            let from_end = |i: usize| &vertices[if at_start { i } else { vertices.len() - 1 - i }];
             let tip = from_end(0);
-            let inner = (1..polyline.vertices.len())
+            let inner = (1..vertices.len())
                 .map(from_end)
                 .find(|v| (v.at - tip.at).length() >= HEADING)
-                .unwrap_or_else(|| from_end(polyline.vertices.len() - 1));
-            let heading = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
-            let step = if at_start { tip.step.map(|v| -v) } else { tip.step };
-            ends.push(End { polyline: number, at_start, at: tip.at, heading, step });
+                .unwrap_or_else(|| from_end(vertices.len() - 1));
+            let direction = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
+            let contrast = if at_start { tip.step.map(|v| -v) } else { tip.step };
+            ends.push(End { polyline: number, at_start, at: tip.at, direction, contrast });
         }
     }
     ends
 }
 
 /// How far two ends are from being one line, if they can be joined at all.
-fn cost(a: &End, b: &End, lengths: &[f32], gap: f32) -> Option<f32> {
+fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
     let way = b.at - a.at;
     let distance = way.length();
     if distance > gap || (a.polyline == b.polyline && lengths[a.polyline] < RING * distance) {
         return None;
     }
     // Leaving through a one enters through b, where right and left change places. The middle of a bar has no step.
-    if dot(a.step, b.step) > 0.0 || a.heading.dot(b.heading) > -FACING {
+    if dot(a.contrast, b.contrast) > 0.0 || a.direction.dot(b.direction) > -FACING {
         return None;
     }
     if distance <= TOUCHING {
         return Some(distance);
     }
     let way = way / distance;
-    let (ahead_a, ahead_b) = (a.heading.dot(way), -b.heading.dot(way));
+    let (ahead_a, ahead_b) = (a.direction.dot(way), -b.direction.dot(way));
     (ahead_a >= AHEAD && ahead_b >= AHEAD).then_some(distance * (3.0 - ahead_a - ahead_b))
 }
 
@@ -118,47 +95,69 @@ fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
     }
 }
 
-/// Strings polylines together end by end.
-fn thread(polylines: Vec<Polyline<Vertex>>, ends: &[End], partner: &[Option<usize>]) -> Vec<Polyline<Vertex>> {
-    // end_of[t] = the numbers of the start and the end of polyline t
-    let mut end_of = vec![[usize::MAX; 2]; polylines.len()];
-    for (number, end) in ends.iter().enumerate() {
-        end_of[end.polyline][usize::from(!end.at_start)] = number;
+/// The polylines of a thread as one; each is taken from `left`.
+fn strung(thread: &Thread, left: &mut [Option<Polyline<Vertex>>]) -> Option<Polyline<Vertex>> {
+    let mut parts = thread.parts.iter().filter_map(|part| {
+        let polyline = left[part.polyline].take()?;
+        Some(if part.reversed { polyline.reversed() } else { polyline })
+    });
+    let mut whole = parts.next()?;
+    if whole.closed {
+        return Some(whole);
     }
-    let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
-    let mut joined = Vec::with_capacity(left.len());
-    for rings in [false, true] {
-        for first in 0..left.len() {
-            let Some(polyline) = &left[first] else { continue };
-            if polyline.closed || end_of[first][0] == usize::MAX {
-                joined.extend(left[first].take());
-                continue;
-            }
-            let free = |side: usize| partner[end_of[first][side]].is_none();
-            let entry = match (free(0), free(1)) {
-                (true, _) => 0,
-                (false, true) => 1,
-                (false, false) if rings => 0,
-                (false, false) => continue,
-            };
-            let mut vertices = Vec::new();
-            let mut next = Some(end_of[first][entry]);
-            while let Some(end) = next.map(|number| &ends[number])
-                && let Some(polyline) = left[end.polyline].take()
-            {
-                let polyline = if end.at_start { polyline } else { polyline.reversed() };
-                let seam = vertices.len();
-                vertices.extend(polyline.vertices);
-                if seam > 0 {
-                    meet_halfway(&mut vertices, seam);
-                }
-                next = partner[end_of[end.polyline][usize::from(end.at_start)]];
-            }
-            let closed = next.is_some() && vertices.len() > 3;
-            let mut polyline = Polyline { vertices, closed };
-            polyline.fill();
-            joined.push(polyline);
-        }
+    for polyline in parts {
+        let seam = whole.vertices.len();
+        whole.vertices.extend(polyline.vertices);
+        meet_halfway(&mut whole.vertices, seam);
     }
-    joined
+    whole.closed = thread.closed && whole.vertices.len() > 3;
+    whole.fill();
+    Some(whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::MmPoint;
+
+    fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
+        let [from, to] = [from, to].map(|(x, y)| MmPoint::new(x, y));
+        let vertex =
+            |k: u32| Vertex { at: from.lerp(to, k as f32 / 20.0), strength: 30.0, step: [step, 0.0, 0.0], width: 0.0 };
+        Polyline::open((0..=20).map(vertex).collect())
+    }
+
+    #[test]
+    fn pieces_of_a_straight_line_become_one_whichever_way_they_run() {
+        let pieces = vec![straight((0., 0.), (8., 0.), 20.0), straight((18., 0.), (10., 0.), -20.0)];
+        let joined = join(pieces, 3.0);
+        assert_eq!(joined.len(), 1);
+        assert!((joined[0].length() - 18.0).abs() < 1e-3 && !joined[0].closed);
+        assert!(joined[0].vertices.iter().all(|v| v.step[0] > 0.0), "the second piece was turned round");
+        assert!(joined[0].segments().all(|(a, b)| (b.at - a.at).length() <= 0.51), "the gap is filled");
+    }
+
+    #[test]
+    fn what_has_other_colours_or_another_direction_stays_apart() {
+        let other_colours = vec![straight((0., 0.), (8., 0.), 20.0), straight((10., 0.), (18., 0.), -20.0)];
+        assert_eq!(join(other_colours, 3.0).len(), 2);
+        let aside = vec![straight((0., 0.), (8., 0.), 20.0), straight((8., 2.5), (8., 12.), 20.0)];
+        assert_eq!(join(aside, 3.0).len(), 2);
+        let far = vec![straight((0., 0.), (8., 0.), 20.0), straight((11.5, 0.), (18., 0.), 20.0)];
+        assert_eq!(join(far, 3.0).len(), 2);
+    }
+
+    #[test]
+    fn an_arc_whose_ends_meet_is_a_ring() {
+        let angle = |k: u32| 0.1 + k as f32 * 6.1 / 100.0;
+        let vertex = |k: u32| Vertex {
+            at: MmPoint::new(10.0 * angle(k).cos(), 10.0 * angle(k).sin()),
+            strength: 30.0,
+            step: [20.0, 0.0, 0.0],
+            width: 0.0,
+        };
+        let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
+        assert!(joined.len() == 1 && joined[0].closed);
+        assert!(joined[0].vertices.first() != joined[0].vertices.last());
+    }
 }
