@@ -2,8 +2,9 @@
 //! sharp that the gradient has no clear direction there.
 
 use super::contour::{Contour, ContourPoint};
+use crate::geom::link::{End, Thread, link};
 use crate::geom::polyline::Blend;
-use crate::units::{PxPoint, PxVector};
+use crate::units::Px;
 
 /// Ends that point at one another are joined over gaps of up to this many scales.
 const MAX_GAP: f32 = 6.0;
@@ -25,26 +26,17 @@ const DIRECTION_LENGTH: f32 = 3.0;
 /// Least position error of points in a gap, px: nothing was measured there.
 const GAP_SIGMA: f32 = 0.3;
 
-/// An end of an open contour.
-struct End {
-    contour: usize,
-    at_start: bool,
-    at: PxPoint,
-    /// Unit direction out of the contour.
-    direction: PxVector,
-    /// Colour on the right minus colour on the left, as seen when leaving the contour through this end.
-    contrast: [f32; 3],
-}
-
 /// Joins open contours end to end, and closes those whose own ends meet. `sigma` is the scale of the derivative, px.
 pub(super) fn join(contours: Vec<Contour>, sigma: f32) -> Vec<Contour> {
-    let ends = ends(&contours, sigma);
-    let partner = partners(&contours, &ends, sigma);
-    concatenate(contours, &ends, &partner)
+    let lengths: Vec<f32> = contours.iter().map(Contour::length).collect();
+    let cost = |a: &End<Px>, b: &End<Px>| cost(a, b, &lengths, sigma);
+    let threads = link(contours.len(), &ends(&contours, sigma), MAX_GAP * sigma, cost);
+    let mut left: Vec<Option<Contour>> = contours.into_iter().map(Some).collect();
+    threads.into_iter().filter_map(|thread| concatenate(&thread, &mut left)).collect()
 }
 
 /// Both ends of every open contour of at least three points.
-fn ends(contours: &[Contour], sigma: f32) -> Vec<End> {
+fn ends(contours: &[Contour], sigma: f32) -> Vec<End<Px>> {
     let mut ends = Vec::new();
     for (number, contour) in contours.iter().enumerate().filter(|(_, c)| !c.closed && c.vertices.len() > 2) {
         for at_start in [true, false] {
@@ -54,7 +46,7 @@ fn ends(contours: &[Contour], sigma: f32) -> Vec<End> {
             let direction = inner.and_then(|(inner, _)| (point.at - contour.vertices[inner].at).try_normalize());
             let contrast = if at_start { point.contrast.map(|v| -v) } else { point.contrast };
             ends.push(End {
-                contour: number,
+                polyline: number,
                 at_start,
                 at: point.at,
                 direction: direction.unwrap_or_default(),
@@ -65,35 +57,12 @@ fn ends(contours: &[Contour], sigma: f32) -> Vec<End> {
     ends
 }
 
-/// For each end the end it is joined with. The pairs of least cost are chosen first.
-fn partners(contours: &[Contour], ends: &[End], sigma: f32) -> Vec<Option<usize>> {
-    let lengths: Vec<f32> = contours.iter().map(Contour::length).collect();
-    let mut by_x: Vec<usize> = (0..ends.len()).collect();
-    by_x.sort_by(|&a, &b| ends[a].at.x.total_cmp(&ends[b].at.x).then(a.cmp(&b)));
-    let mut pairs = Vec::new();
-    for (k, &i) in by_x.iter().enumerate() {
-        for &j in by_x[k + 1..].iter().take_while(|&&j| ends[j].at.x - ends[i].at.x <= MAX_GAP * sigma) {
-            let (i, j) = (i.min(j), i.max(j));
-            if let Some(cost) = cost(&ends[i], &ends[j], &lengths, sigma) {
-                pairs.push((cost, i, j));
-            }
-        }
-    }
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    let mut partner = vec![None; ends.len()];
-    for (_, i, j) in pairs {
-        if partner[i].is_none() && partner[j].is_none() {
-            (partner[i], partner[j]) = (Some(j), Some(i));
-        }
-    }
-    partner
-}
-
 /// Cost of joining two ends; none if they may not be joined.
-fn cost(a: &End, b: &End, lengths: &[f32], sigma: f32) -> Option<f32> {
+fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32) -> Option<f32> {
     let gap = b.at - a.at;
     let distance = gap.length();
-    if distance > MAX_GAP * sigma || (a.contour == b.contour && lengths[a.contour] < MIN_RING * distance + 2.0 * sigma)
+    if distance > MAX_GAP * sigma
+        || (a.polyline == b.polyline && lengths[a.polyline] < MIN_RING * distance + 2.0 * sigma)
     {
         return None;
     }
@@ -112,56 +81,29 @@ fn cost(a: &End, b: &End, lengths: &[f32], sigma: f32) -> Option<f32> {
     (same_sides && distance <= MAX_CORNER_GAP * sigma && in_front).then_some(cost)
 }
 
-/// Concatenates contours at joined ends: first those that stay open, then those that become closed.
-fn concatenate(contours: Vec<Contour>, ends: &[End], partner: &[Option<usize>]) -> Vec<Contour> {
-    let mut ends_of = vec![None; contours.len()];
-    for (number, pair) in ends.chunks_exact(2).enumerate() {
-        ends_of[pair[0].contour] = Some([2 * number, 2 * number + 1]);
+/// The contours of a thread as one; each is taken from `left`.
+fn concatenate(thread: &Thread, left: &mut [Option<Contour>]) -> Option<Contour> {
+    let mut parts = thread.parts.iter().filter_map(|part| {
+        let contour = left[part.polyline].take()?;
+        Some(if part.reversed { contour.reversed() } else { contour })
+    });
+    let mut whole = parts.next()?;
+    if whole.closed {
+        return Some(whole);
     }
-    let mut left: Vec<Option<Contour>> = contours.into_iter().map(Some).collect();
-    let mut joined = Vec::with_capacity(left.len());
-    for closed in [false, true] {
-        for number in 0..left.len() {
-            let Some(own) = ends_of[number] else {
-                joined.extend(left[number].take());
-                continue;
-            };
-            let free = own.iter().copied().find(|&end| partner[end].is_none());
-            if let Some(entry) = free.or(closed.then_some(own[0])) {
-                joined.extend(follow(entry, ends, partner, &ends_of, &mut left));
-            }
+    for contour in parts {
+        if let (Some(last), Some(first)) = (whole.vertices.last().copied(), contour.vertices.first()) {
+            whole.vertices.extend(between(&last, first));
         }
+        whole.vertices.extend(contour.vertices);
     }
-    joined
-}
-
-/// The contours that follow one another from the end `entry` on, as one; none if they were taken before.
-fn follow(
-    entry: usize,
-    ends: &[End],
-    partner: &[Option<usize>],
-    ends_of: &[Option<[usize; 2]>],
-    left: &mut [Option<Contour>],
-) -> Option<Contour> {
-    let mut points: Vec<ContourPoint> = Vec::new();
-    let mut next = Some(entry);
-    while let Some(end) = next.map(|number| &ends[number])
-        && let Some(mut contour) = left[end.contour].take()
+    whole.closed = thread.closed && whole.vertices.len() > 3;
+    if whole.closed
+        && let [first, .., last] = whole.vertices[..]
     {
-        if !end.at_start {
-            contour.reverse();
-        }
-        if let (Some(last), Some(first)) = (points.last().copied(), contour.vertices.first()) {
-            points.extend(between(&last, first));
-        }
-        points.extend(contour.vertices);
-        next = ends_of[end.contour].and_then(|own| partner[own[usize::from(end.at_start)]]);
+        whole.vertices.extend(between(&last, &first));
     }
-    let closed = next.is_some() && points.len() > 3;
-    if closed && let [first, .., last] = points[..] {
-        points.extend(between(&last, &first));
-    }
-    (!points.is_empty()).then_some(Contour { vertices: points, closed })
+    Some(whole)
 }
 
 /// Points about a pixel apart in the gap between two points.
