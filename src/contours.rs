@@ -1,14 +1,14 @@
 //! Contours as data: polylines in the pixels of the source picture, whatever size the picture was worked on.
 //!
 //! Points are in *source space*: pixels of the upright source picture (after the turn that EXIF asks for), x right, y
-//! down, pixel centres at +0.5; for an SVG drawing, its own CSS pixels. **Strength is the height of the colour step** in
-//! units of lightness with the chroma axes of CIELAB counted twice (see [`crate::edges`]): black against white is 100.
+//! down, pixel centres at +0.5; for an SVG drawing, its own CSS pixels. **Strength is the height of the colour step**
+//! in units of lightness with the chroma axes of CIELAB counted twice (see [`crate::edges`]): black against white is
+//! 100.
 
 use crate::edges::Edges;
-use crate::frame::Frame;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::Line;
-use crate::units::{MmPoint, MmRect, PxPoint, Size};
+use crate::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 /// The contours of a picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,8 +28,8 @@ pub struct Polyline {
     pub points: Vec<PxPoint>,
     /// Height of the colour step at each point (see the module).
     pub strength: Vec<f32>,
-    /// For a line of the page, its width in mm from each point to the next; the last point of an open line has that of the
-    /// piece before it.
+    /// For a line of the page, its width in mm from each point to the next; the last point of an open line has that of
+    /// the piece before it.
     pub width: Option<Vec<f32>>,
 }
 
@@ -46,13 +46,20 @@ impl Trace {
         Self { size: source, polylines: polylines.collect() }
     }
 
-    /// The lines of a page, which `frame` put into `area` of the sheet.
+    /// The lines of a page, which `transform` put into `area` of the sheet.
     ///
     /// A line says only how strong it is on the whole. The strength at a point is that of the nearest of the contours
     /// `edges` from which the lines were drawn; where none lies within `reach` mm, it is that of the whole line.
-    pub fn of_lines(lines: &[Line], edges: &Edges, frame: &Frame, area: MmRect, reach: f32, source: Size) -> Self {
+    pub fn of_lines(
+        lines: &[Line],
+        edges: &Edges,
+        transform: &PageTransform,
+        area: MmRect,
+        reach: f32,
+        source: Size,
+    ) -> Self {
         let scale = Scale::new(edges.size, source);
-        let strengths = Strengths::new(edges, frame, area, reach);
+        let strengths = Strengths::new(edges, transform, area, reach);
         let polylines = lines.iter().map(|line| {
             let mut points: Vec<MmPoint> = Vec::new();
             let mut width = Vec::new();
@@ -71,7 +78,7 @@ impl Trace {
             Polyline {
                 closed,
                 strength: points.iter().map(|&at| strengths.near(at).unwrap_or(line.strength)).collect(),
-                points: points.iter().map(|&at| scale.to_source(frame.to_px(at))).collect(),
+                points: points.iter().map(|&at| scale.to_source(transform.to_px(at))).collect(),
                 width: Some(width),
             }
         });
@@ -87,11 +94,11 @@ struct Strengths<'a> {
 }
 
 impl<'a> Strengths<'a> {
-    fn new(edges: &'a Edges, frame: &Frame, area: MmRect, reach: f32) -> Self {
+    fn new(edges: &'a Edges, transform: &PageTransform, area: MmRect, reach: f32) -> Self {
         let mut segments = Nearby::new(area, reach);
         for (number, chain) in edges.chains().enumerate() {
             for (index, (a, b)) in chain.segments().enumerate() {
-                let (a, b) = (frame.to_mm(a.at), frame.to_mm(b.at));
+                let (a, b) = (transform.to_mm(a.at), transform.to_mm(b.at));
                 segments.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: index as u32, arc: 0.0 });
             }
         }
@@ -109,8 +116,8 @@ impl<'a> Strengths<'a> {
     }
 }
 
-/// The way from the working picture to the source picture. Both axes have a scale of their own, as each side of the working
-/// picture is rounded to whole pixels.
+/// The way from the working picture to the source picture. Both axes have a scale of their own, as each side of the
+/// working picture is rounded to whole pixels.
 struct Scale {
     across: f64,
     down: f64,

@@ -84,7 +84,6 @@ mod devices;
 mod dots;
 mod edges;
 mod error;
-mod frame;
 mod geom;
 mod lines;
 mod note;
@@ -153,9 +152,6 @@ pub mod internals {
     }
     pub mod error {
         pub use crate::error::*;
-    }
-    pub mod frame {
-        pub use crate::frame::*;
     }
     pub mod geom {
         pub use crate::geom::*;

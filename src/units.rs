@@ -1,8 +1,8 @@
-//! Two spaces and the one way from the first to the second.
+//! Two spaces and the one transform from the first to the second.
 //!
 //! *Picture space* is in pixels, x right, y down, pixel centres at +0.5. *Page space* is in millimetres, x right, y
 //! down, (0, 0) the sheet's top-left corner. The types keep them apart: a point in pixels does not fit where a point in
-//! millimetres is asked for.
+//! millimetres is asked for. [`PageTransform`] takes pixels to millimetres, and nothing else does.
 
 use lyon::geom::euclid;
 
@@ -14,11 +14,11 @@ pub struct Px;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Mm;
 
-/// A place in the working picture, in pixels.
+/// A point in the working picture, in pixels.
 pub type PxPoint = euclid::Point2D<f32, Px>;
 /// A direction and distance in the working picture, in pixels.
 pub type PxVector = euclid::Vector2D<f32, Px>;
-/// A place on the sheet, in millimetres.
+/// A point on the sheet, in millimetres.
 pub type MmPoint = euclid::Point2D<f32, Mm>;
 /// A direction and distance on the sheet, in millimetres.
 pub type MmVector = euclid::Vector2D<f32, Mm>;
@@ -59,5 +59,55 @@ impl Size {
 impl std::fmt::Display for Size {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} x {}", self.width, self.height)
+    }
+}
+
+/// Where the working picture lies on the sheet: one scale for both axes and an offset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PageTransform {
+    origin: MmPoint,
+    mm_per_px: f32,
+}
+
+impl PageTransform {
+    /// Lays a picture of `size` pixels into the rectangle `place`, corner on corner. The scale comes from the longer
+    /// side, where rounding to whole pixels matters least.
+    pub fn new(size: Size, place: MmRect) -> Self {
+        let mm_per_px = if size.width >= size.height {
+            place.width() / size.width as f32
+        } else {
+            place.height() / size.height as f32
+        };
+        Self { origin: place.min, mm_per_px }
+    }
+
+    /// Millimetres on the sheet for one pixel of the picture.
+    pub fn mm_per_px(&self) -> f32 {
+        self.mm_per_px
+    }
+
+    /// The point on the sheet of a point in the picture.
+    pub fn to_mm(&self, at: PxPoint) -> MmPoint {
+        MmPoint::new(self.origin.x + at.x * self.mm_per_px, self.origin.y + at.y * self.mm_per_px)
+    }
+
+    /// The point in the picture of a point on the sheet.
+    pub fn to_px(&self, at: MmPoint) -> PxPoint {
+        PxPoint::new((at.x - self.origin.x) / self.mm_per_px, (at.y - self.origin.y) / self.mm_per_px)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_fills_its_rectangle_and_points_come_back() {
+        let place = MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(120.0, 80.0));
+        let transform = PageTransform::new(Size::new(400, 200), place);
+        assert!((transform.mm_per_px() - 0.25).abs() < 1e-6);
+        assert!((transform.to_mm(PxPoint::new(400.0, 200.0)) - place.max).length() < 1e-4);
+        let at = PxPoint::new(123.4, 56.7);
+        assert!((transform.to_px(transform.to_mm(at)) - at).length() < 1e-3);
     }
 }

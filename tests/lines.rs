@@ -3,10 +3,9 @@
 
 use crate::common::{apart, drawn, page, samples};
 use tactograph::internals::edges;
-use tactograph::internals::frame::Frame;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::units::{MmPoint, MmRect, Size};
+use tactograph::internals::units::{MmPoint, MmRect, PageTransform, Size};
 
 const SIDE: u32 = 300;
 /// Millimetres for a pixel.
@@ -30,7 +29,7 @@ fn draw(value: impl Fn(f32, f32) -> f32, params: &lines::Params) -> Vec<Line> {
     let values = (0..SIDE * SIDE).map(|i| value((i % SIDE) as f32 + 0.5, (i / SIDE) as f32 + 0.5).clamp(0.0, 1.0));
     let raster = Raster::grey(size, values.map(|v| v.powf(2.2)).collect());
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(SIDE as f32 * SCALE, SIDE as f32 * SCALE));
-    lines::draw(&edges::find(&raster, &EDGES), &Frame::new(size, area), area, params).lines
+    lines::draw(&edges::find(&raster, &EDGES), &PageTransform::new(size, area), area, params).lines
 }
 
 /// Checks that a scene with at least `least` mm of lines keeps them apart.

@@ -6,11 +6,10 @@ use crate::common::samples;
 use tactograph::internals::classes::{self, Class};
 use tactograph::internals::edges::{self, Edges};
 use tactograph::internals::error::Error;
-use tactograph::internals::frame::Frame;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
-use tactograph::internals::units::{MmPoint, MmRect, PxPoint, Size};
+use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 /// Working pixels of the test pictures: enough for every kind of edge, few enough to be quick.
 const LONGEST: u32 = 400;
@@ -141,10 +140,10 @@ fn line_points(lines: &[Line]) -> Vec<(f32, f32)> {
 }
 
 /// A picture of 400 pixels on about 174 mm, as on the default sheet.
-fn sheet(size: Size) -> (Frame, MmRect) {
+fn sheet(size: Size) -> (PageTransform, MmRect) {
     let scale = 0.435;
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(size.width as f32 * scale, size.height as f32 * scale));
-    (Frame::new(size, area), area)
+    (PageTransform::new(size, area), area)
 }
 
 #[test]

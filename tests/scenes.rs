@@ -2,10 +2,9 @@
 
 use crate::common::drawn::LINES;
 use tactograph::internals::edges::{self, Edges};
-use tactograph::internals::frame::Frame;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::units::{MmPoint, MmRect, Size};
+use tactograph::internals::units::{MmPoint, MmRect, PageTransform, Size};
 
 const SIDE: u32 = 300;
 /// Millimetres for a pixel: the scene is 100 mm wide.
@@ -34,7 +33,7 @@ fn edge_params(sigma: f32) -> edges::Params {
 
 fn draw(raster: &Raster) -> Vec<Line> {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(SIDE as f32 * SCALE, SIDE as f32 * SCALE));
-    lines::draw(&edges::find(raster, &edge_params(1.5)), &Frame::new(raster.size(), area), area, &LINES).lines
+    lines::draw(&edges::find(raster, &edge_params(1.5)), &PageTransform::new(raster.size(), area), area, &LINES).lines
 }
 
 /// A step blurred by `blur`, as share 0..=1 of the way from one side to the other: logistic, near a Gaussian's integral.
@@ -156,7 +155,7 @@ fn grass_is_quiet_and_the_path_through_it_stays() {
     let (quiet, with_path) = (total(&draw(&meadow)), total(&draw(&path)));
     let loud = edges::find(&meadow, &edges::Params { suppression: 0.0, ..edge_params(1.5) });
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-    let without = total(&lines::draw(&loud, &Frame::new(meadow.size(), area), area, &LINES).lines);
+    let without = total(&lines::draw(&loud, &PageTransform::new(meadow.size(), area), area, &LINES).lines);
     assert!(quiet < 0.2 * without, "{quiet} mm of lines in the grass, {without} mm without suppression");
     assert!(with_path > quiet + 50.0, "{with_path} mm with the path, {quiet} mm without");
 }

@@ -11,7 +11,7 @@ use tactograph::internals::pipeline::{Event, Request, Stage, Watch};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::Limits;
 use tactograph::internals::units::{PxPoint, Size};
-use tactograph::internals::{frame, lines};
+use tactograph::internals::{lines, units};
 use tactograph::{Error, Thresholds, Traced, Tracing};
 
 /// Everything that can be traced.
@@ -200,7 +200,7 @@ fn the_lines_are_those_of_the_page() {
         assert_eq!(trace.size, figure.source);
         assert_eq!(trace.polylines.len(), figure.lines.len(), "{name}");
         assert!(!figure.lines.is_empty(), "{name}: nothing to compare");
-        let to_mm = frame::Frame::new(figure.source, figure.place);
+        let to_mm = units::PageTransform::new(figure.source, figure.place);
         for (polyline, line) in trace.polylines.iter().zip(&figure.lines) {
             is_the_same_line(polyline, line, |at| to_mm.to_mm(at), name);
             let mean = polyline.strength.iter().sum::<f32>() / polyline.strength.len() as f32;

@@ -35,12 +35,13 @@ pub struct Thread {
     pub closed: bool,
 }
 
-/// Strings `count` polylines together by their `ends`, of which each polyline has both, its start first, or none; what has
-/// none is a thread by itself. Threads with free ends come first, then the closed ones, each in the order of the polylines.
+/// Strings `count` polylines together by their `ends`, of which each polyline has both, its start first, or none; what
+/// has none is a thread by itself. Threads with free ends come first, then the closed ones, each in the order of the
+/// polylines.
 ///
-/// Every two ends whose x coordinates differ by at most `reach` are a candidate, at the `cost` that the caller gives if they
-/// may be linked. The cheapest link is made first, and an end has one link only. Of links that cost the same, the one between
-/// earlier ends is made first, so that the result depends on nothing but the ends.
+/// Every two ends whose x coordinates differ by at most `reach` are a candidate, at the `cost` that the caller gives if
+/// they may be linked. The cheapest link is made first, and an end has one link only. Of links that cost the same, the
+/// one between earlier ends is made first, so that the result depends on nothing but the ends.
 pub fn link<U>(
     count: usize,
     ends: &[End<U>],
@@ -198,10 +199,14 @@ mod tests {
         ) {
             let lines: Vec<_> = raw.iter().map(|&(a, b, c, d)| (at(a, b), at(c, d))).collect();
             let threads = by_distance(&lines, reach);
-            let mut seen: Vec<usize> = threads.iter().flat_map(|thread| &thread.parts).map(|part| part.polyline).collect();
+            let parts = threads.iter().flat_map(|thread| &thread.parts);
+            let mut seen: Vec<usize> = parts.map(|part| part.polyline).collect();
             seen.sort_unstable();
             prop_assert_eq!(seen, (0..lines.len()).collect::<Vec<_>>());
-            let tip = |part: &Part, end: bool| if part.reversed == end { lines[part.polyline].0 } else { lines[part.polyline].1 };
+            let tip = |part: &Part, end: bool| {
+                let (from, to) = lines[part.polyline];
+                if part.reversed == end { from } else { to }
+            };
             for thread in &threads {
                 for pair in thread.parts.windows(2) {
                     prop_assert!((tip(&pair[0], true) - tip(&pair[1], false)).length() <= reach);

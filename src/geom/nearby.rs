@@ -35,8 +35,8 @@ pub struct Nearby {
 }
 
 impl Nearby {
-    /// An empty grid of `cell` millimetres over `area`. Queries of any reach are answered; those of about a cell look at the
-    /// fewest segments.
+    /// An empty grid of `cell` millimetres over `area`. Queries of any reach are answered; those of about a cell look
+    /// at the fewest segments.
     pub fn new(area: MmRect, cell: f32) -> Self {
         let cell = cell.max(0.5); // finer cells cost memory and win nothing at the millimetre scale
         let columns = (area.width() / cell).ceil().max(1.0) as usize;
@@ -73,8 +73,8 @@ impl Nearby {
         }
     }
 
-    /// Calls `visit` with the segments that may lie within `reach` of the box `low`-`high`; one segment can come several
-    /// times, and some farther ones come too.
+    /// Calls `visit` with the segments that may lie within `reach` of the box `low`-`high`; one segment can come
+    /// several times, and some farther ones come too.
     pub fn around(&self, low: MmPoint, high: MmPoint, reach: f32, mut visit: impl FnMut(&Segment)) {
         let (columns, rows) =
             self.covered(MmPoint::new(low.x - reach, low.y - reach), MmPoint::new(high.x + reach, high.y + reach));
@@ -85,8 +85,8 @@ impl Nearby {
         }
     }
 
-    /// Calls `visit` with the segments in the cells that the way from `from` to `to` leads through, nearest cells first; one
-    /// segment can come several times. Only what lies in the area is seen.
+    /// Calls `visit` with the segments in the cells that the way from `from` to `to` leads through, nearest cells
+    /// first; one segment can come several times. Only what lies in the area is seen.
     pub fn along(&self, from: MmPoint, to: MmPoint, mut visit: impl FnMut(&Segment)) {
         let place = |p: MmPoint| ((p.x - self.origin.x) / self.cell, (p.y - self.origin.y) / self.cell);
         let ((x, y), (end_x, end_y)) = (place(from), place(to));
@@ -117,7 +117,8 @@ impl Nearby {
         }
     }
 
-    /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point, segment.
+    /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point,
+    /// segment.
     pub fn nearest(
         &self,
         at: MmPoint,

@@ -1,7 +1,8 @@
 //! Polylines: one type with one rule of closedness, and what stages ask of polylines again and again.
 //!
-//! A closed polyline (a ring) goes on from its last vertex to its first. The flag alone says that it is closed: the first
-//! vertex is never repeated at the end. A vertex is a bare point, or a position with attributes such as strength or width.
+//! A closed polyline (a ring) goes on from its last vertex to its first. The flag alone says that it is closed: the
+//! first vertex is never repeated at the end. A vertex is a bare point, or a position with attributes such as strength
+//! or width.
 
 use std::sync::LazyLock;
 
@@ -136,8 +137,8 @@ impl<V: Blend> Polyline<V> {
         }
     }
 
-    /// The same polyline with vertices at even distances of about `spacing`; the first, and of an open one the last, stay.
-    /// A ring that is too short for three vertices comes out open, with its first vertex at both ends.
+    /// The same polyline with vertices at even distances of about `spacing`; the first, and of an open one the last,
+    /// stay. A ring that is too short for three vertices comes out open, with its first vertex at both ends.
     #[must_use]
     pub fn resampled(&self, spacing: f32) -> Self {
         let arcs = self.arc_lengths();
@@ -210,8 +211,8 @@ impl<'a, V: Located> PolylineRef<'a, V> {
         self.segments().map(|(a, b)| (b.at() - a.at()).length()).sum()
     }
 
-    /// Length along the polyline from the first vertex to each; the first entry is 0. Of a ring there is one entry more than
-    /// vertices: its whole length. So the last entry is the length of the polyline.
+    /// Length along the polyline from the first vertex to each; the first entry is 0. Of a ring there is one entry more
+    /// than vertices: its whole length. So the last entry is the length of the polyline.
     pub fn arc_lengths(self) -> Vec<f32> {
         let mut arcs = Vec::with_capacity(self.vertices.len() + 1);
         arcs.extend(self.vertices.first().map(|_| 0.0));
@@ -223,7 +224,8 @@ impl<'a, V: Located> PolylineRef<'a, V> {
         arcs
     }
 
-    /// The number of the vertex `steps` after vertex `i`, or before it if negative; none beyond the ends of an open polyline.
+    /// The number of the vertex `steps` after vertex `i`, or before it if negative; none beyond the ends of an open
+    /// polyline.
     pub fn next(self, i: usize, steps: isize) -> Option<usize> {
         let n = self.vertices.len() as isize;
         let to = i as isize + steps;
@@ -242,13 +244,13 @@ pub fn length<U>(points: &[Point2D<f32, U>]) -> f32 {
     PolylineRef { vertices: points, closed: false }.length()
 }
 
-/// A Gaussian mean along a polyline: the values of its vertices, blurred with `sigma` in the unit of `arcs`, which are its
-/// [`PolylineRef::arc_lengths`].
+/// A Gaussian mean along a polyline: the values of its vertices, blurred with `sigma` in the unit of `arcs`, which are
+/// its [`PolylineRef::arc_lengths`].
 ///
-/// `value(i)` gives the numbers of vertex `i`. On a ring the window wraps round. At the ends of an open polyline it is cut to
-/// the same reach on both sides, so that end points stay where they are and nothing shrinks towards the middle. The Gaussian
-/// is lowered so that it ends at 0. What lies at the window's end, give or take a rounding, is inside: at even distances many
-/// vertices do, and rounding must not decide.
+/// `value(i)` gives the numbers of vertex `i`. On a ring the window wraps round. At the ends of an open polyline it is
+/// cut to the same reach on both sides, so that end points stay where they are and nothing shrinks towards the middle.
+/// The Gaussian is lowered so that it ends at 0. What lies at the window's end, give or take a rounding, is inside: at
+/// even distances many vertices do, and rounding must not decide.
 pub fn smooth<const N: usize>(
     arcs: &[f32],
     closed: bool,

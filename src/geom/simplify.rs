@@ -1,9 +1,9 @@
 //! The fewest points within a tolerance.
 //!
-//! Among all ways of dropping points that keep the rest within the tolerance, the one that keeps the fewest (Imai and Iri
-//! 1988: a shortest path over the steps that are allowed). Which steps are allowed from a point is found by one walk along
-//! the line with a wedge of directions that narrows as it goes (Williams 1978), so that the whole is linear but for
-//! straight lines:
+//! Among all ways of dropping points that keep the rest within the tolerance, the one that keeps the fewest (Imai and
+//! Iri 1988: a shortest path over the steps that are allowed). Which steps are allowed from a point is found by one
+//! walk along the line with a wedge of directions that narrows as it goes (Williams 1978), so that the whole is linear
+//! but for straight lines:
 //!
 //! ```text
 //!            ___,o      every point passed narrows the wedge of directions
@@ -19,9 +19,9 @@ use super::polyline::PolylineRef;
 /// The longest step, in points. Only straight lines reach it; they keep one point more for it.
 const LOOK_AHEAD: usize = 512;
 
-/// The indices of the vertices to keep: as few as can be so that the polyline through them and the one given are nowhere
-/// farther from one another than `tolerance` (Hausdorff distance). The first vertex, and of an open polyline the last, always
-/// stay; a ring keeps at least three, so that it does not collapse.
+/// The indices of the vertices to keep: as few as can be so that the polyline through them and the one given are
+/// nowhere farther from one another than `tolerance` (Hausdorff distance). The first vertex, and of an open polyline
+/// the last, always stay; a ring keeps at least three, so that it does not collapse.
 pub fn simplify<U>(polyline: PolylineRef<'_, Point2D<f32, U>>, tolerance: f32) -> Vec<usize> {
     if !polyline.closed {
         return along(polyline.vertices, tolerance, LOOK_AHEAD);
@@ -62,8 +62,8 @@ fn along<U>(points: &[Point2D<f32, U>], tolerance: f32, longest: usize) -> Vec<u
     kept
 }
 
-/// Calls `visit` with every point that one step from point `i` may lead to, and how far off the middle of the wedge it is,
-/// 0..=1: a measure of how far the points passed lie beside the step.
+/// Calls `visit` with every point that one step from point `i` may lead to, and how far off the middle of the wedge it
+/// is, 0..=1: a measure of how far the points passed lie beside the step.
 fn each_step<U>(
     points: &[Point2D<f32, U>],
     i: usize,

@@ -57,7 +57,7 @@ fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
     if distance > gap || (a.polyline == b.polyline && lengths[a.polyline] < RING * distance) {
         return None;
     }
-    // Leaving through a one enters through b, where right and left change places. The middle of a bar has no step.
+    // Leaving through a one enters through b, where right and left change places. A stroke's centreline has no step.
     if dot(a.contrast, b.contrast) > 0.0 || a.direction.dot(b.direction) > -FACING {
         return None;
     }
@@ -69,8 +69,9 @@ fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
     (ahead_a >= AHEAD && ahead_b >= AHEAD).then_some(distance * (3.0 - ahead_a - ahead_b))
 }
 
-/// Two joined ends that lie beside one another (one came from the middle of a bar, the other from its side) bend towards
-/// one another over [`BEND`] millimetres, so that the line has no step there. `seam` is the first vertex of the second.
+/// Two joined ends that lie beside one another (one is a stroke's centreline, the other came from its side) bend
+/// towards one another over [`BEND`] millimetres, so that the line has no step there. `seam` is the first vertex of the
+/// second.
 fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
     let (first, second) = vertices.split_at_mut(seam);
     let inner = |side: &[Vertex], at: usize| side[at].at;

@@ -1,25 +1,25 @@
-//! How much a line says: what decides between rivals, and how much detail a page has.
+//! Saliency: how much a line tells about the picture. It decides between rivals, and how much detail a page has.
 //!
 //! A person who draws from a picture begins with the long, strong, closed and smooth contours.
 
-use super::Params;
+use super::params::Params;
 use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
 use crate::units::MmVector;
 
-/// A closed line says as much as an open one of this many times its length: it is a thing, not a part of one.
+/// A closed line is as salient as an open one of this many times its length: it is a thing, not a part of one.
 const CLOSED: f32 = 1.5;
-/// Bends to and fro, radians per mm, that halve what a line says. A line that bends only one way, such as a ring, has none;
+/// Bends to and fro, radians per mm, that halve the saliency. A line that bends only one way, such as a ring, has none;
 /// fur and foliage have more than one bend of a quarter turn every 4 mm.
 const WAVERING: f32 = 0.4;
 /// Directions for the bends are taken over this many vertices (2 mm), so that noise does not count.
 const SPAN: usize = 5;
 /// Lengths of full strength that a line must be worth at the detail 0, in least lengths: 120 mm on a sheet with 8 mm.
 const OUTLINES: f32 = 15.0;
-/// ... but not more than this share of what the first line of the page says, as pages and overviews differ in size.
+/// ... but not more than this share of the saliency of the page's first line, as pages and overviews differ in size.
 const OF_FIRST: f32 = 0.25;
 
-/// Length, mm, of a straight line of full strength that says as much.
+/// Length, mm, of a straight line of full strength that is as salient.
 pub(super) fn saliency(polyline: &Polyline<Vertex>, params: &Params) -> f32 {
     let sum: f32 = polyline.segments().map(|(a, b)| (b.at - a.at).length() * a.strength.min(b.strength)).sum();
     let closed = if polyline.closed { CLOSED } else { 1.0 };
@@ -43,15 +43,61 @@ fn wavering(polyline: &Polyline<Vertex>) -> f32 {
     (total - sum.abs()) / polyline.length().max(1.0)
 }
 
-/// What a line must say to be drawn at `params.detail`; it falls as the detail rises.
+/// The least saliency of a line that is drawn at `params.detail`; it falls as the detail rises.
 ///
-/// At 1/2 it is the least length; from there it falls to nothing at 1 and grows to that of long outlines at 0, though not
-/// beyond a share of `first`, what the first line says.
+/// At 1/2 it is the least length; from there it falls to nothing at 1 and grows to that of long outlines at 0, though
+/// not beyond a share of `first`, the saliency of the first line.
 pub(super) fn least(first: f32, params: &Params) -> f32 {
     let Params { detail, min_length, .. } = *params;
     if detail >= 0.5 {
         2.0 * (1.0 - detail) * min_length
     } else {
         (OUTLINES.powf(1.0 - 2.0 * detail) * min_length).min((OF_FIRST * first).max(min_length))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::MmPoint;
+
+    fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
+        let vertex = |i: u32| {
+            let (x, y) = at(i as f32 * 0.4);
+            Vertex { at: MmPoint::new(x, y), strength: 30.0, step: [30.0, 0.0, 0.0], width: 1.0 }
+        };
+        Polyline { vertices: (0..100).map(vertex).collect(), closed }
+    }
+
+    fn params(detail: f32) -> Params {
+        Params {
+            width_min: 0.75,
+            width_max: 1.5,
+            least_strength: 7.0,
+            full_strength: 30.0,
+            min_length: 8.0,
+            min_gap: 3.2,
+            join_gap: 3.0,
+            smoothing: 0.6,
+            tolerance: 0.05,
+            detail,
+        }
+    }
+
+    #[test]
+    fn a_ring_is_more_salient_than_a_straight_line_and_that_more_than_a_wavering_one() {
+        let radius = 40.0 / std::f32::consts::TAU;
+        let ring = line(true, |s| (radius * (s / radius).cos(), radius * (s / radius).sin()));
+        let [ring, straight, wavering] =
+            [ring, line(false, |s| (s, 0.0)), line(false, |s| (s, 2.0 * (0.785 * s).sin()))]
+                .map(|line| saliency(&line, &params(0.5)) / line.length());
+        assert!((straight - 1.0).abs() < 1e-3 && (ring - CLOSED).abs() < 0.05 && wavering < 0.6, "{ring} {wavering}");
+    }
+
+    #[test]
+    fn more_detail_asks_for_less() {
+        let asked: Vec<f32> = (0..=10).map(|i| least(200.0, &params(i as f32 / 10.0))).collect();
+        assert!(asked.is_sorted_by(|a, b| a >= b), "{asked:?}");
+        assert!((asked[0] - 50.0).abs() < 1e-3 && (asked[5] - 8.0).abs() < 1e-3 && asked[10] < 1e-6, "{asked:?}");
     }
 }

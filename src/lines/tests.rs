@@ -1,8 +1,10 @@
-//! What simplification may not do, on lines that wander at random: leave the tolerance, or let lines cross that did not.
+//! What simplification may not do, on lines that wander at random: leave the tolerance, or let lines cross that did
+//! not.
 
 use super::vertex::{SPACING, Vertex};
 use super::*;
 use crate::geom::{crossing, nearest_on_segment};
+use crate::units::MmPoint;
 
 const PARAMS: Params = Params {
     width_min: 0.75,
@@ -46,12 +48,12 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
     (0..40).map(|_| polyline()).collect()
 }
 
-fn cleared(seed: u32) -> Vec<clear::Cleared> {
+fn cleared(seed: u32) -> Vec<clearance::Cleared> {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
     let mut polylines = wandering(seed);
-    meet::meet(&mut polylines, area, PARAMS.join_gap);
+    junction::extend(&mut polylines, area, PARAMS.join_gap);
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
-    clear::clear(polylines, area, &PARAMS)
+    clearance::clear(polylines, area, &PARAMS)
 }
 
 type Path = Vec<MmPoint>;
@@ -60,8 +62,9 @@ fn path(polyline: &Polyline<Vertex>) -> Path {
     polyline.path().map(|vertex| vertex.at).collect()
 }
 
-fn finished(lines: &[clear::Cleared]) -> Vec<Path> {
-    let line = |line: &clear::Cleared| weight::finish(&line.polyline, &line.pinned, &PARAMS).expect("there is a line");
+fn finished(lines: &[clearance::Cleared]) -> Vec<Path> {
+    let line =
+        |line: &clearance::Cleared| weight::finish(&line.polyline, &line.anchored, &PARAMS).expect("there is a line");
     lines
         .iter()
         .map(|l| line(l).runs.into_iter().flat_map(|run| run.polyline().path().copied().collect::<Path>()).collect())
@@ -124,14 +127,14 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
         let tip = Vertex { at: from, strength: 50.0, step: [50.0, 0.0, 0.0], width: 0.0 };
         let mut vertices = vec![tip];
-        vertices.extend(meet::way(&tip, to));
+        vertices.extend(junction::straight(&tip, to));
         Polyline::open(vertices)
     };
     let at = MmPoint::new;
     let mut polylines = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(40.0, 20.0), at(60.0, 75.0))];
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
     let area = MmRect::new(MmPoint::zero(), at(100.0, 100.0));
-    let lines = clear::clear(polylines.clone(), area, &PARAMS);
+    let lines = clearance::clear(polylines.clone(), area, &PARAMS);
     assert_eq!(lines.len(), 2);
     assert!(
         lines.iter().zip(&polylines).all(|(line, polyline)| (line.polyline.length() - polyline.length()).abs() < 0.1)
@@ -139,7 +142,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     // the same two at 20 degrees: nearer than fingers can part them for 25 mm
     let mut flat = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(20.0, 40.0), at(75.0, 60.0))];
     flat.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
-    let lines = clear::clear(flat, area, &PARAMS);
+    let lines = clearance::clear(flat, area, &PARAMS);
     assert!((lines[0].polyline.length() - 80.0).abs() < 0.1 && lines.len() == 3, "{} lines", lines.len());
     assert!(lines[1..].iter().all(|line| line.polyline.length() < 25.0));
 }

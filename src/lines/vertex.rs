@@ -1,9 +1,8 @@
 //! Lines in the making: polylines on the sheet, before it is known what of them is drawn.
 
 use crate::edges::Edgel;
-use crate::frame::Frame;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
-use crate::units::{Mm, MmPoint};
+use crate::units::{Mm, MmPoint, PageTransform};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
 pub(super) const SPACING: f32 = 0.4;
@@ -47,8 +46,9 @@ impl Blend for Vertex {
 
 impl Polyline<Vertex> {
     /// A contour on the sheet.
-    pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, frame: &Frame) -> Self {
-        let vertex = |p: &Edgel| Vertex { at: frame.to_mm(p.at), strength: p.strength, step: p.contrast, width: 0.0 };
+    pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, transform: &PageTransform) -> Self {
+        let vertex =
+            |p: &Edgel| Vertex { at: transform.to_mm(p.at), strength: p.strength, step: p.contrast, width: 0.0 };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
 
@@ -63,8 +63,8 @@ impl Polyline<Vertex> {
         self.path().map(|v| v.strength).sum::<f32>() / count.max(1) as f32
     }
 
-    /// The line in the one of its two directions that begins with its stronger half, so that nothing hangs on the direction it
-    /// was found in.
+    /// The line in the one of its two directions that begins with its stronger half, so that nothing hangs on the
+    /// direction it was found in.
     pub(super) fn stronger_half_first(self) -> Self {
         let count = self.vertices.len() + usize::from(self.closed);
         let half = count / 2;
@@ -73,8 +73,8 @@ impl Polyline<Vertex> {
         if second > first { self.reversed() } else { self }
     }
 
-    /// Puts vertices at even distances of about [`SPACING`], the ends where they are. A ring begins at its strongest vertex,
-    /// so that the result does not hang on where the search for it began.
+    /// Puts vertices at even distances of about [`SPACING`], the ends where they are. A ring begins at its strongest
+    /// vertex, so that the result does not hang on where the search for it began.
     pub(super) fn evened(mut self) -> Self {
         if self.closed {
             let strength = |i: &usize| self.vertices[*i].strength;

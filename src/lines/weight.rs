@@ -1,7 +1,8 @@
 //! Width by strength, in runs of equal width, with as few points as the tolerance allows.
 
+use super::line::{Line, Run};
+use super::params::Params;
 use super::vertex::Vertex;
-use super::{Line, Params, Run};
 use crate::geom::polyline::{Polyline, PolylineRef, smooth};
 use crate::geom::{crossing, simplify::simplify};
 use crate::units::MmPoint;
@@ -10,8 +11,8 @@ use crate::units::MmPoint;
 const STEP: f32 = 0.1;
 /// Widths are smoothed along the line with this sigma, mm, so that a line swells and fades instead of twitching.
 const SMOOTHING: f32 = 2.0;
-/// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first and the last run of a
-/// line may be shorter, where it fades out or is cut.
+/// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first and the last run of
+/// a line may be shorter, where it fades out or is cut.
 const MIN_RUN: f32 = 2.0;
 /// Places of a line with more way than this between them, mm, are kept apart by the clearance.
 const NEAR: f32 = 12.0;
@@ -82,35 +83,35 @@ pub(super) fn between(a: &Vertex, b: &Vertex) -> f32 {
     a.width.min(b.width)
 }
 
-/// The finished line of a polyline whose widths are assigned; none if nothing is left of it. `pinned` tells the vertices that
-/// stay, because other lines end there.
-pub(super) fn finish(polyline: &Polyline<Vertex>, pinned: &[bool], params: &Params) -> Option<Line> {
+/// The finished line of a polyline whose widths are assigned; none if nothing is left of it. `anchored` tells the
+/// vertices that stay, because other lines end there.
+pub(super) fn finish(polyline: &Polyline<Vertex>, anchored: &[bool], params: &Params) -> Option<Line> {
     let points: Vec<MmPoint> = polyline.path().map(|vertex| vertex.at).collect();
     if points.len() < 2 {
         return None;
     }
     let mut tolerance = params.tolerance;
-    let mut runs = drawn(polyline, &points, pinned, tolerance);
+    let mut runs = drawn(polyline, &points, anchored, tolerance);
     // Where a line bends sharply its simplified sides may cross: there it stays nearer to what it was.
     for _ in 0..3 {
         if !crosses_itself(&runs) {
             break;
         }
         tolerance *= 0.25;
-        runs = drawn(polyline, &points, pinned, tolerance);
+        runs = drawn(polyline, &points, anchored, tolerance);
     }
     (!runs.is_empty()).then(|| Line { strength: polyline.mean_strength(), runs })
 }
 
 /// The runs of a line along its path of `points`.
-fn drawn(polyline: &Polyline<Vertex>, points: &[MmPoint], pinned: &[bool], tolerance: f32) -> Vec<Run> {
+fn drawn(polyline: &Polyline<Vertex>, points: &[MmPoint], anchored: &[bool], tolerance: f32) -> Vec<Run> {
     let mut runs: Vec<(f32, Vec<MmPoint>)> = Vec::new();
     let mut from = 0;
     let width = |i: usize| between(&polyline.vertices[i], &polyline.vertices[(i + 1) % polyline.vertices.len()]);
     for i in 0..points.len() - 1 {
         let last = i + 2 == points.len();
         let same = !last && (width(i + 1) - width(i)).abs() < 0.5 * STEP;
-        if same && !pinned[i + 1] {
+        if same && !anchored[i + 1] {
             continue;
         }
         let kept = simplified(&points[from..=i + 1], tolerance);

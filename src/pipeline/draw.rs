@@ -5,7 +5,6 @@ use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::request::{Fit, Request};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
-use crate::frame::Frame;
 use crate::lines::{self, Drawn, Line};
 use crate::page::layout::Layout;
 use crate::page::{Figure, Medium, Texture};
@@ -13,6 +12,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
+use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note, textures};
 
@@ -121,7 +121,7 @@ pub(super) fn find_edges(
     } else if is_flat {
         "the picture is of one colour"
     } else {
-        let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+        let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
         return Some(run(watch, Stage::Edges, || edges::find(raster, &plan.edges(px_per_mm))));
     };
     watch(Event::Skip(Stage::Edges, reason));
@@ -132,7 +132,7 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
-            let frame = Frame::new(edges.size, layout.figure);
+            let frame = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
                 let drawn = lines::draw(edges, &frame, layout.figure, &plan.lines());
                 dots::pressed(drawn, layout.figure, layout, plan)
@@ -159,7 +159,7 @@ pub(super) fn draw_overview(
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
-            let frame = Frame::new(edges.size, place);
+            let frame = PageTransform::new(edges.size, place);
             let lines = run(watch, Stage::Overview, || {
                 let drawn = lines::draw(edges, &frame, place, &plan.lines());
                 dots::of_overview(drawn.lines, place, layout, plan)
@@ -186,7 +186,7 @@ pub(super) fn sort_colours(
     if raster.is_grey() {
         watch(Event::Skip(Stage::Hues, "the picture is grey"));
     }
-    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+    let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
     Some(run(watch, Stage::Classes, || {
         let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
         let contours = edges.map(Edges::polylines).unwrap_or_default();

@@ -5,12 +5,12 @@ use super::progress::{Event, Stage, Watch, run};
 use super::request::{Fit, Request};
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
-use crate::frame::Frame;
 use crate::page::layout::Layout;
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
+use crate::units::PageTransform;
 use crate::{Error, Note};
 
 /// Contours and what should be known of them.
@@ -112,11 +112,10 @@ pub fn trace<'p>(
         Some(edges) => {
             let drawn = draw_lines(Some(edges), &layout, plan, watch);
             notes.extend(crowded(&drawn));
-            let frame = Frame::new(edges.size, layout.figure);
+            let transform = PageTransform::new(edges.size, layout.figure);
             let params = plan.lines();
-            // The middle line of a bar lies so far from either side, and nothing is moved further.
-            let reach = 0.5 * (params.min_gap + params.width_max);
-            Trace::of_lines(&drawn.lines, edges, &frame, layout.figure, reach, source)
+            let reach = params.max_offset(); // nothing is moved further
+            Trace::of_lines(&drawn.lines, edges, &transform, layout.figure, reach, source)
         }
     };
     if trace.polylines.is_empty() {
@@ -137,7 +136,7 @@ fn find_edges(
         watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
         return None;
     }
-    let px_per_mm = 1.0 / Frame::new(raster.size(), layout.figure).mm_per_px();
+    let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
     let mut params = match tracing.subject {
         Subject::ContoursAtFullResolution => edges::Params::default(),
         Subject::Contours | Subject::Lines => plan.edges(px_per_mm),

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use scan::{Token, Use, compiled, exports, module_of, paths, scan};
 
 /// The library's modules from the spring downhill, each with what it may use beside itself and [`EVERYWHERE`]. The way is
-/// `units -> geom -> raster, frame -> edges, classes -> lines, textures -> page -> output, reading, touch -> profile ->
+/// `units -> geom -> raster -> edges, classes -> lines, textures -> page -> output, reading, touch -> profile ->
 /// pipeline -> lib`; a stage is left out of a row where the stage below must not know of it.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
@@ -22,18 +22,17 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("geom", &["units"]),
     ("devices", &["units"]), // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
-    ("frame", &["units", "geom"]),
-    ("edges", &["units", "geom", "raster", "frame"]),
-    ("classes", &["units", "geom", "raster", "frame"]),
-    ("lines", &["units", "geom", "raster", "frame", "edges"]),
+    ("edges", &["units", "geom", "raster"]),
+    ("classes", &["units", "geom", "raster"]),
+    ("lines", &["units", "geom", "raster", "edges"]),
     // Density and the white gap follow the lines.
-    ("textures", &["units", "geom", "raster", "frame", "classes", "lines"]),
+    ("textures", &["units", "geom", "raster", "classes", "lines"]),
     // The same textures and lines as dots.
-    ("dots", &["units", "geom", "raster", "frame", "classes", "lines", "textures", "devices"]),
+    ("dots", &["units", "geom", "raster", "classes", "lines", "textures", "devices"]),
     // No raster: a page has no pixels.
-    ("page", &["units", "geom", "frame", "edges", "classes", "lines", "textures", "devices"]),
+    ("page", &["units", "geom", "edges", "classes", "lines", "textures", "devices"]),
     // Contours as data, back in the pixels of the source.
-    ("contours", &["units", "geom", "frame", "edges", "lines"]),
+    ("contours", &["units", "geom", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
     ("output", &["units", "geom", "devices", "page", "contours"]),
     ("reading", &["units", "geom", "page"]),
@@ -41,8 +40,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "profile",
         &[
-            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "devices", "dots", "page",
-            "contours", "output", "reading", "touch",
+            "units", "geom", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page", "contours",
+            "output", "reading", "touch",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
@@ -50,8 +49,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "pipeline",
         &[
-            "units", "geom", "raster", "frame", "edges", "classes", "lines", "textures", "devices", "dots", "page",
-            "contours", "touch", "profile", "picture",
+            "units", "geom", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page", "contours",
+            "touch", "profile", "picture",
         ],
     ),
     // The face: profiles checked, the pipeline run, pages handed to their writers.

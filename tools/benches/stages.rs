@@ -16,7 +16,6 @@ use std::time::Duration;
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, BenchmarkId, Criterion};
 use tactograph::Error;
-use tactograph::internals::frame::Frame;
 use tactograph::internals::output::png::{Depth, Dpi};
 use tactograph::internals::output::{pdf, png as page_png, svg};
 use tactograph::internals::page::Page;
@@ -24,7 +23,7 @@ use tactograph::internals::page::layout::{self, Layout};
 use tactograph::internals::pipeline::{Request, convert};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::decode::{self, Limits, Options, Picture, Source};
-use tactograph::internals::units::Size;
+use tactograph::internals::units::{PageTransform, Size};
 use tactograph::internals::{classes, edges, lines, textures, touch};
 use tactograph_tools::{ROOT, photo};
 
@@ -64,7 +63,7 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     let decoded = decode(bytes, plan)?;
     let raster = &decoded.raster;
     let layout = layout_of(decoded.source.size, plan);
-    let frame = Frame::new(raster.size(), layout.figure);
+    let frame = PageTransform::new(raster.size(), layout.figure);
     let px_per_mm = 1.0 / frame.mm_per_px();
     let found = edges::find(raster, &plan.edges(px_per_mm));
     let drawn = lines::draw(&found, &frame, layout.figure, &plan.lines());
@@ -78,7 +77,7 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     bench(group, "edges", || edges::find(raster, &plan.edges(px_per_mm)));
     bench(group, "lines", || lines::draw(&found, &frame, layout.figure, &plan.lines()));
     if let Some(place) = layout.overview {
-        let frame = Frame::new(raster.size(), place);
+        let frame = PageTransform::new(raster.size(), place);
         bench(group, "overview", || lines::draw(&found, &frame, place, &plan.lines()));
     }
     bench(group, "classes", || classes::sort(raster, &contours, &plan.classes(px_per_mm)));

@@ -1,9 +1,8 @@
 //! How far a page lies from the truth: from what was drawn, or from the page of a higher resolution.
 
 use tactograph::internals::classes::{Class, Classes};
-use tactograph::internals::frame::Frame;
 use tactograph::internals::touch::{Ink, Report};
-use tactograph::internals::units::{MmPoint, MmRect, PxPoint, Size};
+use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 use crate::run::Outcome;
 use crate::scene::{P, Scene};
@@ -68,7 +67,7 @@ impl Errors {
 impl<'a> Sight<'a> {
     /// What was drawn, as it lies on the page.
     pub(crate) fn of_scene(scene: &'a Scene, page: &Outcome) -> Self {
-        let frame = Frame::new(page.source, page.place);
+        let frame = PageTransform::new(page.source, page.place);
         let to_mm = |p: &P| {
             let at = frame.to_mm(PxPoint::new(p[0] as f32, p[1] as f32));
             [f64::from(at.x), f64::from(at.y)]

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use tactograph::Error;
 use tactograph::internals::classes::{self, Classes};
 use tactograph::internals::edges;
-use tactograph::internals::frame::Frame;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::output::svg;
 use tactograph::internals::page::layout::{self, Layout};
@@ -15,7 +14,7 @@ use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{self, Limits, Options, Source};
 use tactograph::internals::raster::shrink::shrink;
 use tactograph::internals::textures;
-use tactograph::internals::units::{MmRect, Size};
+use tactograph::internals::units::{MmRect, PageTransform, Size};
 
 use crate::clock::Clock;
 use crate::pictures::Picture;
@@ -59,14 +58,14 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
     times[0] = clock.lap();
 
     let layout = layout_of(source, plan);
-    let frame = Frame::new(raster.size(), layout.figure);
+    let frame = PageTransform::new(raster.size(), layout.figure);
     let px_per_mm = 1.0 / frame.mm_per_px();
     let found = edges::find(&raster, &plan.edges(px_per_mm));
     times[1] = clock.lap();
     let lines = lines::draw(&found, &frame, layout.figure, &plan.lines()).lines;
     times[2] = clock.lap();
     let overview = layout.overview.map(|place| {
-        let lines = lines::draw(&found, &Frame::new(raster.size(), place), place, &plan.lines()).lines;
+        let lines = lines::draw(&found, &PageTransform::new(raster.size(), place), place, &plan.lines()).lines;
         Overview { place, frame: Default::default(), lines }
     });
     times[3] = clock.lap();

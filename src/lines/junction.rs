@@ -1,5 +1,5 @@
-//! T-junctions meet: an end that stops a little before another line and points at it is led on to it. The step that makes
-//! a contour fades where a stronger one passes, so such a line always stops short.
+//! T-junctions: an end that stops a little before another line and points at it is extended to it. The colour step that
+//! makes a contour fades where a stronger one passes, so such a line always stops short.
 //!
 //! ```text
 //!      |                |
@@ -15,17 +15,18 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
 const HEADING: f32 = 2.0;
-/// Least cosine between an end's heading and the way to the line it is led to (53 degrees).
+/// Least cosine between an end's heading and the direction to the line it is extended to (53 degrees).
 const AHEAD: f32 = 0.6;
-/// Greatest cosine between that way and the line it is led to (50 degrees): flatter, the two would lie side by side.
+/// Greatest cosine between that direction and the line it is extended to (50 degrees): flatter, the two would lie side
+/// by side.
 const STEEP: f32 = 0.64;
 /// Places nearer than this, mm, are one.
 const SAME: f32 = 1e-3;
-/// A line meets itself only where the way round is at least this many gaps long.
+/// A line is extended to itself only where the loop is at least this many gaps long.
 const ROUND: f32 = 4.0;
 
-/// Leads ends over gaps of at most `gap` millimetres on to what lies before them.
-pub(super) fn meet(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {
+/// Extends ends over gaps of at most `gap` millimetres to what lies before them.
+pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {
     let mut nearby = Nearby::new(area, gap);
     let mut totals = Vec::with_capacity(polylines.len());
     for (number, polyline) in polylines.iter().enumerate() {
@@ -36,8 +37,8 @@ pub(super) fn meet(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {
         }
         totals.push(arcs.last().copied().unwrap_or(0.0));
     }
-    // All ends are judged before any is led on, so that the order of the lines does not matter.
-    let mut on = Vec::new();
+    // All ends are judged before any is extended, so that the order of the lines does not matter.
+    let mut extensions = Vec::new();
     for (number, polyline) in
         polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed && polyline.vertices.len() > 1)
     {
@@ -47,18 +48,18 @@ pub(super) fn meet(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32) {
             let tip = if at_start { polyline.vertices[0] } else { polyline.vertices[polyline.vertices.len() - 1] };
             let Some(heading) = heading(polyline, at_start, HEADING) else { continue };
             if let Some(target) = ahead(tip.at, heading, &nearby, gap, other) {
-                on.push((number, at_start, way(&tip, target)));
+                extensions.push((number, at_start, straight(&tip, target)));
             }
         }
     }
-    for (number, at_start, way) in on {
+    for (number, at_start, path) in extensions {
         let polyline = &mut polylines[number];
         if at_start {
-            polyline.vertices.splice(0..0, way.into_iter().rev());
+            polyline.vertices.splice(0..0, path.into_iter().rev());
         } else {
-            polyline.vertices.extend(way);
+            polyline.vertices.extend(path);
         }
-        // an end that was led on to the other end of its line has closed it
+        // an end that was extended to the other end of its line has closed it
         if let [first, .., last] = &polyline.vertices[..]
             && (last.at - first.at).length() < SPACING
         {
@@ -76,8 +77,8 @@ pub(super) fn heading(polyline: &Polyline<Vertex>, at_start: bool, span: f32) ->
     (from_end(0) - inner).try_normalize()
 }
 
-/// The place that an end at `tip` points at, on the nearest of the segments that `other` lets pass: straight ahead, or a
-/// little aside. None if it lies on one already, or if it would run into it flat.
+/// The place that an end at `tip` points at, on the nearest of the segments that `other` lets pass: straight ahead, or
+/// a little aside. None if it lies on one already, or if it would run into it flat.
 pub(super) fn ahead(
     tip: MmPoint,
     heading: MmVector,
@@ -115,7 +116,7 @@ pub(super) fn ahead(
 }
 
 /// Vertices from a tip (without it) straight to a place.
-pub(super) fn way(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
+pub(super) fn straight(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
     let steps = ((to - tip.at).length() / SPACING).ceil().max(1.0) as usize;
     let at = |k: usize| if k == steps { to } else { tip.at.lerp(to, k as f32 / steps as f32) };
     (1..=steps).map(|k| Vertex { at: at(k), ..*tip }).collect()

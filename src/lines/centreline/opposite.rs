@@ -1,26 +1,27 @@
-//! What lies straight across from a vertex: the other side of a bar.
+//! What lies straight across from a vertex: the other side of a stroke.
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::super::vertex::{Vertex, dot};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
+use crate::lines::vertex::{Vertex, dot};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least cosine between the directions of two sides (about 37 degrees).
 const PARALLEL: f32 = 0.8;
-/// Least cosine between the step back and the step up, as directions in colour space: a black axis below a yellow bar steps
-/// from white to black and from black to yellow, which have 0.45 in common.
+/// Least cosine between the step back and the step up, as directions in colour space: a black axis below a yellow area
+/// steps from white to black and from black to yellow, which have 0.45 in common.
 const STEP_BACK: f32 = 0.3;
 /// The smaller of the two steps is at least this share of the larger.
 const ALIKE: f32 = 0.3;
-/// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a half
-/// circle's is 1.57), and by this length, mm.
+/// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a
+/// half circle's is 1.57), and by this length, mm.
 const BEND: f32 = 1.4;
 const BEND_LEAST: f32 = 0.8;
-/// What rounding may change, as a share: where two sides have vertices straight across from one another, as on drawings, it
-/// must not decide which of two segments or ends is the opposite.
+/// What rounding may change, as a share: where two sides have vertices straight across from one another, as on
+/// drawings, it must not decide which of two segments or ends is the opposite.
 const ROUNDING: f32 = 1e-3;
 /// Cells in which the other side is looked for, mm: about two vertices.
 const CELL: f32 = 1.0;
@@ -35,17 +36,18 @@ pub(super) struct Opposite {
     pub(super) at: MmPoint,
 }
 
-/// For each vertex of a polyline (of a ring without the repeated one) its opposite, if it has one.
+/// For each vertex of a polyline its opposite, if it has one.
 pub(super) type Opposites = Vec<Option<Opposite>>;
 
-/// Finds for every vertex the nearest place on the opposite side of a bar, if it lies on one: straight across within
+/// Finds for every vertex the nearest place on the opposite side of a stroke, if it lies on one: straight across within
 /// `reach`, on either side of the line.
-pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, reach: f32) -> Vec<Opposites> {
+pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Opposites> {
+    let reach = params.max_spacing();
     let mut nearby = Nearby::new(area, CELL);
     let mut all_arcs = Vec::with_capacity(polylines.len());
     for (number, polyline) in polylines.iter().enumerate() {
         let arcs = polyline.arc_lengths();
-        if !is_dot(polyline, &arcs, reach) {
+        if !is_dot(polyline, &arcs, params) {
             for (i, (a, b)) in polyline.segments().enumerate() {
                 let (a, b) = (a.at, b.at);
                 nearby.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: i as u32, arc: arcs[i] });
@@ -56,7 +58,7 @@ pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, reach: f32
     polylines
         .par_iter()
         .enumerate()
-        .map(|(number, polyline)| match is_dot(polyline, &all_arcs[number], reach) {
+        .map(|(number, polyline)| match is_dot(polyline, &all_arcs[number], params) {
             true => vec![None; polyline.vertices.len()],
             false => {
                 let own = (number, &all_arcs[number][..]);
@@ -84,7 +86,7 @@ fn opposite(
         let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
         let way = (here.at, here.at + across);
         nearby.along(way.0, way.1, |segment| {
-            // longer by a rounding: a way that leads through a vertex exactly crosses both segments, not neither
+            // longer by a rounding: a line that leads through a vertex exactly crosses both segments, not neither
             let over = (segment.b - segment.a) * ROUNDING;
             let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
             let distance = (at - here.at).length();
@@ -108,7 +110,7 @@ fn opposite(
             let sides = [0, 1].map(|end| other.vertices[(segment.index as usize + end) % other.vertices.len()].step);
             let there = std::array::from_fn(|i| 0.5 * (sides[0][i] + sides[1][i]) * along.signum());
             let down = dot(there, there).sqrt();
-            // a faint ghost beside a strong contour is no bar
+            // a faint ghost beside a strong contour is no side of a stroke
             let alike = up.min(down) >= ALIKE * up.max(down);
             if alike && dot(here.step, there) < -STEP_BACK * up * down {
                 let (first, second) = ((segment.a - at).length(), (segment.b - at).length());
@@ -122,6 +124,6 @@ fn opposite(
 }
 
 /// A small ring (an eye, a button) is felt as a dot and stays whole.
-fn is_dot(polyline: &Polyline<Vertex>, arcs: &[f32], reach: f32) -> bool {
-    polyline.closed && arcs.last().is_none_or(|&total| total < std::f32::consts::PI * reach)
+fn is_dot(polyline: &Polyline<Vertex>, arcs: &[f32], params: &Params) -> bool {
+    polyline.closed && arcs.last().is_none_or(|&total| params.is_dot(total))
 }

@@ -1,0 +1,163 @@
+//! Which of two sides becomes the centreline of a stroke, and which is removed.
+
+use super::opposite::{Opposite, Opposites};
+use super::stretch::{MIN_STRETCH, Stretch};
+use crate::geom::polyline::Polyline;
+use crate::lines::clearance::RING_FARTHEST;
+use crate::lines::params::Params;
+use crate::lines::saliency::saliency;
+use crate::lines::vertex::Vertex;
+use crate::units::MmVector;
+
+/// Vertices of the other side between two opposites that follow one another belong to the stroke up to this many (3
+/// mm).
+const SKIP: usize = 8;
+/// A ring of which this share has become the centreline of another one goes altogether; one of which less is a stroke's
+/// side may stay whole.
+const MOST: f32 = 0.5;
+
+/// What becomes of the vertices of a polyline.
+pub(super) struct Assignment {
+    /// How far a vertex moves to the middle of its stroke.
+    pub(super) offsets: Vec<Option<MmVector>>,
+    /// Whether a vertex is removed, because the other side of its stroke becomes the centreline.
+    pub(super) removed: Vec<bool>,
+}
+
+/// Decides for every two polylines which of them goes to the middle all along their strokes and which gives way, so
+/// that two rings that lie in one another become one ring and not a spiral of halves.
+pub(super) fn assign(
+    polylines: &[Polyline<Vertex>],
+    opposites: &[Opposites],
+    mut stretches: Vec<Stretch>,
+    params: &Params,
+) -> Vec<Assignment> {
+    let mut by_rank: Vec<(f32, usize)> = polylines.iter().map(|polyline| saliency(polyline, params)).zip(0..).collect();
+    by_rank.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let mut rank = vec![0; polylines.len()];
+    by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
+
+    let winner = |stretch: &Stretch| rank[stretch.polyline].min(rank[stretch.other]);
+    // A ring that is a stroke's side on its lesser part stays whole if it can give way: it is a thing beside another,
+    // as a pupil in an eye.
+    let (mut sides, mut close) = (vec![0; polylines.len()], vec![false; polylines.len()]);
+    let nearest = params.max_spacing() - RING_FARTHEST;
+    for stretch in &stretches {
+        sides[stretch.polyline] += stretch.count;
+        let vertices = &polylines[stretch.polyline].vertices;
+        let is_close = |(i, opposite): (usize, Opposite)| (opposite.at - vertices[i].at).length() < nearest;
+        close[stretch.polyline] |= stretch.opposites(opposites).any(is_close);
+    }
+    let thing = |number: usize| {
+        let share = sides[number] as f32 / polylines[number].vertices.len() as f32;
+        polylines[number].closed && !close[number] && share < MOST
+    };
+    stretches.retain(|stretch| {
+        let loser = if rank[stretch.polyline] == winner(stretch) { stretch.other } else { stretch.polyline };
+        stretch.polyline == stretch.other || !thing(loser)
+    });
+    stretches.sort_by(|a, b| {
+        let (first, second) = (winner(a), winner(b));
+        let sides = (rank[a.polyline] != first).cmp(&(rank[b.polyline] != second)); // as the winner sees it comes first
+        first
+            .cmp(&second)
+            .then(sides)
+            .then(b.saliency.total_cmp(&a.saliency))
+            .then((a.polyline, a.from).cmp(&(b.polyline, b.from)))
+    });
+    let assignment = |polyline: &Polyline<Vertex>| Assignment {
+        offsets: vec![None; polyline.vertices.len()],
+        removed: vec![false; polyline.vertices.len()],
+    };
+    let mut assignments: Vec<Assignment> = polylines.iter().map(assignment).collect();
+    for stretch in &stretches {
+        if rank[stretch.polyline] == winner(stretch) {
+            take_middle(polylines, opposites, stretch, &mut assignments);
+        } else {
+            give_way(polylines, opposites, stretch, &mut assignments);
+        }
+    }
+    assignments
+}
+
+/// A stretch goes to the middle; the other side goes. What stronger stretches have left of it must be long enough
+/// itself.
+fn take_middle(
+    polylines: &[Polyline<Vertex>],
+    opposites: &[Opposites],
+    stretch: &Stretch,
+    assignments: &mut [Assignment],
+) {
+    let vertices = &polylines[stretch.polyline].vertices;
+    let free = |assignments: &[Assignment], i: usize, j: usize| {
+        let (own, other) = (&assignments[stretch.polyline], &assignments[stretch.other]);
+        !own.removed[i] && own.offsets[i].is_none() && other.offsets[j].is_none()
+    };
+    let pairs: Vec<(usize, Opposite)> = stretch.opposites(opposites).collect();
+    for left in pairs
+        .chunk_by(|a, b| free(assignments, a.0, a.1.index) == free(assignments, b.0, b.1.index))
+        .collect::<Vec<_>>()
+    {
+        let length: f32 = left.windows(2).map(|pair| (vertices[pair[1].0].at - vertices[pair[0].0].at).length()).sum();
+        let across: f32 = left.iter().map(|(i, opposite)| (opposite.at - vertices[*i].at).length()).sum();
+        if length < MIN_STRETCH * across / left.len() as f32 {
+            continue;
+        }
+        let mut last: Option<usize> = None;
+        for &(i, opposite) in left {
+            let j = opposite.index;
+            if !free(assignments, i, j) {
+                last = None;
+                continue;
+            }
+            assignments[stretch.polyline].offsets[i] = Some((opposite.at - vertices[i].at) * 0.5);
+            // All that the other side has between the last opposite and this one goes.
+            let Assignment { offsets, removed } = &mut assignments[stretch.other];
+            for k in last.map_or(j..=j, |last| between(last, j, &polylines[stretch.other])) {
+                let k = k % offsets.len();
+                removed[k] |= offsets[k].is_none();
+            }
+            last = Some(j);
+        }
+    }
+}
+
+/// The vertices from one to another, in a ring the shorter way round, as numbers that may go on beyond its last; the
+/// second alone if there are too many.
+fn between(i: usize, j: usize, polyline: &Polyline<Vertex>) -> std::ops::RangeInclusive<usize> {
+    let (low, high) = (i.min(j), i.max(j));
+    if high - low <= SKIP {
+        low..=high
+    } else if polyline.closed && low + polyline.vertices.len() - high <= SKIP {
+        high..=low + polyline.vertices.len()
+    } else {
+        j..=j
+    }
+}
+
+/// A stretch goes, and the other side to the middle where it has not yet.
+fn give_way(
+    polylines: &[Polyline<Vertex>],
+    opposites: &[Opposites],
+    stretch: &Stretch,
+    assignments: &mut [Assignment],
+) {
+    for (i, opposite) in stretch.opposites(opposites) {
+        let (other, j) = (stretch.other, opposite.index);
+        if assignments[other].removed[j] || assignments[stretch.polyline].offsets[i].is_some() {
+            continue;
+        }
+        assignments[stretch.polyline].removed[i] = true;
+        let way = polylines[stretch.polyline].vertices[i].at - opposite.at;
+        assignments[other].offsets[j].get_or_insert(way * 0.5);
+    }
+}
+
+/// Whether a ring has for the most part become the centreline of a stronger one: the rest of it would be an arc beside
+/// that, which says nothing.
+pub(super) fn is_rest(assignment: &Assignment) -> bool {
+    let share = |count: usize| count as f32 / assignment.removed.len().max(1) as f32;
+    let (gone, moved) =
+        (assignment.removed.iter().filter(|gone| **gone).count(), assignment.offsets.iter().flatten().count());
+    share(gone) >= MOST && share(moved) < 0.2 * MOST
+}

@@ -1,0 +1,226 @@
+//! Clearance: no two lines nearer than fingers can part them. Of two rivals the more salient stays, the other is
+//! trimmed where it comes too near. Lines that truly join may meet.
+//!
+//! Lines wait in a queue, the most salient first. Each is judged among the lines that are drawn already ([`Verdict`]):
+//! it is drawn, or what becomes of it goes back into the queue.
+
+mod anchor;
+mod displace;
+mod drawn;
+mod extend;
+mod near_map;
+mod queue;
+mod self_distance;
+mod split;
+
+pub(super) use anchor::Cleared;
+pub(super) use displace::RING_FARTHEST;
+
+use self::displace::displaced;
+use self::drawn::{DrawnLines, State};
+use self::extend::{Extended, extension};
+use self::queue::Queue;
+use self::self_distance::returns;
+use self::split::{split, without_stubs};
+use super::params::Params;
+use super::saliency::saliency;
+use super::vertex::Vertex;
+use crate::geom::nearby::Nearby;
+use crate::geom::polyline::Polyline;
+use crate::units::MmRect;
+
+/// What is to be done with a line.
+#[derive(Debug, PartialEq)]
+enum Verdict {
+    /// It is drawn.
+    Draw(Polyline<Vertex>),
+    /// Its body is drawn; the rest comes back too near to the body, and is judged by itself.
+    DrawBody {
+        /// What is drawn.
+        body: Polyline<Vertex>,
+        /// What follows on it.
+        rest: Polyline<Vertex>,
+    },
+    /// It ends on a line that it crosses shortly before its end.
+    Shorten(Polyline<Vertex>),
+    /// It moves away from lines that it is a little too near to.
+    Displace(Polyline<Vertex>),
+    /// A ring that comes too near to itself is an open line.
+    Open(Polyline<Vertex>),
+    /// It is too near to others, and this is left of it. If there is nothing left, it is dropped.
+    Split(Vec<Polyline<Vertex>>),
+}
+
+/// Clears lines, the most salient one first; the result is in that order.
+pub(super) fn clear(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Cleared> {
+    let mut queue = Queue::new(polylines.len(), params);
+    // Where a line comes near itself its earlier part stays.
+    polylines.into_iter().for_each(|polyline| queue.push(polyline.stronger_half_first(), 0));
+    let mut drawn = DrawnLines::new(area, params);
+    let mut own = Nearby::new(area, params.max_spacing());
+    let mut cleared: Vec<Cleared> = Vec::new();
+    while let Some((polyline, cuts)) = queue.pop() {
+        match judge(polyline, &drawn, &mut own) {
+            Verdict::Draw(line) => cleared.push(draw(line, &mut drawn)),
+            Verdict::DrawBody { body, rest } => {
+                cleared.push(draw_body(body, &rest.vertices, &mut drawn, &mut own));
+                queue.push(rest, cuts + 1);
+            }
+            Verdict::Shorten(line) | Verdict::Displace(line) | Verdict::Open(line) => queue.push(line, cuts + 1),
+            Verdict::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, cuts + 1)),
+        }
+    }
+    anchor::anchor(&mut cleared, &drawn);
+    // what was displaced or shortened may be more salient than before
+    cleared.sort_by(|a, b| b.saliency.total_cmp(&a.saliency));
+    cleared
+}
+
+/// What is to be done with a line among those that are drawn. `own` is an empty grid, and empty again afterwards.
+fn judge(polyline: Polyline<Vertex>, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+    if let Some(shorter) = without_stubs(&polyline, drawn) {
+        return Verdict::Shorten(shorter);
+    }
+    let states = drawn.states(&polyline);
+    if states.contains(&State::TooNear) {
+        return match displaced(&polyline, drawn) {
+            Some(displaced) => Verdict::Displace(displaced),
+            None => Verdict::Split(split(&polyline, &states, drawn)),
+        };
+    }
+    match returns(&polyline, drawn.params, own) {
+        None => Verdict::Draw(polyline),
+        Some(back) if polyline.closed => {
+            // begun after the stretch that is too near, it comes last
+            let mut open = polyline.opened_at(back.end % polyline.vertices.len());
+            open.vertices.pop();
+            Verdict::Open(open)
+        }
+        Some(back) => until_return(polyline, back.start, drawn, own),
+    }
+}
+
+/// The verdict on an open line that comes back too near to itself from vertex `back` on.
+fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+    let mut rest = body.vertices.split_off(back);
+    // an end that lay on the line itself, and made what is near it a junction, may be gone
+    while let Some(back) = returns(&body, drawn.params, own) {
+        rest.splice(0..0, body.vertices.split_off(back.start));
+    }
+    let rest = Polyline::open(rest);
+    // What was joined to a line by a junction beyond the cut is so no longer.
+    if body.length() < drawn.params.min_length || drawn.states(&body).contains(&State::TooNear) {
+        Verdict::Split(vec![body, rest])
+    } else {
+        Verdict::DrawBody { body, rest }
+    }
+}
+
+/// Draws a line.
+fn draw(mut line: Polyline<Vertex>, drawn: &mut DrawnLines<'_>) -> Cleared {
+    drawn.snap(&mut line);
+    let number = drawn.begin(&line);
+    finish(line, number, drawn)
+}
+
+/// Draws the body of a line that comes back to itself, extended along the rest to what it joins soon, itself perhaps.
+fn draw_body(mut line: Polyline<Vertex>, rest: &[Vertex], drawn: &mut DrawnLines<'_>, own: &mut Nearby) -> Cleared {
+    drawn.snap(&mut line);
+    let number = drawn.begin(&line);
+    let body = line.vertices.len();
+    if let Some(added) = extension(&line.vertices, rest, Extended::Line(number), drawn) {
+        line.vertices.extend(added);
+        if returns(&line, drawn.params, own).is_none() {
+            drawn.go_on(&line, body - 1, number);
+        } else {
+            line.vertices.truncate(body);
+        }
+    }
+    finish(line, number, drawn)
+}
+
+/// Lets others join the ends of a line; what was cut off it no longer counts for its saliency.
+fn finish(line: Polyline<Vertex>, number: u32, drawn: &mut DrawnLines<'_>) -> Cleared {
+    drawn.finish(&line, number);
+    let saliency = saliency(&line, drawn.params);
+    Cleared { saliency, anchored: vec![false; line.vertices.len()], polyline: line }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::MmPoint;
+
+    pub(super) const PARAMS: Params = Params {
+        width_min: 0.75,
+        width_max: 1.5,
+        least_strength: 7.0,
+        full_strength: 30.0,
+        min_length: 8.0,
+        min_gap: 3.2,
+        join_gap: 3.0,
+        smoothing: 0.6,
+        tolerance: 0.05,
+        detail: 1.0,
+    };
+
+    /// A line of the greatest width with vertices as close as those of lines in the making.
+    pub(super) fn polyline(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
+        let vertex = |&(x, y): &(f32, f32)| Vertex {
+            at: MmPoint::new(x, y),
+            strength: 60.0,
+            step: [60.0, 0.0, 0.0],
+            width: PARAMS.width_max,
+        };
+        let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
+        polyline.subdivide(0.4);
+        polyline
+    }
+
+    /// Lines that are drawn on a square of 100 mm.
+    pub(super) fn drawn(lines: &[&[(f32, f32)]]) -> DrawnLines<'static> {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let mut drawn = DrawnLines::new(area, &PARAMS);
+        lines.iter().for_each(|points| {
+            draw(polyline(points, false), &mut drawn);
+        });
+        drawn
+    }
+
+    /// The verdict on a line where another runs along y = 50.
+    fn verdict(points: &[(f32, f32)], closed: bool) -> Verdict {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let mut own = Nearby::new(area, PARAMS.max_spacing());
+        judge(polyline(points, closed), &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
+    }
+
+    #[test]
+    fn a_line_that_is_apart_or_crosses_steeply_is_drawn() {
+        assert!(matches!(verdict(&[(10.0, 60.0), (90.0, 60.0)], false), Verdict::Draw(_)));
+        assert!(matches!(verdict(&[(50.0, 20.0), (50.0, 80.0)], false), Verdict::Draw(_)));
+        assert!(matches!(verdict(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Verdict::Draw(_)));
+    }
+
+    #[test]
+    fn each_way_of_being_too_near_has_its_verdict() {
+        assert!(matches!(verdict(&[(50.0, 20.0), (50.0, 52.0)], false), Verdict::Shorten(_)));
+        assert!(matches!(verdict(&[(10.0, 54.5), (90.0, 54.5)], false), Verdict::Displace(_)));
+        assert!(matches!(verdict(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Verdict::Split(_)));
+        assert_eq!(verdict(&[(15.0, 52.0), (85.0, 52.0)], false), Verdict::Split(Vec::new()), "nothing is left");
+    }
+
+    #[test]
+    fn what_comes_back_to_itself_is_opened_or_cut() {
+        let flat_ring = [(20.0, 60.0), (80.0, 60.0), (80.0, 62.0), (20.0, 62.0)];
+        assert!(matches!(verdict(&flat_ring, true), Verdict::Open(line) if !line.closed));
+        let hairpin = [(20.0, 60.0), (80.0, 60.0), (80.0, 63.0), (20.0, 63.0)];
+        let Verdict::DrawBody { body, rest } = verdict(&hairpin, false) else { panic!("it comes back") };
+        assert!((60.0..70.0).contains(&body.length()) && rest.length() > 50.0);
+    }
+
+    #[test]
+    fn a_body_that_is_too_short_without_the_rest_is_judged_anew() {
+        let coil = [(20.0, 60.0), (26.0, 60.0), (26.0, 62.0), (20.0, 62.0), (20.0, 90.0)];
+        assert!(!matches!(verdict(&coil, false), Verdict::Draw(_) | Verdict::Open(_)));
+    }
+}

@@ -1,0 +1,73 @@
+//! A coarse map of where something may be near at all: a question that most vertices are done with.
+
+use crate::units::{MmPoint, MmRect};
+
+/// Side of a cell, mm.
+const CELL: f32 = 1.0;
+/// A path is marked at points at most this far apart, mm.
+pub(super) const MARK: f32 = 1.5;
+
+/// For each cell of an area whether a marked path may be within reach of a position in it.
+pub(super) struct NearMap {
+    area: MmRect,
+    reach: f32,
+    marked: Vec<bool>,
+    columns: usize,
+    rows: usize,
+}
+
+impl NearMap {
+    /// An empty map.
+    pub(super) fn new(area: MmRect, reach: f32) -> Self {
+        let cells = |mm: f32| (mm / CELL).ceil().max(1.0) as usize;
+        let (columns, rows) = (cells(area.width()), cells(area.height()));
+        // more by half the diagonal of a cell, rounded up, and half the way to the next mark
+        let reach = reach + CELL + 0.5 * MARK;
+        Self { area, reach, marked: vec![false; columns * rows], columns, rows }
+    }
+
+    /// Marks what is in reach of a point of a path. All points that are [`MARK`] apart along it must be marked.
+    pub(super) fn mark(&mut self, at: MmPoint) {
+        let reach = self.reach;
+        let (x, y) = ((at.x - self.area.min.x) / CELL, (at.y - self.area.min.y) / CELL);
+        let range = |middle: f32, count: usize| {
+            ((middle - reach / CELL).max(0.0) as usize)..(((middle + reach / CELL).max(0.0) as usize + 1).min(count))
+        };
+        for row in range(y, self.rows) {
+            for column in range(x, self.columns) {
+                let (dx, dy) = (column as f32 + 0.5 - x, row as f32 + 0.5 - y);
+                if (dx * dx + dy * dy) * CELL * CELL <= reach * reach {
+                    self.marked[row * self.columns + column] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether a marked path may be within reach.
+    pub(super) fn may_be_near(&self, at: MmPoint) -> bool {
+        let index = |value: f32, count: usize| ((value / CELL).max(0.0) as usize).min(count - 1);
+        let (column, row) = (index(at.x - self.area.min.x, self.columns), index(at.y - self.area.min.y, self.rows));
+        self.marked[row * self.columns + column]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_in_reach_is_on_the_map_and_what_is_far_is_not() {
+        let mut map = NearMap::new(MmRect::new(MmPoint::new(10.0, 5.0), MmPoint::new(50.3, 40.0)), 5.0);
+        let path = |share: f32| MmPoint::new(20.0, 15.0).lerp(MmPoint::new(35.0, 30.0), share);
+        let steps = (15.0 * 2.0_f32.sqrt() / MARK).ceil();
+        (0..=steps as u32).for_each(|k| map.mark(path(k as f32 / steps)));
+        for i in 0..=400 {
+            for j in 0..=340 {
+                let at = MmPoint::new(10.0 + 0.1 * i as f32, 5.0 + 0.1 * j as f32);
+                let distance = (0..=200).map(|k| (path(k as f32 / 200.0) - at).length()).fold(f32::MAX, f32::min);
+                assert!(map.may_be_near(at) || distance > 5.0, "{at:?} is {distance} mm away");
+                assert!(!map.may_be_near(at) || distance < 8.5, "{at:?} is {distance} mm away");
+            }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Lines that wait to be drawn, the most salient first.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
+use crate::lines::saliency::saliency;
+use crate::lines::vertex::Vertex;
+
+/// A piece that is still too near after this many cuts is given up. None of the samples needs more than three.
+const MOST_CUTS: u8 = 8;
+
+struct Candidate {
+    saliency: f32,
+    /// When it came: of two that are equally salient, the earlier goes first.
+    number: usize,
+    cuts: u8,
+    polyline: Polyline<Vertex>,
+}
+
+impl Ord for Candidate {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.saliency.total_cmp(&other.saliency).then(other.number.cmp(&self.number))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}
+
+/// Lines that wait for their turn.
+pub(super) struct Queue<'a> {
+    heap: BinaryHeap<Candidate>,
+    count: usize,
+    params: &'a Params,
+}
+
+impl<'a> Queue<'a> {
+    pub(super) fn new(capacity: usize, params: &'a Params) -> Self {
+        Self { heap: BinaryHeap::with_capacity(capacity), count: 0, params }
+    }
+
+    /// Adds a line that was cut so many times, unless it is too short or was cut too often.
+    pub(super) fn push(&mut self, polyline: Polyline<Vertex>, cuts: u8) {
+        if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || cuts > MOST_CUTS {
+            return;
+        }
+        let saliency = saliency(&polyline, self.params);
+        self.heap.push(Candidate { saliency, number: self.count, cuts, polyline });
+        self.count += 1;
+    }
+
+    /// The most salient line and how often it was cut.
+    pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, u8)> {
+        self.heap.pop().map(|candidate| (candidate.polyline, candidate.cuts))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{PARAMS, polyline};
+    use super::*;
+
+    #[test]
+    fn the_most_salient_comes_first_and_what_is_short_or_often_cut_not_at_all() {
+        let mut queue = Queue::new(4, &PARAMS);
+        let lengths = [12.0, 30.0, 7.0, 30.0];
+        lengths.iter().zip(0..).for_each(|(&x, cuts)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), cuts));
+        queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), MOST_CUTS + 1);
+        let order: Vec<(u32, u8)> =
+            std::iter::from_fn(|| queue.pop()).map(|(line, cuts)| (line.length().round() as u32, cuts)).collect();
+        assert_eq!(order, [(30, 1), (30, 3), (12, 0)]);
+    }
+}

@@ -1,0 +1,120 @@
+//! Where a line comes too near to itself.
+
+use std::ops::Range;
+
+use super::drawn::{TOUCH, segment};
+use crate::geom::nearby::Nearby;
+use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
+use crate::lines::vertex::Vertex;
+
+/// A line that comes back to itself is its own rival where the length along it is more than the distance across by this
+/// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
+const BEND: f32 = 3.5;
+const BEND_LEAST: f32 = 1.5;
+
+/// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty grid, and empty
+/// again afterwards.
+pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Nearby) -> Option<Range<usize>> {
+    let arcs = polyline.arc_lengths();
+    let total = arcs.last().copied().unwrap_or(0.0);
+    if total <= BEND_LEAST {
+        return None;
+    }
+    let apart = |s: f32, t: f32| if polyline.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
+    // its own ends may lie on it
+    let tips: Vec<f32> =
+        if polyline.closed { Vec::new() } else { own_junctions(polyline, &arcs, params.max_stub(), own) };
+    let mut found: Option<Range<usize>> = None;
+    let mut last: Option<&Vertex> = None;
+    // a ring is gone round until its first vertex has been looked at with the others before it
+    for (i, vertex) in polyline.path().enumerate() {
+        let half = 0.5 * vertex.width;
+        let mut near = false;
+        own.around(vertex.at, vertex.at, params.max_clearance(), |segment| {
+            if near || apart(arcs[i], segment.arc) <= BEND_LEAST {
+                return;
+            }
+            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
+            let line_arc = segment.arc + (at - segment.a).length();
+            let length = apart(arcs[i], line_arc);
+            if distance >= params.clearance(half + segment.half_width) || is_bend(length, distance) {
+                return;
+            }
+            let limit = params.approach(half, segment.half_width);
+            near = !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - line_arc).abs() <= limit);
+        });
+        if near {
+            found.get_or_insert(i..i).end = i + 1;
+        } else if found.is_some() {
+            break;
+        } else if let Some(last) = last {
+            own.insert(segment(last, vertex, i - 1, 0, arcs[i - 1]));
+        }
+        last = Some(vertex);
+    }
+    own.clear();
+    found
+}
+
+/// The arcs of those ends of an open polyline that lie on the polyline itself, at the end of a loop longer than `knot`.
+fn own_junctions(polyline: &Polyline<Vertex>, arcs: &[f32], knot: f32, own: &mut Nearby) -> Vec<f32> {
+    let (Some(first), Some(last), Some(&total)) = (polyline.vertices.first(), polyline.vertices.last(), arcs.last())
+    else {
+        return Vec::new();
+    };
+    for (i, (a, b)) in polyline.segments().enumerate() {
+        own.insert(segment(a, b, i, 0, arcs[i]));
+    }
+    let mut tips = Vec::new();
+    for (at, arc) in [(first.at, 0.0), (last.at, total)] {
+        own.around(at, at, TOUCH, |segment| {
+            let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
+            let line_arc = segment.arc + (touched - segment.a).length();
+            if distance <= TOUCH && (line_arc - arc).abs() > knot {
+                tips.push(arc);
+            }
+        });
+    }
+    own.clear();
+    tips
+}
+
+/// Whether two points of one line, this length apart along it, are near one another only because it bends there.
+pub(super) fn is_bend(length: f32, distance: f32) -> bool {
+    length <= BEND * distance + BEND_LEAST
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{PARAMS, polyline};
+    use super::*;
+    use crate::units::{MmPoint, MmRect};
+
+    fn first_return(points: &[(f32, f32)], closed: bool) -> Option<Range<usize>> {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        returns(&polyline(points, closed), &PARAMS, &mut Nearby::new(area, PARAMS.max_spacing()))
+    }
+
+    #[test]
+    fn a_hairpin_comes_back_and_a_wide_bend_does_not() {
+        let narrow = [(10.0, 10.0), (50.0, 10.0), (50.0, 13.0), (10.0, 13.0)];
+        let back = first_return(&narrow, false).expect("the second arm is too near to the first");
+        // it is allowed the way round the bend
+        assert!(back.start as f32 * 0.4 > 43.0, "{back:?}");
+        assert_eq!(first_return(&[(10.0, 10.0), (50.0, 10.0), (50.0, 18.0), (10.0, 18.0)], false), None);
+    }
+
+    #[test]
+    fn a_corner_is_no_return() {
+        assert_eq!(first_return(&[(10.0, 10.0), (50.0, 10.0), (50.0, 50.0)], false), None);
+        assert_eq!(first_return(&[(10.0, 10.0), (40.0, 10.0), (40.0, 40.0), (10.0, 40.0)], true), None);
+    }
+
+    #[test]
+    fn an_end_on_the_line_itself_may_be_near_it() {
+        let loop_back = [(10.0, 30.0), (50.0, 30.0), (50.0, 60.0), (30.0, 60.0), (30.0, 30.0)];
+        assert_eq!(first_return(&loop_back, false), None);
+    }
+}

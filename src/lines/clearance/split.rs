@@ -1,0 +1,167 @@
+//! What is left of a line that comes too near to others.
+
+use std::ops::Range;
+
+use super::drawn::{DrawnLines, Junction, State};
+use super::extend::{Extended, extension};
+use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
+use crate::lines::saliency::saliency;
+use crate::lines::vertex::Vertex;
+
+/// A line that joins another this near to its end, mm, ends there.
+const TIP: f32 = 0.01;
+/// A line of which less than this share is left in pieces keeps only the first of them, and a ring none: stubs say
+/// where something was, not what.
+const WHOLE: f32 = 0.5;
+
+/// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
+/// blot. None if it has no stubs.
+pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
+    let near = |vertex: Option<&Vertex>| vertex.is_some_and(|vertex| drawn.may_be_near(vertex.at));
+    if polyline.closed || !(near(polyline.vertices.first()) || near(polyline.vertices.last())) {
+        return None;
+    }
+    let passage = drawn.passage(polyline.view());
+    let total = passage.arcs.last().copied().unwrap_or(0.0);
+    // a line that is not yet apart from the other where it ends
+    let stub = |junction: &Junction, end: f32, tip: Option<&Vertex>| {
+        let way = (junction.arc - end).abs();
+        way > TIP && way <= drawn.params.max_stub() && tip.is_some_and(|tip| drawn.is_near(tip, junction.line))
+    };
+    let junctions = || passage.junctions.iter();
+    let first = junctions().filter(|m| stub(m, 0.0, polyline.vertices.first())).max_by(|a, b| a.arc.total_cmp(&b.arc));
+    let last = junctions().filter(|m| stub(m, total, polyline.vertices.last())).min_by(|a, b| a.arc.total_cmp(&b.arc));
+    if first.is_none() && last.is_none() {
+        return None;
+    }
+    let (from, to) = (first.map_or(-1.0, |junction| junction.arc), last.map_or(f32::MAX, |junction| junction.arc));
+    let kept = polyline.vertices.iter().zip(&passage.arcs).filter(|(_, arc)| (from..to).contains(*arc));
+    let mut vertices: Vec<Vertex> = kept.map(|(vertex, _)| *vertex).collect();
+    if let (Some(junction), Some(&next)) = (first, vertices.first()) {
+        vertices.insert(0, Vertex { at: junction.at, ..next });
+    }
+    if let (Some(junction), Some(&before)) = (last, vertices.last()) {
+        vertices.push(Vertex { at: junction.at, ..before });
+    }
+    Some(Polyline::open(vertices))
+}
+
+/// What is left of a line that is too near to others: its parts between, extended to the lines that they join.
+pub(super) fn split(polyline: &Polyline<Vertex>, states: &[State], drawn: &DrawnLines<'_>) -> Vec<Polyline<Vertex>> {
+    let params = drawn.params;
+    let length = polyline.length();
+    // of a small ring, which is felt as a dot, no part says anything
+    if polyline.closed && params.is_dot(length) {
+        return Vec::new();
+    }
+    let pieces = match states.iter().position(|state| *state == State::TooNear) {
+        Some(start) if polyline.closed => {
+            let count = states.len();
+            let states: Vec<State> = (0..=count).map(|k| states[(start + k) % count]).collect();
+            pieces(&polyline.opened_at(start).vertices, &states, drawn)
+        }
+        _ => pieces(&polyline.vertices, states, drawn),
+    };
+    let kept: f32 = pieces.iter().map(Polyline::length).sum();
+    if kept >= WHOLE * length {
+        pieces
+    } else if polyline.closed {
+        Vec::new()
+    } else {
+        most_salient(pieces, params).into_iter().collect()
+    }
+}
+
+/// The parts of an open line that are long enough, each extended at both its ends.
+fn pieces(vertices: &[Vertex], states: &[State], drawn: &DrawnLines<'_>) -> Vec<Polyline<Vertex>> {
+    let mut pieces = Vec::new();
+    for Range { start, end } in clear_stretches(states) {
+        let mut piece = vertices[start..end].to_vec();
+        if end < vertices.len() {
+            piece.extend(extension(&piece, &vertices[end..], Extended::Piece, drawn).unwrap_or_default());
+        }
+        if start > 0 {
+            piece.reverse();
+            let path: Vec<Vertex> = vertices[..start].iter().rev().copied().collect();
+            piece.extend(extension(&piece, &path, Extended::Piece, drawn).unwrap_or_default());
+            piece.reverse();
+        }
+        let piece = Polyline::open(piece);
+        if piece.length() >= drawn.params.min_length {
+            pieces.push(piece);
+        }
+    }
+    pieces
+}
+
+/// The stretches of vertices between those that are near to lines in such a way that some are too near. A stretch that
+/// is near, but nowhere too near, divides nothing.
+fn clear_stretches(states: &[State]) -> Vec<Range<usize>> {
+    let mut stretches = Vec::new();
+    let (mut start, mut at) = (0, 0);
+    for near in states.chunk_by(|a, b| (*a == State::Free) == (*b == State::Free)) {
+        let end = at + near.len();
+        if near.contains(&State::TooNear) {
+            stretches.push(start..at);
+            start = end;
+        }
+        at = end;
+    }
+    stretches.push(start..at);
+    stretches.retain(|stretch| !stretch.is_empty());
+    stretches
+}
+
+/// The most salient of some lines, of equal ones the first.
+fn most_salient(mut lines: Vec<Polyline<Vertex>>, params: &Params) -> Option<Polyline<Vertex>> {
+    let first = (0..lines.len())
+        .max_by(|&a, &b| saliency(&lines[a], params).total_cmp(&saliency(&lines[b], params)).then(b.cmp(&a)))?;
+    Some(lines.swap_remove(first))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{PARAMS, drawn, polyline};
+    use super::*;
+
+    #[test]
+    fn stretches_end_where_a_near_one_has_something_too_near() {
+        use State::{Free, Joined, TooNear};
+        let all = |states: &[State]| clear_stretches(states);
+        assert_eq!(all(&[Free, Free, Joined, TooNear, Joined, Free]), [0..2, 5..6]);
+        assert_eq!(all(&[Joined, Free, Joined, Free]), [0..4], "junctions divide nothing");
+        assert_eq!(all(&[TooNear, Free, TooNear]), [1..2]);
+        assert_eq!(all(&[Free, Joined]), [0..2]);
+        assert_eq!(all(&[TooNear]), []);
+    }
+
+    #[test]
+    fn a_stub_beyond_a_crossing_goes() {
+        let lines = drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]);
+        let whole = polyline(&[(50.0, 10.0), (50.0, 52.0)], false);
+        let shorter = without_stubs(&whole, &lines).expect("2 mm beyond a line are a stub");
+        assert!((shorter.length() - 40.0).abs() < 1e-3);
+        assert_eq!(without_stubs(&polyline(&[(50.0, 10.0), (50.0, 70.0)], false), &lines), None);
+    }
+
+    #[test]
+    fn what_is_left_of_a_line_ends_where_it_comes_near() {
+        let lines = drawn(&[&[(40.0, 50.0), (60.0, 50.0)]]);
+        let whole = polyline(&[(5.0, 52.0), (95.0, 52.0)], false);
+        let pieces = split(&whole, &lines.states(&whole), &lines);
+        assert_eq!(pieces.len(), 2);
+        assert!(pieces.iter().all(|piece| piece.length() > 28.0 && piece.length() < 35.0));
+        assert!(pieces.iter().all(|piece| !lines.states(piece).contains(&State::TooNear)));
+    }
+
+    #[test]
+    fn of_a_ring_that_is_mostly_too_near_nothing_is_left() {
+        let lines = drawn(&[&[(30.0, 30.0), (70.0, 30.0), (70.0, 70.0), (30.0, 70.0)]]);
+        let ring = polyline(&[(33.0, 33.0), (67.0, 33.0), (67.0, 67.0), (33.0, 67.0)], true);
+        assert_eq!(split(&ring, &lines.states(&ring), &lines), []);
+        let dot = polyline(&[(50.0, 31.0), (52.0, 31.0), (52.0, 33.0), (50.0, 33.0)], true);
+        assert!(PARAMS.is_dot(dot.length()));
+        assert_eq!(split(&dot, &lines.states(&dot), &lines), []);
+    }
+}

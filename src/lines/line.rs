@@ -1,0 +1,94 @@
+//! Finished lines: what they are drawn with, run by run.
+
+use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::units::MmPoint;
+
+/// A finished line: one contour in pieces of equal width.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// Mean strength of its edge (see [`crate::edges`]).
+    pub strength: f32,
+    /// Pieces in order; each begins where the one before it ends.
+    pub runs: Vec<Run>,
+}
+
+/// A piece of a line of one width.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Width, mm.
+    pub width: f32,
+    /// The vertices of its polyline; of a row of dots, their centres. A ring does not repeat its first point.
+    pub points: Vec<MmPoint>,
+    /// Whether it is a stroke that goes on from its last point to its first.
+    pub closed: bool,
+    /// How it is drawn.
+    pub pen: Pen,
+}
+
+/// How a piece of a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pen {
+    /// A stroke through its points.
+    #[default]
+    Stroke,
+    /// A dot on each of its points, pressed this high.
+    Dots(Height),
+}
+
+/// How high a dot is pressed. Readers tell three of the eight heights of an embosser apart best (Kouroupetroglou et al.
+/// 2016), so there are no more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Height {
+    /// Textures.
+    Low,
+    /// Frames and weak lines.
+    Middle,
+    /// Lines, and everything where a device has one height only.
+    #[default]
+    High,
+}
+
+impl Height {
+    /// All of them, the lowest first.
+    pub const ALL: [Self; 3] = [Self::Low, Self::Middle, Self::High];
+
+    /// Its name in plain words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Low => "low",
+            Self::Middle => "middle",
+            Self::High => "high",
+        }
+    }
+}
+
+impl std::fmt::Display for Height {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Run {
+    /// A stroke along a path, a ring if the path comes back to where it began.
+    pub fn stroke(width: f32, path: Vec<MmPoint>) -> Self {
+        let Polyline { vertices, closed } = Polyline::from_path(path);
+        Self { width, points: vertices, closed, pen: Pen::Stroke }
+    }
+
+    /// Dots on these points.
+    pub fn dots(diameter: f32, points: Vec<MmPoint>, height: Height) -> Self {
+        Self { width: diameter, points, closed: false, pen: Pen::Dots(height) }
+    }
+
+    /// Its points as a polyline.
+    pub fn polyline(&self) -> PolylineRef<'_, MmPoint> {
+        PolylineRef { vertices: &self.points, closed: self.closed }
+    }
+}
+
+impl Line {
+    /// Length, mm.
+    pub fn length(&self) -> f32 {
+        self.runs.iter().map(|run| run.polyline().length()).sum()
+    }
+}

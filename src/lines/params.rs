@@ -1,0 +1,110 @@
+//! How lines are drawn, and the distances that follow from it. They are computed here and nowhere else.
+
+/// How lines are drawn. Lengths are in millimetres on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    /// Width of the weakest line.
+    pub width_min: f32,
+    /// Width of every line from `full_strength` on.
+    pub width_max: f32,
+    /// Strength of an edge (see [`crate::edges`]) that gets `width_min`.
+    pub least_strength: f32,
+    /// Strength from which a line has `width_max`; low, so that most lines share one width.
+    pub full_strength: f32,
+    /// A line shorter than this is left out.
+    pub min_length: f32,
+    /// Least blank between the edges of two lines.
+    pub min_gap: f32,
+    /// Farthest distance of two ends that are joined when they continue one another.
+    pub join_gap: f32,
+    /// Sigma of the Gaussian that smooths a line along itself.
+    pub smoothing: f32,
+    /// Farthest that a simplified line may lie from the smooth one.
+    pub tolerance: f32,
+    /// How many of the lines are drawn, 0..=1: from the longest, strongest, closed and smooth ones only to all. Those
+    /// drawn at one detail are drawn, the same, at every higher one.
+    pub detail: f32,
+}
+
+/// The longest way from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
+/// much.
+const APPROACH: f32 = 1.7;
+/// ... less this, mm: a line may be drawn by a step of width thinner than its vertices say.
+const APPROACH_MARGIN: f32 = 0.2;
+/// What rounding, and the vertices where lines meet, may take from a distance, mm.
+const ROUNDING: f32 = 0.08;
+
+impl Params {
+    /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm: what lies
+    /// nearer to a line than this may be too near.
+    pub fn max_spacing(&self) -> f32 {
+        self.min_gap + self.width_max
+    }
+
+    /// The farthest that a centre line is from the contours that it stands for, mm: in the middle of a stroke whose
+    /// sides are just too near for two lines.
+    pub fn max_offset(&self) -> f32 {
+        0.5 * self.max_spacing()
+    }
+
+    /// How far apart the centre lines of two lines must be whose widths have this half sum, mm. Simplification may move
+    /// both.
+    pub(super) fn clearance(&self, half_widths: f32) -> f32 {
+        self.min_gap + half_widths + 2.0 * self.tolerance + ROUNDING
+    }
+
+    /// The clearance of a line from the widest, mm, whatever its own width.
+    pub(super) fn max_clearance(&self) -> f32 {
+        self.clearance(self.width_max)
+    }
+
+    /// The longest way from a junction until two lines of these half widths must be apart, mm.
+    pub(super) fn approach(&self, half_width: f32, other: f32) -> f32 {
+        APPROACH * (self.min_gap + half_width + other) - APPROACH_MARGIN
+    }
+
+    /// The longest way from a junction until two lines of the least width must be apart, mm, with a margin for each.
+    pub(super) fn min_approach(&self) -> f32 {
+        APPROACH * (self.min_gap + self.width_min) - 2.0 * APPROACH_MARGIN
+    }
+
+    /// The longest way beyond a crossing that does not count as a line of its own, mm.
+    pub(super) fn max_stub(&self) -> f32 {
+        APPROACH * self.max_spacing()
+    }
+
+    /// Whether a ring of this length, mm, is felt as a dot: it is no longer than a circle as wide as two lines are
+    /// apart.
+    pub(super) fn is_dot(&self, length: f32) -> bool {
+        length < std::f32::consts::PI * self.max_spacing()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_follow_from_gap_and_widths() {
+        let params = Params {
+            width_min: 0.7,
+            width_max: 1.5,
+            least_strength: 10.0,
+            full_strength: 30.0,
+            min_length: 8.0,
+            min_gap: 3.2,
+            join_gap: 3.0,
+            smoothing: 0.4,
+            tolerance: 0.05,
+            detail: 0.5,
+        };
+        assert!((params.max_spacing() - 4.7).abs() < 1e-6 && (params.max_offset() - 2.35).abs() < 1e-6);
+        // two lines that are drawn a tolerance nearer each still keep the gap
+        assert!(params.clearance(1.0) - 2.0 * params.tolerance >= params.min_gap + 1.0);
+        assert!(params.max_clearance() >= params.clearance(0.5 * (params.width_min + params.width_max)));
+        // whatever is let through at the least width is let through at any
+        assert!(params.min_approach() < params.approach(0.5 * params.width_min, 0.5 * params.width_min));
+        assert!(params.approach(0.75, 0.75) < params.max_stub());
+        assert!(params.is_dot(14.0) && !params.is_dot(15.0));
+    }
+}
