@@ -1,8 +1,9 @@
 //! From a colour picture to a page that fingers can read.
 //!
-//! The contours of the picture become raised lines, the stronger the broader; its colours become textures of small rhombuses
-//! whose direction names the colour; a smaller picture of lines only lies below. The method is that of A. Rataj (2004). The
-//! page is in true millimetres: an SVG drawing, a PDF or a PNG for swell paper, or dots for a braille embosser or a pin display.
+//! The contours of the picture become raised lines, the stronger the broader; its colours become textures of small
+//! rhombuses whose direction names the colour; a smaller picture of lines only lies below. The method is that of A.
+//! Rataj (2004). The page is in true millimetres: an SVG drawing, a PDF or a PNG for swell paper, or dots for a
+//! braille embosser or a pin display.
 //!
 //! Five tasks, each of which runs as it stands. First the usual one, a picture to a page:
 //!
@@ -21,8 +22,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A [`Profile`] is a paper or a device with all the numbers that a page for it needs. Your own inherits one that comes with the
-//! program and says what differs; [`Profile::manual`] tells of every key:
+//! A [`Profile`] is a paper or a device with all the numbers that a page for it needs. Your own inherits one that
+//! comes with the program and says what differs; [`Profile::manual`] tells of every key:
 //!
 //! ```
 //! use tactograph::{Options, Profile};
@@ -60,21 +61,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Pixels in memory are given as [`Picture::rgba8`]. All that is given and got is owned, `Send`, `Sync` and `'static`, so that it
-//! can be held by classes of other languages. The crate prints nothing, reads no files and no clock, and gives the same bytes for
-//! the same input, however many threads there are.
+//! Pixels in memory are given as [`Picture::rgba8`]. All that is given and got is owned, `Send`, `Sync` and `'static`,
+//! so that it can be held by classes of other languages. The crate prints nothing, reads no files and no clock, and
+//! gives the same bytes for the same input, however many threads there are.
 //!
 //! # Features
 //!
-//! * `cli` (default): the program `tactograph` and what only it needs. A library does without: `default-features = false`.
+//! * `cli` (default): the program `tactograph` and what only it needs. A library does without: `default-features =
+//!   false`.
 //! * `system-fonts`: `Fonts::system`, the fonts that are installed, for SVG drawings with text. Part of `cli`.
 //! * `turbojpeg`: JPEGs through the C library libjpeg-turbo, built by cmake and nasm.
 //!
 //! # Points and units
 //!
-//! Positions are points of [`euclid`], which is re-exported and part of this interface: `MmPoint` in millimetres on the sheet
-//! (x right, y down, from its top left corner), `PxPoint` in pixels of the source picture (the middle of the first is 0.5, 0.5).
-//! Each has `x` and `y` as `f32`; lengths that are plain numbers are millimetres unless their doc says otherwise.
+//! Positions are points of [`euclid`], which is re-exported and part of this interface: `MmPoint` in millimetres on
+//! the sheet (x right, y down, from its top left corner), `PxPoint` in pixels of the source picture (the middle of the
+//! first is 0.5, 0.5). Each has `x` and `y` as `f32`; lengths that are plain numbers are millimetres unless their doc
+//! says otherwise.
 
 mod api;
 mod calibration;
@@ -128,8 +131,8 @@ pub use touch::{FINGERS, Report as FeelReport};
 pub use lyon::geom::euclid;
 pub use units::{Mm, MmPoint, MmRect, MmVector, Px, PxPoint, PxVector, Size};
 
-/// The stages, for this project's own tests, benchmarks and measuring programs. No part of the public interface: anything in
-/// here may change with any release.
+/// The stages, for this project's own tests, benchmarks and measuring programs. No part of the public interface:
+/// anything in here may change with any release.
 #[doc(hidden)]
 pub mod internals {
     pub mod calibration {

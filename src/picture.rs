@@ -3,7 +3,8 @@
 use crate::Error;
 use crate::units::Size;
 
-/// A picture to convert: the bytes of a file, or pixels that a program has in memory. It borrows them and copies nothing.
+/// A picture to convert: the bytes of a file, or pixels that a program has in memory. It borrows them and copies
+/// nothing.
 ///
 /// ```
 /// use tactograph::Picture;
@@ -28,8 +29,8 @@ pub(crate) enum Source<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// The bytes of a picture file: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM or SVG. The format is told from the
-    /// bytes. What they are worth is found out when they are decoded.
+    /// The bytes of a picture file: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM or SVG. The format is told from
+    /// the bytes. What they are worth is found out when they are decoded.
     pub fn file(bytes: &'a [u8]) -> Self {
         Self(Source::File(bytes))
     }

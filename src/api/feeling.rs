@@ -14,8 +14,8 @@ pub struct Felt {
 /// Feels the textures of a page with a fingertip of `finger` mm (0.3 to 2.5; 1.0 is usual). `page` is an SVG file as
 /// [`Page::to_svg`](crate::Page::to_svg) writes it, or as somebody changed it in an editor.
 ///
-/// The textures are blurred as by a fingertip, and then their direction is read. This is a model that compares textures well;
-/// it does not replace a reader.
+/// The textures are blurred as by a fingertip, and then their direction is read. This is a model that compares
+/// textures well; it does not replace a reader.
 ///
 /// ```
 /// use tactograph::{Options, Profile};
@@ -44,8 +44,8 @@ impl Felt {
         &self.report
     }
 
-    /// A map as a PNG picture: each class that is felt has its pattern and its name, crosses stand where another class is felt
-    /// than is meant, rings where it is unclear.
+    /// A map as a PNG picture: each class that is felt has its pattern and its name, crosses stand where another class
+    /// is felt than is meant, rings where it is unclear.
     ///
     /// # Errors
     /// [`Error::NoMemory`] if there is no memory for it.

@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use usvg::fontdb::{Database, Family, Query};
 
-/// Fonts for the text of SVG drawings; other pictures need none. They are read when the first drawing with text needs them,
-/// and once: clones share them.
+/// Fonts for the text of SVG drawings; other pictures need none. They are read when the first drawing with text needs
+/// them, and once: clones share them.
 ///
 /// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells.
 #[derive(Clone, Default)]
@@ -77,8 +77,8 @@ impl Source {
     }
 }
 
-/// "sans-serif" and the like stand for a font by name (say Arial). Where that one is not among the fonts, text would be left
-/// out although others are there: take the first that is.
+/// "sans-serif" and the like stand for a font by name (say Arial). Where that one is not among the fonts, text would
+/// be left out although others are there: take the first that is.
 fn give_generic_families_a_font(fonts: &mut Database) {
     let first = fonts.faces().filter_map(|face| face.families.first()).map(|(name, _)| name.clone()).min();
     let Some(first) = first else { return };

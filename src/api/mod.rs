@@ -37,8 +37,8 @@ use crate::{Error, calibration};
 /// ```
 ///
 /// # Errors
-/// If the profile has faults (all of them at once), the picture cannot be read or is over a limit, or the page has no room
-/// for it; see [`Error`]. Everything less is in [`Drawing::notes`].
+/// If the profile has faults (all of them at once), the picture cannot be read or is over a limit, or the page has no
+/// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
     let drawing = with_request(options, options.name(), |request| {
         pipeline::convert(picture.into(), request, &mut |event| options.tell(event))
@@ -49,9 +49,9 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
     Ok(Drawing { page, overview, ..drawing })
 }
 
-/// Makes the pages of a picture that is spread over several sheets, laid side by side: the overview on a sheet of its own if
-/// the profile has one, then the picture row by row. It is drawn once and cut, so what two sheets both show is the same on
-/// both. Without `grid` there are as few sheets as have room for [`Options::width_mm`].
+/// Makes the pages of a picture that is spread over several sheets, laid side by side: the overview on a sheet of its
+/// own if the profile has one, then the picture row by row. It is drawn once and cut, so what two sheets both show is
+/// the same on both. Without `grid` there are as few sheets as have room for [`Options::width_mm`].
 ///
 /// # Errors
 /// As [`convert`]; and if the sheets have no room for the picture, or the profile is for dots, which go on one sheet.
@@ -68,8 +68,8 @@ pub fn convert_to_sheets<'p>(
     Ok(Sheets { pages, ..drawn })
 }
 
-/// Finds the contours of a picture, as data: for programs that go on with them. Of the options title, description, language
-/// and mirroring have no meaning here.
+/// Finds the contours of a picture, as data: for programs that go on with them. Of the options title, description,
+/// language and mirroring have no meaning here.
 ///
 /// ```
 /// use tactograph::{Options, Profile, Tracing};
@@ -90,8 +90,9 @@ pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &O
     })
 }
 
-/// Makes the calibration sheets of a profile: samples of lines, gaps, braille, frames, glyphs and textures, to be printed once
-/// and felt, so that a workshop finds the numbers for its own paper. One page a sheet, as many as the samples take.
+/// Makes the calibration sheets of a profile: samples of lines, gaps, braille, frames, glyphs and textures, to be
+/// printed once and felt, so that a workshop finds the numbers for its own paper. One page a sheet, as many as the
+/// samples take.
 ///
 /// # Errors
 /// If the profile has faults, its pages are of dots (which have one size), or its sheet has no room for a sample.

@@ -10,9 +10,9 @@ use crate::profile::Profile;
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
 
-/// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a default
-/// that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough to make one for
-/// each picture.
+/// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a
+/// default that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough
+/// to make one for each picture.
 ///
 /// ```
 /// use tactograph::{Options, Profile};
@@ -67,21 +67,22 @@ impl Options {
         self
     }
 
-    /// The picture's own name, such as that of its file: it is written into the page with how the page was made. Default:
-    /// "picture".
+    /// The picture's own name, such as that of its file: it is written into the page with how the page was made.
+    /// Default: "picture".
     pub fn picture_name(mut self, name: impl Into<String>) -> Self {
         self.picture_name = Some(name.into());
         self
     }
 
-    /// What is on the page, for screen readers. Default: sizes, number of contours and shares of the colours, in English.
+    /// What is on the page, for screen readers. Default: sizes, number of contours and shares of the colours, in
+    /// English.
     pub fn description(mut self, description: impl Into<String>) -> Self {
         self.description = Some(description.into());
         self
     }
 
-    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`. Default: `en`, which is the language of
-    /// the description that is made if none is given.
+    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`. Default: `en`, which is the
+    /// language of the description that is made if none is given.
     pub fn language(mut self, tag: impl Into<String>) -> Self {
         self.language = Some(tag.into());
         self
@@ -100,8 +101,8 @@ impl Options {
         self
     }
 
-    /// Exchanges left and right, marks and frames included, for machines that press a page up from its back. Not for swell
-    /// paper. Default: false.
+    /// Exchanges left and right, marks and frames included, for machines that press a page up from its back. Not for
+    /// swell paper. Default: false.
     pub fn mirrored(mut self, mirrored: bool) -> Self {
         self.fit.mirrored = mirrored;
         self
@@ -119,8 +120,8 @@ impl Options {
         self
     }
 
-    /// Is told of every stage as it begins and ends, for progress bars and timings; from the threads that the stages run on.
-    /// Default: nobody is told.
+    /// Is told of every stage as it begins and ends, for progress bars and timings; from the threads that the stages
+    /// run on. Default: nobody is told.
     pub fn progress(mut self, told: impl Fn(Event) + Send + Sync + 'static) -> Self {
         self.progress = Some(Arc::new(told));
         self

@@ -8,15 +8,15 @@ use crate::output::{DotFormat, DrawingFormat, Embossing, Format, json, pdf, png,
 use crate::page::Page;
 
 impl Page {
-    /// An SVG drawing in true millimetres, with a layer for each texture, for the lines, the frame and the overview: for
-    /// looking at, and for changing it in a drawing program.
+    /// An SVG drawing in true millimetres, with a layer for each texture, for the lines, the frame and the overview:
+    /// for looking at, and for changing it in a drawing program.
     #[must_use]
     pub fn to_svg(&self) -> String {
         svg::write(self)
     }
 
-    /// A PDF document of this one page in true millimetres, with the layers of the SVG: for printing. For several pages there
-    /// is [`write_pdf`].
+    /// A PDF document of this one page in true millimetres, with the layers of the SVG: for printing. For several
+    /// pages there is [`write_pdf`].
     #[must_use]
     pub fn to_pdf(&self) -> Vec<u8> {
         pdf::write(&self.title, std::slice::from_ref(self))
@@ -30,8 +30,8 @@ impl Page {
         png::write(self, dpi, depth)
     }
 
-    /// The dots of a page that was made with the profile of an embosser or a pin display, as a file that it or its driver takes.
-    /// For several pages, or other [`Embossing`] than the usual, there is [`write_dots`].
+    /// The dots of a page that was made with the profile of an embosser or a pin display, as a file that it or its
+    /// driver takes. For several pages, or other [`Embossing`] than the usual, there is [`write_dots`].
     ///
     /// # Errors
     /// If the page is printed and not of dots, or its device does not take the format.
@@ -64,8 +64,8 @@ impl Trace {
         json::write(self)
     }
 
-    /// Whether a file that begins with these bytes is one as [`Trace::to_json`] writes it. Whatever reads JSON and writes it again
-    /// sets its spaces otherwise.
+    /// Whether a file that begins with these bytes is one as [`Trace::to_json`] writes it. Whatever reads JSON and
+    /// writes it again sets its spaces otherwise.
     #[must_use]
     pub fn is_json_as_written(head: &[u8]) -> bool {
         head.starts_with(json::MARK.as_bytes())
@@ -73,8 +73,8 @@ impl Trace {
 }
 
 impl Format {
-    /// Whether these bytes are a whole file of this format as this crate wrote it, changed by nobody since. `None` for formats
-    /// that cannot tell, as every byte of theirs is a dot: ubrl, brf, idx and txt.
+    /// Whether these bytes are a whole file of this format as this crate wrote it, changed by nobody since. `None` for
+    /// formats that cannot tell, as every byte of theirs is a dot: ubrl, brf, idx and txt.
     #[must_use]
     pub fn is_as_written(self, bytes: &[u8]) -> Option<bool> {
         match self {

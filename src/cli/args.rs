@@ -23,8 +23,7 @@ pub(super) use self::fitting::Fitting;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 pub(super) use self::writing::{Chosen, Writing};
-use super::Exit;
-use super::report::Report;
+use super::report::{Exit, Report};
 
 const ABOUT: &str = "Turns colour pictures into tactile graphics: pages that blind people read with their fingers";
 
@@ -146,8 +145,9 @@ pub(super) struct Convert {
 
     /// Where the page goes, for one picture; - for standard output
     ///
-    /// The name ends in .svg, .pdf or .png, or in that of a format of dots, which says the format, or has no ending. An existing file is replaced in one
-    /// step, when the new page is complete; until then, and if anything fails, it stays as it is.
+    /// The name ends in .svg, .pdf or .png, or in that of a format of dots, which says the format, or has no ending.
+    /// An existing file is replaced in one step, when the new page is complete; until then, and if anything fails, it
+    /// stays as it is.
     ///
     /// [default: the picture's name with the ending of the format, beside the picture]
     #[arg(short, long, value_name = "PAGE", conflicts_with = "out_dir")]
@@ -155,7 +155,8 @@ pub(super) struct Convert {
 
     /// Directory for the pages, made if missing
     ///
-    /// Each page has its picture's name with the ending of the format. Two pictures whose pages would have the same name are refused.
+    /// Each page has its picture's name with the ending of the format. Two pictures whose pages would have the same
+    /// name are refused.
     ///
     /// [default: each page lies beside its picture]
     #[arg(long, value_name = "DIR")]
@@ -234,7 +235,8 @@ impl Convert {
     }
 }
 
-/// The shape of a language tag (BCP 47): letters and digits in groups of up to eight, the first of two or three letters.
+/// The shape of a language tag (BCP 47): letters and digits in groups of up to eight, the first of two or three
+/// letters.
 fn language(text: &str) -> Result<String, String> {
     let mut groups = text.split('-');
     let first = groups
@@ -302,8 +304,8 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
     }
 }
 
-/// Plain words for what people do most often: a picture without a command, a command without a picture, a profile's name
-/// without `show`.
+/// Plain words for what people do most often: a picture without a command, a command without a picture, a profile's
+/// name without `show`.
 fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<String> {
     let first = args.get(1)?.to_string_lossy();
     let second = args.get(2).map(|arg| arg.to_string_lossy());

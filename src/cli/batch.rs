@@ -8,11 +8,11 @@ use super::args::Shared;
 use super::output::Existing;
 use super::places::{self, Job, Names, Target};
 use super::product::{Format, Product};
-use super::report::Report;
+use super::report::{Exit, Report};
 use super::settings::Change;
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{Exit, input, output, panics, settings, sheets};
+use super::{input, output, panics, settings, sheets};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {
@@ -56,8 +56,8 @@ struct Failure {
     what: String,
 }
 
-/// Calls `make` with the bytes of every picture and the options for it, writes what it gives, and tells what became of each,
-/// in their order.
+/// Calls `make` with the bytes of every picture and the options for it, writes what it gives, and tells what became of
+/// each, in their order.
 pub(super) fn run(order: &Order<'_>, make: impl Fn(&[u8], &Options, &Timings) -> Result<Made, Error> + Sync) -> Exit {
     let (jobs, profile) = match accepted(order) {
         Ok(accepted) => accepted,
@@ -83,7 +83,8 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&[u8], &Options, &Timings) ->
     if failed == 0 { Exit::Done } else { Exit::Failed }
 }
 
-/// The jobs and the checked profile; the directory for the results is made. Otherwise everything that is wrong was told.
+/// The jobs and the checked profile; the directory for the results is made. Otherwise everything that is wrong was
+/// told.
 fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
     let &Order { product, pictures, output, out_dir, shared, check, .. } = order;
     let report = Report::plain();
@@ -124,7 +125,7 @@ fn work(
 
     // Where both names are wrong, it is the picture's that was mistyped: the result's follows from it.
     input::check(&job.picture).map_err(|error| about_picture(format!("{error:#}")))?;
-    let existing = Existing::of(&job.target, shared.force);
+    let existing = job.target.existing(shared.force);
     if let Some(path) = job.target.path() {
         output::check(path, product, existing).map_err(about_target)?;
     }
@@ -140,7 +141,8 @@ fn work(
     Ok(Done { wrote, notes, timings: timings.stop() })
 }
 
-/// Writes what was made of a picture: one file as it is called, several with numbers. Returns their names for a message.
+/// Writes what was made of a picture: one file as it is called, several with numbers. Returns their names for a
+/// message.
 fn write(product: Product, job: &Job, files: &[Vec<u8>], existing: Existing) -> Result<String, Failure> {
     let about = |target: &Target, error: anyhow::Error| Failure {
         file: places::target_name(target),
@@ -162,7 +164,7 @@ fn write(product: Product, job: &Job, files: &[Vec<u8>], existing: Existing) -> 
         }
         (files, Some(path)) => {
             let targets: Vec<_> =
-                (1..=files.len()).map(|number| Target::Derived(sheets::numbered(path, number))).collect();
+                (1..=files.len()).map(|number| Target::Derived(places::numbered(path, number))).collect();
             // The names with numbers are made up, also where the one without was given.
             let existing = if existing == Existing::Forced { existing } else { Existing::KeepOthers };
             for (target, file) in targets.iter().zip(files) {

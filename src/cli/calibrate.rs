@@ -2,9 +2,9 @@
 
 use super::args::Calibrate;
 use super::product::{Format, Product};
-use super::report::Report;
+use super::report::{Exit, Report};
 use super::settings::Change;
-use super::{Exit, places, settings, sheets};
+use super::{places, settings, sheets};
 
 /// Makes the sheets and tells what is on them.
 pub(super) fn run(args: &Calibrate) -> Exit {

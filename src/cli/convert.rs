@@ -2,11 +2,11 @@
 
 use tactograph::{Error, Page, convert, convert_to_sheets, write_dots, write_pdf};
 
-use super::Exit;
 use super::args::{Chosen, Convert};
 use super::batch::{self, Made, Order};
 use super::dots;
 use super::product::{DrawingFormat, Format, Product};
+use super::report::Exit;
 
 /// Converts all pictures and tells what became of each, in their order.
 pub(super) fn run(args: &Convert) -> Exit {

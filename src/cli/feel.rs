@@ -1,8 +1,8 @@
 //! `tactograph feel`: a page in, what a fingertip feels of it out.
 
 use super::args::Feel;
-use super::report::Report;
-use super::{Exit, input, output, places};
+use super::report::{Exit, Report};
+use super::{input, output, places};
 
 /// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
 const MOST_BYTES: u64 = 100_000_000;

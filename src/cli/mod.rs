@@ -22,18 +22,7 @@ mod trace;
 use std::process::ExitCode;
 
 use args::{Command, Parsed, ProfilesCommand};
-use report::Report;
-
-/// How the program ends; the numbers are promised in `--help`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Exit {
-    /// Everything asked for is done.
-    Done = 0,
-    /// A picture could not be worked on, or a file not written.
-    Failed = 1,
-    /// The command line or the profile is wrong; nothing was done.
-    Usage = 2,
-}
+use report::{Exit, Report};
 
 /// Runs the program with the arguments it was started with.
 pub(crate) fn run() -> ExitCode {

@@ -6,30 +6,18 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{anyhow, bail};
 
-use super::places::Target;
 use super::product::Product;
 
 /// What becomes of a file that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Existing {
-    /// It is replaced only if it is as this program wrote it: a name that the user did not give must not cost them a drawing,
-    /// nor the work they put into a page.
+    /// It is replaced only if it is as this program wrote it: a name that the user did not give must not cost them a
+    /// drawing, nor the work they put into a page.
     KeepOthers,
     /// It is replaced, for the user named it.
     Named,
     /// It is replaced, whoever wrote it, because of `--force`.
     Forced,
-}
-
-impl Existing {
-    /// What `--force` and the name of a result say together.
-    pub(super) fn of(target: &Target, force: bool) -> Self {
-        match target {
-            _ if force => Self::Forced,
-            Target::Derived(_) => Self::KeepOthers,
-            Target::Stdout | Target::Named(_) => Self::Named,
-        }
-    }
 }
 
 /// Most symbolic links followed from a name to its file, as many as Linux allows.
@@ -49,8 +37,8 @@ pub(super) fn to_stdout(bytes: &[u8], noun: &str) -> anyhow::Result<()> {
 
 /// Looks for what would keep a result from being written to `path`, so that it is told before the work and not after.
 ///
-/// A file to be kept unless it is as this program wrote it may also be empty. Formats that cannot tell who wrote a file are
-/// for [`check_bytes`].
+/// A file to be kept unless it is as this program wrote it may also be empty. Formats that cannot tell who wrote a
+/// file are for [`check_bytes`].
 ///
 /// # Errors
 /// In plain words, without the path.
@@ -76,8 +64,8 @@ pub(super) fn check(path: &Path, product: Product, existing: Existing) -> anyhow
     Ok(())
 }
 
-/// Of formats in which a file cannot tell who wrote it, one that is to be kept may hold nothing but the very `bytes` that are
-/// to be written, as when a command is given twice.
+/// Of formats in which a file cannot tell who wrote it, one that is to be kept may hold nothing but the very `bytes`
+/// that are to be written, as when a command is given twice.
 ///
 /// # Errors
 /// In plain words, without the path.
@@ -102,8 +90,8 @@ pub(super) fn check_bytes(path: &Path, product: Product, existing: Existing, byt
 
 /// Writes to a temporary file beside `path` and renames it, so that at every moment `path` is the old file or
 /// the new one, and stays the old one if anything fails. Symbolic links stay links: the file they lead to is
-/// replaced. A file that is there keeps its permissions; a new one gets the usual ones. What is no file (`/dev/null`, a pipe) is
-/// simply written to.
+/// replaced. A file that is there keeps its permissions; a new one gets the usual ones. What is no file (`/dev/null`,
+/// a pipe) is simply written to.
 ///
 /// # Errors
 /// In plain words, without the path.
@@ -162,7 +150,8 @@ fn follow(path: &Path, noun: &str) -> anyhow::Result<PathBuf> {
         if !fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink()) {
             return Ok(path);
         }
-        // What is not a file on disk can have a link that names no path ("pipe:[123]" behind /dev/fd/63): open it as it is.
+        // What is not a file on disk can have a link that names no path ("pipe:[123]" behind /dev/fd/63): open it as
+        // it is.
         if fs::metadata(&path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
             return Ok(path);
         }

@@ -1,13 +1,13 @@
-//! What the program says of a panic: nothing when it happens, since the library catches those of decoders and tells them as
-//! faults of the picture; one line when nobody has caught it but the program.
+//! What the program says of a panic: nothing when it happens, since the library catches those of decoders and tells
+//! them as faults of the picture; one line when nobody has caught it but the program.
 
 use std::sync::{Mutex, PoisonError};
 
 /// The panic that came last, with its place in the source.
 static LAST: Mutex<String> = Mutex::new(String::new());
 
-/// From now on panics are kept instead of written to standard error. With `RUST_BACKTRACE` set, which asks for more than a
-/// line, they are written as well.
+/// From now on panics are kept instead of written to standard error. With `RUST_BACKTRACE` set, which asks for more
+/// than a line, they are written as well.
 pub(super) fn keep() {
     let usual = std::env::var_os("RUST_BACKTRACE").map(|_| std::panic::take_hook());
     std::panic::set_hook(Box::new(move |panic| {

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::output::directory;
+use super::output::{Existing, directory};
 use super::product::Product;
 
 /// What the command line says of names.
@@ -41,6 +41,15 @@ pub(super) enum Target {
 }
 
 impl Target {
+    /// What becomes of a file that is there already; `force` is `--force`.
+    pub(super) fn existing(&self, force: bool) -> Existing {
+        match self {
+            _ if force => Existing::Forced,
+            Self::Derived(_) => Existing::KeepOthers,
+            Self::Stdout | Self::Named(_) => Existing::Named,
+        }
+    }
+
     /// The file, if it is one.
     pub(super) fn path(&self) -> Option<&Path> {
         match self {
@@ -196,4 +205,27 @@ fn identity(path: &Path) -> PathBuf {
         return PathBuf::from(path.to_string_lossy().to_lowercase()); // A.svg and a.svg are one file there
     }
     path
+}
+
+/// `sheet.svg` gives `sheet-2.svg`.
+pub(super) fn numbered(path: &Path, number: usize) -> PathBuf {
+    let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
+    name.push(format!("-{number}"));
+    if let Some(ending) = path.extension() {
+        name.push(".");
+        name.push(ending);
+    }
+    path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_stand_before_the_ending() {
+        for (name, want) in [("a.svg", "a-2.svg"), ("d/a.b.png", "d/a.b-2.png"), ("a", "a-2")] {
+            assert_eq!(numbered(Path::new(name), 2), Path::new(want));
+        }
+    }
 }

@@ -2,9 +2,8 @@
 
 use tactograph::{BuiltIn, Profile, built_in};
 
-use super::Exit;
 use super::output;
-use super::report::Report;
+use super::report::{Exit, Report};
 use super::settings;
 
 /// Lists the built-in profiles on standard output, one a line.

@@ -4,10 +4,22 @@ use std::io::{IsTerminal, Write};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+/// How the program ends; the numbers are promised in `--help`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Exit {
+    /// Everything asked for is done.
+    Done = 0,
+    /// A picture could not be worked on, or a file not written.
+    Failed = 1,
+    /// The command line or the profile is wrong; nothing was done.
+    Usage = 2,
+}
+
 /// The one place that writes to standard error.
 ///
 /// On a terminal, several pictures have a progress bar below the messages; anywhere else (a file, a pipe, a terminal
-/// that cannot move its cursor) each message is a line that counts for itself, such as "3 of 12: cat.jpg: wrote cat.svg".
+/// that cannot move its cursor) each message is a line that counts for itself, such as "3 of 12: cat.jpg: wrote
+/// cat.svg".
 pub(super) struct Report {
     quiet: bool,
     bar: Option<ProgressBar>,

@@ -1,4 +1,5 @@
-//! `--profile`, `--set` and what is short for it become a checked profile, or the list of everything that is wrong with them.
+//! `--profile`, `--set` and what is short for it become a checked profile, or the list of everything that is wrong
+//! with them.
 
 use std::path::Path;
 

@@ -1,6 +1,5 @@
 //! Several pages that belong together: one PDF, or files with numbers.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use tactograph::{Calibration, Page, write_pdf};
@@ -19,7 +18,8 @@ struct File {
     bytes: Vec<u8>,
 }
 
-/// Writes calibration sheets to the file that the user named, or to as many files as the format takes. Returns the names.
+/// Writes calibration sheets to the file that the user named, or to as many files as the format takes. Returns the
+/// names.
 ///
 /// # Errors
 /// What is in the way, with the file that it is about. All files are looked at before the first is written.
@@ -76,32 +76,9 @@ fn files(
         }
         (_, Some(path)) => {
             let numbered = pages.iter().enumerate().map(|(index, page)| {
-                Ok(File { path: Some(numbered(path, index + 1)), made_up: true, bytes: bytes(page)? })
+                Ok(File { path: Some(places::numbered(path, index + 1)), made_up: true, bytes: bytes(page)? })
             });
             numbered.collect()
-        }
-    }
-}
-
-/// `sheet.svg` gives `sheet-2.svg`.
-pub(super) fn numbered(path: &Path, number: usize) -> PathBuf {
-    let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
-    name.push(format!("-{number}"));
-    if let Some(ending) = path.extension() {
-        name.push(".");
-        name.push(ending);
-    }
-    path.with_file_name(name)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_stand_before_the_ending() {
-        for (name, want) in [("a.svg", "a-2.svg"), ("d/a.b.png", "d/a.b-2.png"), ("a", "a-2")] {
-            assert_eq!(numbered(Path::new(name), 2), Path::new(want));
         }
     }
 }

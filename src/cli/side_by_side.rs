@@ -26,8 +26,9 @@ fn available() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// Its share of the cores for one of so many workers, to which the calling thread belongs: with one core a worker, nothing
-/// is handed from thread to thread. `None` (the cores are shared as rayon likes) where the system gives no thread.
+/// Its share of the cores for one of so many workers, to which the calling thread belongs: with one core a worker,
+/// nothing is handed from thread to thread. `None` (the cores are shared as rayon likes) where the system gives no
+/// thread.
 fn cores(workers: usize) -> Option<ThreadPool> {
     // of one worker as many as there are, or as RAYON_NUM_THREADS says
     let threads = if workers > 1 { (available() / workers).max(1) } else { 0 };
@@ -37,7 +38,8 @@ fn cores(workers: usize) -> Option<ThreadPool> {
 /// Runs `job(0)` to `job(count - 1)` on up to `workers` threads, which take the jobs in order from a shared counter.
 ///
 /// On the calling thread, `finished` is called for each job as it ends, in any order, and `result` with each job's
-/// result as soon as all before it are in: 0, 1, 2 and so on. A job that panics becomes [`Panicked`]; the others are not touched.
+/// result as soon as all before it are in: 0, 1, 2 and so on. A job that panics becomes [`Panicked`]; the others are
+/// not touched.
 pub(super) fn run<T: Send>(
     count: usize,
     workers: usize,

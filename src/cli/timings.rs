@@ -106,7 +106,8 @@ impl Clock {
 }
 
 impl Stopped {
-    /// A heading, one line a stage, the total. Of stages that ran side by side, the sum is more than they took together.
+    /// A heading, one line a stage, the total. Of stages that ran side by side, the sum is more than they took
+    /// together.
     pub(super) fn table(&self, file: &str) -> Vec<String> {
         let mut lines = vec![format!("timings of {file}:")];
         lines.extend(self.0.iter().map(|(name, row, is_beside)| match row {

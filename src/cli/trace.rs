@@ -1,10 +1,9 @@
 //! `tactograph trace`: pictures in, contours as data out.
 
-use super::Exit;
 use super::args::Trace;
 use super::batch::{self, Made, Order};
 use super::product::Product;
-use super::report::Report;
+use super::report::{Exit, Report};
 
 /// Traces all pictures and tells what became of each, in their order.
 pub(super) fn run(args: &Trace) -> Exit {

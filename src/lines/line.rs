@@ -6,7 +6,7 @@ use crate::units::MmPoint;
 /// A finished line: one contour in pieces of equal width.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// Mean strength of its edge (see [`crate::edges`]).
+    /// Mean strength of its edge (see `edges`).
     pub strength: f32,
     /// Pieces in order; each begins where the one before it ends.
     pub runs: Vec<Run>,

@@ -7,7 +7,7 @@ pub struct Params {
     pub width_min: f32,
     /// Width of every line from `full_strength` on.
     pub width_max: f32,
-    /// Strength of an edge (see [`crate::edges`]) that gets `width_min`.
+    /// Strength of an edge (see `edges`) that gets `width_min`.
     pub least_strength: f32,
     /// Strength from which a line has `width_max`; low, so that most lines share one width.
     pub full_strength: f32,

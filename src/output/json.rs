@@ -8,7 +8,7 @@
 //! ```
 //!
 //! One polyline a line, so that tools of lines can count and choose. Lines of a page also have `width_mm`. Units are those
-//! of [`crate::contours`]; points have at most 3 decimals (a thousandth of a pixel is below what can be measured), strengths
+//! of `contours`; points have at most 3 decimals (a thousandth of a pixel is below what can be measured), strengths
 //! and widths at most 2.
 
 use super::text::push_number;

@@ -19,8 +19,8 @@ use crate::{Error, Note, textures};
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
 const MIN_PIXELS: u32 = 8;
 
-/// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out 0.2
-/// to 0.3 and lose little by it.
+/// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
+/// 0.2 to 0.3 and lose little by it.
 const CROWDED: f32 = 0.35;
 
 /// All marks of a picture, where its layout puts them.
@@ -69,8 +69,8 @@ pub(super) fn draw(
     Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, notes })
 }
 
-/// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never more
-/// than there are.
+/// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
+/// more than there are.
 pub(super) fn working_size(
     source: Source,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
@@ -149,7 +149,8 @@ pub(super) fn crowded(drawn: &Drawn) -> Option<Note> {
     (drawn.crowded_out >= CROWDED).then(|| Note::Crowded((100.0 * drawn.crowded_out).round() as u32))
 }
 
-/// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave fewer.
+/// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
+/// fewer.
 pub(super) fn draw_overview(
     edges: Option<&Edges>,
     layout: &Layout,

@@ -2,7 +2,8 @@
 
 use std::sync::Mutex;
 
-/// A step on the way, for progress and timings; in the order in which they run, or begin where several run side by side.
+/// A step on the way, for progress and timings; in the order in which they run, or begin where several run side by
+/// side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
     /// Bytes to pixels.
@@ -50,8 +51,8 @@ pub enum Event {
     Skip(Stage, &'static str),
 }
 
-/// Is told of every stage: where a program keeps its clock or its progress bar. Stages that run side by side tell from the
-/// threads that they run on, one at a time.
+/// Is told of every stage: where a program keeps its clock or its progress bar. Stages that run side by side tell from
+/// the threads that they run on, one at a time.
 pub type Watch<'a> = dyn FnMut(Event) + Send + 'a;
 
 pub(super) fn run<T>(watch: &mut Watch<'_>, stage: Stage, work: impl FnOnce() -> T) -> T {
@@ -61,8 +62,8 @@ pub(super) fn run<T>(watch: &mut Watch<'_>, stage: Stage, work: impl FnOnce() ->
     result
 }
 
-/// Runs two parts that do not need one another: side by side if `is_worth_it`, else the first and then the second. Each may
-/// tell `watch` of its stages.
+/// Runs two parts that do not need one another: side by side if `is_worth_it`, else the first and then the second.
+/// Each may tell `watch` of its stages.
 pub(super) fn in_parallel<A: Send, B: Send>(
     is_worth_it: bool,
     watch: &mut Watch<'_>,

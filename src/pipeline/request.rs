@@ -18,8 +18,8 @@ pub struct Fit {
     pub mirrored: bool,
 }
 
-/// How much wider than there is room for a figure may be asked for, mm: less than is printed exactly. Widths that the program
-/// tells have one digit after the point.
+/// How much wider than there is room for a figure may be asked for, mm: less than is printed exactly. Widths that the
+/// program tells have one digit after the point.
 pub(super) const SLACK: f32 = 0.06;
 
 impl Fit {

@@ -20,9 +20,9 @@ pub struct Sheets {
     pub notes: Vec<Note>,
 }
 
-/// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two sheets both
-/// show is the same on both. Without a `grid` there are as few sheets as have room for the width asked for. `watch` is told of
-/// every stage.
+/// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two
+/// sheets both show is the same on both. Without a `grid` there are as few sheets as have room for the width asked
+/// for. `watch` is told of every stage.
 ///
 /// # Errors
 /// When the picture cannot be read or drawn, the sheets have no room for it, or the page is one of dots; see [`Error`].

@@ -44,26 +44,27 @@ impl Tracing {
         Self { subject: Subject::Contours, thresholds: None }
     }
 
-    /// The contours in the picture's own pixels, whatever the size of the page. The profile has no say in how they are found.
+    /// The contours in the picture's own pixels, whatever the size of the page. The profile has no say in how they are
+    /// found.
     pub fn contours_at_full_resolution() -> Self {
         Self { subject: Subject::ContoursAtFullResolution, thresholds: None }
     }
 
-    /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a page is
-    /// drawn from what the profile works on, and lines drawn from anything else would be on no page.
+    /// The lines that the page draws in its figure, with their widths. They have no full resolution of their own: a
+    /// page is drawn from what the profile works on, and lines drawn from anything else would be on no page.
     pub fn lines() -> Self {
         Self { subject: Subject::Lines, thresholds: None }
     }
 
-    /// Which contours are strong enough. Default: `edges.low` and `edges.high` of the profile; at full resolution 3.5 and 5.
-    /// Widths of lines stay as the profile has them.
+    /// Which contours are strong enough. Default: `edges.low` and `edges.high` of the profile; at full resolution 3.5
+    /// and 5. Widths of lines stay as the profile has them.
     pub fn thresholds(self, thresholds: Thresholds) -> Self {
         Self { thresholds: Some(thresholds), ..self }
     }
 }
 
-/// Which contours are strong enough. Strength is the height of the colour step, in units of lightness with the colour axes of
-/// CIELAB counted twice: black against white is 100.
+/// Which contours are strong enough. Strength is the height of the colour step, in units of lightness with the colour
+/// axes of CIELAB counted twice: black against white is 100.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thresholds {
     low: f32,
@@ -71,9 +72,9 @@ pub struct Thresholds {
 }
 
 impl Thresholds {
-    /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere. With
-    /// 0 and 0 everything is kept that is long enough (at full resolution 6 pixels). None unless 0 <= `low` <= `high` and
-    /// both are finite.
+    /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere.
+    /// With 0 and 0 everything is kept that is long enough (at full resolution 6 pixels). None unless 0 <= `low` <=
+    /// `high` and both are finite.
     pub fn new(low: f32, high: f32) -> Option<Self> {
         (0.0 <= low && low <= high && high.is_finite()).then_some(Self { low, high })
     }

@@ -10,15 +10,15 @@ use crate::cli::settings::Change;
 pub(in crate::cli) struct Fitting {
     /// Draws a part of the picture only, as if the rest were not there
     ///
-    /// Where it begins from the left and from the top, its width and its height, each in pixels of the picture as it is seen
-    /// or in percent, such as 10%,0,80%,50% or 320,200,640,480. With several pictures, the same part of each.
+    /// Where it begins from the left and from the top, its width and its height, each in pixels of the picture as it
+    /// is seen or in percent, such as 10%,0,80%,50% or 320,200,640,480. With several pictures, the same part of each.
     #[arg(long, value_name = "X,Y,W,H")]
     crop: Option<Crop>,
 
     /// Width of the figure on the sheet, in millimetres
     ///
-    /// The height follows. More than there is room for is refused, with what there is room for; but what is wider than the
-    /// sheet itself is spread over as few sheets as it takes, as with --sheets. Range: 3 to 1200.
+    /// The height follows. More than there is room for is refused, with what there is room for; but what is wider than
+    /// the sheet itself is spread over as few sheets as it takes, as with --sheets. Range: 3 to 1200.
     ///
     /// [default: as wide as the sheet has room for]
     #[arg(long, value_name = "MM", value_parser = width)]
@@ -26,10 +26,10 @@ pub(in crate::cli) struct Fitting {
 
     /// Spreads the picture over several sheets, across by down
     ///
-    /// Such as 2x2, up to 9x9. Neighbours overlap (sheets.overlap) and show the same lines and textures there; ticks beside the
-    /// picture meet where sheets lie right. Braille at the top left says the row (a letter) and the column (a number). The
-    /// overview has a sheet of its own, the first. A PDF has all sheets; SVG and PNG are files with numbers: page-1.svg,
-    /// page-2.svg.
+    /// Such as 2x2, up to 9x9. Neighbours overlap (sheets.overlap) and show the same lines and textures there; ticks
+    /// beside the picture meet where sheets lie right. Braille at the top left says the row (a letter) and the column
+    /// (a number). The overview has a sheet of its own, the first. A PDF has all sheets; SVG and PNG are files with
+    /// numbers: page-1.svg, page-2.svg.
     #[arg(long, value_name = "CxR")]
     pub(in crate::cli) sheets: Option<SheetGrid>,
 
@@ -66,8 +66,8 @@ impl Fitting {
         self.width_mm.into_iter().fold(options, Options::width_mm)
     }
 
-    /// Whether it takes several sheets: asked for, or because a figure is asked for that is wider than a sheet that stands upright.
-    /// A page of dots is never spread; there a width that is too large is refused.
+    /// Whether it takes several sheets: asked for, or because a figure is asked for that is wider than a sheet that
+    /// stands upright. A page of dots is never spread; there a width that is too large is refused.
     pub(in crate::cli) fn is_for_several_sheets(&self, profile: &Profile) -> bool {
         let page = &profile.page;
         let is_wider = self.width_mm.is_some_and(|width| width > page.width.min(page.height));

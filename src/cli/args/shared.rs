@@ -29,8 +29,8 @@ pub(in crate::cli) struct Shared {
 
     /// How many lines the page has: 0 the most important outlines only, 1 all that fingers can part
     ///
-    /// The longest, strongest, closed and smooth lines come first; those of less detail are all on the page of more. Short
-    /// for --set lines.detail=D, and counts after every --set. Range: 0 to 1.
+    /// The longest, strongest, closed and smooth lines come first; those of less detail are all on the page of more.
+    /// Short for --set lines.detail=D, and counts after every --set. Range: 0 to 1.
     ///
     /// [default: the profile's, 0.5 in those that come with the program]
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
@@ -38,12 +38,13 @@ pub(in crate::cli) struct Shared {
 
     /// How closely to look: draft, standard or fine
     ///
-    /// A draft shows quickly what a page will be like; fine is for pictures of many pixels that are worth the wait, and is hardly to
-    /// be felt. Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of the length of lines; a fingertip
-    /// parts about 1 mm): draft takes a fifth to a quarter less time than standard, lines lie within 0.3 mm of where they should be,
-    /// and in a photo 4 % of their length is missing or other; standard: within 0.14 mm, 1.5 %; fine takes nearly
-    /// twice the time: within 0.07 mm. A picture is never worked on at more pixels than it has, so that for small ones fine
-    /// is the same as standard; of a small photo a draft draws a tenth or more of the lines otherwise.
+    /// A draft shows quickly what a page will be like; fine is for pictures of many pixels that are worth the wait,
+    /// and is hardly to be felt. Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of
+    /// the length of lines; a fingertip parts about 1 mm): draft takes a fifth to a quarter less time than standard,
+    /// lines lie within 0.3 mm of where they should be, and in a photo 4 % of their length is missing or other;
+    /// standard: within 0.14 mm, 1.5 %; fine takes nearly twice the time: within 0.07 mm. A picture is never worked on
+    /// at more pixels than it has, so that for small ones fine is the same as standard; of a small photo a draft draws
+    /// a tenth or more of the lines otherwise.
     ///
     /// Short for --set figure.resolution=2 --set edges.scale=0.6 (draft) and --set figure.resolution=8 (fine); standard
     /// changes nothing. Every --set counts after it. It does nothing for trace --full-resolution.
@@ -63,8 +64,9 @@ pub(in crate::cli) struct Shared {
 
     /// Replaces files that are there already, whoever wrote them
     ///
-    /// Without it, a file whose name the program makes up is replaced only if it is as this program wrote it. Where a format
-    /// cannot tell that (ubrl, brf, idx, txt), only if the new one has the same bytes. A picture is never overwritten.
+    /// Without it, a file whose name the program makes up is replaced only if it is as this program wrote it. Where a
+    /// format cannot tell that (ubrl, brf, idx, txt), only if the new one has the same bytes. A picture is never
+    /// overwritten.
     #[arg(long, visible_alias = "overwrite")]
     pub(in crate::cli) force: bool,
 

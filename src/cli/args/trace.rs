@@ -74,8 +74,8 @@ pub(in crate::cli) struct Trace {
 
     /// Which contours are strong enough, in units of strength (see above)
     ///
-    /// A contour goes on as long as it has the strength LOW, and is kept if it has the strength HIGH somewhere. 0,0 keeps
-    /// everything but crumbs, which at full resolution are shorter than 6 pixels.
+    /// A contour goes on as long as it has the strength LOW, and is kept if it has the strength HIGH somewhere. 0,0
+    /// keeps everything but crumbs, which at full resolution are shorter than 6 pixels.
     ///
     /// [default: edges.low,edges.high of the profile; with --full-resolution 3.5,5]
     #[arg(long, value_name = "LOW,HIGH", value_parser = thresholds, allow_hyphen_values = true)]
@@ -119,7 +119,8 @@ impl Trace {
 enum Stage {
     /// Contours as they are found, before any rule of touch: thinned, linked, chosen by strength, not simplified
     Edges,
-    /// The lines that "tactograph convert" draws in the figure: joined, cleared, simplified; with their width on the page, width_mm, from each point to the next
+    /// The lines that "tactograph convert" draws in the figure: joined, cleared, simplified; with their width on the
+    /// page, width_mm, from each point to the next
     Lines,
 }
 

@@ -15,11 +15,11 @@ pub(in crate::cli) struct Writing {
     /// Format of the page: svg, pdf, png, or one of dots
     ///
     /// SVG to change it in a drawing program, PDF to print it, PNG for everything else.
-    /// Needed only where no name says it: the ending of a name for -o does. SVG, PDF and PNG are in true millimetres; SVG and
-    /// PDF have the same layers. The others hold dots and nothing else, and need a profile of an embosser or a pin display:
-    /// ubrl is Unicode braille for CUPS, brf ASCII braille for any embosser, pef the Portable Embosser Format, idx for Index
-    /// embossers, gcode for BrailleRAP, pixels a PNG picture with one pixel a dot, txt plain text. With such a profile SVG, PDF and PNG show
-    /// the dots at their true size.
+    /// Needed only where no name says it: the ending of a name for -o does. SVG, PDF and PNG are in true millimetres;
+    /// SVG and PDF have the same layers. The others hold dots and nothing else, and need a profile of an embosser or a
+    /// pin display: ubrl is Unicode braille for CUPS, brf ASCII braille for any embosser, pef the Portable Embosser
+    /// Format, idx for Index embossers, gcode for BrailleRAP, pixels a PNG picture with one pixel a dot, txt plain
+    /// text. With such a profile SVG, PDF and PNG show the dots at their true size.
     ///
     /// [possible values: svg, pdf, png, ubrl, brf, pef, idx, gcode, pixels, txt] [default: svg]
     #[arg(long, value_name = "FORMAT", value_parser = format(), hide_possible_values = true)]
