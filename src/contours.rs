@@ -2,7 +2,7 @@
 //!
 //! Points are in *source space*: pixels of the upright source picture (after the turn that EXIF asks for), x right, y
 //! down, pixel centres at +0.5; for an SVG drawing, its own CSS pixels. **Strength is the height of the colour step**
-//! in units of lightness with the chroma axes of CIELAB counted twice (see [`crate::edges`]): black against white is
+//! in units of lightness with the chroma axes of CIELAB counted twice (see `edges`): black against white is
 //! 100.
 
 use crate::edges::Edges;

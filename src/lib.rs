@@ -49,6 +49,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Dots for an embosser or a pin display. Of such a page the overview has a sheet of its own, and the files of all sheets come
+//! together:
+//!
+//! ```
+//! use tactograph::{DotFormat, Embossing, Options, Profile};
+//!
+//! let options = Options::new(Profile::named("index-basic-d")?).title("A cup of coffee");
+//! let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?;
+//! let sheets: Vec<_> = std::iter::once(drawing.page).chain(drawing.overview).collect();
+//! let files = tactograph::write_dots("A cup of coffee", &sheets, DotFormat::Idx, Embossing::default())?;
+//! assert_eq!(files.len(), 1); // both sheets in one document
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! What a fingertip would feel of a page, also of one that was changed in an editor:
 //!
 //! ```

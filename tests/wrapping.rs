@@ -95,6 +95,12 @@ fn question_marks_work_from_a_name_to_a_page() {
         page.to_png(96.try_into()?, Default::default())
     }
     assert!(all().is_ok_and(|png| png.starts_with(b"\x89PNG")));
+    fn boxed() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        Profile::named("swell-a5")?;
+        Ok(())
+    }
+    let told = boxed().expect_err("there is no such profile").to_string();
+    assert!(told.contains("swell-a4"), "{told}");
 }
 
 #[test]

@@ -59,8 +59,8 @@ impl Marks {
     }
 }
 
-/// Places blocks in their order, from left to right and from top to bottom, on as many sheets as it takes; `room` is what a
-/// sheet has between its margins.
+/// Places blocks in their order, from left to right and from top to bottom, on as many sheets as it takes; `room` is
+/// what a sheet has between its margins.
 ///
 /// # Errors
 /// If a block is larger than the room.

@@ -9,12 +9,13 @@
 //!  f..j  textures        one table a class: three densities down, five boldnesses across
 //! ```
 //!
-//! The marks come from the same code as those of a page, with the profile's numbers wherever a sample does not vary them.
+//! The marks come from the same code as those of a page, with the profile's numbers wherever a sample does not vary
+//! them.
 //!
-//! Labels are braille: a letter for each section, a number for each sample. Counted dots were the other choice. They need no
-//! braille, but a finger has to count up to eleven of them one by one, and at the 2.5 mm that dots need they grow wider than
-//! the samples; a number in braille has its known size and is read at once by those for whom the pages are made. Whoever does
-//! not read braille finds the same key in the description of the sheet.
+//! Labels are braille: a letter for each section, a number for each sample. Counted dots were the other choice. They
+//! need no braille, but a finger has to count up to eleven of them one by one, and at the 2.5 mm that dots need they
+//! grow wider than the samples; a number in braille has its known size and is read at once by those for whom the
+//! pages are made. Whoever does not read braille finds the same key in the description of the sheet.
 
 mod flow;
 mod samples;
@@ -29,12 +30,13 @@ use crate::profile::{Plan, Profile};
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
-/// Widths of single lines, mm: from the least that a profile takes (`lines.width_min`) to the thick pens for swell paper; the
-/// profile's own come in between.
+/// Widths of single lines, mm: from the least that a profile takes (`lines.width_min`) to the thick pens for swell
+/// paper; the profile's own come in between.
 const WIDTHS: [f32; 11] = [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0];
 /// Gaps between the edges of two lines, mm: around the 3.2 and 6.4 mm of the guidelines.
 const GAPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
-/// Diameters of braille dots, mm: from well below what fonts for swell paper print (1.3) to the raised dot itself (1.6).
+/// Diameters of braille dots, mm: from well below what fonts for swell paper print (1.3) to the raised dot itself
+/// (1.6).
 const BRAILLE_DOTS: [f32; 5] = [1.0, 1.15, 1.3, 1.45, 1.6];
 /// Blank after a pair of lines beside that between any two samples, mm: together well over the widest gap in a pair.
 const PAIR_GAP: f32 = 6.0;
@@ -47,8 +49,8 @@ const GLYPHS: [f32; 6] = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
 /// Lightness of the samples of a texture as shares of that from which there is none: from the boldest glyphs to
 /// the lightest that are all there; nearer to white rows are left out.
 const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.95];
-/// How much further apart the glyphs of the middle density stand than those of the dense one: between dense, and sparse with
-/// half the rows.
+/// How much further apart the glyphs of the middle density stand than those of the dense one: between dense, and
+/// sparse with half the rows.
 const WIDER: f32 = 1.25;
 
 /// A group of samples and what they are, in words.
@@ -60,8 +62,8 @@ struct Section {
 /// The calibration sheets for a profile, as many as the samples take; one page each.
 ///
 /// # Errors
-/// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of dots, whose size
-/// the device gives.
+/// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of
+/// dots, whose size the device gives.
 pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let profile = plan.profile();
     if let MediumParams::Dots { device, .. } = plan.medium() {
@@ -153,7 +155,8 @@ fn glyphs(params: &textures::Params) -> Section {
     Section { blocks: row(4, GLYPHS.map(sample)), key }
 }
 
-/// The table of one class. The middle density has no place on pages: it shows what a profile with wider textures would do.
+/// The table of one class. The middle density has no place on pages: it shows what a profile with wider textures
+/// would do.
 fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
     let wider = textures::Params {
         along: WIDER * params.along,
@@ -168,7 +171,8 @@ fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
     });
     let lightness = LIGHTNESS.map(|share| (100.0 * share * params.white_from).round() / 100.0);
     let key = format!(
-        "the texture of {}; down 1 dense, 2 the same {WIDER} times as far apart, 3 sparse; across for colours of lightness {}",
+        "the texture of {}; down 1 dense, 2 the same {WIDER} times as far apart, 3 sparse; across for colours of \
+        lightness {}",
         class.name(),
         listed(&lightness)
     );

@@ -10,15 +10,16 @@ use crate::page::layout::FrameParams;
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Length of a sample of lines, mm, with its round ends. Chosen by us: twice the 12.5 mm that BANA is quoted with for main
-/// lines.
+/// Length of a sample of lines, mm, with its round ends. Chosen by us: twice the 12.5 mm that BANA is quoted with for
+/// main lines.
 const LENGTH: f32 = 25.0;
 /// Blank around a label, mm: what other tools leave around braille on graphics.
 const LABEL_GAP: f32 = 3.0;
-/// Blank between a section's letter and its first sample, mm. Chosen by us: more than the 6 mm from one braille cell to the
-/// next, so that the letter is not read as part of a sample.
+/// Blank between a section's letter and its first sample, mm. Chosen by us: more than the 6 mm from one braille cell
+/// to the next, so that the letter is not read as part of a sample.
 const LETTER_GAP: f32 = 8.0;
-/// Blank between the samples of a table, mm. A study of guide maps found 5 mm easiest between a texture and its neighbour.
+/// Blank between the samples of a table, mm. A study of guide maps found 5 mm easiest between a texture and its
+/// neighbour.
 const CELL_GAP: f32 = 5.0;
 /// Least side of a texture's sample, mm: the least area whose texture can be identified is quoted as 13 x 13 mm.
 const SIDE: f32 = 13.0;
@@ -90,7 +91,8 @@ pub(super) fn side(params: &textures::Params) -> f32 {
     SIDE.max(6.0 * params.along.max(params.across).max(params.dot_pitch))
 }
 
-/// A square of the texture that a page has where a colour of this class and lightness is and lines have this density, 0..=1.
+/// A square of the texture that a page has where a colour of this class and lightness is and lines have this density,
+/// 0..=1.
 pub(super) fn texture(class: Class, lightness: f32, density: f32, side: f32, params: &textures::Params) -> Block {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(side, side));
     let textures = vec![textures::sample(class, lightness, density, area, params)];
@@ -107,7 +109,8 @@ pub(super) fn stacked(above: &Block, below: &Block) -> Block {
     block
 }
 
-/// A table of samples of one size with a letter in its corner, the numbers of the columns above and of the rows to the left.
+/// A table of samples of one size with a letter in its corner, the numbers of the columns above and of the rows to
+/// the left.
 pub(super) fn table(section: usize, rows: &[Vec<Block>]) -> Block {
     let number = |n: usize| label(&braille::number(n + 1), braille::PRINTED);
     let cell = rows.iter().flatten().fold(MmVector::zero(), |size, block| size.max(block.size));

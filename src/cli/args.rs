@@ -36,7 +36,8 @@ right for red; dots for greys; nothing for white. Darker colours have larger gly
 lies below the figure.
 
 The page is in true millimetres: an SVG drawing to be changed in a program such as Inkscape, a PDF to be printed, or a \
-PNG picture. Print it at 100 % on swell paper and heat it. With the profile of an embosser or a pin display it is dots.";
+PNG picture. Print it at 100 % on swell paper and heat it. With the profile of an embosser or a pin display it is \
+dots.";
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -52,7 +53,8 @@ const CONVERT_LONG_ABOUT: &str = "\
 Makes a page of each picture.
 
 Formats read: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM and SVG. The format is told from the contents, not \
-from the name. Written are SVG, PDF and PNG, and dots for embossers and pin displays, as the name for -o ends or --format says.
+from the name. Written are SVG, PDF and PNG, and dots for embossers and pin displays, as the name for -o ends or \
+--format says.
 
 The page of photo.png is photo.svg beside it, unless -o or --out-dir say otherwise. Where that is the picture itself, \
 because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is a file that \

@@ -14,7 +14,8 @@ pub(super) fn run(args: &Calibrate) -> Exit {
         Format::Drawing(format) => Some(format),
         Format::Dots(format) => {
             faults.push(format!(
-                "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or .png",
+                "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or \
+                .png",
                 format.name().to_uppercase()
             ));
             None

@@ -51,7 +51,8 @@ pub(super) fn check(path: &Path, product: Product, existing: Existing) -> anyhow
             let kept = existing == Existing::KeepOthers && !product.has_no_seal() && found.is_file() && found.len() > 0;
             if kept && !is_own(&path, product)? {
                 bail!(
-                    "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, move that \
+                    "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, \
+                    move that \
                      file away, or replace it with --force"
                 );
             }
@@ -81,7 +82,8 @@ pub(super) fn check_bytes(path: &Path, product: Product, existing: Existing, byt
     let same = found.len() == bytes.len() as u64 && fs::read(&path).map_err(|error| explain(&error, noun))? == bytes;
     if !same {
         bail!(
-            "this file exists and is another one, and files of this format cannot tell whether somebody has changed them; name \
+            "this file exists and is another one, and files of this format cannot tell whether somebody has changed \
+            them; name \
              the {noun} with -o, move that file away, or replace it with --force"
         );
     }

@@ -1,24 +1,27 @@
 //! Where a device can put dots on a sheet, and what is wrong with sheets and pitches it has no room for.
 
-use super::{Device, DotArea, Family, Grid, SAME, same};
+use super::device::{CELL_DOT, DOT_20_DPI, Device, DotArea, Family, Grid, PIN, SAME, same};
 use crate::units::{MmPoint, MmRect};
 
-/// From dot to dot at 20 dots per inch, mm.
-pub(super) const DOT_20_DPI: f32 = 1.27;
-/// From pin to pin, mm. The makers do not say or say about 2.5; nothing that is sent to a display depends on it.
-pub(super) const PIN: f32 = 2.5;
+impl Device {
+    /// Where dots can be on a sheet of this width and length, mm, with this pitch, mm.
+    ///
+    /// # Errors
+    /// All faults at once, each a line that says what the device can do instead.
+    pub fn dot_area(&self, sheet: [f32; 2], pitch: f32) -> Result<DotArea, Vec<String>> {
+        of(self, sheet, pitch)
+    }
+}
 
-/// From dot to dot in a cell, mm; this and the next two from NLS specification 800.
-pub(super) const CELL_DOT: f32 = 2.34;
 /// From cell to cell, mm.
 const CELL: f32 = 6.2;
 /// From line to line, mm.
 const LINE: f32 = 10.0;
-/// Blank edge of a sheet of cells, mm, with a dot's radius: embossers differ by some millimetres. Chosen by us; A4 then has 31
-/// cells in 28 lines, where embossers are set to 30 to 33 in 27 to 29.
+/// Blank edge of a sheet of cells, mm, with a dot's radius: embossers differ by some millimetres. Chosen by us; A4
+/// then has 31 cells in 28 lines, where embossers are set to 30 to 33 in 27 to 29.
 const CELLS_EDGE: f32 = 10.0;
-/// The American page, mm, and its cells: 11 1/2 x 11 inches of tractor paper have 40 cells in 25 lines, with room for holes and
-/// binding.
+/// The American page, mm, and its cells: 11 1/2 x 11 inches of tractor paper have 40 cells in 25 lines, with room for
+/// holes and binding.
 const AMERICAN: ([f32; 2], [usize; 2]) = ([292.1, 279.4], [40, 25]);
 
 /// What the rollers of a BrailleRAP hold of a sheet's length, mm: DesktopBrailleRAP leaves as much of A4 and of A3.
@@ -26,20 +29,20 @@ const HELD: f32 = 47.0;
 /// Shortest sheet of a BrailleRAP, mm: half a card more than what the rollers hold. Chosen by us.
 const SHORTEST_HELD: f32 = 74.0;
 
-/// Shortest side of a sheet that Index embossers take, mm: an inch, says their driver. The others are held to it too, since
-/// nothing can be told on less.
+/// Shortest side of a sheet that Index embossers take, mm: an inch, says their driver. The others are held to it too,
+/// since nothing can be told on less.
 const SHORTEST: f32 = 25.4;
 
 /// Index drivers count in hundredths of a millimetre, whole numbers rounded down.
 mod index {
     /// What the driver leaves for the last dot.
     pub(super) const DOT: i64 = 160;
-    /// Margins that the driver takes from the hardware: left, right, top, bottom. It knows them in points of 1/72 inch and
-    /// rounds up.
+    /// Margins that the driver takes from the hardware: left, right, top, bottom. It knows them in points of 1/72
+    /// inch and rounds up.
     pub(super) const MARGINS_V3: [i64; 4] = [0, 0, 201, 501];
     pub(super) const MARGINS_V4: [i64; 4] = [501; 4];
-    /// Widest that the head of a Basic-D embosses, which the driver does not know (BrailleUtils). No page that the driver names
-    /// is that wide.
+    /// Widest that the head of a Basic-D embosses, which the driver does not know (BrailleUtils). No page that the
+    /// driver names is that wide.
     pub(super) const REACH: i64 = 30_100;
 }
 
@@ -106,8 +109,8 @@ fn faults_of_sheet(device: &Device, sheet: [f32; 2]) -> Vec<String> {
     [fault("wide", width, SHORTEST, widest), fault("long", length, shortest, longest)].into_iter().flatten().collect()
 }
 
-/// The grid of the driver: as many columns and rows as it counts. It says nothing of where on the paper they are; they are
-/// taken to lie in the middle between the margins that it states, which is derived and may be off by a column.
+/// The grid of the driver: as many columns and rows as it counts. It says nothing of where on the paper they are;
+/// they are taken to lie in the middle between the margins that it states, which is derived and may be off by a column.
 fn of_index(sheet: [f32; 2], pitch: f32, [left, right, top, bottom]: [i64; 4]) -> Grid {
     let [width, length] = sheet.map(hundredths);
     let step = hundredths(pitch);
@@ -125,8 +128,8 @@ fn hundredths(mm: f32) -> i64 {
     (f64::from(mm) * 100.0).round() as i64
 }
 
-/// What the stylus reaches, in the middle of the sheet; a dot must lie on the paper. Where its zero is on the paper is nowhere
-/// said, so the middle is derived: the figure on paper may lie some millimetres aside.
+/// What the stylus reaches, in the middle of the sheet; a dot must lie on the paper. Where its zero is on the paper
+/// is nowhere said, so the middle is derived: the figure on paper may lie some millimetres aside.
 fn within(sheet: [f32; 2], reach: [f32; 2], diameter: f32) -> MmRect {
     let size: [f32; 2] = std::array::from_fn(|i| reach[i].min(sheet[i] - diameter));
     let corner: [f32; 2] = std::array::from_fn(|i| 0.5 * (sheet[i] - size[i]));

@@ -1,6 +1,16 @@
 //! The devices.
 
-use super::{Device, Family, Paper, area};
+use super::device::{Device, Family, PIN, Paper};
+
+impl Device {
+    /// All of them, in the order in which a list shows them.
+    pub const ALL: &'static [Self] = DEVICES;
+
+    /// The device with this id.
+    pub fn named(id: &str) -> Option<&'static Self> {
+        Self::ALL.iter().find(|device| device.id == id)
+    }
+}
 
 const fn index_v3(id: &'static str, name: &'static str, paper: Paper, widest: f32, longest: f32) -> Device {
     Device { id, name, family: Family::IndexV3 { paper }, widest, longest }
@@ -19,12 +29,12 @@ const fn viewplus(id: &'static str, name: &'static str, widest: f32, longest: f3
 }
 
 const fn pins(id: &'static str, name: &'static str, columns: u16, rows: u16) -> Device {
-    let [widest, longest] = [columns as f32 * area::PIN, rows as f32 * area::PIN];
+    let [widest, longest] = [columns as f32 * PIN, rows as f32 * PIN];
     Device { id, name, family: Family::Pins { columns, rows }, widest, longest }
 }
 
-/// Longest sheet of the Basic-D, S and 4-Waves, mm: 17 inches, the longest page that their driver names. They take tractor
-/// paper, which has no end, and the driver's own limit of 10 m is none.
+/// Longest sheet of the Basic-D, S and 4-Waves, mm: 17 inches, the longest page that their driver names. They take
+/// tractor paper, which has no end, and the driver's own limit of 10 m is none.
 const TRACTOR: f32 = 431.8;
 
 pub(super) const DEVICES: &[Device] = &[
@@ -63,7 +73,8 @@ pub(super) const DEVICES: &[Device] = &[
     pins("dot-pad", "Dot Pad", 60, 40),
     pins("monarch", "APH Monarch", 96, 40),
     pins("pins-120x60", "pin display of 120 x 60", 120, 60),
-    // The widest and longest of the Enabling Technologies, Braillo and ViewPlus embossers when they emboss text: 15 x 14 inches.
+    // The widest and longest of the Enabling Technologies, Braillo and ViewPlus embossers when they emboss text: 15 x
+    // 14 inches.
     Device {
         id: "braille-cells",
         name: "a braille-cell embosser",

@@ -8,8 +8,8 @@ pub mod simplify;
 
 use lyon::geom::euclid::{Point2D, Vector2D};
 
-/// Unit vector along the first eigenvector of the symmetric matrix `[[xx, xy], [xy, yy]]`; none if all directions are equal.
-/// Its sign has no meaning.
+/// Unit vector along the first eigenvector of the symmetric matrix `[[xx, xy], [xy, yy]]`; none if all directions are
+/// equal. Its sign has no meaning.
 #[inline(always)]
 pub fn first_eigenvector<U>(xx: f32, xy: f32, yy: f32) -> Option<Vector2D<f32, U>> {
     let difference = 0.5 * (xx - yy);

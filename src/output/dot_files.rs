@@ -23,13 +23,15 @@ impl Default for Embossing {
 }
 
 impl Embossing {
-    /// Everything for which an Index embosser refuses a sheet of this width and length, mm, dots this far apart, mm, or these numbers.
+    /// Everything for which an Index embosser refuses a sheet of this width and length, mm, dots this far apart, mm,
+    /// or these numbers.
     pub fn faults(&self, device: &Device, sheet: [f32; 2], pitch: f32) -> Vec<String> {
         index::Params::new(device, sheet, pitch, self.copies, self.impact).err().unwrap_or_default()
     }
 }
 
-/// The files of pages that belong together and are called `title`: one where the format holds them all, else one a page.
+/// The files of pages that belong together and are called `title`: one where the format holds them all, else one a
+/// page.
 ///
 /// # Errors
 /// [`Error::CannotPress`] if a page is not one of dots, its device does not take the format, or cannot reach all dots.

@@ -186,7 +186,8 @@ mod tests {
         let of = |id| Device::named(id).expect("in the table");
         assert_eq!(
             DotFormat::Brf.refusal(of("graphiti")).expect("it has no cells"),
-            "BRF is not for Orbit Graphiti, which takes pixels, ubrl, pef or txt; take one of these, or SVG, PDF or PNG to look at"
+            "BRF is not for Orbit Graphiti, which takes pixels, ubrl, pef or txt; take one of these, or SVG, PDF or \
+            PNG to look at"
         );
         assert!(DotFormat::Txt.refusal(of("braillerap-a4")).is_some_and(|why| why.contains("which takes gcode; ")));
     }

@@ -7,9 +7,9 @@
 //! ]}
 //! ```
 //!
-//! One polyline a line, so that tools of lines can count and choose. Lines of a page also have `width_mm`. Units are those
-//! of `contours`; points have at most 3 decimals (a thousandth of a pixel is below what can be measured), strengths
-//! and widths at most 2.
+//! One polyline a line, so that tools of lines can count and choose. Lines of a page also have `width_mm`. Units are
+//! those of `contours`; points have at most 3 decimals (a thousandth of a pixel is below what can be measured),
+//! strengths and widths at most 2.
 
 use super::text::push_number;
 use crate::contours::{Polyline, Trace};

@@ -40,8 +40,8 @@ impl Layer {
     }
 }
 
-/// The greys of no dot, and of a low, a middle and a high one: as far apart as they can be, so that a driver that has more
-/// heights than we use maps them to heights that differ.
+/// The greys of no dot, and of a low, a middle and a high one: as far apart as they can be, so that a driver that has
+/// more heights than we use maps them to heights that differ.
 pub(super) const GREYS: [u8; 4] = [255, 170, 85, 0];
 
 /// The grey of a dot's height, 0 black: what is lighter is raised less.

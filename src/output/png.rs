@@ -21,8 +21,8 @@ use crate::units::Size;
 pub struct Dpi(u32);
 
 impl Dpi {
-    /// Coarsest: a pixel is half a millimetre, two thirds of the thinnest line of the built-in profiles. Below that, lines
-    /// would come and go with the grid.
+    /// Coarsest: a pixel is half a millimetre, two thirds of the thinnest line of the built-in profiles. Below that,
+    /// lines would come and go with the grid.
     pub const LEAST: u32 = 50;
     /// Finest: the finest that laser printers draw.
     pub const MOST: u32 = 1200;
@@ -47,7 +47,8 @@ impl Default for Dpi {
 /// What a pixel can be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Depth {
-    /// Black or white, one bit: black where ink covers at least half of the pixel. Printers then have nothing to screen.
+    /// Black or white, one bit: black where ink covers at least half of the pixel. Printers then have nothing to
+    /// screen.
     #[default]
     Bilevel,
     /// One of 256 greys, so that edges look smooth on a display.
@@ -58,7 +59,8 @@ pub enum Depth {
 const MOST_MEGAPIXELS: u64 = 400;
 /// Pixels of a band, at 4 bytes each while it is rendered: an A4 sheet at 300 dpi is one band.
 const BAND: u32 = 16 << 20;
-/// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 14 % smaller than at 3, and rendering takes most of the time.
+/// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 14 % smaller than at 3, and rendering takes most of
+/// the time.
 const LEVEL: u8 = 6;
 
 /// The page as a PNG. The same page gives the same bytes.

@@ -1,7 +1,8 @@
-//! A number that is computed from a file and stands in it, so that a later look tells whether anybody has changed the file.
+//! A number that is computed from a file and stands in it, so that a later look tells whether anybody has changed the
+//! file.
 //!
-//! Whatever program writes a file again changes its bytes, and so does a person in a text editor: the number does not fit any
-//! more.
+//! Whatever program writes a file again changes its bytes, and so does a person in a text editor: the number does not
+//! fit any more.
 
 /// FNV-1a of 64 bits (Fowler, Noll and Vo): a few operations a byte, and enough against accidents, which is all that is
 /// asked for.

@@ -1,4 +1,5 @@
-//! A page as an SVG document in true millimetres, pure black on white, with the ids and layers that other programs rely on.
+//! A page as an SVG document in true millimetres, pure black on white, with the ids and layers that other programs
+//! rely on.
 //!
 //! ```text
 //! svg > title, desc, metadata (lines "name = value")
@@ -71,7 +72,8 @@ pub fn write(page: &Page) -> String {
     text + &seal
 }
 
-/// Whether these bytes are a drawing as [`write()`] makes it, changed by nobody since: neither in an editor nor by hand.
+/// Whether these bytes are a drawing as [`write()`] makes it, changed by nobody since: neither in an editor nor by
+/// hand.
 pub fn is_as_written(bytes: &[u8]) -> bool {
     seal::is_commented(bytes)
 }
@@ -112,8 +114,8 @@ fn figure(figure: &Figure, of_textures: Height) -> Group {
     if figure.lines.is_empty() { group } else { group.add(lines(with_strokes(layer(Layer::Lines)), &figure.lines)) }
 }
 
-/// All glyphs of a region as one object, so that a person can delete, move or change it as a whole; what it stands for is
-/// said beside it.
+/// All glyphs of a region as one object, so that a person can delete, move or change it as a whole; what it stands
+/// for is said beside it.
 fn region(number: usize, texture: &Texture) -> Path {
     let (name, area) = (texture.class.name(), texture.area.round());
     Path::new()
@@ -203,8 +205,8 @@ fn glyph_path(glyphs: &[Glyph]) -> String {
     d
 }
 
-/// A disc as two half circles. The way across is twice the radius as written: were it rounded by itself, the arcs would be a
-/// little more or less than half circles, and a disc of 1.294 mm 0.17 mm too high.
+/// A disc as two half circles. The way across is twice the radius as written: were it rounded by itself, the arcs
+/// would be a little more or less than half circles, and a disc of 1.294 mm 0.17 mm too high.
 fn push_disc(d: &mut String, at: MmPoint, diameter: f32) {
     let rounded = (50.0 * f64::from(diameter)).round() as f32 / 100.0;
     d.push('M');

@@ -15,8 +15,8 @@ pub(super) fn origin_lines(origin: &[(String, String)]) -> impl Iterator<Item = 
     origin.iter().map(|(name, value)| plain(&format!("{name} = {value}")))
 }
 
-/// Adds a finite number with at most `DECIMALS` decimals and no zeros at its end; from 2^64 of its last units on it is cut. Numbers
-/// are most of a document: without the machinery of `format!` they take a third of the time.
+/// Adds a finite number with at most `DECIMALS` decimals and no zeros at its end; from 2^64 of its last units on it
+/// is cut. Numbers are most of a document: without the machinery of `format!` they take a third of the time.
 pub(super) fn push_number<const DECIMALS: u32>(out: &mut String, value: f32) {
     let unit = 10_u64.pow(DECIMALS);
     let units = (f64::from(value.abs()) * unit as f64 + 0.5) as u64;

@@ -6,8 +6,8 @@ use crate::units::{MmPoint, MmVector};
 const DOT: f32 = 2.5;
 /// From cell to cell, mm: Marburg Medium.
 const CELL: f32 = 6.0;
-/// Diameter that dots are printed with, mm. A dot of Marburg Medium has 1.6 mm; on swell paper it grows, which is why the
-/// fonts made for it are set at 24 points in place of 29 to come out the same: 1.6 x 24 / 29.
+/// Diameter that dots are printed with, mm. A dot of Marburg Medium has 1.6 mm; on swell paper it grows, which is why
+/// the fonts made for it are set at 24 points in place of 29 to come out the same: 1.6 x 24 / 29.
 pub(crate) const PRINTED: f32 = 1.3;
 
 /// Says that digits follow; digits are the letters a to j.

@@ -1,7 +1,7 @@
 //! Where things lie on a device's grid of dots: as on paper, moved on to the grid.
 //!
-//! From left to right the picture is centred on the grid, so that a flipped one takes the same dots, flipped; from top to bottom
-//! it begins in the middle between two rows.
+//! From left to right the picture is centred on the grid, so that a flipped one takes the same dots, flipped; from
+//! top to bottom it begins in the middle between two rows.
 
 use super::frame;
 use super::medium::{DotMedium, Medium};
@@ -13,8 +13,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// Less than the distance of any two dots, mm.
 const HAIR: f32 = 1e-3;
 
-/// A picture whose width is `aspect` times its height, as large as the device allows on a sheet that lies this way, but not
-/// wider than `widest`.
+/// A picture whose width is `aspect` times its height, as large as the device allows on a sheet that lies this way,
+/// but not wider than `widest`.
 pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, medium: DotMedium) -> Layout {
     let usable = medium.usable();
     let overview = params.overview;
@@ -67,8 +67,8 @@ fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
     MmRect::new(min, min + MmVector::new(figure.width() - 2.0 * HAIR, figure.height()))
 }
 
-/// The ends of the orientation mark on dots that are as many columns as rows apart; the lower right one is the nearest, so that all
-/// of it keeps the margin.
+/// The ends of the orientation mark on dots that are as many columns as rows apart; the lower right one is the
+/// nearest, so that all of it keeps the margin.
 fn mark_on_grid(points: Vec<MmPoint>, area: &DotArea) -> Vec<MmPoint> {
     let (DotArea::Grid(grid), [a, .., b]) = (area, &points[..]) else { return points };
     let (from, to) = (grid.nearest(*a), grid.nearest(*b));

@@ -1,5 +1,6 @@
-//! The frame: rows of fine dots around a picture, neutral as the texture of grey and much finer. Of dots that a device raises it is
-//! a single row: on a grid a ring of dots, every so many, with as many empty dots inside it as make up its gap.
+//! The frame: rows of fine dots around a picture, neutral as the texture of grey and much finer. Of dots that a
+//! device raises it is a single row: on a grid a ring of dots, every so many, with as many empty dots inside it as
+//! make up its gap.
 
 use super::medium::DotMedium;
 use super::parts::Dots;
@@ -7,8 +8,8 @@ use super::sheet::FrameParams;
 use crate::devices::{DotArea, Grid};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// A frame of several rows, for print: rows as in a hexagonal lattice, as many as the band has room for, the innermost at its inner
-/// edge.
+/// A frame of several rows, for print: rows as in a hexagonal lattice, as many as the band has room for, the
+/// innermost at its inner edge.
 pub fn printed(picture: MmRect, params: &FrameParams) -> Dots {
     let row_pitch = params.pitch * 0.75_f32.sqrt();
     let rows = ((params.width - params.dot) / row_pitch).floor().max(0.0) as u32 + 1;

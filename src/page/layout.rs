@@ -3,8 +3,8 @@
 //! ```text
 //!  +--------- sheet ----------+
 //!  |  margin                \ |   The orientation mark cuts the top right corner of what can be printed.
-//!  |   ::::::: frame :::::::  |   The frames hug the pictures, so that a finger on the frame knows the picture's shape.
-//!  |   ::  gap             :: |
+//!  |   ::::::: frame :::::::  |   The frames hug the pictures, so that a finger on the frame
+//!  |   ::  gap             :: |   knows the picture's shape.
 //!  |   ::    figure        :: |
 //!  |   ::                  :: |
 //!  |   :::::::::::::::::::::: |
@@ -23,8 +23,9 @@ use crate::units::MmRect;
 
 pub use super::sheet::{FrameParams, Layout, MarkParams, Orientation, OverviewParams, Params};
 
-/// Lays out a picture whose width is `aspect` times its height, as large as the sheet allows but not wider than `widest`,
-/// centred from left to right and beginning at the top margin, or as far below it as the orientation mark needs.
+/// Lays out a picture whose width is `aspect` times its height, as large as the sheet allows but not wider than
+/// `widest`, centred from left to right and beginning at the top margin, or as far below it as the orientation mark
+/// needs.
 pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
     let [a, b] = params.sheet;
     let upright = [a.min(b), a.max(b)];

@@ -57,7 +57,8 @@ impl Medium {
 }
 
 impl DotMedium {
-    /// The dots of a device on a sheet of this width and length, mm; none if the device does not take the sheet or has no such pitch.
+    /// The dots of a device on a sheet of this width and length, mm; none if the device does not take the sheet or
+    /// has no such pitch.
     pub fn on(device: &'static Device, pitch: f32, sheet: [f32; 2]) -> Option<Self> {
         let area = device.dot_area(sheet, pitch).ok()?;
         Some(Self { device, pitch, area })
@@ -73,8 +74,8 @@ impl DotMedium {
         self.device.diameter()
     }
 
-    /// The part of the sheet that dots stand for: on a grid a dot stands for what is half a pitch around it, elsewhere the bounds are
-    /// those of the centres of dots.
+    /// The part of the sheet that dots stand for: on a grid a dot stands for what is half a pitch around it,
+    /// elsewhere the bounds are those of the centres of dots.
     pub(super) fn usable(&self) -> MmRect {
         let half = match self.area {
             DotArea::Grid(_) => 0.5 * self.pitch,

@@ -146,8 +146,8 @@ impl Page {
         Ok(Self { parts })
     }
 
-    /// The same page with words of its maker's: a title, a description, and the language of both (BCP 47, such as `en`). What
-    /// is not given stays.
+    /// The same page with words of its maker's: a title, a description, and the language of both (BCP 47, such as
+    /// `en`). What is not given stays.
     #[must_use]
     pub fn called(mut self, title: Option<&str>, description: Option<&str>, language: Option<&str>) -> Self {
         let put = |place: &mut String, words: Option<&str>| {
@@ -175,8 +175,8 @@ impl Page {
         if self.medium.has_heights() { height } else { Height::High }
     }
 
-    /// Share of the figure that is black, 0..=1: the ink of its lines and glyphs by its area. Where lines meet, ink that lies
-    /// on ink counts twice, which is a thousandth or two.
+    /// Share of the figure that is black, 0..=1: the ink of its lines and glyphs by its area. Where lines meet, ink
+    /// that lies on ink counts twice, which is a thousandth or two.
     pub fn black_share(&self) -> f32 {
         let of_run = |run: &Run| match run.pen {
             Pen::Stroke => run.width * run.polyline().length(),

@@ -132,9 +132,9 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// How far, across and down added up, the top right corner of the figure's frame must lie from the corner of what can be
-    /// printed to keep its distance from the mark: u to the left of that corner and v down, it lies (u + v) / sqrt 2 from
-    /// the line that cuts the corner there.
+    /// How far, across and down added up, the top right corner of the figure's frame must lie from the corner of what
+    /// can be printed to keep its distance from the mark: u to the left of that corner and v down, it lies (u + v) /
+    /// sqrt 2 from the line that cuts the corner there.
     fn cut(&self) -> f32 {
         let cut = |mark: MarkParams| leg(mark) + mark.width + SQRT_2 * (0.5 * mark.width + mark.gap);
         self.params.mark.map_or(0.0, cut)

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //!  +------------------+ +------------------+     The picture with its frame is drawn once, in the space of all sheets
-//!  | a1       |     \ | |  |  a2         \ |     together, and every sheet shows what is in its window. Windows overlap,
-//!  |  ::::::::::::::  | | :::::::::::::::  |     so what is in the overlap is the same on both sheets.
+//!  | a1       |     \ | |  |  a2         \ |     together, and every sheet shows what is in its
+//!  |  ::::::::::::::  | | :::::::::::::::  |     window. Windows overlap: both sheets show the same there.
 //!  | -::  window     -| |-    window   :: -|
-//!  |  ::          |   | |  |           ::  |     Ticks lie beside the windows in the middle of each overlap: sheets lie
-//!  +------------------+ +------------------+     right when their ticks do.
+//!  |  ::          |   | |  |           ::  |     Ticks lie beside the windows in the middle of each
+//!  +------------------+ +------------------+     overlap: sheets lie right when their ticks do.
 //! ```
 
 use std::str::FromStr;
@@ -33,7 +33,8 @@ impl Grid {
     /// Most sheets across or down: the label of a row is a letter, that of a column a digit.
     pub const MOST: u32 = 9;
 
-    /// `across` sheets by `down` sheets; none unless both are from 1 to [`Grid::MOST`] and there are at least two sheets.
+    /// `across` sheets by `down` sheets; none unless both are from 1 to [`Grid::MOST`] and there are at least two
+    /// sheets.
     pub fn new(across: u32, down: u32) -> Option<Self> {
         let good = |count| (1..=Self::MOST).contains(&count);
         (good(across) && good(down) && across * down > 1).then_some(Self { across, down })
@@ -73,8 +74,8 @@ impl std::fmt::Display for Grid {
 const TICK: f32 = 5.0;
 /// Width of a tick, mm. Chosen by us, because it is that of most lines of a picture.
 const TICK_WIDTH: f32 = 1.5;
-/// Blank between ticks and the window, and between them and what lies above, mm: the 1/8 inch rule (L. Hasty), the least
-/// between any two things.
+/// Blank between ticks and the window, and between them and what lies above, mm: the 1/8 inch rule (L. Hasty), the
+/// least between any two things.
 const GAP: f32 = 3.2;
 /// What ticks take on each side of a window.
 const BAND: f32 = TICK + GAP;
@@ -96,8 +97,8 @@ pub struct Spread {
     overlap: f32,
 }
 
-/// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not wider
-/// than `widest`, in their middle. None where the sheets have no room.
+/// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not
+/// wider than `widest`, in their middle. None where the sheets have no room.
 pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
     let [a, b] = params.sheet;
     let (short, long) = (a.min(b), a.max(b));
@@ -253,8 +254,8 @@ impl Spread {
     }
 }
 
-/// The pieces of a line whose ink lies in a window. What is shorter than it is wide goes: a blot at the edge, of which the
-/// neighbour has the whole.
+/// The pieces of a line whose ink lies in a window. What is shorter than it is wide goes: a blot at the edge, of
+/// which the neighbour has the whole.
 fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
     let mut pieces: Vec<Line> = Vec::new();
     for run in &line.runs {
@@ -289,7 +290,8 @@ fn cut_polyline(polyline: PolylineRef<'_, MmPoint>, rect: MmRect) -> Vec<Vec<MmP
     pieces
 }
 
-/// The part of a segment in a rectangle (Liang and Barsky, 1984); an end that lies within stays as it is, to the last bit.
+/// The part of a segment in a rectangle (Liang and Barsky, 1984); an end that lies within stays as it is, to the last
+/// bit.
 fn cut_segment(a: MmPoint, b: MmPoint, rect: MmRect) -> Option<(MmPoint, MmPoint)> {
     let way = b - a;
     let (mut from, mut to) = (0.0_f32, 1.0_f32);

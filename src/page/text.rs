@@ -1,5 +1,5 @@
-//! A page in words: the description that is read aloud, and all marks as plain text, so that a diff shows in what two pages
-//! differ.
+//! A page in words: the description that is read aloud, and all marks as plain text, so that a diff shows in what two
+//! pages differ.
 
 use std::fmt::{Display, Formatter, Result};
 
@@ -7,8 +7,8 @@ use super::medium::{DotMedium, Medium};
 use super::parts::{Class, Dots, Figure, Line, Overview, Page, Pen, Run, Shape};
 use crate::devices::DotArea;
 
-/// A description for people who do not see the page: its size, how many contours, the share of each colour (in the order of
-/// [`Class::ALL`], 0..=1, the rest is white).
+/// A description for people who do not see the page: its size, how many contours, the share of each colour (in the
+/// order of [`Class::ALL`], 0..=1, the rest is white).
 pub fn describe(figure: &Figure, overview: Option<&Overview>, shares: Option<[f32; 5]>) -> String {
     let (width, height) = (figure.place.width().round(), figure.place.height().round());
     let mut text = format!("Tactile graphic, {width} by {height} millimetres, {}.", contours(figure.lines.len()));

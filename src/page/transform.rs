@@ -8,9 +8,9 @@ use crate::units::{MmPoint, MmRect};
 const LEAST_TICK: f32 = 0.5;
 
 impl Parts {
-    /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now once they have
-    /// risen. Labels stay: their dots already have the size to be printed. A mark that is no wider than `swell` would vanish; a
-    /// [`Plan`](crate::profile::Plan) has none.
+    /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now
+    /// once they have risen. Labels stay: their dots already have the size to be printed. A mark that is no wider
+    /// than `swell` would vanish; a [`Plan`](crate::profile::Plan) has none.
     pub fn narrowed(&mut self, swell: f32) {
         if swell <= 0.0 {
             return;
@@ -37,8 +37,8 @@ impl Shape {
         match self {
             Self::Dot { diameter } => Self::Dot { diameter: (diameter - swell).max(0.0) },
             Self::Rhombus { length, thickness, degrees } => {
-                // All four sides lie as far from the middle as the radius of the circle that touches them, and sides moved
-                // inwards make a smaller rhombus of the same shape.
+                // All four sides lie as far from the middle as the radius of the circle that touches them, and sides
+                // moved inwards make a smaller rhombus of the same shape.
                 let radius = 0.5 * length * thickness / length.hypot(thickness);
                 let share = (1.0 - 0.5 * swell / radius).max(0.0);
                 Self::Rhombus { length: length * share, thickness: thickness * share, degrees }
@@ -121,8 +121,8 @@ mod tests {
     use super::*;
     use crate::geom::nearest_on_segment;
 
-    /// Every corner of the narrow rhombus lies half of the swelling from the sides of the wide one, so that swelling by that
-    /// much on each side gives the wide one.
+    /// Every corner of the narrow rhombus lies half of the swelling from the sides of the wide one, so that swelling
+    /// by that much on each side gives the wide one.
     #[test]
     fn a_rhombus_is_narrowed_evenly_on_its_four_sides() {
         for (length, thickness, degrees) in [(2.2, 1.2, 0.0), (1.65, 0.6, 45.0), (3.0, 3.0, 135.0)] {

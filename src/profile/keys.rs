@@ -145,7 +145,10 @@ macro_rules! table {
     ($(
         $(#[doc = $section_doc:literal])+
         $section:ident: $settings:ident {
-            $( $(#[doc = $doc:literal])+ $key:ident: $kind:ty $(= $low:literal to $high:literal $(, $unit:literal)?)?; )+
+            $(
+                $(#[doc = $doc:literal])+
+                $key:ident: $kind:ty $(= $low:literal to $high:literal $(, $unit:literal)?)?;
+            )+
         }
     )+) => {
         $(

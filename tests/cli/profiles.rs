@@ -164,7 +164,7 @@ fn detail_is_short_for_a_key_and_counts_after_set() {
     assert_eq!(least, page(&["--set", "lines.detail=0"]));
     assert_eq!(least, page(&["--detail", "0", "--set", "lines.detail=1"]));
     for wrong in ["2", "-0.5", "much"] {
-        let what = format!("--set lines.detail={wrong}: lines.detail must be a number from 0 to 1, not {wrong}");
+        let what = format!("--detail {wrong}: lines.detail must be a number from 0 to 1, not {wrong}");
         place.refuses(&["convert", "a.png", "--detail", wrong], 2, &[&what]);
     }
 }

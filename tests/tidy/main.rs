@@ -116,7 +116,6 @@ fn files_are_short_and_say_what_they_are() {
 }
 
 #[test]
-#[ignore = "some are left"]
 fn lines_are_not_wide() {
     complain(sources().iter().flat_map(|(file, text)| wide_lines(file, text)).collect());
 }

@@ -11,12 +11,15 @@ pub(super) const LONG_ABOUT: &str = "\
 Makes a sheet of samples to be printed once: lines of every width, gaps, braille, frames, the smallest glyphs, and all \
 textures.
 
-Print it on your paper, heat it as you always do, and feel it together with a blind reader: the thinnest line that can be \
-followed, the narrowest gap that parts two lines, the smallest glyph that is felt. Write these numbers into a profile of \
+Print it on your paper, heat it as you always do, and feel it together with a blind reader: the thinnest line that \
+can be \
+followed, the narrowest gap that parts two lines, the smallest glyph that is felt. Write these numbers into a profile \
+of \
 your own; everything else stays.
 
 Every sample has its number below it, and every group its letter, in braille. What they are is told here and in the \
-file's own description. Samples that do not find room on one sheet go on on another: as PDF in the same file, as SVG or \
+file's own description. Samples that do not find room on one sheet go on on another: as PDF in the same file, as SVG \
+or \
 PNG in files with numbers, sheet-1.svg, sheet-2.svg.";
 
 pub(super) const AFTER_LONG_HELP: &str = "\

@@ -73,14 +73,16 @@ pub(in crate::cli) struct Shared {
     /// Refuses pictures with more pixels than this, in millions of pixels
     ///
     /// Checked before decoding. A guard against files that claim to be huge. Range: 1 to 1000000.
-    #[arg(long, value_name = "N", default_value_t = Limits::default().megapixels, value_parser = limit, hide_short_help = true)]
+    #[arg(long, value_name = "N", default_value_t = Limits::default().megapixels)]
+    #[arg(value_parser = limit, hide_short_help = true)]
     max_megapixels: u64,
 
     /// Refuses pictures that take more memory than this, in megabytes
     ///
     /// Counts what one picture needs for its file and, apart from that, for decoding it; pictures that are worked on
     /// side by side each have this much. Range: 1 to 1000000.
-    #[arg(long, value_name = "MB", default_value_t = Limits::default().memory_mb, value_parser = limit, hide_short_help = true)]
+    #[arg(long, value_name = "MB", default_value_t = Limits::default().memory_mb)]
+    #[arg(value_parser = limit, hide_short_help = true)]
     max_memory: u64,
 }
 

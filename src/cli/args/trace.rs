@@ -21,7 +21,8 @@ x runs to the right and y down, in pixels of the picture as it is seen (after th
 middle of the first pixel is 0.5, 0.5. This holds whatever size the picture is worked on. A closed polyline goes on \
 from its last point to its first, which is not repeated.
 
-Strength is the height of the colour step in units of lightness (0 to 100), with the colour axes of CIELAB counted twice: black against white \
+Strength is the height of the colour step in units of lightness (0 to 100), with the colour axes of CIELAB counted \
+twice: black against white \
 is 100, a step of 10 grey values of 255 about 4, and below 10 a step is hardly worth a line on a page.";
 
 pub(super) const AFTER_LONG_HELP: &str = "\
@@ -105,7 +106,8 @@ impl Trace {
             (Stage::Lines, false) => Tracing::lines(),
             (Stage::Lines, true) => {
                 return Err(
-                    "--full-resolution does not go with --stage lines: a page has lines only at the size that its profile works on; \
+                    "--full-resolution does not go with --stage lines: a page has lines only at the size that its \
+                    profile works on; \
                  leave one out, or make that size larger with --set figure.resolution=12",
                 );
             }

@@ -68,7 +68,8 @@ impl Writing {
         for (option, given) in [("--dpi", self.dpi.is_some()), ("--grey", self.grey)] {
             if given && format != Format::Drawing(DrawingFormat::Png) {
                 faults.push(format!(
-                    "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in .png",
+                    "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in \
+                    .png",
                     format.name().to_uppercase()
                 ));
             }

@@ -1,8 +1,8 @@
 //! The marks of a page as PDF drawing operators.
 //!
-//! User space is turned to y down and scaled to hundredths of a millimetre, so that every number is a whole one, the same
-//! that the SVG has with a point in it. All ink is DeviceGray 0, set once: what is black here is black on any printer, and
-//! never a mixture of colours.
+//! User space is turned to y down and scaled to hundredths of a millimetre, so that every number is a whole one, the
+//! same that the SVG has with a point in it. All ink is DeviceGray 0, set once: what is black here is black on any
+//! printer, and never a mixture of colours.
 
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Name, Settings};
@@ -17,8 +17,8 @@ pub(super) const POINTS_PER_MM: f32 = 72.0 / 25.4;
 const UNITS: f32 = 100.0;
 /// The page's only piece of tagged content.
 pub(super) const MARKED_CONTENT: i32 = 0;
-/// A quarter of a circle of radius 1 as a Bezier curve has its control points this far from its ends; it then leaves the
-/// circle by at most 0.03 % of the radius. From 4/3 (sqrt 2 - 1).
+/// A quarter of a circle of radius 1 as a Bezier curve has its control points this far from its ends; it then leaves
+/// the circle by at most 0.03 % of the radius. From 4/3 (sqrt 2 - 1).
 const CIRCLE: f32 = 0.552_284_8;
 
 /// A page's content stream, not compressed. `name_of` gives the name of a layer in the page's resources.

@@ -1,5 +1,5 @@
-//! Pages as a PDF document in true millimetres, written straight from the pages: DeviceGray black, layers, and words that a
-//! screen reader finds.
+//! Pages as a PDF document in true millimetres, written straight from the pages: DeviceGray black, layers, and words
+//! that a screen reader finds.
 //!
 //! ```text
 //! catalog   language, "show the title", "print at true size" (no scaling)
@@ -31,12 +31,12 @@ use crate::page::Page;
 
 /// Who wrote the file.
 const PROGRAM: &str = concat!("tactograph ", env!("CARGO_PKG_VERSION"));
-/// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 1 to 2 % larger than at 6, and 20,000 glyphs take half the
-/// time.
+/// Of zlib-rs, 1..=9. Measured on pages of photographs: files are 1 to 2 % larger than at 6, and 20,000 glyphs take
+/// half the time.
 const LEVEL: Compression = Compression::new(3);
 
-/// The pages as one PDF document called `title`, which has the language and the origin of the first. The same pages give the
-/// same bytes.
+/// The pages as one PDF document called `title`, which has the language and the origin of the first. The same pages
+/// give the same bytes.
 pub fn write(title: &str, pages: &[Page]) -> Vec<u8> {
     let mut pdf = Pdf::with_settings(Settings { pretty: false });
     let ids = Ids::new(pages);
@@ -216,8 +216,18 @@ fn rect(page: &Page) -> Rect {
     Rect::new(0.0, 0.0, width, height)
 }
 
-/// What a PDF says of itself as XMP, for a document whose first page is this. The number of PDF/UA says that the file keeps the rules of
-/// ISO 14289-1 (accessible PDF); `tactograph:made` says how the page was made, as the SVG does in its `metadata`.
+/// The vocabularies of the metadata.
+const NAMESPACES: &str = concat!(
+    r#" xmlns:dc="http://purl.org/dc/elements/1.1/""#,
+    r#" xmlns:xmp="http://ns.adobe.com/xap/1.0/""#,
+    r#" xmlns:pdf="http://ns.adobe.com/pdf/1.3/""#,
+    r#" xmlns:pdfuaid="http://www.aiim.org/pdfua/ns/id/""#,
+    r#" xmlns:tactograph="urn:tactograph:1""#,
+);
+
+/// What a PDF says of itself as XMP, for a document whose first page is this. The number of PDF/UA says that the file
+/// keeps the rules of ISO 14289-1 (accessible PDF); `tactograph:made` says how the page was made, as the SVG does in
+/// its `metadata`.
 fn xmp(title: &str, page: &Page) -> String {
     let (title, description) = (escaped(title), escaped(&page.description));
     let language = escaped(&page.language);
@@ -229,7 +239,7 @@ fn xmp(title: &str, page: &Page) -> String {
         r#"<?xpacket begin="{bom}" id="W5M0MpCehiHzreSzNTczkc9d"?>
 <x:xmpmeta xmlns:x="adobe:ns:meta/">
 <rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
-<rdf:Description rdf:about="" xmlns:dc="http://purl.org/dc/elements/1.1/" xmlns:xmp="http://ns.adobe.com/xap/1.0/" xmlns:pdf="http://ns.adobe.com/pdf/1.3/" xmlns:pdfuaid="http://www.aiim.org/pdfua/ns/id/" xmlns:tactograph="urn:tactograph:1">
+<rdf:Description rdf:about=""{NAMESPACES}>
 <pdfuaid:part>1</pdfuaid:part>
 <dc:format>application/pdf</dc:format>
 <dc:title><rdf:Alt><rdf:li xml:lang="x-default">{title}</rdf:li></rdf:Alt></dc:title>
