@@ -12,7 +12,7 @@ use super::report::{Exit, Report};
 use super::settings::Change;
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{input, output, panics, settings, sheets};
+use super::{input, output, panics, settings};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {

@@ -22,7 +22,7 @@ mod trace;
 use std::process::ExitCode;
 
 use args::{Command, Parsed, ProfilesCommand};
-use report::{Exit, Report};
+use report::Report;
 
 /// Runs the program with the arguments it was started with.
 pub(crate) fn run() -> ExitCode {
