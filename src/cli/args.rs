@@ -189,7 +189,9 @@ pub(super) struct Convert {
     #[arg(long, value_name = "TEXT", value_parser = words)]
     alt: Option<String>,
 
-    /// Language of --title and --alt, so that a screen reader speaks them well: de, fr-CA and the like
+    /// Language of --title and --alt, such as de or fr-CA
+    ///
+    /// With it a screen reader speaks them well.
     ///
     /// The description that is made without --alt is in English.
     ///

@@ -62,7 +62,7 @@ pub(in crate::cli) struct Shared {
     #[arg(short, long)]
     pub(in crate::cli) quiet: bool,
 
-    /// Replaces files that are there already, whoever wrote them
+    /// Replaces files that are there already
     ///
     /// Without it, a file whose name the program makes up is replaced only if it is as this program wrote it. Where a
     /// format cannot tell that (ubrl, brf, idx, txt), only if the new one has the same bytes. A picture is never
