@@ -49,8 +49,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Dots for an embosser or a pin display. Of such a page the overview has a sheet of its own, and the files of all sheets come
-//! together:
+//! Dots for an embosser or a pin display. Of such a page the overview has a sheet of its own, and the files of all
+//! sheets come together:
 //!
 //! ```
 //! use tactograph::{DotFormat, Embossing, Options, Profile};
