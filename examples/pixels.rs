@@ -1,4 +1,5 @@
 //! Pixels in memory to a page and to what a fingertip feels of it: `cargo run --example pixels`.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 use tactograph::{Error, Options, Picture, Profile};
 

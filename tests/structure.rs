@@ -66,7 +66,7 @@ fn pages_have_the_structure_that_others_rely_on() {
             let white = layer.attribute("id") == Some("figure") && page.is_empty();
             assert!(white || layer.has_children(), "{name}: an empty group");
         }
-        regions_say_what_they_are(&document, &page, &name);
+        regions_say_what_they_are(&document, page, &name);
         if let Some(lines) = by_id(&document, "lines") {
             let contours: Vec<_> = lines.children().filter(Node::is_element).collect();
             assert_eq!(contours.len(), page.figure.lines.len(), "{name}");

@@ -156,9 +156,9 @@ mod tests {
     #[test]
     fn a_contour_whose_ends_meet_is_closed_and_a_short_one_is_not() {
         let square = polyline(&[(3.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.0), (1.0, 0.0)]);
-        assert_eq!(joined(&[square.clone()]), [(square.vertices.len() + 1, true)]);
+        assert_eq!(joined(std::slice::from_ref(&square)), [(square.vertices.len() + 1, true)]);
         let hook = polyline(&[(3.0, 0.0), (3.0, 2.0), (0.0, 2.0), (0.0, 0.0)]);
-        assert_eq!(joined(&[hook.clone()]), [(hook.vertices.len(), false)]);
+        assert_eq!(joined(std::slice::from_ref(&hook)), [(hook.vertices.len(), false)]);
     }
 
     #[test]

@@ -211,6 +211,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::float_cmp, reason = "numbers are as they are written, to the bit")]
     fn a_file_inherits_files_from_where_it_lies() {
         let profile = read("inherits = \"our.toml\"\nlines.detail = 0.6", "school/me.toml").expect("it is sound");
         assert_eq!([profile.lines.width_max, profile.lines.min_length, profile.lines.detail], [1.4, 9.0, 0.6]);

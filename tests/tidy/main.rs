@@ -100,6 +100,7 @@ fn files_of_a_module_form_no_circle() {
 }
 
 #[test]
+#[expect(clippy::print_stdout, reason = "a list for whoever asks for it with --nocapture")]
 fn files_are_short_and_say_what_they_are() {
     let sources = sources();
     let short = sources.iter().filter(|(_, text)| text.lines().count() < FEW_LINES);

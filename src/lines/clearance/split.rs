@@ -126,6 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[expect(clippy::single_range_in_vec_init, reason = "lists of stretches, of which there may be one")]
     fn stretches_end_where_a_near_one_has_something_too_near() {
         use State::{Free, Joined, TooNear};
         let all = |states: &[State]| clear_stretches(states);
