@@ -1,6 +1,6 @@
 //! Regions become patterns of equal dots: the textures of a device that has no rhombuses.
 //!
-//! The meaning is that of [`crate::textures`]: *direction* by class, here by rows of dots, and no direction for the
+//! The meaning is that of `textures`: *direction* by class, here by rows of dots, and no direction for the
 //! class whose sign is dots; fewer dots where a colour is light and where lines are far. A dot has one size, so both
 //! act on the *number* of dots. There are none where the picture is white.
 //!
