@@ -46,7 +46,7 @@ pub enum Error {
     /// Decoding would take more memory than the limit allows.
     #[error(
         "decoding this {format} of {size} pixels would take about {needed_mb} MB of memory, over the limit of \
-        {limit_mb} MB; {remedy}"
+         {limit_mb} MB; {remedy}"
     )]
     TooMuchMemory {
         /// Name of the format, such as "TIFF".
@@ -79,7 +79,7 @@ pub enum Error {
     /// The figure would be wider than the sheet has room for.
     #[error(
         "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet{}, so take \
-        that or a larger sheet",
+         that or a larger sheet",
         or_without(.without_overview)
     )]
     TooWide {
@@ -93,7 +93,7 @@ pub enum Error {
     /// The sheets that a picture is to be spread over have no room for it.
     #[error(
         "{grid} sheets of this size have no room for a picture; take a larger sheet, or lessen page.margin or \
-        sheets.overlap"
+         sheets.overlap"
     )]
     NoRoomOnSheets {
         /// How many sheets across and down.
@@ -115,7 +115,7 @@ pub enum Error {
     /// Calibration is about widths, sizes and gaps of ink; those of dots are the device's own.
     #[error(
         "calibration sheets are for printed pages, and {device} makes dots of one diameter, in {heights}; take a \
-        profile for printing, such as swell-a4"
+         profile for printing, such as swell-a4"
     )]
     NotPrinted {
         /// The device that makes the dots.
@@ -135,7 +135,7 @@ pub enum Error {
     /// More pixels than a picture of the page may have.
     #[error(
         "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; \
-        take fewer dots per inch"
+         take fewer dots per inch"
     )]
     TooFine {
         /// The picture of the page.

@@ -36,35 +36,30 @@ impl std::fmt::Display for Note {
             Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
-                and edges.low, \
-                 or give a brighter picture or one with less around it",
+                 and edges.low, or give a brighter picture or one with less around it",
             ),
             Self::NoContours => f.write_str(
                 "nothing to trace: no contour is strong and long enough; lower the thresholds, or give a brighter \
-                picture",
+                 picture",
             ),
             Self::Crowded(percent) => write!(
                 f,
                 "{percent} percent of the contours lie too close to others for fingers and were left out; a larger \
-                figure (on larger \
-                 paper, such as that of the profile swell-a3) or a part of the picture keeps more of them"
+                 figure, on larger paper if there is any, or only a part of the picture keeps more of them"
             ),
             Self::TooBlack { percent, most } => write!(
                 f,
                 "{percent} percent of the figure is black, and over {most} percent swell paper may rise too much and \
-                curl; make \
-                 marks smaller or set them further apart (textures.dot_pitch, textures.along, lines.width_max), or \
-                 raise \
-                 print.max_black if your paper takes it"
+                 curl; make marks smaller or set them further apart (textures.dot_pitch, textures.along, \
+                 lines.width_max), or raise print.max_black if your paper takes it"
             ),
             Self::UnevenDots => f.write_str(
                 "the dots of braille cells are no even grid: there is a wider step after every second column and \
-                every third row, so \
-                 shapes are felt less well than from an embosser that has a profile of its own",
+                 every third row, so shapes are felt less well than from an embosser that has a profile of its own",
             ),
             Self::EmptyPage => f.write_str(
                 "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high \
-                and edges.low to get more",
+                 and edges.low to get more",
             ),
         }
     }

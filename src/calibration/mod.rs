@@ -172,7 +172,7 @@ fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
     let lightness = LIGHTNESS.map(|share| (100.0 * share * params.white_from).round() / 100.0);
     let key = format!(
         "the texture of {}; down 1 dense, 2 the same {WIDER} times as far apart, 3 sparse; across for colours of \
-        lightness {}",
+         lightness {}",
         class.name(),
         listed(&lightness)
     );

@@ -74,7 +74,7 @@ Examples:
   tactograph convert photos/*.jpg --out-dir pages --format pdf
         makes pages/NAME.pdf of every photo
   tactograph convert coffee.png --profile index-basic-d -o coffee.idx
-        makes a page of dots for an embosser, and the overview on another sheet; -o coffee.png shows them
+        makes a page of dots for an embosser, and the overview on another sheet; -o look.pdf shows them
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
   tactograph convert photo.jpg --quality draft

@@ -192,8 +192,7 @@ fn explain(error: &Error) -> String {
         Error::TooFine { .. } => format!("{error} with --dpi"),
         Error::TooWide { wanted, most, without_overview: Some(without) } => format!(
             "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, or \
-            {without:.1} mm \
-             with --no-overview, so take one of these or a larger sheet"
+             {without:.1} mm with --no-overview, so take one of these or a larger sheet"
         ),
         _ => error.to_string(),
     }

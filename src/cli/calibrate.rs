@@ -15,7 +15,7 @@ pub(super) fn run(args: &Calibrate) -> Exit {
         Format::Dots(format) => {
             faults.push(format!(
                 "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or \
-                .png",
+                 .png",
                 format.name().to_uppercase()
             ));
             None

@@ -52,8 +52,7 @@ pub(super) fn check(path: &Path, product: Product, existing: Existing) -> anyhow
             if kept && !is_own(&path, product)? {
                 bail!(
                     "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, \
-                    move that \
-                     file away, or replace it with --force"
+                     move that file away, or replace it with --force"
                 );
             }
         }
@@ -83,8 +82,7 @@ pub(super) fn check_bytes(path: &Path, product: Product, existing: Existing, byt
     if !same {
         bail!(
             "this file exists and is another one, and files of this format cannot tell whether somebody has changed \
-            them; name \
-             the {noun} with -o, move that file away, or replace it with --force"
+             them; name the {noun} with -o, move that file away, or replace it with --force"
         );
     }
     Ok(())

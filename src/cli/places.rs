@@ -146,9 +146,8 @@ pub(super) fn wrong_ending(path: &Path, product: Product) -> Option<String> {
     if ends_in(path, "prn") {
         let (name, pdf, png) = (path.display(), path.with_extension("pdf"), path.with_extension("png"));
         return Some(format!(
-            "{name}: the languages of printers are not written; to print the page, name it {}, or for the driver of a \
-            ViewPlus \
-             embosser take --format pixels and name it {}",
+            "{name}: the languages of printers are not written; to print the page, name it {}, or for the driver of \
+             a ViewPlus embosser take --format pixels and name it {}",
             pdf.display(),
             png.display()
         ));

@@ -139,7 +139,7 @@ fn all_faults_are_told_with_what_the_device_can_do() {
     assert_eq!(
         faults("index-everest-d-v5", [420.0, 297.0], 2.0),
         ["the sheet is 420 mm wide; Index Everest-D V5 takes sheets 25.4 to 297 mm wide; turned, as 297 x 420 mm, \
-            the sheet fits"]
+         the sheet fits"]
     );
     assert_eq!(
         faults("braillerap-a4", [210.0, 297.0], 1.0),

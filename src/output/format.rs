@@ -187,7 +187,7 @@ mod tests {
         assert_eq!(
             DotFormat::Brf.refusal(of("graphiti")).expect("it has no cells"),
             "BRF is not for Orbit Graphiti, which takes pixels, ubrl, pef or txt; take one of these, or SVG, PDF or \
-            PNG to look at"
+             PNG to look at"
         );
         assert!(DotFormat::Txt.refusal(of("braillerap-a4")).is_some_and(|why| why.contains("which takes gcode; ")));
     }

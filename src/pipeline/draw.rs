@@ -87,11 +87,11 @@ pub(super) fn working_size(
         let why = match fit.width {
             None => format!(
                 "so long and narrow a picture would be only {side:.1} mm wide on the sheet, and {least} mm is the \
-                least; crop it"
+                 least; crop it"
             ),
             Some(_) => format!(
                 "at the width asked for, its shorter side would be only {side:.1} mm, and {least} mm is the least; \
-                ask for more"
+                 ask for more"
             ),
         };
         return Err(Error::TooSmall { size, why });

@@ -107,8 +107,7 @@ impl Trace {
             (Stage::Lines, true) => {
                 return Err(
                     "--full-resolution does not go with --stage lines: a page has lines only at the size that its \
-                    profile works on; \
-                 leave one out, or make that size larger with --set figure.resolution=12",
+                     profile works on; leave one out, or make that size larger with --set figure.resolution=12",
                 );
             }
         };

@@ -69,7 +69,7 @@ impl Writing {
             if given && format != Format::Drawing(DrawingFormat::Png) {
                 faults.push(format!(
                     "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in \
-                    .png",
+                     .png",
                     format.name().to_uppercase()
                 ));
             }
