@@ -43,15 +43,11 @@ pub(super) fn push_hundredths(out: &mut String, hundredths: u32) {
 }
 
 /// Adds a whole number with zeros before it up to so many `places`.
-fn push_digits(out: &mut String, mut rest: u64, places: usize) {
-    let mut text = [b'0'; 20];
-    let mut at = text.len();
-    while rest > 0 || at + places > text.len() {
-        at -= 1;
-        text[at] = b'0' + (rest % 10) as u8;
-        rest /= 10;
+fn push_digits(out: &mut String, value: u64, places: usize) {
+    if value >= 10 || places > 1 {
+        push_digits(out, value / 10, places.saturating_sub(1));
     }
-    text[at..].iter().for_each(|&digit| out.push(char::from(digit)));
+    out.push(char::from(b'0' + (value % 10) as u8));
 }
 
 #[cfg(test)]

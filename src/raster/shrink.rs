@@ -13,7 +13,7 @@
 //! Rows are added up first, over whole vectors; only the sum of a row of targets is then shrunk along x.
 
 use std::iter::Sum;
-use std::ops::{AddAssign, Mul, Range};
+use std::ops::{Add, AddAssign, Mul, Range};
 use std::sync::Arc;
 
 use pulp::{Arch, Simd, WithSimd};
@@ -24,7 +24,7 @@ use crate::units::Size;
 /// What sums are made in: `f32`, or `f64` where a target may cover tens of thousands of rows, of which `f32` would lose
 /// a part in a thousand.
 pub trait Accumulator:
-    Copy + Default + From<f32> + Mul<Output = Self> + AddAssign + Sum + Send + Sync + std::fmt::Debug
+    Copy + Default + From<f32> + Add<Output = Self> + Mul<Output = Self> + AddAssign + Sum + Send + Sync + std::fmt::Debug
 {
     /// The nearest value.
     fn from_f64(value: f64) -> Self;
@@ -103,9 +103,20 @@ struct Span<A> {
     weights: Vec<A>,
 }
 
-impl<A> Span<A> {
+impl<A: Accumulator> Span<A> {
     fn end(&self) -> usize {
         self.start + self.weights.len()
+    }
+
+    /// The mean of the source pixels under the target pixel. Most pictures are little larger than they are worked on,
+    /// so that a target pixel covers one to three source pixels: those are written out.
+    fn mean(&self, row: &[A]) -> A {
+        match (&self.weights[..], &row[self.start..self.end()]) {
+            (&[a], &[x]) => a * x,
+            (&[a, b], &[x, y]) => a * x + b * y,
+            (&[a, b, c], &[x, y, z]) => a * x + b * y + c * z,
+            (weights, values) => weights.iter().zip(values).map(|(weight, value)| *weight * *value).sum(),
+        }
     }
 }
 
@@ -213,8 +224,7 @@ impl<A: Accumulator> Shrinker<A> {
                 break;
             }
             for (to, span) in to.iter_mut().zip(&self.across[..]) {
-                let covered = span.weights.iter().zip(&self.sum[span.start..]);
-                *to = covered.map(|(weight, value)| *weight * *value).sum::<A>().to_f32();
+                *to = span.mean(&self.sum).to_f32();
             }
             self.sum.fill(A::default());
             self.target += 1;
