@@ -26,7 +26,8 @@ pub struct Polyline {
     pub closed: bool,
     /// Its points, in pixels of the source picture.
     pub points: Vec<PxPoint>,
-    /// Height of the colour step at each point (see the module).
+    /// Height of the colour step at each point, in units of lightness with the chroma axes of CIELAB counted twice:
+    /// black against white is 100.
     pub strength: Vec<f32>,
     /// For a line of the page, its width in mm from each point to the next; the last point of an open line has that of
     /// the piece before it.

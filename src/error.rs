@@ -90,6 +90,12 @@ pub enum Error {
         /// The most without the overview, mm, where that is enough.
         without_overview: Option<f32>,
     },
+    /// The width asked for is no length.
+    #[error("a figure cannot be {wanted} mm wide; give a width above 0")]
+    NoWidth {
+        /// Width that was asked for, mm.
+        wanted: f32,
+    },
     /// The sheets that a picture is to be spread over have no room for it.
     #[error(
         "{grid} sheets of this size have no room for a picture; take a larger sheet, or lessen page.margin or \

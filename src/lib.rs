@@ -75,9 +75,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Pixels in memory are given as [`Picture::rgba8`]. All that is given and got is owned, `Send`, `Sync` and `'static`,
-//! so that it can be held by classes of other languages. The crate prints nothing, reads no files and no clock, and
-//! gives the same bytes for the same input, however many threads there are.
+//! Pixels in memory are given as [`Picture::rgba8`]. All but [`Picture`], which borrows them, is owned, `Send`,
+//! `Sync` and `'static`, so that it can be held by classes of other languages. The crate prints nothing, reads no
+//! files (but fonts, where `Fonts::system` is asked for) and no clock, and gives the same bytes for the same input,
+//! however many threads there are.
 //!
 //! # Features
 //!

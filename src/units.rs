@@ -6,7 +6,7 @@
 
 use lyon::geom::euclid;
 
-/// Marks a value in pixels of the working picture.
+/// Marks a value in pixels of a picture: of the working picture in the stages, of the source in a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Px;
 
@@ -14,9 +14,9 @@ pub struct Px;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Mm;
 
-/// A point in the working picture, in pixels.
+/// A point in a picture, in its pixels.
 pub type PxPoint = euclid::Point2D<f32, Px>;
-/// A direction and distance in the working picture, in pixels.
+/// A direction and distance in a picture, in its pixels.
 pub type PxVector = euclid::Vector2D<f32, Px>;
 /// A point on the sheet, in millimetres.
 pub type MmPoint = euclid::Point2D<f32, Mm>;

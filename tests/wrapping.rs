@@ -104,6 +104,14 @@ fn question_marks_work_from_a_name_to_a_page() {
 }
 
 #[test]
+fn a_width_that_is_no_length_is_refused() {
+    for wanted in [f32::NAN, f32::INFINITY, 0.0, -5.0] {
+        let refused = tactograph::convert(&png(), &options().width_mm(wanted));
+        assert!(matches!(refused, Err(Error::NoWidth { .. })), "{wanted}: {refused:?}");
+    }
+}
+
+#[test]
 fn all_faults_of_a_profile_are_told_at_once() {
     let mut profile = Profile::named("swell-a4").expect("it is built in");
     profile.lines.width_max = -1.0;

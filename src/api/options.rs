@@ -94,8 +94,9 @@ impl Options {
         self
     }
 
-    /// Width of the figure on the sheet, mm; the height follows. More than there is room for is refused with
-    /// [`Error::TooWide`](crate::Error::TooWide). Default: as wide as the sheet has room for.
+    /// Width of the figure on the sheet, mm, above 0; the height follows. More than there is room for is refused with
+    /// [`Error::TooWide`](crate::Error::TooWide), what is no length with [`Error::NoWidth`](crate::Error::NoWidth).
+    /// Default: as wide as the sheet has room for.
     pub fn width_mm(mut self, width: f32) -> Self {
         self.fit.width = Some(width);
         self

@@ -22,7 +22,8 @@ impl Page {
         pdf::write(&self.title, std::slice::from_ref(self))
     }
 
-    /// A PNG picture that says how large it is, for printers and displays.
+    /// A PNG picture that says how large it is, for printers and displays. A page of a device with heights is grey,
+    /// whatever the `depth`: black and white would make heights all or nothing.
     ///
     /// # Errors
     /// [`Error::TooFine`] if that would be more than 400 megapixels.
@@ -42,7 +43,8 @@ impl Page {
 }
 
 /// One PDF document of several pages, such as those of [`convert_to_sheets`](super::convert_to_sheets) or
-/// [`calibrate`](super::calibrate). It has the language and the origin of the first.
+/// [`calibrate`](super::calibrate). It has the language and the origin of the first; without pages it is a
+/// document without pages.
 #[must_use]
 pub fn write_pdf(title: &str, pages: &[Page]) -> Vec<u8> {
     pdf::write(title, pages)

@@ -6,7 +6,8 @@ use crate::units::MmPoint;
 /// A finished line: one contour in pieces of equal width.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// Mean strength of its edge (see `edges`).
+    /// Mean height of the colour step of its contour, in units of lightness with the chroma axes of CIELAB counted
+    /// twice: black against white is 100.
     pub strength: f32,
     /// Pieces in order; each begins where the one before it ends.
     pub runs: Vec<Run>,

@@ -26,8 +26,9 @@ impl Fit {
     /// Where the drawn part of a picture, of `size` pixels, lies on the sheet.
     ///
     /// # Errors
-    /// If it is asked for wider than there is room for.
+    /// If it is asked for wider than there is room for, or its width is no length.
     pub(super) fn layout(&self, size: Size, plan: &Plan) -> Result<Layout, Error> {
+        self.check()?;
         let aspect = size.width as f32 / size.height as f32;
         let layout = layout::fit(aspect, self.width.unwrap_or(f32::MAX), &plan.layout());
         let most = layout.figure.width();
@@ -40,6 +41,15 @@ impl Fit {
                 Err(Error::TooWide { wanted, most, without_overview })
             }
             _ => Ok(layout),
+        }
+    }
+
+    /// # Errors
+    /// If the width asked for is no length: not finite, or not above 0.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        match self.width {
+            Some(wanted) if !(wanted > 0.0 && wanted.is_finite()) => Err(Error::NoWidth { wanted }),
+            _ => Ok(()),
         }
     }
 

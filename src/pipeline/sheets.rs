@@ -77,6 +77,7 @@ fn aspect(size: Size) -> f32 {
 }
 
 fn spread_of(size: Size, grid: Grid, request: &Request<'_>) -> Result<Spread, Error> {
+    request.fit.check()?;
     let overlap = request.plan.profile().sheets.overlap;
     let fit = |widest| spread::fit(aspect(size), widest, grid, overlap, &request.plan.layout());
     let largest = fit(f32::MAX).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() })?;

@@ -9,10 +9,10 @@ use crate::units::Size;
 /// A part of a picture: where it begins, from the left and from the top, its width and its height.
 ///
 /// ```
-/// use tactograph::internals::raster::crop::Crop;
+/// use tactograph::Crop;
 /// let crop: Crop = "10%,25%,50%,50%".parse()?;
 /// assert_eq!(crop.to_string(), "10%,25%,50%,50%");
-/// # Ok::<(), tactograph::internals::raster::crop::NotACrop>(())
+/// # Ok::<(), tactograph::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crop([Length; 4]);

@@ -12,6 +12,7 @@
 //!
 //! Rows are added up first, over whole vectors; only the sum of a row of targets is then shrunk along x.
 
+use std::fmt::Debug;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Mul, Range};
 use std::sync::Arc;
@@ -24,7 +25,7 @@ use crate::units::Size;
 /// What sums are made in: `f32`, or `f64` where a target may cover tens of thousands of rows, of which `f32` would lose
 /// a part in a thousand.
 pub trait Accumulator:
-    Copy + Default + From<f32> + Add<Output = Self> + Mul<Output = Self> + AddAssign + Sum + Send + Sync + std::fmt::Debug
+    Copy + Default + From<f32> + Add<Output = Self> + Mul<Output = Self> + AddAssign + Sum + Send + Sync + Debug
 {
     /// The nearest value.
     fn from_f64(value: f64) -> Self;

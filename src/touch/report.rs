@@ -47,7 +47,7 @@ pub struct Areas {
     pub unclear: f32,
     /// What is clearly felt as another class.
     pub wrong: f32,
-    /// What is nearer to a line or a border than [`JUDGED_FROM`].
+    /// What is nearer than 7 mm to a line or a border.
     pub not_judged: f32,
 }
 

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use scan::{Token, Use, compiled, exports, module_of, paths, scan};
 
 /// The library's modules from the spring downhill, each with what it may use beside itself and [`EVERYWHERE`]. The way is
-/// `units -> geom -> raster -> edges, classes -> lines, textures -> page -> output, reading, touch -> profile ->
+/// `units -> geom -> raster -> edges, classes -> lines, textures -> page -> output, touch -> profile ->
 /// pipeline -> lib`; a stage is left out of a row where the stage below must not know of it.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
@@ -35,13 +35,12 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("contours", &["units", "geom", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
     ("output", &["units", "geom", "devices", "page", "contours"]),
-    ("reading", &["units", "geom", "page"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     (
         "profile",
         &[
             "units", "geom", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page", "contours",
-            "output", "reading", "touch",
+            "output", "touch",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
