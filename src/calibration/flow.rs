@@ -4,7 +4,7 @@ use crate::lines::{Line, Run};
 use crate::page::{Dots, Glyph, Texture};
 use crate::units::{MmPoint, MmVector};
 
-/// Marks, wherever they come to lie.
+/// Marks in the coordinates of a sample, a block or a sheet, mm.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Marks {
     pub(super) lines: Vec<Line>,
@@ -13,31 +13,31 @@ pub(super) struct Marks {
     pub(super) labels: Vec<Dots>,
 }
 
-/// Marks with a size of their own: they lie between (0, 0) and `size`.
+/// A rectangle of marks, which lie between (0, 0) and `size`; it is placed as a whole.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Block {
     pub(super) size: MmVector,
     pub(super) marks: Marks,
-    /// Number of the section that it belongs to.
+    /// Index of its section.
     pub(super) section: usize,
-    /// Whether a new row begins with it.
+    /// Whether it begins a new row.
     pub(super) starts_row: bool,
 }
 
-/// Blank between blocks side by side, mm. Chosen by us: well over the 3.2 mm at which two things are told apart.
+/// Blank between blocks side by side, mm. Chosen by us: well over 3.2 mm, the least gap of the guidelines.
 const BETWEEN: f32 = 5.0;
-/// Blank between rows, mm. Chosen by us: more than anything within a row, so that rows are found.
+/// Blank between rows, mm. Chosen by us: wider than any gap within a row, so that a finger finds the rows.
 const BETWEEN_ROWS: f32 = 8.0;
 
 /// A sheet: each block with its corner.
 pub(super) type Sheet = Vec<(Block, MmVector)>;
 
-/// A block that does not fit into the room that there is.
+/// A block of this size is larger than the sheet without its margins.
 #[derive(Debug)]
 pub(super) struct TooLarge(pub(super) MmVector);
 
 impl Marks {
-    /// Adds what `other` has, moved by `by`.
+    /// Adds the marks of `other`, translated by `by`.
     pub(super) fn add(&mut self, other: &Self, by: MmVector) {
         let moved = |points: &[MmPoint]| points.iter().map(|&at| at + by).collect::<Vec<_>>();
         self.lines.extend(other.lines.iter().map(|line| Line {
@@ -59,19 +59,19 @@ impl Marks {
     }
 }
 
-/// Places blocks in their order, from left to right and from top to bottom, on as many sheets as it takes; `room` is
-/// what a sheet has between its margins.
+/// Places blocks in their order, from left to right and from top to bottom, on as many sheets as needed; `area` is the
+/// size of a sheet without its margins, mm.
 ///
 /// # Errors
-/// If a block is larger than the room.
-pub(super) fn place(blocks: Vec<Block>, room: MmVector) -> Result<Vec<Sheet>, TooLarge> {
+/// If a block is larger than the area.
+pub(super) fn place(blocks: Vec<Block>, area: MmVector) -> Result<Vec<Sheet>, TooLarge> {
     let mut rows: Vec<(f32, f32, Sheet)> = Vec::new(); // width, height, blocks
     for block in blocks {
-        if block.size.x > room.x || block.size.y > room.y {
+        if block.size.x > area.x || block.size.y > area.y {
             return Err(TooLarge(block.size));
         }
         match rows.last_mut() {
-            Some((width, height, row)) if !block.starts_row && *width + BETWEEN + block.size.x <= room.x => {
+            Some((width, height, row)) if !block.starts_row && *width + BETWEEN + block.size.x <= area.x => {
                 let corner = MmVector::new(*width + BETWEEN, 0.0);
                 *width = corner.x + block.size.x;
                 *height = height.max(block.size.y);
@@ -84,7 +84,7 @@ pub(super) fn place(blocks: Vec<Block>, room: MmVector) -> Result<Vec<Sheet>, To
     let mut bottom = f32::INFINITY;
     for (_, height, row) in rows {
         let mut top = bottom + BETWEEN_ROWS;
-        if top + height > room.y {
+        if top + height > area.y {
             sheets.push(Vec::new());
             top = 0.0;
         }
@@ -109,9 +109,9 @@ mod tests {
         let blocks = vec![
             block(50.0, 10.0, true),
             block(45.0, 20.0, false), // 50 + 5 + 45 just fits
-            block(1.0, 10.0, false),  // no more room in the row
+            block(1.0, 10.0, false),  // the row is full
             block(10.0, 10.0, true),
-            block(10.0, 60.0, true), // 20 + 8 + 10 + 8 + 10 + 8 + 60 is more than there is
+            block(10.0, 60.0, true), // 20 + 8 + 10 + 8 + 10 + 8 + 60 is more than the sheet has
         ];
         let sheets = place(blocks, MmVector::new(100.0, 120.0)).expect("all fit");
         let corners = |sheet: &Sheet| sheet.iter().map(|(_, at)| (at.x, at.y)).collect::<Vec<_>>();

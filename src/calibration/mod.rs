@@ -1,4 +1,4 @@
-//! The calibration sheet: what a workshop prints once to choose its own numbers.
+//! The calibration sheet: samples that a workshop prints once, to choose the numbers of its profile by touch.
 //!
 //! ```text
 //!  a  | | | ...          lines, from the thinnest that a profile can ask for to 3 mm
@@ -12,10 +12,9 @@
 //! The marks come from the same code as those of a page, with the profile's numbers wherever a sample does not vary
 //! them.
 //!
-//! Labels are braille: a letter for each section, a number for each sample. Counted dots were the other choice. They
-//! need no braille, but a finger has to count up to eleven of them one by one, and at the 2.5 mm that dots need they
-//! grow wider than the samples; a number in braille has its known size and is read at once by those for whom the
-//! pages are made. Whoever does not read braille finds the same key in the description of the sheet.
+//! Labels are in braille: a letter for each section, a number for each sample. The alternative was as many dots as the
+//! number says. Nobody has to know braille for these, but a finger has to count up to eleven dots, and at a pitch of
+//! 2.5 mm they are wider than the samples. The description of the sheet says the same as the labels.
 
 mod flow;
 mod samples;
@@ -30,40 +29,39 @@ use crate::profile::{Plan, Profile};
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
-/// Widths of single lines, mm: from the least that a profile takes (`lines.width_min`) to the thick pens for swell
-/// paper; the profile's own come in between.
+/// Widths of single lines, mm: from the least that a profile accepts (`lines.width_min`) to that of thick pens for
+/// swell paper; the profile's own widths are added.
 const WIDTHS: [f32; 11] = [0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0];
-/// Gaps between the edges of two lines, mm: around the 3.2 and 6.4 mm of the guidelines.
+/// Gaps between the edges of two lines, mm: on both sides of the 3.2 and 6.4 mm of the guidelines.
 const GAPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 /// Diameters of braille dots, mm: from well below what fonts for swell paper print (1.3) to the raised dot itself
 /// (1.6).
 const BRAILLE_DOTS: [f32; 5] = [1.0, 1.15, 1.3, 1.45, 1.6];
-/// Blank after a pair of lines beside that between any two samples, mm: together well over the widest gap in a pair.
+/// Additional blank after a pair of lines, mm: with the blank between samples, well over the widest gap in a pair.
 const PAIR_GAP: f32 = 6.0;
-/// Blank after a word of braille beside that between any two samples, mm: a cell.
+/// Additional blank after a word of braille, mm: one braille cell.
 const WORD_GAP: f32 = 6.0;
 /// Distances of a frame's dots as shares of the profile's.
 const FRAME_PITCHES: [f32; 3] = [0.75, 1.0, 1.5];
-/// Thicknesses of the smallest glyph, mm: around the 0.5 that hatching notes give as the least for anything printed.
+/// Thicknesses of the smallest glyph, mm: on both sides of 0.5 mm, the least that notes on hatching give for print.
 const GLYPHS: [f32; 6] = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
-/// Lightness of the samples of a texture as shares of that from which there is none: from the boldest glyphs to
-/// the lightest that are all there; nearer to white rows are left out.
+/// Lightness of the samples of a texture, as shares of the lightness from which there is no texture: from the boldest
+/// glyphs to the lightest; at still lighter colours rows are left out.
 const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.95];
-/// How much further apart the glyphs of the middle density stand than those of the dense one: between dense, and
-/// sparse with half the rows.
+/// Spacing of the glyphs of the middle density as a multiple of the dense one; the sparse texture has half the rows.
 const WIDER: f32 = 1.25;
 
-/// A group of samples and what they are, in words.
+/// A group of samples, and its description.
 struct Section {
     blocks: Vec<Block>,
     key: String,
 }
 
-/// The calibration sheets for a profile, as many as the samples take; one page each.
+/// The calibration sheets for a profile, one page each.
 ///
 /// # Errors
 /// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of
-/// dots, whose size the device gives.
+/// dots, whose size is fixed by the device.
 pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let profile = plan.profile();
     if let MediumParams::Dots { device, .. } = plan.medium() {
@@ -71,12 +69,12 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
         return Err(Error::NotPrinted { device: device.name, heights });
     }
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
-    let room = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);
+    let area = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);
     let sections = sections(plan);
     let blocks = sections.iter().enumerate().flat_map(|(number, section)| {
         section.blocks.iter().map(move |block| Block { section: number, ..block.clone() })
     });
-    let sheets = flow::place(blocks.collect(), room).map_err(|flow::TooLarge(size)| Error::NoRoom {
+    let sheets = flow::place(blocks.collect(), area).map_err(|flow::TooLarge(size)| Error::NoRoom {
         sample: format!("{:.0} x {:.0} mm", size.x.ceil(), size.y.ceil()),
         sheet: format!("{width} x {height} mm"),
     })?;
@@ -85,7 +83,7 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     pages.collect()
 }
 
-/// What all sheets for a profile are called together.
+/// The title of the document of all sheets for a profile.
 pub fn title(plan: &Plan) -> String {
     format!("Calibration sheet for {}", plan.profile().name)
 }
@@ -147,7 +145,7 @@ fn glyphs(params: &textures::Params) -> Section {
     let side = samples::side(params);
     let key = format!("the smallest rhombuses, above, and dots, {} mm thick", listed(&GLYPHS));
     let sample = |thin| {
-        // as thin at every boldness
+        // as thin for every lightness
         let params = textures::Params { min_glyph: thin, thickness: thin, dot: thin, ..*params };
         let of = |class| samples::texture(class, 0.0, 1.0, side, &params);
         samples::stacked(&of(Class::Blue), &of(Class::Grey))
@@ -155,8 +153,7 @@ fn glyphs(params: &textures::Params) -> Section {
     Section { blocks: row(4, GLYPHS.map(sample)), key }
 }
 
-/// The table of one class. The middle density has no place on pages: it shows what a profile with wider textures
-/// would do.
+/// The table of one class. Pages never have the middle density: it shows a profile with wider textures.
 fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
     let wider = textures::Params {
         along: WIDER * params.along,
@@ -184,7 +181,7 @@ fn listed(values: &[f32]) -> String {
     values.iter().map(f32::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// One sheet as a page. Like a figure that fills it; as there is no picture, its pixels are square millimetres.
+/// One sheet as a page: a figure that fills it. As there is no picture, a pixel of the source is a millimetre.
 fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: &Plan) -> Result<Page, Error> {
     let profile = plan.profile();
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
@@ -213,7 +210,7 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
         textures: marks.textures,
         lines: marks.lines,
     };
-    // no orientation mark: letters tell which way up it is
+    // no orientation mark: the letters of the labels show which side is up
     let parts = Parts {
         description: format!("{own_title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
         title: own_title,

@@ -10,18 +10,17 @@ use crate::page::layout::FrameParams;
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Length of a sample of lines, mm, with its round ends. Chosen by us: twice the 12.5 mm that BANA is quoted with for
+/// Length of a sample of lines, mm, round ends included. Chosen by us: twice 12.5 mm, which is quoted from BANA for
 /// main lines.
 const LENGTH: f32 = 25.0;
-/// Blank around a label, mm: what other tools leave around braille on graphics.
+/// Blank around a label, mm: as other programs leave around braille on graphics.
 const LABEL_GAP: f32 = 3.0;
 /// Blank between a section's letter and its first sample, mm. Chosen by us: more than the 6 mm from one braille cell
 /// to the next, so that the letter is not read as part of a sample.
 const LETTER_GAP: f32 = 8.0;
-/// Blank between the samples of a table, mm. A study of guide maps found 5 mm easiest between a texture and its
-/// neighbour.
+/// Blank between the samples of a table, mm. A study of guide maps found 5 mm between textures easiest to read.
 const CELL_GAP: f32 = 5.0;
-/// Least side of a texture's sample, mm: the least area whose texture can be identified is quoted as 13 x 13 mm.
+/// Least side of a texture's sample, mm: 13 x 13 mm is quoted as the smallest area whose texture can be identified.
 const SIDE: f32 = 13.0;
 /// Inner width and height of a frame's sample, mm.
 const FRAMED: [f32; 2] = [20.0, 10.0];
@@ -32,7 +31,7 @@ fn label(cells: &[u8], diameter: f32) -> Block {
     Block { size: braille::size(cells, diameter), marks: Marks { labels, ..Marks::default() }, ..Block::default() }
 }
 
-/// A sample above its number, both in the middle.
+/// A sample above its number, both centred.
 pub(super) fn numbered(number: usize, sample: &Block) -> Block {
     let label = label(&braille::number(number), braille::PRINTED);
     let width = label.size.x.max(sample.size.x);
@@ -42,7 +41,7 @@ pub(super) fn numbered(number: usize, sample: &Block) -> Block {
     block
 }
 
-/// A sample with so much more blank after it, for one that might be taken for a part of the next.
+/// A sample with additional blank after it, mm, so that it is not taken for a part of the next.
 pub(super) fn apart(blank: f32, block: Block) -> Block {
     Block { size: block.size + MmVector::new(blank, 0.0), ..block }
 }
@@ -86,12 +85,12 @@ pub(super) fn frame(params: &FrameParams) -> Block {
     Block { size, marks: Marks { frame: at, ..Marks::default() }, ..Block::default() }
 }
 
-/// Side of a texture's sample, mm: room for three rows of the sparse texture, which has every other row.
+/// Side of a texture's sample, mm: three rows of the sparse texture, which has every other row, fit into it.
 pub(super) fn side(params: &textures::Params) -> f32 {
     SIDE.max(6.0 * params.along.max(params.across).max(params.dot_pitch))
 }
 
-/// A square of the texture that a page has where a colour of this class and lightness is and lines have this density,
+/// A square of the texture that pages have for a colour of this class and lightness where lines have this density,
 /// 0..=1.
 pub(super) fn texture(class: Class, lightness: f32, density: f32, side: f32, params: &textures::Params) -> Block {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(side, side));

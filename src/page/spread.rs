@@ -70,14 +70,14 @@ impl std::fmt::Display for Grid {
     }
 }
 
-/// Length of a tick, mm. Chosen by us, because a fingertip covers it whole, so it is not followed as a line.
+/// Length of a tick, mm. Chosen by us: a fingertip covers all of it, so that it is not followed as a line.
 const TICK: f32 = 5.0;
-/// Width of a tick, mm. Chosen by us, because it is that of most lines of a picture.
+/// Width of a tick, mm. Chosen by us: the width of most lines of a picture.
 const TICK_WIDTH: f32 = 1.5;
 /// Blank between ticks and the window, and between them and what lies above, mm: the 1/8 inch rule (L. Hasty), the
 /// least between any two things.
 const GAP: f32 = 3.2;
-/// What ticks take on each side of a window.
+/// Width of the band of ticks on each side of a window, mm.
 const BAND: f32 = TICK + GAP;
 
 /// Where a picture lies on its sheets.
@@ -98,12 +98,12 @@ pub struct Spread {
 }
 
 /// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not
-/// wider than `widest`, in their middle. None where the sheets have no room.
+/// wider than `widest`, in their middle. None where the sheets are too small.
 pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
     let [a, b] = params.sheet;
     let (short, long) = (a.min(b), a.max(b));
-    let upright = || over([short, long], aspect, widest, grid, overlap, params);
-    let across = || over([long, short], aspect, widest, grid, overlap, params);
+    let upright = || fit_on([short, long], aspect, widest, grid, overlap, params);
+    let across = || fit_on([long, short], aspect, widest, grid, overlap, params);
     match params.orientation {
         Orientation::Portrait => upright(),
         Orientation::Landscape => across(),
@@ -115,25 +115,25 @@ pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) 
     }
 }
 
-fn over(sheet: [f32; 2], aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
+fn fit_on(sheet: [f32; 2], aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
     let mark = |mark: MarkParams| (sheet::reach(mark), mark.gap.max(GAP));
     let (mark_height, gap) = params.mark.map_or((0.0, GAP), mark);
     let row = mark_height.max(braille::size(&[0], braille::PRINTED).y);
     let corner = MmPoint::new(params.margin + BAND, params.margin + row + gap + BAND);
     let window = MmVector::new(sheet[0] - 2.0 * corner.x, sheet[1] - corner.y - params.margin - BAND);
-    // Windows that do not reach beyond their overlaps would show the same thing three times.
+    // In windows of at most two overlaps, three neighbouring sheets would show the same part.
     if window.x <= 2.0 * overlap || window.y <= 2.0 * overlap {
         return None;
     }
-    let all = |count: u32, window: f32| count as f32 * (window - overlap) + overlap;
-    let room = MmVector::new(all(grid.across, window.x), all(grid.down, window.y));
+    let extent = |count: u32, window: f32| count as f32 * (window - overlap) + overlap;
+    let total = MmVector::new(extent(grid.across, window.x), extent(grid.down, window.y));
     let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
-    let width = (room.x - 2.0 * border).min((room.y - 2.0 * border) * aspect).min(widest);
+    let width = (total.x - 2.0 * border).min((total.y - 2.0 * border) * aspect).min(widest);
     if width <= 0.0 {
         return None;
     }
     let half = MmVector::new(0.5 * width, 0.5 * width / aspect);
-    let middle = MmPoint::new(0.5 * room.x, 0.5 * room.y);
+    let middle = MmPoint::new(0.5 * total.x, 0.5 * total.y);
     let figure = MmRect::new(middle - half, middle + half);
     let mark = params.mark.map(|mark| sheet::bar(MmPoint::new(sheet[0] - params.margin, params.margin), mark));
     Some(Spread { grid, sheet, figure, mark, window, corner, overlap })
@@ -150,7 +150,7 @@ pub struct Cut {
     pub ticks: Vec<Run>,
     /// Which sheet it is, in braille: the row as a letter, the column as a number.
     pub label: Dots,
-    /// The same for those who see: `a1`.
+    /// The same in print: `a1`.
     pub name: String,
 }
 
@@ -159,7 +159,7 @@ impl Spread {
     pub fn cut(&self, figure: &Figure, params: Option<&FrameParams>, margin: f32) -> Vec<Cut> {
         let dots = params.map_or_else(Dots::default, |params| frame::printed(figure.place, params));
         let shown = self.grid.sheets().filter(|&(column, row)| self.shows(column, row, figure.place));
-        shown.map(|(column, row)| self.one(column, row, figure, &dots, margin)).collect()
+        shown.map(|(column, row)| self.cut_sheet(column, row, figure, &dots, margin)).collect()
     }
 
     /// Whether something of the picture lies on a sheet.
@@ -174,7 +174,8 @@ impl Spread {
         MmRect::new(from, from + self.window)
     }
 
-    fn one(&self, column: u32, row: u32, figure: &Figure, frame: &Dots, margin: f32) -> Cut {
+    /// What the sheet at this column and row shows.
+    fn cut_sheet(&self, column: u32, row: u32, figure: &Figure, frame: &Dots, margin: f32) -> Cut {
         let window = self.window(column, row);
         let onto_sheet = self.corner - window.min;
         let inside = |at: MmPoint, radius: f32| window.inflate(-radius, -radius).contains_inclusive(at);
@@ -185,7 +186,7 @@ impl Spread {
             share(place.height(), figure.place.height(), figure.source.height),
         );
         let on_sheet = |glyph: &Glyph| Glyph { at: glyph.at + onto_sheet, ..*glyph };
-        // What is told of a region is told of all of it, also where a sheet shows a part.
+        // Class, colour and area are those of the whole region, also where a sheet shows a part of it.
         let glyphs = |texture: &Texture| Texture {
             class: texture.class,
             sign: texture.sign,
@@ -218,12 +219,12 @@ impl Spread {
         }
     }
 
-    /// The ticks of a sheet, each of which lies at the same place of the picture on the neighbour.
+    /// The ticks of a sheet. Each lies at the same point of the picture as one of the neighbouring sheet.
     fn ticks(&self, column: u32, row: u32, picture: MmRect) -> Vec<Run> {
         let (near, far) = (self.corner, self.corner + self.window);
         let half = 0.5 * self.overlap;
         let mut ticks = Vec::new();
-        // At one place along a side: from its start or its end, on both sides of the window.
+        // The two ends of a tick outside one side of the window, at `edge`; `out` is -1 or 1.
         let reach = |edge: f32, out: f32| [edge + out * GAP, edge + out * (GAP + TICK)];
         let mut tick = |a: MmPoint, b: MmPoint| ticks.push(Run::stroke(TICK_WIDTH, vec![a, b]));
         let left = column > 0 && self.shows(column - 1, row, picture);
@@ -254,8 +255,8 @@ impl Spread {
     }
 }
 
-/// The pieces of a line whose ink lies in a window. What is shorter than it is wide goes: a blot at the edge, of
-/// which the neighbour has the whole.
+/// The pieces of a line whose ink lies in a window. Pieces shorter than their width are left out: they would be blots
+/// at the edge, and the neighbouring sheet shows that part as a line.
 fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
     let mut pieces: Vec<Line> = Vec::new();
     for run in &line.runs {
@@ -277,7 +278,7 @@ fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
     pieces
 }
 
-/// The paths of the pieces of a polyline in a rectangle; that of a ring which lies within comes back to where it began.
+/// The parts of a polyline in a rectangle, as paths. The path of a ring that lies within ends where it begins.
 fn cut_polyline(polyline: PolylineRef<'_, MmPoint>, rect: MmRect) -> Vec<Vec<MmPoint>> {
     let mut pieces: Vec<Vec<MmPoint>> = Vec::new();
     for (a, b) in polyline.segments() {
@@ -293,16 +294,16 @@ fn cut_polyline(polyline: PolylineRef<'_, MmPoint>, rect: MmRect) -> Vec<Vec<MmP
 /// The part of a segment in a rectangle (Liang and Barsky, 1984); an end that lies within stays as it is, to the last
 /// bit.
 fn cut_segment(a: MmPoint, b: MmPoint, rect: MmRect) -> Option<(MmPoint, MmPoint)> {
-    let way = b - a;
+    let d = b - a;
     let (mut from, mut to) = (0.0_f32, 1.0_f32);
-    for (along, room) in
-        [(-way.x, a.x - rect.min.x), (way.x, rect.max.x - a.x), (-way.y, a.y - rect.min.y), (way.y, rect.max.y - a.y)]
-    {
-        if along < 0.0 {
-            from = from.max(room / along);
-        } else if along > 0.0 {
-            to = to.min(room / along);
-        } else if room < 0.0 {
+    // for each side of the rectangle: the segment's component towards it, and the distance from `a` to it
+    let sides = [(-d.x, a.x - rect.min.x), (d.x, rect.max.x - a.x), (-d.y, a.y - rect.min.y), (d.y, rect.max.y - a.y)];
+    for (towards, distance) in sides {
+        if towards < 0.0 {
+            from = from.max(distance / towards);
+        } else if towards > 0.0 {
+            to = to.min(distance / towards);
+        } else if distance < 0.0 {
             return None;
         }
     }
@@ -312,7 +313,7 @@ fn cut_segment(a: MmPoint, b: MmPoint, rect: MmRect) -> Option<(MmPoint, MmPoint
         } else if share >= 1.0 {
             b
         } else {
-            a + way * share
+            a + d * share
         }
     };
     (from < to).then(|| (at(from), at(to)))
