@@ -45,40 +45,33 @@ pub(super) fn run<T: Send>(
     workers: usize,
     job: impl Fn(usize) -> T + Sync,
     mut finished: impl FnMut(),
-    mut result: impl FnMut(usize, Result<T, Panicked>),
+    result: impl FnMut(usize, Result<T, Panicked>),
 ) {
     // A job shares with others only what it cannot leave half-changed (settings, a font list made once), so going on
     // after a panic is safe.
     let guarded = |index: usize| catch_unwind(AssertUnwindSafe(|| job(index))).map_err(|_| Panicked);
     let next = AtomicUsize::new(0);
     let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < count);
+    let mut in_order = InOrder { waiting: BTreeMap::new(), next: 0, result };
+    let mut collect = |(index, outcome)| {
+        finished();
+        in_order.add(index, outcome);
+    };
     thread::scope(|scope| {
         let (send, receive) = mpsc::channel();
-        let mut waiting = BTreeMap::new();
-        let mut told = 0;
-        let mut collect = |(index, outcome): (usize, _)| {
-            finished();
-            waiting.insert(index, outcome);
-            while let Some(outcome) = waiting.remove(&told) {
-                result(told, outcome);
-                told += 1;
-            }
-        };
         let mut started = 0;
-        if workers > 1 {
-            for _ in 0..workers {
-                let (send, take, guarded) = (send.clone(), &take, &guarded);
-                let work = move || {
-                    let _cores = cores(workers);
-                    while let Some(index) = take() {
-                        if send.send((index, guarded(index))).is_err() {
-                            return; // nobody is left to hear it
-                        }
+        for _ in 0..if workers > 1 { workers } else { 0 } {
+            let (send, take, guarded) = (send.clone(), &take, &guarded);
+            let work = move || {
+                let _cores = cores(workers);
+                while let Some(index) = take() {
+                    if send.send((index, guarded(index))).is_err() {
+                        return; // the receiver is gone
                     }
-                };
-                let builder = thread::Builder::new().name("picture".into()).stack_size(STACK_BYTES);
-                started += usize::from(builder.spawn_scoped(scope, work).is_ok());
-            }
+                }
+            };
+            let builder = thread::Builder::new().name("picture".into()).stack_size(STACK_BYTES);
+            started += usize::from(builder.spawn_scoped(scope, work).is_ok());
         }
         drop(send);
         if started == 0 {
@@ -90,6 +83,26 @@ pub(super) fn run<T: Send>(
         }
         receive.into_iter().for_each(collect);
     });
+}
+
+/// Results that come in any order, handed on in the order of their jobs.
+struct InOrder<T, F> {
+    /// Results of jobs after one that is not in yet.
+    waiting: BTreeMap<usize, T>,
+    /// The job whose result is handed on next.
+    next: usize,
+    result: F,
+}
+
+impl<T, F: FnMut(usize, T)> InOrder<T, F> {
+    /// Takes the result of a job, and hands on all results whose turn it is.
+    fn add(&mut self, index: usize, outcome: T) {
+        self.waiting.insert(index, outcome);
+        while let Some(outcome) = self.waiting.remove(&self.next) {
+            (self.result)(self.next, outcome);
+            self.next += 1;
+        }
+    }
 }
 
 #[cfg(test)]
