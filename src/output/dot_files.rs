@@ -80,7 +80,12 @@ fn medium_of(page: &Page, format: DotFormat) -> Result<&DotMedium, Error> {
 }
 
 fn words(page: &Page) -> Words<'_> {
-    Words { title: &page.title, description: &page.description, language: &page.language }
+    Words {
+        title: &page.title,
+        description: &page.description,
+        language: &page.language,
+        description_language: &page.description_language,
+    }
 }
 
 /// The G-code of a page; none where dots lie on a grid, which no machine that takes G-code has.

@@ -87,7 +87,7 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
         filter,
         level: LEVEL,
         per_metre: (f64::from(dpi.0) / 0.0254).round() as u32,
-        words: [&page.title, &page.description, &page.language],
+        words: [(&page.title, &page.language), (&page.description, &page.description_language)],
         origin: Some(origin_lines(&page.origin).collect::<Vec<_>>().join("\n")),
     };
     file.write(|out| rows(page, size, dpi, depth, out)).map_err(|_| too_fine())

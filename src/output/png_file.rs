@@ -22,8 +22,8 @@ pub(super) struct PngFile<'a> {
     pub(super) level: u8,
     /// Pixels of a metre of paper.
     pub(super) per_metre: u32,
-    /// Title, description and the language of both (BCP 47).
-    pub(super) words: [&'a str; 3],
+    /// Title and description, each with its language (BCP 47).
+    pub(super) words: [(&'a str, &'a str); 2],
     /// How it was made, if there is something to say.
     pub(super) origin: Option<String>,
 }
@@ -51,16 +51,16 @@ impl PngFile<'_> {
         let per_metre = self.per_metre;
         encoder.set_pixel_dims(Some(PixelDimensions { xppu: per_metre, yppu: per_metre, unit: Unit::Meter }));
         let mut writer = encoder.write_header()?;
-        let [title, description, language] = self.words.map(plain);
-        // The format has room for a language of ASCII only.
-        let language = if language.is_ascii() { language } else { String::new() };
         let mut text = |keyword: &str, language: &str, text: String| {
             let mut chunk = ITXtChunk::new(keyword, text);
             chunk.language_tag = language.to_owned();
             writer.write_text_chunk(&chunk)
         };
-        text("Title", &language, title)?;
-        text("Description", &language, description)?;
+        for (keyword, (words, language)) in ["Title", "Description"].into_iter().zip(self.words) {
+            // The format has room for a language of ASCII only.
+            let language = if language.is_ascii() { plain(language) } else { String::new() };
+            text(keyword, &language, plain(words))?;
+        }
         text("Software", "", concat!("tactograph ", env!("CARGO_PKG_VERSION")).to_owned())?;
         self.origin.iter().try_for_each(|origin| text("Comment", "", origin.clone()))?;
         let mut stream = writer.stream_writer_with_size(IDAT)?;
@@ -124,7 +124,7 @@ mod tests {
             (state >> 24) as u8
         });
         let pixels: Vec<u8> = noise.take(if depth == BitDepth::One { 20 * 70 } else { 160 * 70 }).collect();
-        let words = ["A <\u{1}", "", language];
+        let words = [("A <\u{1}", language), ("", "en")];
         let file = PngFile { size: [160, 70], depth, filter, level: 6, per_metre: 787, words, origin: None };
         let written = file.write(|out| pixels.chunks(33).try_for_each(|part| out.write_all(part)));
         (written.expect("all pixels are there"), pixels)

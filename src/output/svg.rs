@@ -25,7 +25,7 @@ use svg::{Document, Node};
 use super::layer::{Layer, grey};
 use super::seal;
 use super::text::{origin_lines, plain, push_number};
-use crate::page::{Class, Dots, Figure, Glyph, Height, Line, Overview, Page, Pen, Run, Shape, Texture};
+use crate::page::{Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, Texture};
 use crate::units::{MmPoint, MmRect};
 
 /// The page as an SVG document. The same page gives the same bytes.
@@ -37,10 +37,10 @@ pub fn write(page: &Page) -> String {
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
         .set("role", "img")
-        .add(Title::new(plain(&page.title)))
+        .add(title(page))
         .add(
             Description::new()
-                .set("xml:lang", plain(&page.language))
+                .set("xml:lang", plain(&page.description_language))
                 .add(svg::node::Text::new(plain(&page.description))),
         )
         .add(metadata(&page.origin));
@@ -70,6 +70,12 @@ pub fn write(page: &Page) -> String {
     let _ = writeln!(text, "{document}");
     let seal = seal::comment(text.as_bytes());
     text + &seal
+}
+
+/// The title, with its language where that is not the one of generated titles.
+fn title(page: &Page) -> Title {
+    let title = Title::new(plain(&page.title));
+    if page.language == LANGUAGE { title } else { title.set("xml:lang", plain(&page.language)) }
 }
 
 /// Whether these bytes are a drawing as [`write()`] makes it, changed by nobody since: neither in an editor nor by

@@ -9,7 +9,7 @@ pub use crate::classes::Class;
 pub use crate::lines::{Height, Line, Pen, Run};
 pub use crate::textures::{Glyph, Palette, Shape, Sign, Texture};
 
-/// The language of the descriptions that are made here (BCP 47).
+/// The language of the titles and descriptions that are generated (BCP 47).
 pub const LANGUAGE: &str = "en";
 
 /// A finished page.
@@ -27,8 +27,10 @@ pub struct Parts {
     pub title: String,
     /// What is on it, in plain words.
     pub description: String,
-    /// The language of title and description as in BCP 47, such as `en`.
+    /// The language of the title as in BCP 47, such as `en`.
     pub language: String,
+    /// The language of the description.
+    pub description_language: String,
     /// How it was made: program, profile and every parameter, as name and value.
     pub origin: Vec<(String, String)>,
     /// The band of fine dots around the figure; empty if there is none.
@@ -55,6 +57,7 @@ impl Parts {
             title: String::new(),
             description: String::new(),
             language: LANGUAGE.into(),
+            description_language: LANGUAGE.into(),
             origin: Vec::new(),
             frame: Dots::default(),
             orientation_mark: None,
@@ -146,8 +149,8 @@ impl Page {
         Ok(Self { parts })
     }
 
-    /// The same page with words of its maker's: a title, a description, and the language of both (BCP 47, such as
-    /// `en`). What is not given stays.
+    /// The same page with its maker's title and description, and the language of these (BCP 47, such as `en`). What is
+    /// not given stays; a description that stays keeps its own language.
     #[must_use]
     pub fn called(mut self, title: Option<&str>, description: Option<&str>, language: Option<&str>) -> Self {
         let put = |place: &mut String, words: Option<&str>| {
@@ -158,6 +161,9 @@ impl Page {
         put(&mut self.parts.title, title);
         put(&mut self.parts.description, description);
         put(&mut self.parts.language, language);
+        if description.is_some() {
+            put(&mut self.parts.description_language, language);
+        }
         self
     }
 

@@ -46,7 +46,8 @@ fn pages_come_back() {
 #[test]
 fn any_words_are_kept_or_left_out() {
     let title = "<&>\"' ]]> \u{1} żółć 𝔊\u{fffe}\nend";
-    let text = pef::write(&[], &Words { title, description: "a\tb & c", language: "pl-PL" });
+    let text =
+        pef::write(&[], &Words { title, description: "a\tb & c", language: "pl-PL", description_language: "pl-PL" });
     let found = words(&text);
     let names: Vec<_> = found.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["format", "identifier", "title", "description", "language"]);
@@ -54,7 +55,7 @@ fn any_words_are_kept_or_left_out() {
     assert_eq!(found[2].1, "<&>\"' ]]> \u{fffd} żółć 𝔊\u{fffd} end");
     assert_eq!((found[3].1.as_str(), found[4].1.as_str()), ("a b & c", "pl-PL"));
     for language in ["", "no language", "-", "en-", "1a", "abcdefghi", "en-é"] {
-        let text = pef::write(&[], &Words { title, description: "", language });
+        let text = pef::write(&[], &Words { title, language, ..Words::default() });
         assert_eq!(words(&text).len(), 3, "{language}");
     }
 }

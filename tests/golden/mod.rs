@@ -82,7 +82,7 @@ fn pages_of_dots_are_as_somebody_last_saw_them() {
             if others.contains(&name) {
                 files = vec![("txt", pages.iter().map(|page| page.to_string()).collect::<String>().into_bytes())];
             } else if name != "index-basic-d" {
-                let words = Words { title: &picture, description: "", language: "" };
+                let words = Words { title: &picture, ..Words::default() };
                 files.push(("txt", text::write(&matrices).into_bytes()));
                 files.push(("png", pixels::write(&matrices[0], profile.dots.pitch, device.has_heights(), &words)));
             }

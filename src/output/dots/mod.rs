@@ -31,8 +31,10 @@ pub struct Words<'a> {
     pub title: &'a str,
     /// What is on it, in plain words; may be empty.
     pub description: &'a str,
-    /// The language of both as in BCP 47, such as `en`; empty if nobody knows.
+    /// The language of its name as in BCP 47, such as `en`; empty if nobody knows.
     pub language: &'a str,
+    /// The language of the description.
+    pub description_language: &'a str,
 }
 
 /// Ends a page of text.

@@ -14,12 +14,13 @@ use crate::output::text::plain;
 /// The pages as PEF.
 ///
 /// The document is identified by a number that follows from its dots and words. A language that is no language tag
-/// (RFC 3066, as PEF asks for) is left out. No pages make a document with an empty page, since PEF has none without.
+/// (RFC 3066, as PEF asks for) is left out, and so is a description in another language than the title's, since a
+/// document has one language. No pages make a document with an empty page, since PEF has none without.
 pub fn write(pages: &[DotMatrix], words: &Words<'_>) -> String {
     let most = |of: fn(&DotMatrix) -> usize| pages.iter().map(of).max().unwrap_or(0).max(1);
     let (columns, rows) = (most(DotMatrix::columns).div_ceil(2), most(DotMatrix::rows).div_ceil(4));
     let mut meta = element("dc:title", words.title);
-    if !words.description.is_empty() {
+    if !words.description.is_empty() && words.description_language == words.language {
         meta += &element("dc:description", words.description);
     }
     if is_language(words.language) {

@@ -25,7 +25,7 @@ pub fn write(matrix: &DotMatrix, pitch: f32, has_heights: bool, words: &Words<'_
         filter: Filter::NoFilter,
         level: LEVEL,
         per_metre: (1000.0 / f64::from(pitch)).round() as u32,
-        words: [words.title, words.description, words.language],
+        words: [(words.title, words.language), (words.description, words.description_language)],
         origin: None,
     };
     let grey = |x, y| match matrix.height(x, y) {
@@ -54,7 +54,7 @@ mod tests {
     #[test]
     fn a_pixel_is_a_dot() {
         let matrix = DotMatrix::drawn(".-+#\n#...\n");
-        let words = Words { title: "A < B\u{1}", description: "", language: "en" };
+        let words = Words { title: "A < B\u{1}", language: "en", ..Words::default() };
         let seen = |pitch, has_heights| pixels(&write(&matrix, pitch, has_heights, &words));
         assert_eq!(seen(1.27, true), (4, 2, vec![255, 170, 85, 0, 0, 255, 255, 255], Some(787)));
         assert_eq!(seen(2.5, false), (4, 2, vec![255, 0, 0, 0, 0, 255, 255, 255], Some(400)));

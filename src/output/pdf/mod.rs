@@ -180,7 +180,7 @@ fn structure(pdf: &mut Pdf, pages: &[Page], ids: &Ids) {
         let (title, description) = (plain(&page.title), plain(&page.description));
         let mut figure = pdf.indirect(own.figure).start::<StructElement<'_>>();
         figure.kind(StructRole::Figure).parent(ids.document).page(own.page);
-        figure.title(TextStr(&title)).alt(TextStr(&description)).lang(TextStr(&plain(&page.language)));
+        figure.title(TextStr(&title)).alt(TextStr(&description)).lang(TextStr(&plain(&page.description_language)));
         figure.pair(Name(b"K"), content::MARKED_CONTENT);
         figure.attributes().push().layout().bbox(rect(page));
     }
@@ -230,7 +230,9 @@ const NAMESPACES: &str = concat!(
 /// its `metadata`.
 fn xmp(title: &str, page: &Page) -> String {
     let (title, description) = (escaped(title), escaped(&page.description));
-    let language = escaped(&page.language);
+    let mut languages = vec![&page.language, &page.description_language];
+    languages.dedup();
+    let languages: String = languages.into_iter().map(|tag| format!("<rdf:li>{}</rdf:li>", escaped(tag))).collect();
     let mut made = String::new();
     for line in origin_lines(&page.origin) {
         let _ = writeln!(made, "<rdf:li>{}</rdf:li>", escaped(&line)); // writing to a String cannot fail
@@ -244,7 +246,7 @@ fn xmp(title: &str, page: &Page) -> String {
 <dc:format>application/pdf</dc:format>
 <dc:title><rdf:Alt><rdf:li xml:lang="x-default">{title}</rdf:li></rdf:Alt></dc:title>
 <dc:description><rdf:Alt><rdf:li xml:lang="x-default">{description}</rdf:li></rdf:Alt></dc:description>
-<dc:language><rdf:Bag><rdf:li>{language}</rdf:li></rdf:Bag></dc:language>
+<dc:language><rdf:Bag>{languages}</rdf:Bag></dc:language>
 <xmp:CreatorTool>{PROGRAM}</xmp:CreatorTool>
 <pdf:Producer>{PROGRAM}</pdf:Producer>
 <tactograph:made><rdf:Seq>
