@@ -133,7 +133,7 @@ pub enum Error {
     #[error("{0}")]
     CannotPress(String),
     /// A page of dots cannot be spread over sheets.
-    #[error("a page of dots for {device} goes on one sheet; leave out --sheets, or lessen the width asked for")]
+    #[error("a page of dots for {device} goes on one sheet, and cannot be spread over several")]
     OneSheet {
         /// What presses the pages.
         device: &'static str,

@@ -30,7 +30,7 @@
 //!
 //! let text = "inherits = \"swell-a4\"\n[page]\nmargin = 15.0\n[lines]\nwidth_max = 1.2";
 //! let mut profile = Profile::from_toml(text, "workshop.toml")?;
-//! profile.set("textures.across", "4.5")?; // as --set of the program does
+//! profile.set("textures.across", "4.5")?; // what the option --set of the program does
 //! let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &Options::new(profile))?;
 //! let widest = drawing.page.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width).fold(0.0, f32::max);
 //! assert!(widest <= 1.2);

@@ -67,7 +67,12 @@ fn svg_text(page: &[u8]) -> Result<&str, touch::Error> {
     if let Some((_, what)) = OTHERS.iter().find(|(magic, _)| page.starts_with(magic)) {
         return Err(touch::Error::OtherFormat(what));
     }
-    std::str::from_utf8(page).map_err(|_| touch::Error::OtherFormat("no text in UTF-8"))
+    let text = std::str::from_utf8(page).map_err(|_| touch::Error::OtherFormat("no text in UTF-8"))?;
+    if text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
+        Ok(text)
+    } else {
+        Err(touch::Error::OtherFormat("no drawing in SVG"))
+    }
 }
 
 #[cfg(test)]
@@ -76,9 +81,12 @@ mod tests {
 
     #[test]
     fn what_is_no_svg_is_called_by_its_name() {
-        for (bytes, what) in
-            [(&b"%PDF-1.7"[..], "a PDF"), (b"\x89PNG\r\n\x1a\n", "a PNG picture"), (b"\xc3\x28", "no text")]
-        {
+        for (bytes, what) in [
+            (&b"%PDF-1.7"[..], "a PDF"),
+            (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
+            (b"\xc3\x28", "no text"),
+            (b"dots", "no drawing"),
+        ] {
             let told = feel(bytes, 1.0).expect_err("it is no SVG").to_string();
             assert!(told.contains(what) && told.contains("SVG"), "{told}");
         }

@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use tactograph::Options;
 
 pub(super) use self::calibrate::Calibrate;
@@ -132,6 +132,7 @@ pub(super) enum Command {
         the list is used unless --profile names another.")]
     #[command(after_help = "Examples:\n  tactograph profiles\n  tactograph profiles show swell-a4\n  \
         tactograph profiles show swell-a4 > my.toml    a start for your own\n  \
+        tactograph profiles show my.toml               your own, with what it inherits\n  \
         tactograph profiles keys > keys.md             every key there is")]
     Profiles(Profiles),
 }
@@ -193,7 +194,7 @@ pub(super) struct Convert {
     ///
     /// With it a screen reader speaks them well.
     ///
-    /// The description that is made without --alt is in English.
+    /// The description that is made without --alt is in English, and is marked as English.
     ///
     /// [default: en]
     #[arg(long, value_name = "TAG", value_parser = language)]
@@ -264,8 +265,12 @@ pub(super) enum ProfilesCommand {
     /// Prints every key of a profile with its unit, range, default and reason, as a Markdown page
     Keys,
     /// Prints a profile as TOML, with the unit, range and reason of every value as comments
+    ///
+    /// Of a file of your own every key is printed, also those that it inherits, with the line that each value comes
+    /// from.
     Show {
-        /// Name of the profile, as "tactograph profiles" lists it
+        /// Name of the profile, as "tactograph profiles" lists it, or a .toml file of your own
+        #[arg(value_name = "NAME|FILE.toml")]
         name: String,
     },
 }
@@ -313,12 +318,18 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
 fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<String> {
     let first = args.get(1)?.to_string_lossy();
     let second = args.get(2).map(|arg| arg.to_string_lossy());
+    if let (ErrorKind::UnknownArgument, Some(option)) = (kind, short_with_two_hyphens(args, told)) {
+        return Some(format!("there is no option -{option}, did you mean {option}"));
+    }
     match (kind, &*first, second) {
         // The usage, which is told after the error itself, names it always.
         (ErrorKind::MissingRequiredArgument, verb @ ("convert" | "trace"), _)
             if in_one_line(told).contains("<PICTURE>") =>
         {
             Some(format!("name a picture to {verb}"))
+        }
+        (ErrorKind::MissingRequiredArgument, "profiles", _) => {
+            Some("name a profile to show (tactograph profiles lists them), or a .toml file of your own".into())
         }
         (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
@@ -331,6 +342,20 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
         }
         _ => None,
     }
+}
+
+/// The short option, such as `-o`, that was typed with a hyphen too many, if that is what clap does not know.
+fn short_with_two_hyphens<'a>(args: &'a [OsString], told: &str) -> Option<&'a str> {
+    let shorts = args.iter().filter_map(|arg| arg.to_str()?.split('=').next()?.strip_prefix('-'));
+    let known = |option: &&str| {
+        told.contains(&format!("'-{option}'"))
+            && Cli::command().get_subcommands().any(|command| {
+                command.get_arguments().any(|arg| {
+                    arg.get_short().is_some_and(|c| option.strip_prefix('-') == Some(c.encode_utf8(&mut [0; 4])))
+                })
+            })
+    };
+    shorts.into_iter().find(known)
 }
 
 /// clap writes paragraphs: the error, tips, the usage, where to find help. Here the first two, as one line.
@@ -347,7 +372,6 @@ mod tests {
 
     #[test]
     fn the_definitions_agree_with_each_other() {
-        use clap::CommandFactory;
         Cli::command().debug_assert();
     }
 }

@@ -38,13 +38,15 @@ pub(super) struct Order<'a> {
 pub(super) struct Made {
     /// The bytes of the file; of several files with numbers, where one does not hold all.
     pub(super) files: Vec<Vec<u8>>,
+    /// How many sheets these hold; 0 for what has no sheets.
+    pub(super) sheets: usize,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
 }
 
 /// Everything was written.
 struct Done {
-    /// The names of the files.
+    /// The names of the files, and how many sheets there are if there is more than one.
     wrote: String,
     notes: Vec<Note>,
     timings: Stopped,
@@ -136,8 +138,11 @@ fn work(
         .map_err(|error| about_picture(format!("{error:#}")))?;
     let told = timings.clone();
     let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
-    let Made { files, notes } = make(&bytes, &options, &timings).map_err(|error| about_picture(explain(&error)))?;
-    let wrote = timings.step("write", || write(product, job, &files, existing))?;
+    let Made { files, sheets, notes } =
+        make(&bytes, &options, &timings).map_err(|error| about_picture(explain(&error)))?;
+    let names = timings.step("write", || write(product, job, &files, existing))?;
+    // of several files the numbers say it
+    let wrote = if files.len() == 1 { names + &output::and_sheets(sheets) } else { names };
     Ok(Done { wrote, notes, timings: timings.stop() })
 }
 

@@ -4,7 +4,7 @@ use super::args::Calibrate;
 use super::product::{Format, Product};
 use super::report::{Exit, Report};
 use super::settings::Change;
-use super::{places, settings, sheets};
+use super::{output, places, settings, sheets};
 
 /// Makes the sheets and tells what is on them.
 pub(super) fn run(args: &Calibrate) -> Exit {
@@ -42,7 +42,8 @@ pub(super) fn run(args: &Calibrate) -> Exit {
     match sheets::write(&calibration, (format, chosen), &args.output, args.force) {
         Ok(names) => {
             calibration.pages.iter().for_each(|page| report.done(&page.description));
-            names.iter().for_each(|name| report.done(&format!("wrote {name}")));
+            let sheets = if names.len() == 1 { output::and_sheets(calibration.pages.len()) } else { String::new() };
+            names.iter().for_each(|name| report.done(&format!("wrote {name}{sheets}")));
             Exit::Done
         }
         Err((file, what)) => {

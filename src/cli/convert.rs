@@ -42,7 +42,7 @@ pub(super) fn run(args: &Convert) -> Exit {
             (pages, Format::Drawing(DrawingFormat::Pdf)) => Ok(vec![write_pdf(title, pages)]),
             (pages, Format::Drawing(format)) => pages.iter().map(|page| write(page, format, chosen)).collect(),
         })?;
-        Ok(Made { files, notes })
+        Ok(Made { files, sheets: pages.len(), notes })
     })
 }
 

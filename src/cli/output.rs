@@ -161,6 +161,11 @@ fn follow(path: &Path, noun: &str) -> anyhow::Result<PathBuf> {
     bail!("the {noun} cannot be written here, as this link leads round in a circle; choose another name")
 }
 
+/// What is said after the name of a file of so many sheets; nothing for one.
+pub(super) fn and_sheets(count: usize) -> String {
+    if count > 1 { format!(", {count} sheets") } else { String::new() }
+}
+
 /// The directory that a file lies in.
 pub(super) fn directory(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))

@@ -26,12 +26,15 @@ pub(super) fn keys(report: &Report) -> Exit {
     print(&Profile::manual(), report)
 }
 
-/// Prints a built-in profile on standard output as it was written, comments and all, with the range of every key.
+/// Prints a profile on standard output: a built-in one as it was written, with its comments and the range of every key;
+/// a file with all that it inherits.
 pub(super) fn show(name: &str, report: &Report) -> Exit {
-    match (built_in().iter().find(|profile| profile.name == name), Profile::named(name)) {
-        (Some(profile), _) => print(&with_ranges(profile.text), report),
-        (None, named) => {
-            let faults = named.err().map_or_else(Vec::new, settings::faults_of);
+    if let Some(profile) = built_in().iter().find(|profile| profile.name == name) {
+        return print(&with_ranges(profile.text), report);
+    }
+    match settings::load(name) {
+        Ok(profile) => print(&profile.to_toml(), report),
+        Err(faults) => {
             faults.iter().for_each(|fault| report.error(&fault.place, &fault.what));
             Exit::Usage
         }

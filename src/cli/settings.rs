@@ -1,5 +1,5 @@
-//! `--profile`, `--set` and what is short for it become a checked profile, or the list of everything that is wrong
-//! with them.
+//! `--profile`, `--set` and options that stand for a `--set` become a checked profile, or the list of everything that is
+//! wrong with them.
 
 use std::path::Path;
 
@@ -10,10 +10,13 @@ use super::input;
 /// Largest profile read. The built-in ones have some kilobytes; a picture given by mistake is told at once.
 const MOST_PROFILE_BYTES: u64 = 1 << 20;
 
+/// How many letters of an option a message repeats; no option with a sensible value has as many.
+const LONGEST_OPTION: usize = 80;
+
 /// One value of the profile that the command line changes.
 #[derive(Debug, Clone)]
 pub(super) struct Change {
-    /// The option as it was typed, such as `--detail 0.2`.
+    /// The option as it was typed, such as `--detail 0.2`, by which messages call it.
     option: String,
     /// `KEY=VALUE`.
     set: String,
@@ -22,19 +25,29 @@ pub(super) struct Change {
 impl Change {
     /// `--set KEY=VALUE`.
     pub(super) fn set(set: &str) -> Self {
-        Self { option: format!("--set {set}"), set: set.to_owned() }
+        Self::of_option(&format!("--set {set}"), set)
     }
 
-    /// An option that is short for `--set KEY=VALUE`.
-    pub(super) fn short(option: &str, set: &str) -> Self {
-        Self { option: option.to_owned(), set: set.to_owned() }
+    /// An option that does the same as `--set KEY=VALUE`.
+    pub(super) fn of_option(option: &str, set: &str) -> Self {
+        let mut shown: String = option.chars().take(LONGEST_OPTION).collect();
+        if shown.len() < option.len() {
+            shown += "...";
+        }
+        Self { option: shown, set: set.to_owned() }
     }
 
-    /// The fault with the option that was typed in place of what it is short for.
-    fn named(&self, fault: Fault) -> Fault {
-        let long = format!("--set {}", self.set);
-        let named = |text: String| if long == self.option { text } else { text.replace(&long, &self.option) };
-        Fault { place: named(fault.place), what: named(fault.what) }
+    /// Makes the change.
+    fn apply(&self, profile: &mut Profile) -> Result<(), Vec<Fault>> {
+        match self.set.split_once('=') {
+            Some((key, value)) if !key.trim().is_empty() => {
+                profile.set_from(key, value, &self.option).map_err(faults_of)
+            }
+            _ => Err(vec![Fault {
+                place: self.option.clone(),
+                what: "write it as key=value, such as lines.width_max=1.2".into(),
+            }]),
+        }
     }
 }
 
@@ -60,13 +73,12 @@ pub(super) fn profile(profile: &str, changes: &[Change]) -> Result<Profile, Vec<
                 }
             },
         };
-        faults.extend(apply(target, &change.set).err().into_iter().flatten());
+        faults.extend(change.apply(target).err().into_iter().flatten());
     }
     faults.extend(profile.iter().filter_map(|profile| profile.check().err()).flat_map(faults_of));
-    let named = |fault| changes.iter().fold(fault, |fault, change| change.named(fault));
     match profile {
         Some(profile) if faults.is_empty() => Ok(profile),
-        _ => Err(faults.into_iter().map(named).collect()),
+        _ => Err(faults),
     }
 }
 
@@ -78,7 +90,11 @@ pub(super) fn faults_of(error: Error) -> Vec<Fault> {
     }
 }
 
-fn load(profile: &str) -> Result<Profile, Vec<Fault>> {
+/// The profile of this name, or in this file, as it is written.
+///
+/// # Errors
+/// Every fault at once.
+pub(super) fn load(profile: &str) -> Result<Profile, Vec<Fault>> {
     if !is_path(profile) {
         return Profile::named(profile).map_err(|error| {
             let mut faults = faults_of(error);
@@ -96,14 +112,4 @@ fn text_of(path: &str) -> Result<String, String> {
     let bytes = input::read(Path::new(path), MOST_PROFILE_BYTES, "this is too large for a profile; give a TOML file")
         .map_err(|error| format!("{error:#}"))?;
     String::from_utf8(bytes).map_err(|_| "this is not text in UTF-8; give a profile, which is a TOML file".to_owned())
-}
-
-fn apply(profile: &mut Profile, set: &str) -> Result<(), Vec<Fault>> {
-    match set.split_once('=') {
-        Some((key, value)) if !key.trim().is_empty() => profile.set(key.trim(), value.trim()).map_err(faults_of),
-        _ => Err(vec![Fault {
-            place: format!("--set {set}"),
-            what: "write it as key=value, such as lines.width_max=1.2".into(),
-        }]),
-    }
 }

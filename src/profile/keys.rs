@@ -21,6 +21,7 @@ pub struct Key {
     get: fn(&Profile) -> Value,
     put: fn(&mut Profile, &Value, Option<NumberRange>) -> bool,
     takes: fn(&Value, Option<NumberRange>) -> bool,
+    suggestion: fn(&str) -> Option<String>,
     blank: fn() -> Value,
 }
 
@@ -62,8 +63,11 @@ impl Key {
 
     /// The fault of a value out of range or of the wrong kind; `got` names it.
     pub(super) fn refuse(&self, got: &str) -> String {
-        let bare = got.trim_end_matches('"');
-        let with_unit = self.limits.is_some_and(|limits| !limits.unit.is_empty() && bare.ends_with(limits.unit));
+        let text = got.strip_prefix("the text ").unwrap_or(got).trim_matches('"');
+        if let Some(suggestion) = (self.suggestion)(text) {
+            return format!("{} cannot be {got}, {suggestion}", self.path);
+        }
+        let with_unit = self.limits.is_some_and(|limits| !limits.unit.is_empty() && text.ends_with(limits.unit));
         let advice = if with_unit {
             ", write it without the unit"
         } else if self.limits.is_some() && has_decimal_comma(got) {
@@ -211,6 +215,7 @@ macro_rules! table {
                 taken
             },
             takes: |value, limits| <$kind as Setting>::read(value, limits).is_some(),
+            suggestion: <$kind as Setting>::suggestion,
             blank: || <$kind as Setting>::BLANK.write(),
         }),+),+];
     };
@@ -296,8 +301,8 @@ table! {
         width_max: f32 = 0.3 to 10.0, "mm";
         /// Height of a colour step from which a line has its greatest width, chroma counted twice.
         full_strength: f32 = 1.0 to 600.0, "units of lightness";
-        /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that fingers can
-        /// part.
+        /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that
+        /// fingers can tell apart.
         detail: f32 = 0.0 to 1.0;
         /// Lines shorter than this are left out.
         min_length: f32 = 0.0 to 200.0, "mm";

@@ -1,6 +1,8 @@
 //! What a key can hold. A new kind of value is one type that implements [`Setting`], here and nowhere else.
 
+use super::built_in;
 use super::fault::list;
+use super::nearest::nearest_value;
 use crate::devices::Device;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
@@ -40,6 +42,11 @@ pub(super) trait Setting: Sized {
 
     /// As TOML has it.
     fn write(&self) -> Value;
+
+    /// What a text that is refused may have meant, as the end of a message; nothing where no name is near.
+    fn suggestion(_text: &str) -> Option<String> {
+        None
+    }
 }
 
 impl Value {
@@ -134,6 +141,10 @@ impl Setting for Orientation {
     fn write(&self) -> Value {
         Value::Text(self.name().to_owned())
     }
+
+    fn suggestion(text: &str) -> Option<String> {
+        nearest_value(text, Self::ALL.into_iter().map(Self::name))
+    }
 }
 
 /// What presses a page: `none`, which prints it, or a device.
@@ -156,7 +167,20 @@ impl Setting for Option<&'static Device> {
     fn write(&self) -> Value {
         Value::Text(self.map_or(PRINTED, |device| device.id).to_owned())
     }
+
+    fn suggestion(text: &str) -> Option<String> {
+        let of_profile =
+            built_in::text_of(text).and_then(|text| text.lines().find_map(|line| line.strip_prefix(DEVICE)));
+        let device = of_profile.and_then(|rest| rest.split('"').next());
+        match device {
+            Some(device) => Some(format!("which is a profile, its device is \"{device}\"")),
+            None => nearest_value(text, std::iter::once(PRINTED).chain(Device::ALL.iter().map(|device| device.id))),
+        }
+    }
 }
+
+/// How the line of a profile begins that names its device.
+const DEVICE: &str = "device = \"";
 
 /// The word for a page that is printed, in place of a device.
 const PRINTED: &str = "none";

@@ -32,7 +32,7 @@ blind readers.
 const FOOT: &str = "\
 [README](../README.md) · [A profile of your own](own-profile.md) · [Embossers and pin displays](embossers.md)
 
-<!-- Made by `tactograph profiles keys`: change the table in src/profile/keys.rs or profiles/swell-a4.toml instead. -->
+This page is what `tactograph profiles keys` prints. It is made from `src/profile/keys.rs` and `profiles/swell-a4.toml`.
 ";
 
 impl Profile {

@@ -12,8 +12,10 @@ mod inherit;
 mod keys;
 mod kind;
 pub mod manual;
+mod nearest;
 mod parse;
 mod plan;
+mod resolved;
 mod suggest;
 mod syntax;
 mod unused;
@@ -62,8 +64,7 @@ impl Profile {
 
     /// As [`Profile::from_toml`], for a text that may inherit other files too, such as `inherits = "our-school.toml"`.
     /// `find` gives their texts: it gets a path that is meant from the folder of the file that names it, so `a/b.toml`
-    /// if
-    /// `a/my.toml` inherits `b.toml`. If there is no such file, it says why in words for the maker of the profile.
+    /// if `a/my.toml` inherits `b.toml`. If there is no such file, it says why in words for the maker of the profile.
     ///
     /// # Errors
     /// As [`Profile::from_toml`], with the faults of the inherited files too; and files that inherit one another in a
@@ -77,17 +78,27 @@ impl Profile {
         keys::KEYS.iter().find(|key| key.path == path).map(|key| key.value(self))
     }
 
-    /// Gives one key another value, as `--set key=value` does. A section with a key `on` may stand for that key.
-    /// Whether the values still go together is for [`Profile::check`] to say, after the last `set`.
+    /// Gives one key another value, such as `lines.width_max` the value `1.2`. A section with a key `on` may stand for
+    /// that key. Whether the values still go together is for [`Profile::check`] to say, after the last `set`. In
+    /// messages the place of the value is `key=value`.
     ///
     /// # Errors
     /// [`Error::Profile`] when there is no such key, or the value is not of its kind or not in its range; then nothing
     /// is changed.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Error> {
+        let place = format!("{}={}", fault::quoted_path(&[key.trim()]), fault::quoted_path(&[value.trim()]));
+        self.set_from(key, value, &place)
+    }
+
+    /// As [`Profile::set`]; `place` is what messages about the value shall call the place where it was given, such as
+    /// an option of a program or a field of a form.
+    ///
+    /// # Errors
+    /// As [`Profile::set`].
+    pub fn set_from(&mut self, key: &str, value: &str, place: &str) -> Result<(), Error> {
         let (key, value) = (key.trim(), value.trim());
-        let place = format!("--set {}={}", fault::quoted_path(&[key]), fault::quoted_path(&[value]));
-        let index = index_of(key).map_err(|what| Fault { place: place.clone(), what })?;
-        Ok(self.put_text(index, value, place)?)
+        let index = index_of(key).map_err(|what| Fault { place: place.to_owned(), what })?;
+        Ok(self.put_text(index, value, place.to_owned())?)
     }
 
     /// Every parameter as (path, value), in the order of [`Profile::keys`]; numbers are the shortest decimals that read
@@ -101,7 +112,7 @@ fn no_file(path: &str) -> Result<String, String> {
     Err(format!("no file is given for {}", fault::quoted_path(&[path])))
 }
 
-/// Where in the table the key of `--set` is, or what is wrong with its name.
+/// Where in the table a key that is set by its name is, or what is wrong with its name.
 fn index_of(key: &str) -> Result<usize, String> {
     let is_section = keys::SECTIONS.contains(&key);
     if is_section {

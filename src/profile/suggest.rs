@@ -1,21 +1,17 @@
-//! "Did you mean": the names nearest to one that does not exist.
+//! What to say of a key, a section or a profile that does not exist.
 
 use super::built_in::built_in;
 use super::fault::{list, quoted_path};
 use super::keys::{KEYS, SECTIONS};
-
-/// How many letters of a name are compared; no real one has as many.
-const LONGEST: usize = 40;
-
-/// How many names are offered at most: more are no help.
-const MOST: usize = 4;
+use super::nearest::{did_you_mean, is_misspelt, nearest};
 
 /// What to say of a key that does not exist; `section` does.
 pub(super) fn unknown_key(section: &str, name: &str) -> String {
     let own = || KEYS.iter().filter(|key| key.section() == section);
     let same_section = nearest(name, own().map(|key| (key.name(), key.path)));
     let any_section = nearest(name, KEYS.iter().map(|key| (key.name(), key.path)));
-    let word: Vec<_> = own().filter(|key| key.name().split('_').any(|word| word == name)).map(|key| key.path).collect();
+    let word: Vec<_> =
+        own().filter(|key| key.name().split('_').any(|word| is_misspelt(word, name))).map(|key| key.path).collect();
     // A slip of one letter is likelier than half a name, that than the wrong section, and that than a worse slip.
     let near = match (same_section.distance, any_section.distance) {
         (0 | 1, _) => same_section.offers,
@@ -30,7 +26,7 @@ pub(super) fn unknown_key(section: &str, name: &str) -> String {
     format!("there is no key {}, {advice}", quoted_path(&[section, name]))
 }
 
-/// What to say of a name at the top of a file, or alone in `--set`, that is neither a section nor one of `others`.
+/// What to say of a name at the top of a file, or alone where a key is set, that is neither a section nor one of `others`.
 pub(super) fn unknown_section(name: &str, others: &[&'static str]) -> String {
     let sections = nearest(name, SECTIONS.iter().chain(others).map(|&known| (known, known)));
     let keys = nearest(name, KEYS.iter().map(|key| (key.name(), key.path)));
@@ -39,7 +35,7 @@ pub(super) fn unknown_section(name: &str, others: &[&'static str]) -> String {
     format!("there is no section {}, {advice}", quoted_path(&[name]))
 }
 
-/// What to say of a section without a switch where `--set` wants a key.
+/// What to say of a section without a switch where a key is asked for.
 pub(super) fn section_alone(section: &str) -> String {
     let keys: Vec<_> = KEYS.iter().filter(|key| key.section() == section).map(|key| key.path).collect();
     format!("{section} is a section, name one of its keys: {}", list(&keys, "or"))
@@ -50,7 +46,10 @@ pub(super) fn unknown_profile(name: &str) -> String {
     let names: Vec<_> = built_in().iter().map(|profile| profile.name).collect();
     let other_names = built_in().iter().flat_map(|profile| profile.also.iter().map(|&also| (also, profile.name)));
     let near = nearest(name, names.iter().map(|&known| (known, known)).chain(other_names));
-    let advice = did_you_mean(&near.offers).map_or_else(String::new, |advice| format!(", {advice}"));
+    let parts: Vec<_> = name.split(['-', '_', ' ']).filter(|part| !part.is_empty()).collect();
+    let with_parts = || names.iter().copied().filter(|known| !parts.is_empty() && has_all(known, &parts)).collect();
+    let offers = if near.offers.is_empty() { with_parts() } else { near.offers };
+    let advice = did_you_mean(&offers).map_or_else(String::new, |advice| format!(", {advice}"));
     format!(
         "there is no built-in profile {} (the built-in profiles are {}){advice}",
         quoted_path(&[name]),
@@ -58,42 +57,7 @@ pub(super) fn unknown_profile(name: &str) -> String {
     )
 }
 
-/// What lies nearest to a wrong name.
-struct Nearest<'a> {
-    /// Slips between the wrong name and these; `usize::MAX` when nothing is near.
-    distance: usize,
-    offers: Vec<&'a str>,
-}
-
-/// Of pairs (name, what to offer for it), those nearest to `wrong`, if any is near at all.
-fn nearest<'a>(wrong: &str, names: impl Iterator<Item = (&'a str, &'a str)>) -> Nearest<'a> {
-    let wrong = wrong.chars().take(LONGEST).collect::<String>().to_lowercase().replace('-', "_");
-    let sorted_wrong = sorted_words(&wrong);
-    let mut near = Nearest { distance: usize::MAX, offers: Vec::new() };
-    for (name, offer) in names {
-        let known = name.replace('-', "_");
-        // The same words in another order (max_width) are one slip, however many letters moved.
-        let distance =
-            strsim::osa_distance(&wrong, &known).min(1 + strsim::osa_distance(&sorted_wrong, &sorted_words(&known)));
-        // A third of the letters wrong is about as far as a slip goes.
-        if distance > known.chars().count().div_ceil(3).min(3) || distance > near.distance {
-            continue;
-        }
-        if distance < near.distance {
-            near = Nearest { distance, offers: Vec::new() };
-        }
-        near.offers.push(offer);
-    }
-    near
-}
-
-fn sorted_words(name: &str) -> String {
-    let mut words: Vec<_> = name.split('_').collect();
-    words.sort_unstable();
-    words.join("_")
-}
-
-fn did_you_mean(near: &[&str]) -> Option<String> {
-    let near = &near[..near.len().min(MOST)];
-    (!near.is_empty()).then(|| format!("did you mean {}?", list(near, "or")))
+/// Whether each of these, in capitals or not, is a part of a profile's name between hyphens.
+fn has_all(name: &str, parts: &[&str]) -> bool {
+    parts.iter().all(|part| name.split('-').any(|own| own.eq_ignore_ascii_case(part)))
 }

@@ -12,7 +12,7 @@ fn a_pdf_has_all_sheets_and_their_key_is_told() {
     let lines: Vec<&str> = run.err.lines().collect();
     let (key, rest) = lines.split_at(lines.len() - 1);
     assert!(key.iter().all(|line| line.starts_with("Calibration sheet for swell-a4, ")), "{}", run.err);
-    assert!(key[0].contains(" a: lines 0.3, ") && rest == ["wrote sheet.pdf"], "{}", run.err);
+    assert!(key[0].contains(" a: lines 0.3, ") && rest == ["wrote sheet.pdf, 4 sheets"], "{}", run.err);
     let bytes = fs::read(place.path("sheet.pdf")).expect("the file");
     assert!(bytes.starts_with(b"%PDF") && String::from_utf8_lossy(&bytes).contains(&format!("/Count {}", key.len())));
     assert_eq!(place.names(), ["sheet.pdf"]);

@@ -1,9 +1,8 @@
 //! README and docs: every command works as it stands there, every page is found, and every link leads somewhere.
 //!
 //! A command is a line `tactograph ...` (or `cargo run --release -- ...`) in an indented or fenced block. Each is run
-//! in a place where the sample pictures lie under their own names, in the order of its page. After a comment
-//! `<!-- only parsed: why -->` the commands of the next block are not run (they need hardware, take minutes or are
-//! patterns); their options must exist all the same.
+//! in a place where the sample pictures lie under their own names, in the order of its page. Commands in a fenced block
+//! of `text` are not run (they need hardware, take minutes or are patterns); their options must exist all the same.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -39,16 +38,12 @@ fn text_of(page: &Path) -> String {
 
 /// The commands in a page's blocks.
 fn commands(text: &str) -> Vec<Shown> {
-    let (mut shown, mut fenced, mut only_parsed, mut in_block) = (Vec::new(), false, false, false);
+    let (mut shown, mut fenced, mut only_parsed) = (Vec::new(), false, false);
     for (i, line) in text.lines().enumerate() {
-        let was_in_block = std::mem::replace(&mut in_block, fenced || line.starts_with("    "));
-        if line.starts_with("```") {
+        let in_block = fenced || line.starts_with("    ");
+        if let Some(language) = line.strip_prefix("```") {
             fenced = !fenced;
-            only_parsed &= fenced;
-        } else if line.starts_with("<!-- only parsed: ") {
-            only_parsed = true;
-        } else if was_in_block && !in_block {
-            only_parsed = false;
+            only_parsed = fenced && language == "text";
         }
         let command = line.trim();
         let command = command.strip_prefix("cargo run --release -- ").or_else(|| command.strip_prefix("tactograph "));

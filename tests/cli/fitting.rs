@@ -89,7 +89,7 @@ fn several_sheets_are_one_pdf_or_files_with_numbers() {
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(place.text("wide-2.svg").contains("id=\"registration\""), "{}", run.err);
     let run = place.run(&["convert", "a.png", "--sheets", "2x1", "-o", "a.pdf"]);
-    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.pdf\n"));
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.pdf, 3 sheets\n"));
     let pdf = std::fs::read(place.path("a.pdf")).expect("a PDF");
     assert!(pdf.windows(8).any(|part| part == b"/Count 3"), "not three pages");
     let what = "3 sheets do not go into one file of this format; add --format pdf, or name a file";

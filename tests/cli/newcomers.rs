@@ -8,7 +8,12 @@ fn lang_goes_with_a_title_alone() {
     let run = place.run(&["convert", "a.png", "--title", "Karte", "--lang", "de"]);
     assert_eq!((run.code, run.err.as_str()), (0, "wrote a.svg\n"));
     let page = place.text("a.svg");
-    assert!(page.contains("Karte") && page.contains("xml:lang=\"de\""), "{page}");
+    // The description is generated, in English.
+    assert!(page.contains("<title xml:lang=\"de\">"), "{page}");
+    assert!(page.contains("<desc xml:lang=\"en\">") && page.contains("Tactile graphic, "), "{page}");
+    let run = place.run(&["convert", "a.png", "--alt", "Eine Karte", "--lang", "de"]);
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.svg\n"));
+    assert!(place.text("a.svg").contains("<desc xml:lang=\"de\">"), "{}", place.text("a.svg"));
 }
 
 #[test]
@@ -46,14 +51,73 @@ fn a_width_that_is_there_without_the_overview_is_told() {
 #[test]
 fn a_fault_names_the_option_that_was_typed() {
     let place = Place::with_picture("a.png");
-    for (args, option) in
-        [(&["--detail", "2"][..], "--detail 2: "), (&["--set", "lines.detail=2"], "--set lines.detail=2: ")]
-    {
+    for (args, option) in [
+        (&["--detail", "2"][..], "--detail 2: "),
+        (&["--detail", "0,2"], "--detail 0,2: "),
+        (&["--set", "lines.detail=2"], "--set lines.detail=2: "),
+    ] {
         let run = place.run(&[&["convert", "a.png"], args].concat());
         assert_eq!(run.code, 2);
         assert!(run.err.starts_with(&format!("tactograph: {option}")), "{}", run.err);
         assert_eq!(run.err.contains("--set"), args[0] == "--set", "{}", run.err);
+        assert_eq!(run.err.contains("write a point for the decimal comma"), args[1] == "0,2", "{}", run.err);
     }
+}
+
+#[test]
+fn names_that_are_nearly_right_get_a_suggestion() {
+    let place = Place::with_picture("a.png");
+    place.put("my.toml", b"inherits = \"swell-a4\"\n[lines]\nwidht = 1\n[dots]\ndevice = \"index-basic-d\"\n");
+    for (args, end) in [
+        (&["--profile", "A4"][..], "did you mean swell-a4?; for a file of your own give a name that ends in .toml\n"),
+        (&["--profile", "index"], "did you mean index-basic-d, index-everest-d, index-basic-d-v3 or index-braillebox?"),
+        (&["--profile", "my.toml"], "no key lines.widht, did you mean lines.width_min or lines.width_max?\n"),
+        (
+            &["--profile", "my.toml"],
+            "dots.device cannot be the text \"index-basic-d\", which is a profile, its device is \"index-basic-d-v5\"\n",
+        ),
+        (
+            &["--set", "dots.device=index-basic-d-v6"],
+            "cannot be index-basic-d-v6, did you mean \"index-basic-d-v3\", \"index-basic-d-v4\" or \"index-basic-d-v5\"?\n",
+        ),
+        (&["--set", "page.orientation=portrat"], "cannot be portrat, did you mean \"portrait\"?\n"),
+        (&["--o", "b.svg"], "tactograph: there is no option --o, did you mean -o; see tactograph convert --help\n"),
+    ] {
+        let run = place.run(&[&["convert", "a.png"], args].concat());
+        assert!(run.code == 2 && run.err.contains(end), "{args:?}: {}", run.err);
+    }
+}
+
+#[test]
+fn a_profile_of_ones_own_is_shown_with_what_it_inherits() {
+    let place = Place::new();
+    place.put("my.toml", b"inherits = \"school/our.toml\"\n[lines]\nwidth_max = 1.2\n");
+    place.put("school/our.toml", b"inherits = \"swell-a3\"\n[frame]\non = false\n");
+    let run = place.run(&["profiles", "show", "my.toml"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    for line in [
+        "width_max = 1.2 # a number from 0.3 to 10 mm; from my.toml, line 3",
+        "on = false # true or false; from school/our.toml, line 3",
+    ] {
+        assert!(run.out.lines().any(|shown| shown == line), "{line}\n{}", run.out);
+    }
+    assert!(run.out.contains("\nwidth = 297 # a number from 60 to 1200 mm; from swell-a3.toml, line "), "{}", run.out);
+    place.put("bad.toml", b"inherits = \"swell-a4\"\nnonsense = 1\n");
+    assert_eq!(place.run(&["profiles", "show", "bad.toml"]).code, 2);
+}
+
+#[test]
+fn a_file_of_dots_is_named_when_it_is_felt() {
+    let place = Place::with_picture("a.png");
+    let made = ["convert", "a.png", "--profile", "index-basic-d", "-o", "a.idx"];
+    let run = place.run(&made);
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.idx, 2 sheets\n"));
+    place.refuses(
+        &["feel", "a.idx"],
+        1,
+        &["a.idx: this is a page as IDX, which holds dots only, and feel reads the SVG of a page; write it with the same \
+           profile and -o a.svg, and feel that"],
+    );
 }
 
 #[test]

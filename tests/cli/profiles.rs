@@ -41,8 +41,8 @@ fn an_unknown_profile_is_wrong_usage() {
     let expected = tactograph::internals::profile::Profile::named("swel-a4").expect_err("no such profile");
     let expected = expected.to_string();
     assert!(expected.contains("swell-a4"), "no suggestion: {expected}");
-    place.refuses(&["profiles", "show", "swel-a4"], 2, &[&expected]);
     let with_hint = format!("{expected}; for a file of your own give a name that ends in .toml");
+    place.refuses(&["profiles", "show", "swel-a4"], 2, &[&with_hint]);
     place.refuses(&["convert", "a.png", "--profile", "swel-a4"], 2, &[&with_hint]);
     assert_eq!(place.names(), ["a.png"]);
 }

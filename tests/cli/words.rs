@@ -145,7 +145,7 @@ fn wrong_usage_is_one_line_and_nothing_is_done() {
         ),
         (
             &["profiles", "show"],
-            "the following required arguments were not provided: <NAME>; see tactograph profiles --help",
+            "name a profile to show (tactograph profiles lists them), or a .toml file of your own; see tactograph profiles --help",
         ),
     ];
     for (args, line) in cases {

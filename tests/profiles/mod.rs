@@ -202,41 +202,29 @@ fn set_refuses_what_it_cannot_take() {
         (
             "lines.width_max",
             "1,2",
-            "--set lines.width_max=\"1,2\": lines.width_max must be a number from 0.3 to 10 mm, not \"1,2\", \
+            "lines.width_max=\"1,2\": lines.width_max must be a number from 0.3 to 10 mm, not \"1,2\", \
              write a point for the decimal comma",
         ),
-        (
-            "lines.width_max",
-            "inf",
-            "--set lines.width_max=inf: lines.width_max must be a number from 0.3 to 10 mm, not inf",
-        ),
-        (
-            "lines.width_max",
-            "",
-            "--set lines.width_max=\"\": lines.width_max must be a number from 0.3 to 10 mm, not \"\"",
-        ),
+        ("lines.width_max", "inf", "lines.width_max=inf: lines.width_max must be a number from 0.3 to 10 mm, not inf"),
+        ("lines.width_max", "", "lines.width_max=\"\": lines.width_max must be a number from 0.3 to 10 mm, not \"\""),
         (
             "page.orientation",
             "sideways",
-            "--set page.orientation=sideways: page.orientation must be \"auto\", \"portrait\" or \"landscape\", not sideways",
+            "page.orientation=sideways: page.orientation must be \"auto\", \"portrait\" or \"landscape\", not sideways",
         ),
-        ("overview", "no", "--set overview=no: overview.on must be true or false, not no"),
-        ("line.width_max", "1", "--set line.width_max=1: there is no section line, did you mean lines?"),
-        (
-            "lines.widthmax",
-            "1",
-            "--set lines.widthmax=1: there is no key lines.widthmax, did you mean lines.width_max?",
-        ),
-        ("gap", "1", "--set gap=1: there is no section gap, did you mean frame.gap, mark.gap or overview.gap?"),
+        ("overview", "no", "overview=no: overview.on must be true or false, not no"),
+        ("line.width_max", "1", "line.width_max=1: there is no section line, did you mean lines?"),
+        ("lines.widthmax", "1", "lines.widthmax=1: there is no key lines.widthmax, did you mean lines.width_max?"),
+        ("gap", "1", "gap=1: there is no section gap, did you mean frame.gap, mark.gap or overview.gap?"),
         (
             "page",
             "1",
-            "--set page=1: page is a section, name one of its keys: page.width, page.height, page.orientation or page.margin",
+            "page=1: page is a section, name one of its keys: page.width, page.height, page.orientation or page.margin",
         ),
         (
             "page.",
             "1",
-            "--set page.=1: there is no key page.\"\", the keys of page are width, height, orientation and margin",
+            "page.=1: there is no key page.\"\", the keys of page are width, height, orientation and margin",
         ),
     ] {
         assert_eq!(profile.set(key, value).expect_err(key).to_string(), expected);
@@ -251,12 +239,12 @@ fn check_after_set_names_the_option() {
     profile.set("lines.width_max", "0.5").expect("in range");
     assert_eq!(
         in_lines(&profile.check().expect_err("a fault")),
-        "--set lines.width_max=0.5: lines.width_min is 0.75 but must be at most lines.width_max, which is 0.5, since a \
+        "lines.width_max=0.5: lines.width_min is 0.75 but must be at most lines.width_max, which is 0.5, since a \
          weak contour has the thinner line"
     );
     profile.lines.width_max = f32::NAN;
     assert_eq!(
         in_lines(&profile.check().expect_err("a fault")),
-        "--set lines.width_max=0.5: lines.width_max must be a number from 0.3 to 10 mm, not NaN"
+        "lines.width_max=0.5: lines.width_max must be a number from 0.3 to 10 mm, not NaN"
     );
 }

@@ -47,11 +47,11 @@ fn all_faults_of_a_palette_come_at_once() {
     let mut profile = Profile::named("swell-a4").expect("it is built in");
     assert_eq!(
         profile.set("textures.palette.blu", "dot").expect_err("no such key").to_string(),
-        "--set textures.palette.blu=dot: there is no key textures.palette.blu, did you mean textures.palette.blue?"
+        "textures.palette.blu=dot: there is no key textures.palette.blu, did you mean textures.palette.blue?"
     );
     assert_eq!(
         profile.set("textures.palette", "dot").expect_err("a section").to_string(),
-        "--set textures.palette=dot: textures.palette is a section, name one of its keys: textures.palette.blue, \
+        "textures.palette=dot: textures.palette is a section, name one of its keys: textures.palette.blue, \
          textures.palette.green, textures.palette.yellow, textures.palette.red or textures.palette.grey"
     );
 }

@@ -35,19 +35,19 @@ pub(in crate::cli) struct Fitting {
 
     /// Draws contours only, no textures
     ///
-    /// Short for --set figure.textures=false.
+    /// The same as --set figure.textures=false.
     #[arg(long, conflicts_with = "textures_only")]
     outlines: bool,
 
     /// Draws textures only: no contours, and so no overview
     ///
-    /// Short for --set figure.lines=false --set overview=false.
+    /// The same as --set figure.lines=false --set overview=false.
     #[arg(long)]
     textures_only: bool,
 
     /// Draws no overview
     ///
-    /// Short for --set overview=false.
+    /// The same as --set overview=false.
     #[arg(long)]
     no_overview: bool,
 
@@ -77,7 +77,7 @@ impl Fitting {
     /// What does not go together with the profile.
     pub(in crate::cli) fn fault(&self, profile: &Profile) -> Option<String> {
         let device = profile.dots.device?;
-        self.sheets.map(|_| Error::OneSheet { device: device.name }.to_string())
+        self.sheets.map(|_| format!("{}; leave out --sheets", Error::OneSheet { device: device.name }))
     }
 
     /// What they change in the profile.
@@ -88,7 +88,7 @@ impl Fitting {
             (self.no_overview, "--no-overview", &["overview.on=false"]),
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
-        given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::short(option, set))).collect()
+        given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set))).collect()
     }
 }
 

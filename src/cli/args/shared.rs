@@ -27,10 +27,10 @@ pub(in crate::cli) struct Shared {
     #[arg(long, value_name = "KEY=VALUE")]
     pub(in crate::cli) set: Vec<String>,
 
-    /// How many lines the page has: 0 the most important outlines only, 1 all that fingers can part
+    /// How many lines the page has: 0 the most important outlines only, 1 all that fingers can tell apart
     ///
     /// The longest, strongest, closed and smooth lines come first; those of less detail are all on the page of more.
-    /// Short for --set lines.detail=D, and counts after every --set. Range: 0 to 1.
+    /// The same as --set lines.detail=D given after every other --set. Range: 0 to 1.
     ///
     /// [default: the profile's, 0.5 in those that come with the program]
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
@@ -40,14 +40,14 @@ pub(in crate::cli) struct Shared {
     ///
     /// A draft shows quickly what a page will be like; fine is for pictures of many pixels that are worth the wait,
     /// and is hardly to be felt. Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of
-    /// the length of lines; a fingertip parts about 1 mm): draft takes a fifth to a quarter less time than standard,
+    /// the length of lines; a fingertip tells points 1 mm apart from one another): draft takes a fifth to a quarter less time than standard,
     /// lines lie within 0.3 mm of where they should be, and in a photo 4 % of their length is missing or other;
     /// standard: within 0.14 mm, 1.5 %; fine takes nearly twice the time: within 0.07 mm. A picture is never worked on
     /// at more pixels than it has, so that for small ones fine is the same as standard; of a small photo a draft draws
     /// a tenth or more of the lines otherwise.
     ///
-    /// Short for --set figure.resolution=2 --set edges.scale=0.6 (draft) and --set figure.resolution=8 (fine); standard
-    /// changes nothing. Every --set counts after it. It does nothing for trace --full-resolution.
+    /// The same as --set figure.resolution=2 --set edges.scale=0.6 (draft) and --set figure.resolution=8 (fine) given
+    /// before every other --set; standard changes nothing. It does nothing for trace --full-resolution.
     #[arg(long, value_enum, default_value_t = Quality::Standard, hide_possible_values = true)]
     quality: Quality,
 
@@ -89,10 +89,10 @@ pub(in crate::cli) struct Shared {
 impl Shared {
     /// All changes to the profile, in the order in which they count.
     pub(in crate::cli) fn changes(&self) -> Vec<Change> {
-        let quality = self.quality.changes().iter().map(|set| Change::short(self.quality.option(), set));
+        let quality = self.quality.changes().iter().map(|set| Change::of_option(self.quality.option(), set));
         let sets = self.set.iter().map(|set| Change::set(set));
         let of_detail = |detail: &String| {
-            Change::short(&format!("--detail {}", detail.trim()), &format!("lines.detail={}", detail.trim()))
+            Change::of_option(&format!("--detail {}", detail.trim()), &format!("lines.detail={}", detail.trim()))
         };
         quality.chain(sets).chain(self.detail.iter().map(of_detail)).collect()
     }
