@@ -203,7 +203,7 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
         ("calibration sheet".into(), format!("{number} of {count}")),
         ("profile".into(), profile.name.clone()),
     ];
-    origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
+    origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));
     let figure = Figure {
         place,
         source: Size::new(place.width().round().max(1.0) as u32, place.height().round().max(1.0) as u32),

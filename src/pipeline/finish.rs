@@ -22,7 +22,7 @@ pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
     (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
 }
 
-/// How the page was made, so that it can be made again.
+/// How the page was made, so that it can be made again. Keys that do not count on it are left out.
 pub(super) fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String)> {
     let profile = request.plan.profile();
     let own = |name: &str, value: String| (name.to_owned(), value);
@@ -33,7 +33,7 @@ pub(super) fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String
         own("profile", profile.name.clone()),
     ];
     origin.extend(request.fit.origin());
-    origin.extend(profile.parameters().into_iter().map(|(key, value)| (key.to_owned(), value)));
+    origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));
     origin
 }
 

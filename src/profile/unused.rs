@@ -65,6 +65,12 @@ impl Profile {
         self.not_counting().iter().filter_map(told).collect()
     }
 
+    /// [`Profile::parameters`] without the keys that do not count on its pages.
+    pub(crate) fn counting_parameters(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let unused = self.not_counting();
+        self.parameters().into_iter().filter(|(path, _)| unused.iter().all(|unused| unused.path != *path))
+    }
+
     fn not_counting(&self) -> &'static [Unused] {
         if self.dots.device.is_some() { WITH_DOTS } else { PRINTED }
     }

@@ -3,6 +3,7 @@
 mod any;
 mod faults;
 mod palette;
+mod unused;
 
 use tactograph::Error;
 use tactograph::internals::page::layout::Orientation;
