@@ -1,5 +1,5 @@
-//! `--profile`, `--set` and options that stand for a `--set` become a checked profile, or the list of everything that is
-//! wrong with them.
+//! `--profile`, `--set` and options that stand for a `--set` become a checked profile, or the list of everything that
+//! is wrong with them.
 
 use std::path::Path;
 

@@ -26,7 +26,8 @@ pub(super) fn unknown_key(section: &str, name: &str) -> String {
     format!("there is no key {}, {advice}", quoted_path(&[section, name]))
 }
 
-/// What to say of a name at the top of a file, or alone where a key is set, that is neither a section nor one of `others`.
+/// What to say of a name at the top of a file, or alone where a key is set, that is neither a section nor one of
+/// `others`.
 pub(super) fn unknown_section(name: &str, others: &[&'static str]) -> String {
     let sections = nearest(name, SECTIONS.iter().chain(others).map(|&known| (known, known)));
     let keys = nearest(name, KEYS.iter().map(|key| (key.name(), key.path)));

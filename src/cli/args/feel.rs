@@ -8,16 +8,16 @@ use tactograph::FINGERS;
 pub(super) const LONG_ABOUT: &str = "\
 Tells what a fingertip would feel of a page's textures: which colours are told right.
 
-It looks at the page as it is drawn, not at how it was made, so it can also be asked about a page that you changed in an \
-editor, as long as its layers have their ids (texture-blue and so on).
+It looks at the page as it is drawn, not at how it was made, so it can also be asked about a page that you changed in \
+an editor, as long as its layers have their ids (texture-blue and so on).
 
 The textures are blurred as by a fingertip, and then their direction is read: rows across are blue, up to the right \
 green, up and down yellow, down to the right red; no direction is grey; or what the page's layers say, if its profile \
 has a palette of its own. Things drawn beside the layers are not looked at. For each colour on the page the report \
 says, in percent of the area of its textures, how much is felt right, how much is unclear (it could as well be another \
 colour), how much is wrong, and how much is not judged: what lies nearer than 7 mm to a line or to another colour. \
-Then \
-come how much of the area is ink, and how many glyphs there are. The last lines say the same of all textures together.
+Then come how much of the area is ink, and how many glyphs there are. The last lines say the same of all textures \
+together.
 
 This is a model that compares textures well. It does not replace a reader.";
 
@@ -32,8 +32,8 @@ Examples:
   tactograph convert coffee.png -o - | tactograph feel -
         feels a page from standard input
 
-The report goes to standard output. On the map each colour that is felt has its pattern and its name; crosses are where \
-another colour is felt than is meant, rings where it is unclear, and pale places are not judged.
+The report goes to standard output. On the map each colour that is felt has its pattern and its name; crosses are \
+where another colour is felt than is meant, rings where it is unclear, and pale places are not judged.
 
 Exit codes:
   0  the report is written, whatever it says

@@ -40,11 +40,11 @@ pub(in crate::cli) struct Shared {
     ///
     /// A draft shows quickly what a page will be like; fine is for pictures of many pixels that are worth the wait,
     /// and is hardly to be felt. Measured on A4 pages of pictures of 9 to 12 megapixels ("within" holds for 95 % of
-    /// the length of lines; a fingertip tells points 1 mm apart from one another): draft takes a fifth to a quarter less time than standard,
-    /// lines lie within 0.3 mm of where they should be, and in a photo 4 % of their length is missing or other;
-    /// standard: within 0.14 mm, 1.5 %; fine takes nearly twice the time: within 0.07 mm. A picture is never worked on
-    /// at more pixels than it has, so that for small ones fine is the same as standard; of a small photo a draft draws
-    /// a tenth or more of the lines otherwise.
+    /// the length of lines; a fingertip notices about 1 mm): draft takes a fifth to a quarter less time than
+    /// standard, lines lie within 0.3 mm of where they should be, and in a photo 4 % of their length is missing or
+    /// other; standard: within 0.14 mm, 1.5 %; fine takes nearly twice the time: within 0.07 mm. A picture is never
+    /// worked on at more pixels than it has, so that for small ones fine is the same as standard; of a small photo a
+    /// draft draws a tenth or more of the lines otherwise.
     ///
     /// The same as --set figure.resolution=2 --set edges.scale=0.6 (draft) and --set figure.resolution=8 (fine) given
     /// before every other --set; standard changes nothing. It does nothing for trace --full-resolution.
