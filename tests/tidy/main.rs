@@ -121,6 +121,30 @@ fn no_path_of_a_machine_is_in_the_tree() {
     complain(texts.flat_map(|(file, text)| machine_paths(&file, &text)).collect());
 }
 
+/// The overview for those who change the library has a row for each module, in the order of [`MAY_USE`], and in it every
+/// file of the module.
+#[test]
+fn the_overview_names_every_module_and_file() {
+    let overview = std::fs::read_to_string(root().join("src/ARCHITECTURE.md")).expect("the overview");
+    let rows: Vec<(&str, &str)> =
+        overview.lines().filter_map(|line| line.strip_prefix("| [`")?.split_once("`] | ")).collect();
+    let modules: Vec<&str> = MAY_USE.iter().map(|(module, _)| *module).collect();
+    assert_eq!(rows.iter().map(|(module, _)| *module).collect::<Vec<_>>(), modules);
+    complain(sources().keys().flat_map(|file| parts_without_a_word(file, &rows)).collect());
+}
+
+/// The folders and files on the path of a source file that the row of its module does not name.
+fn parts_without_a_word(file: &str, rows: &[(&str, &str)]) -> Vec<String> {
+    let path = file.strip_prefix("src/").and_then(|path| path.strip_suffix(".rs")).unwrap_or_default();
+    let mut parts = path.split('/');
+    let Some((_, row)) = parts.next().and_then(|module| rows.iter().find(|(name, _)| *name == module)) else {
+        return Vec::new();
+    };
+    let is_told = |part: &str| [format!("`{part}`"), format!("`{part}/`")].iter().any(|told| row.contains(told));
+    let untold = parts.filter(|part| !["mod", "tests"].contains(part) && !is_told(part));
+    untold.map(|part| format!("{file}:1: `{part}` is not in its row of src/ARCHITECTURE.md")).collect()
+}
+
 #[test]
 fn the_table_itself_runs_downhill() {
     for (index, (module, uses)) in MAY_USE.iter().enumerate().filter(|(_, (module, _))| *module != "error") {
