@@ -78,11 +78,14 @@ fn main() -> Outcome<()> {
     put("heights.png", &pixels::write(&steps, 1.27, true, &Words { title: "Heights", ..Words::default() }))?;
 
     let words = [
-        ("plain", Words { title: "A page", description: "Of dots.", language: "en-GB" }),
+        ("plain", Words { title: "A page", description: "Of dots.", language: "en-GB", description_language: "en-GB" }),
         (
             "odd",
             Words {
-                title: "<&>\"' ]]> \u{1}\n\u{fffe} żółć 𝔊", description: "--> &amp;", language: "no language"
+                title: "<&>\"' ]]> \u{1}\n\u{fffe} żółć 𝔊",
+                description: "--> &amp;",
+                language: "no language",
+                description_language: "no language",
             },
         ),
     ];
