@@ -1,10 +1,13 @@
 //! What the measuring programs share with one another and with the project's tests.
 
+pub mod cjpeg;
 pub mod near;
 pub mod photo;
+pub mod plot;
 pub mod rng;
 pub mod touch;
 pub mod travel;
+pub mod words;
 
 /// The root of the project, where `samples`, `docs` and `target` are.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");

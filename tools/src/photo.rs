@@ -7,6 +7,8 @@
 
 use std::num::NonZero;
 
+use crate::rng::{dice, hash};
+
 /// Samples of 16 bits, three to a pixel, row by row.
 pub struct Picture {
     /// Columns.
@@ -45,24 +47,14 @@ impl Picture {
     }
 }
 
-/// A whole number made from three, as good as random.
-fn hash(x: u32, y: u32, seed: u32) -> u32 {
-    let mut h = x.wrapping_mul(0x9E37_79B1) ^ y.wrapping_mul(0x85EB_CA77) ^ seed.wrapping_mul(0xC2B2_AE3D);
-    h = (h ^ (h >> 15)).wrapping_mul(0x2C1B_3C6D);
-    h = (h ^ (h >> 12)).wrapping_mul(0x297A_2D39);
-    h ^ (h >> 15)
-}
-
 /// From 0 to 1.
 fn chance(x: u32, y: u32, seed: u32) -> f32 {
     (hash(x, y, seed) >> 8) as f32 / (1 << 24) as f32
 }
 
-/// Nearly a normal distribution of deviation 1: four dice.
+/// Nearly a normal distribution of deviation 1.
 fn grain(x: u32, y: u32, seed: u32) -> f32 {
-    let h = hash(x, y, seed);
-    let sum: u32 = h.to_le_bytes().iter().map(|&byte| u32::from(byte)).sum();
-    (sum as f32 - 510.0) / 147.8
+    (f32::from(dice(x, y, seed)) - 510.0) / 147.8
 }
 
 fn smooth(t: f32) -> f32 {

@@ -13,6 +13,7 @@ use std::error::Error;
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
+use tactograph_tools::words::Words;
 
 /// A quarter of the way from black to white: well over what smoothing of edges differs by between renderers, well under
 /// a line that is missing.
@@ -20,11 +21,11 @@ const FAR: u8 = 64;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (mut files, mut dpi, mut against) = (Vec::new(), 100.0, None);
-    let mut words = std::env::args().skip(1);
+    let mut words = Words::of_program("tools/src/bin/render.rs");
     while let Some(word) = words.next() {
         match word.as_str() {
-            "--dpi" => dpi = words.next().ok_or("--dpi needs a number")?.parse()?,
-            "--against" => against = Some(words.next().ok_or("--against needs a PNG")?),
+            "--dpi" => dpi = words.number(&word)?,
+            "--against" => against = Some(words.value(&word)?),
             _ => files.push(word),
         }
     }

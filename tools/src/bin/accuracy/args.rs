@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use tactograph::internals::edges::Params;
+use tactograph_tools::words::Words;
 
 /// What is asked for.
 pub(crate) struct Args {
@@ -23,7 +24,7 @@ impl Args {
     ///
     /// # Errors
     /// A word that is not known or lacks its value.
-    pub(crate) fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+    pub(crate) fn read(mut words: Words) -> Result<Self, String> {
         let mut args = Self {
             params: Params::default(),
             quick: false,
@@ -37,23 +38,21 @@ impl Args {
             sweep: None,
         };
         while let Some(word) = words.next() {
-            let mut value = || words.next().ok_or(format!("{word} needs a value"));
-            let number = |text: String| text.parse().map_err(|_| format!("{word} needs a number, not {text}"));
             match word.as_str() {
-                "--sigma" => args.params.sigma = number(value()?)?,
-                "--low" => args.params.low = number(value()?)?,
-                "--high" => args.params.high = number(value()?)?,
-                "--suppression" => args.params.suppression = number(value()?)?,
+                "--sigma" => args.params.sigma = words.number(&word)?,
+                "--low" => args.params.low = words.number(&word)?,
+                "--high" => args.params.high = words.number(&word)?,
+                "--suppression" => args.params.suppression = words.number(&word)?,
                 "--quick" => args.quick = true,
                 "--all" => args.all = true,
                 "--family" => args.families = true,
                 "--scenes" => args.scenes = true,
                 "--colour-noise" => args.colour_noise = true,
-                "--export" => args.export = Some(value()?.into()),
-                "--peers" => args.peers = Some(value()?.into()),
+                "--export" => args.export = Some(words.value(&word)?.into()),
+                "--peers" => args.peers = Some(words.value(&word)?.into()),
                 "--sweep" => args.sweep = Some("docs/accuracy".into()),
-                "--csv" => args.csv = Some(value()?.into()),
-                _ => return Err(format!("{word} is not known; see the head of tools/src/bin/accuracy/main.rs")),
+                "--csv" => args.csv = Some(words.value(&word)?.into()),
+                _ => return Err(words.unknown(&word)),
             }
         }
         Ok(args)

@@ -58,6 +58,8 @@ mod sweep;
 use std::collections::BTreeMap;
 use std::error::Error;
 
+use tactograph_tools::words::Words;
+
 use args::Args;
 use condition::{Condition, PSFS, TIMED, mosaic};
 use draw::{Clean, Picture};
@@ -67,7 +69,7 @@ use scene::{Family, Scene};
 use sums::Sums;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let args = Args::read(std::env::args().skip(1))?;
+    let args = Args::read(Words::of_program("tools/src/bin/accuracy/main.rs"))?;
     let scenes = scenes::all(args.quick);
     let mut columns = vec![Column { name: "tactograph".into(), time: None, results: Vec::new() }];
     if let Some(folder) = &args.peers {

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use tactograph_tools::words::Words;
+
 /// What is asked for.
 #[derive(Debug)]
 pub(crate) struct Args {
@@ -22,22 +24,17 @@ impl Args {
     ///
     /// # Errors
     /// A word that is not known or lacks its value.
-    pub(crate) fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+    pub(crate) fn read(mut words: Words) -> Result<Self, String> {
         let mut args = Self { runs: 9, only: None, quick: false, write: false, program: None };
         let mut runs = None;
         while let Some(word) = words.next() {
-            let mut value = || words.next().ok_or(format!("{word} needs a value"));
             match word.as_str() {
-                "--runs" => {
-                    let text = value()?;
-                    let number = text.parse().ok().filter(|&runs| runs > 0);
-                    runs = Some(number.ok_or(format!("--runs needs a whole number from 1 on, not {text}"))?);
-                }
-                "--only" => args.only = Some(value()?.to_lowercase()),
+                "--runs" => runs = Some(words.whole_number(&word)?),
+                "--only" => args.only = Some(words.value(&word)?.to_lowercase()),
                 "--quick" => args.quick = true,
                 "--write" => args.write = true,
-                "--program" => args.program = Some(value()?.into()),
-                _ => return Err(format!("{word} is not known; see the head of tools/src/bin/bench_all/main.rs")),
+                "--program" => args.program = Some(words.value(&word)?.into()),
+                _ => return Err(words.unknown(&word)),
             }
         }
         if args.write && (args.quick || args.only.is_some()) {

@@ -1,10 +1,11 @@
 //! The pictures as files, under target/bench/inputs: made once, always the same.
 
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
+use tactograph_tools::cjpeg::cjpeg;
 use tactograph_tools::photo::{self, Picture};
 
 /// Changes whenever the pictures do; files made by another are made anew.
@@ -64,10 +65,11 @@ impl Inputs {
         let picture = paint();
         for name in missing {
             let part = self.file("part"); // a file has its name only when it is whole
+            let jpeg = |options: &[&str]| cjpeg(&picture.bytes(), [picture.width, picture.height], options, &part);
             match name.as_str() {
-                name if name.ends_with("-progressive.jpg") => cjpeg(&picture, &["-progressive"], &part),
-                name if name.ends_with("-grey.jpg") => cjpeg(&picture, &["-grayscale"], &part),
-                name if name.ends_with(".jpg") => cjpeg(&picture, &[], &part),
+                name if name.ends_with("-progressive.jpg") => jpeg(&["-progressive"]),
+                name if name.ends_with("-grey.jpg") => jpeg(&["-grayscale"]),
+                name if name.ends_with(".jpg") => jpeg(&[]),
                 name if name.ends_with(".webp") => cwebp(&self.file(&name.replace(".webp", ".png")), &part),
                 name => png(&picture, name.ends_with("-16.png"), &part).map_err(|fault| told(&part, fault)),
             }?;
@@ -79,26 +81,6 @@ impl Inputs {
 
 fn told(file: &Path, fault: impl std::fmt::Display) -> String {
     format!("{}: {fault}", file.display())
-}
-
-/// Quality 90 with colour at half resolution, as cameras write.
-fn cjpeg(picture: &Picture, options: &[&str], file: &Path) -> Result<(), String> {
-    let mut pixels = format!("P6 {} {} 255\n", picture.width, picture.height).into_bytes();
-    pixels.extend(picture.bytes());
-    let mut child = Command::new("cjpeg")
-        .args(["-quality", "90", "-sample", "2x2"])
-        .args(options)
-        .arg("-outfile")
-        .arg(file)
-        .stdin(Stdio::piped())
-        .spawn()
-        .map_err(|fault| needs("cjpeg", fault))?;
-    let written = child.stdin.take().map(|mut pipe| pipe.write_all(&pixels));
-    let ended = child.wait().map_err(|fault| needs("cjpeg", fault))?;
-    match written {
-        Some(Ok(())) if ended.success() => Ok(()),
-        _ => Err("cjpeg could not write a picture".into()),
-    }
 }
 
 fn cwebp(from: &Path, file: &Path) -> Result<(), String> {

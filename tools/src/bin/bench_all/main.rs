@@ -37,6 +37,8 @@ mod written;
 use std::path::Path;
 use std::process::ExitCode;
 
+use tactograph_tools::words::Words;
+
 use args::Args;
 use inputs::Inputs;
 use ours::Ours;
@@ -70,7 +72,7 @@ fn decode(picture: Option<&Path>) -> Result<(), String> {
 }
 
 fn measure() -> Result<(), String> {
-    let args = Args::read(std::env::args().skip(1))?;
+    let args = Args::read(Words::of_program("tools/src/bin/bench_all/main.rs"))?;
     std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
     // target/release/bench_all
     let this = std::env::current_exe().map_err(|fault| fault.to_string())?;

@@ -18,7 +18,7 @@
 //! the same scale. Lengths are in mm on the page:
 //!
 //! * *rms*, *p95*: distance from each line to the nearest true one and back, of places that have one within 1 mm, which is
-//!   about what a fingertip parts; *missing*, *extra*: the share of the length that has none.
+//!   about what a fingertip tells apart; *missing*, *extra*: the share of the length that has none.
 //! * *strength*: Spearman's rank correlation of the strength of lines with the true one, place by place.
 //! * *class*: the share of the area that is sorted into another class; of scenes, further than 2 mm from a true border.
 //! * *read*: the share of places that a fingertip of 1.0 mm reads as they are; see `tactograph::internals::touch`.
@@ -42,6 +42,8 @@ mod sweep;
 
 use std::path::{Path, PathBuf};
 
+use tactograph_tools::words::Words;
+
 /// What is asked for.
 struct Args {
     rounds: usize,
@@ -51,18 +53,14 @@ struct Args {
 
 fn main() -> Result<(), String> {
     let mut args = Args { rounds: 5, profile: "swell-a4".into(), draw: None };
-    let mut words = std::env::args().skip(1);
+    let mut words = Words::of_program("tools/src/bin/knee/main.rs");
     while let Some(word) = words.next() {
-        let value = words.next().ok_or(format!("{word} needs a value"))?;
         match word.as_str() {
-            "--rounds" => args.rounds = value.parse().map_err(|_| "--rounds needs a whole number from 1 up")?,
-            "--profile" => args.profile = value,
-            "--draw" => args.draw = Some(value.into()),
-            _ => return Err(format!("{word} is not known; see the head of tools/src/bin/knee/main.rs")),
+            "--rounds" => args.rounds = words.whole_number(&word)?,
+            "--profile" => args.profile = words.value(&word)?,
+            "--draw" => args.draw = Some(words.value(&word)?.into()),
+            _ => return Err(words.unknown(&word)),
         }
-    }
-    if args.rounds == 0 {
-        return Err("--rounds needs a whole number from 1 up".into());
     }
     std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
     let profile = rows::profile(&args.profile, &[])?;

@@ -1,9 +1,9 @@
 //! The pictures, encoded once under target/knee.
 
 use std::fs;
-use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
+
+use tactograph_tools::cjpeg::cjpeg;
 
 use crate::scene::Scene;
 
@@ -33,7 +33,9 @@ pub(crate) fn all(folder: &Path) -> Result<Vec<Picture>, String> {
         let file = folder.join(format!("{}-{EDITION}.jpg", name.replace(':', "-")));
         if !file.is_file() {
             eprintln!("making {}", file.display());
-            cjpeg(&pixels(), size, &file)?;
+            let part = file.with_extension("part"); // a file has its name only when it is whole
+            cjpeg(&pixels(), size, &[], &part)?;
+            fs::rename(&part, &file).map_err(|fault| format!("{}: {fault}", file.display()))?;
         }
         fs::read(&file).map_err(|fault| format!("{}: {fault}", file.display()))
     };
@@ -52,26 +54,4 @@ pub(crate) fn all(folder: &Path) -> Result<Vec<Picture>, String> {
         pictures.push(Picture { name, bytes, scene: None, is_jpeg: false });
     }
     Ok(pictures)
-}
-
-/// Quality 90 with colour at half resolution, as cameras write.
-fn cjpeg(pixels: &[u8], [width, height]: [usize; 2], file: &Path) -> Result<(), String> {
-    let needs =
-        |fault| format!("cjpeg, which writes the pictures, does not run ({fault}): install libjpeg-turbo-progs");
-    let part = file.with_extension("part"); // a file has its name only when it is whole
-    let mut child = Command::new("cjpeg")
-        .args(["-quality", "90", "-sample", "2x2", "-outfile"])
-        .arg(&part)
-        .stdin(Stdio::piped())
-        .spawn()
-        .map_err(needs)?;
-    let written = child.stdin.take().map(|mut pipe| {
-        pipe.write_all(format!("P6 {width} {height} 255\n").as_bytes())?;
-        pipe.write_all(pixels)
-    });
-    let ended = child.wait().map_err(needs)?;
-    if !(matches!(written, Some(Ok(()))) && ended.success()) {
-        return Err("cjpeg could not write a picture".into());
-    }
-    fs::rename(&part, file).map_err(|fault| format!("{}: {fault}", file.display()))
 }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use tactograph_tools::plot::{self, Axis, LINE, Labels, Panel};
+
 use crate::rows::{Row, Setting, mean_errors, settings};
 
 /// A way to work in the drawing.
@@ -18,8 +20,6 @@ const LEFTS: [f64; 2] = [76.0, 506.0];
 const WIDTH: f64 = 376.0;
 const TOP: f64 = 84.0;
 const BOTTOM: f64 = 408.0;
-/// Height of a line of small text; labels keep this far apart.
-const LINE: f64 = 13.0;
 /// Scales that are drawn, mm; the second is the default.
 const SCALES: [f32; 3] = [0.3, 0.45, 0.6];
 
@@ -47,18 +47,10 @@ pub(crate) fn plot(rows: &[Row]) -> String {
 
 fn panel(svg: &mut String, title: &str, left: f64, dots: &[Dot]) {
     let axes = [0, 1].map(|axis| Axis::around(dots.iter().map(|dot| dot.at[axis])));
-    let place = |at: [f64; 2]| [left + axes[0].share(at[0]) * WIDTH, BOTTOM - axes[1].share(at[1]) * (BOTTOM - TOP)];
+    let panel = Panel { area: [left, TOP, left + WIDTH, BOTTOM], axes };
+    let place = |at| panel.place(at);
     let _ = writeln!(svg, "<text x=\"{left}\" y=\"{}\" font-size=\"13\">{title}</text>", TOP - 10.0);
-    for mark in axes[0].marks() {
-        let x = place([mark, axes[1].low])[0];
-        let _ = writeln!(svg, "<path d=\"M{x:.1} {TOP}V{BOTTOM}\" stroke=\"#bbb\" stroke-width=\"0.6\"/>");
-        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{mark}</text>", BOTTOM + 18.0);
-    }
-    for mark in axes[1].marks() {
-        let y = place([axes[0].low, mark])[1];
-        let _ = writeln!(svg, "<path d=\"M{left} {y:.1}h{WIDTH}\" stroke=\"#bbb\" stroke-width=\"0.6\"/>");
-        let _ = writeln!(svg, "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{mark}</text>", left - 8.0, y + 4.0);
-    }
+    panel.grid(svg, &["1", "1.5", "2", "3", "5", "7"]);
     let height = BOTTOM - TOP;
     let _ = writeln!(
         svg,
@@ -79,7 +71,13 @@ fn panel(svg: &mut String, title: &str, left: f64, dots: &[Dot]) {
     for dot in dots {
         mark(svg, dot.setting, place(dot.at));
     }
-    labels(svg, dots, left, place);
+    let mut labels = Labels::beside(dots.iter().map(|dot| place(dot.at)), left + WIDTH, TOP + LINE..BOTTOM - 2.0);
+    for dot in dots.iter().filter(|dot| (dot.setting.scale - SCALES[1]).abs() < 1e-6) {
+        let Setting { resolution, eighths, .. } = dot.setting;
+        let name = eighths.map_or(format!("{resolution}"), |eighths| format!("{resolution} from {eighths}/8"));
+        let weight = if eighths.is_none() { "bold" } else { "normal" };
+        labels.add(svg, &name, place(dot.at), &format!("font-weight=\"{weight}\" "));
+    }
 }
 
 /// The default scale is a full dot, a smaller one a triangle, a larger one a square; where more was decoded, a cross.
@@ -101,81 +99,27 @@ fn mark(svg: &mut String, setting: Setting, [x, y]: [f64; 2]) {
 }
 
 fn head() -> String {
-    let [width, height] = SIZE;
     let down = 0.5 * (TOP + BOTTOM);
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"12\" role=\"img\" aria-labelledby=\"title desc\">\n\
-         <title id=\"title\">Run time against error on the page</title>\n\
-         <desc id=\"desc\">Two panels. Across: milliseconds of one core for a page of a picture of 12 megapixels. Up: root of \
-         the mean square distance of lines from where they should be, in millimetres on the page. Left, drawn scenes whose \
-         outlines are known; right, a photo-like picture beside its page at 12 px for a millimetre. Labels are pixels for a \
-         millimetre of the page. Full dots, joined by a line: edges at a scale of 0.45 mm; triangles 0.3 mm, squares 0.6 mm; \
-         crosses: decoded at a larger fraction than is needed, which the label names. The figures are in knee.csv.</desc>\n\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n\
-         <text x=\"{}\" y=\"22\" font-size=\"14\">Run time against error on an A4 page, pictures of 12 megapixels</text>\n\
-         <text x=\"{}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of 0.45 mm; triangles: 0.3 mm; \
-         squares: 0.6 mm;</text>\n\
-         <text x=\"{}\" y=\"60\">crosses: JPEG decoded at a larger fraction than is needed</text>\n\
-         <text transform=\"translate(22 {down}) rotate(-90)\" text-anchor=\"middle\">distance of lines (RMS), mm on the page</text>\n",
-        LEFTS[0], LEFTS[0], LEFTS[0],
-    );
+    let title = "Run time against error on the page";
+    let description = "Two panels. Across: milliseconds of one core for a page of a picture of 12 megapixels. Up: root of \
+        the mean square distance of lines from where they should be, in millimetres on the page. Left, drawn scenes whose \
+        outlines are known; right, a photo-like picture beside its page at 12 px for a millimetre. Labels are pixels for a \
+        millimetre of the page. Full dots, joined by a line: edges at a scale of 0.45 mm; triangles 0.3 mm, squares 0.6 mm; \
+        crosses: decoded at a larger fraction than is needed, which the label names. The figures are in knee.csv.";
+    let mut svg = plot::head(SIZE, title, description)
+        + &format!(
+            "<text x=\"{0}\" y=\"22\" font-size=\"14\">Run time against error on an A4 page, pictures of 12 \
+             megapixels</text>\n\
+             <text x=\"{0}\" y=\"44\">labels: px for a mm of the page; full dots: edges at a scale of 0.45 mm; triangles: \
+             0.3 mm; squares: 0.6 mm;</text>\n\
+             <text x=\"{0}\" y=\"60\">crosses: JPEG decoded at a larger fraction than is needed</text>\n\
+             <text transform=\"translate(22 {down}) rotate(-90)\" text-anchor=\"middle\">distance of lines (RMS), mm on \
+             the page</text>\n",
+            LEFTS[0],
+        );
     for left in LEFTS {
-        let (x, y) = (left + 0.5 * WIDTH, height - 20.0);
+        let (x, y) = (left + 0.5 * WIDTH, SIZE[1] - 20.0);
         let _ = writeln!(svg, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">time, ms of one core</text>");
     }
     svg
-}
-
-/// Labels of the default scale, moved up or down until they are free of one another.
-fn labels(svg: &mut String, dots: &[Dot], panel: f64, place: impl Fn([f64; 2]) -> [f64; 2]) {
-    // left, right and baseline; a dot takes the room of a letter
-    let letter = |[x, y]: [f64; 2]| [x - 4.0, x + 4.0, y + 4.0];
-    let mut taken: Vec<[f64; 3]> = dots.iter().map(|dot| letter(place(dot.at))).collect();
-    for dot in dots.iter().filter(|dot| (dot.setting.scale - SCALES[1]).abs() < 1e-6) {
-        let Setting { resolution, eighths, .. } = dot.setting;
-        let name = eighths.map_or(format!("{resolution}"), |eighths| format!("{resolution} from {eighths}/8"));
-        let [x, y] = place(dot.at);
-        let width = 6.6 * name.len() as f64; // a generous mean of a sans serif of 12
-        let left = if x + 9.0 + width > panel + WIDTH { x - 9.0 - width } else { x + 9.0 };
-        let free =
-            |baseline: f64| taken.iter().all(|t| left > t[1] || left + width < t[0] || (baseline - t[2]).abs() >= LINE);
-        // a white seam keeps a line behind the letters from them
-        let seam = "stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
-        let weight = if eighths.is_none() { "bold" } else { "normal" };
-        let tries = (0..20).flat_map(|k| [y + 4.0 - f64::from(k) * 4.0, y + 4.0 + f64::from(k) * 4.0]);
-        let inside = |baseline: &f64| (TOP + LINE..BOTTOM - 2.0).contains(baseline);
-        let Some(baseline) = tries.filter(inside).find(|&baseline| free(baseline)) else { continue };
-        taken.push([left, left + width, baseline]);
-        let _ =
-            writeln!(svg, "<text x=\"{left:.1}\" y=\"{baseline:.1}\" font-weight=\"{weight}\" {seam}>{name}</text>");
-    }
-}
-
-/// A logarithmic axis.
-struct Axis {
-    low: f64,
-    high: f64,
-}
-
-impl Axis {
-    fn around(values: impl Iterator<Item = f64>) -> Self {
-        let wanted = values.filter(|value| *value > 0.0);
-        let [low, high] = wanted.fold([f64::MAX, f64::MIN], |[low, high], v| [low.min(v), high.max(v)]);
-        if low > high {
-            return Self { low: 1.0, high: 10.0 };
-        }
-        Self { low: low / 1.25, high: high * 1.25 }
-    }
-
-    fn share(&self, value: f64) -> f64 {
-        (value / self.low).ln() / (self.high / self.low).ln()
-    }
-
-    /// 1, 1.5, 2, 3, 5 and 7 times the powers of ten.
-    fn marks(&self) -> Vec<f64> {
-        let all =
-            (-4..6).flat_map(|power: i32| ["1", "1.5", "2", "3", "5", "7"].map(|digit| format!("{digit}e{power}")));
-        all.filter_map(|text| text.parse().ok()).filter(|mark| (self.low..self.high).contains(mark)).collect()
-    }
 }

@@ -18,6 +18,7 @@ const SHAPES: usize = 26;
 const APART: f64 = 125.0;
 
 pub(crate) use tactograph_tools::P;
+use tactograph_tools::rng::{dice, hash};
 
 /// Hues in the middle of their classes, degrees; grey has none.
 const HUES: [(Class, f64); 5] =
@@ -252,21 +253,12 @@ fn cover(depth: f64) -> f64 {
     1.0 / (1.0 + (-1.702 * depth / BLUR).exp())
 }
 
-/// A whole number made from three, as good as random.
-fn hash(x: u32, y: u32, seed: u32) -> u32 {
-    let mut h = x.wrapping_mul(0x9E37_79B1) ^ y.wrapping_mul(0x85EB_CA77) ^ seed.wrapping_mul(0xC2B2_AE3D);
-    h = (h ^ (h >> 15)).wrapping_mul(0x2C1B_3C6D);
-    h = (h ^ (h >> 12)).wrapping_mul(0x297A_2D39);
-    h ^ (h >> 15)
-}
-
 /// From 0 to 1.
 fn chance(x: u32, y: u32, seed: u32) -> f64 {
     f64::from(hash(x, y, seed)) / f64::from(u32::MAX)
 }
 
-/// Nearly a normal distribution of deviation 1: four dice.
+/// Nearly a normal distribution of deviation 1.
 fn grain(x: u32, y: u32, seed: u32) -> f64 {
-    let sum: u32 = hash(x, y, seed).to_le_bytes().iter().map(|&byte| u32::from(byte)).sum();
-    (f64::from(sum) - 510.0) / 147.8
+    (f64::from(dice(x, y, seed)) - 510.0) / 147.8
 }
