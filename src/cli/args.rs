@@ -331,6 +331,9 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
         (ErrorKind::MissingRequiredArgument, "profiles", _) => {
             Some("name a profile to show (tactograph profiles lists them), or a .toml file of your own".into())
         }
+        (ErrorKind::MissingRequiredArgument, "calibrate", _) if in_one_line(told).contains("--output") => {
+            Some("name a file for the sheets, such as -o sheet.pdf".into())
+        }
         (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
             if !name.starts_with('-') =>

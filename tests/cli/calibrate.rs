@@ -54,8 +54,7 @@ fn standard_output_takes_what_goes_into_one_file() {
 #[test]
 fn wrong_usage_is_told() {
     let place = Place::new();
-    let missing =
-        "the following required arguments were not provided: --output <SHEET>; see tactograph calibrate --help";
+    let missing = "name a file for the sheets, such as -o sheet.pdf; see tactograph calibrate --help";
     place.refuses(&["calibrate"], 2, &[missing]);
     let lines = [
         "--dpi is for PNG, and this page is written as SVG; leave it out, or give a name that ends in .png",
