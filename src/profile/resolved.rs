@@ -28,7 +28,7 @@ mod tests {
     #[test]
     fn a_profile_written_out_reads_back_as_the_same() {
         let own = "inherits = \"swell-a3\"\ndescription = \"A \\\"wide\\\" one, C:\\\\x\"\n[lines]\nwidth_max = 1.2\n\
-                   textures.palette.blue = \"rhombus 10\"";
+                   [textures.palette]\nblue = \"rhombus 10\"";
         let profile = Profile::from_toml(own, "my.toml").expect("it is right");
         let text = profile.to_toml();
         let line = |start: &str| text.lines().find(|line| line.starts_with(start)).expect(start).to_owned();
