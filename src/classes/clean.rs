@@ -4,7 +4,7 @@
 use super::blur::{Cells, Conductance};
 use super::class::{Class, Region};
 use super::hue::{self, Membership, encoded};
-use crate::geom::components::{self, four_neighbours};
+use crate::geom::components::{self, Connectivity, four_neighbours};
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
@@ -111,20 +111,16 @@ fn join<L: Copy + Ord>(
     suits: impl Fn(&[usize], L, &[(usize, usize)]) -> Option<f32>,
 ) -> Vec<L> {
     loop {
-        let areas = components::of_labels(&labels, size);
-        let mut area_of = vec![0; labels.len()];
-        for (number, area) in areas.iter().enumerate() {
-            area.iter().for_each(|&cell| area_of[cell] = number);
-        }
+        let areas = components::of_labels(&labels, size, Connectivity::Four);
         let weight = |area: usize| (areas[area].len(), labels[areas[area][0]]);
         let choice = |number: usize| {
             let beside = |&cell: &usize| four_neighbours(cell, size).map(move |other| (cell, other));
             let mut border: Vec<(usize, usize)> = areas[number].iter().flat_map(beside).collect();
-            border.retain(|&(_, other)| weight(area_of[other]) > weight(number));
-            border.sort_unstable_by_key(|&(cell, other)| (area_of[other], cell, other));
-            let by_neighbour = border.chunk_by(|a, b| area_of[a.1] == area_of[b.1]);
+            border.retain(|&(_, other)| weight(areas.of(other)) > weight(number));
+            border.sort_unstable_by_key(|&(cell, other)| (areas.of(other), cell, other));
+            let by_neighbour = border.chunk_by(|a, b| areas.of(a.1) == areas.of(b.1));
             let scored = by_neighbour.filter_map(|run| {
-                let neighbour = area_of[run[0].1];
+                let neighbour = areas.of(run[0].1);
                 let label = labels[areas[neighbour][0]];
                 // In whole thousandths, so that what the order of summing changes seldom decides.
                 let score = (1000.0 * suits(&areas[number], label, run)?).round() as i64;
@@ -147,12 +143,12 @@ fn join<L: Copy + Ord>(
 pub(super) fn regions(labels: &[Label], grid: &Cells) -> (Vec<Option<u32>>, Vec<Region>) {
     let mut of_cell = vec![None; labels.len()];
     let mut regions = Vec::new();
-    for area in components::of_labels(labels, grid.size) {
+    for area in components::of_labels(labels, grid.size, Connectivity::Four).iter() {
         if let Some(class) = labels[area[0]] {
-            for &cell in &area {
+            for &cell in area {
                 of_cell[cell] = Some(regions.len() as u32);
             }
-            regions.push(Region { class, colour: mean_colour(&area, grid), cells: area.len() as u32 });
+            regions.push(Region { class, colour: mean_colour(area, grid), cells: area.len() as u32 });
         }
     }
     (of_cell, regions)

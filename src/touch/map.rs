@@ -12,7 +12,7 @@ use super::ink::Ink;
 use super::letters;
 use super::measure::CELLS_PER_MM;
 use super::signs::Signs;
-use crate::geom::components::{components, four_neighbours};
+use crate::geom::components::{self, Connectivity};
 use crate::page::{Class, Sign};
 use crate::units::Size;
 
@@ -171,21 +171,19 @@ fn set(canvas: &mut Pixmap, x: u32, y: u32, colour: [f32; 3]) {
 /// The words on the areas, with the cell where they have most room.
 fn names(felt: &Felt) -> Vec<(Vec<&'static str>, usize, usize)> {
     let (width, height) = (felt.size.width as usize, felt.size.height as usize);
-    let key = |at: usize| felt.cells[at].meant.map(|meant| (meant, felt.cells[at].felt));
+    let keys: Vec<_> = felt.cells.iter().map(|cell| cell.meant.map(|meant| (meant, cell.felt))).collect();
     let border: Vec<bool> = (0..width * height)
         .map(|at| {
             let (x, y) = (at % width, at / width);
-            (x + 1 < width && key(at + 1) != key(at)) || (y + 1 < height && key(at + width) != key(at))
+            (x + 1 < width && keys[at + 1] != keys[at]) || (y + 1 < height && keys[at + width] != keys[at])
         })
         .collect();
     let room = distances(&border, felt.size);
-    let is_named = |at: usize| key(at).is_some();
-    let linked = |at: usize| four_neighbours(at, felt.size).filter(move |&next| key(next) == key(at));
     let mut names = Vec::new();
-    for area in components(width * height, is_named, linked) {
+    for area in components::of_labels(&keys, felt.size, Connectivity::Four).iter() {
         // of those with most room the first in reading order
         let best = area.iter().copied().reduce(|a, b| if (room[b], a) > (room[a], b) { b } else { a });
-        let Some((best, (meant, felt_as))) = best.and_then(|best| Some((best, key(best)?))) else { continue };
+        let Some((best, (meant, felt_as))) = best.and_then(|best| Some((best, keys[best]?))) else { continue };
         if room[best] >= NAME_FROM {
             let mut name = vec![word(felt_as)];
             if felt_as != Some(meant) {

@@ -7,7 +7,7 @@ use std::ops::Add;
 use super::felt::{Cell, Felt, JUDGED_FROM};
 use super::ink::Ink;
 use super::measure::{CELLS_PER_MM, PX_PER_MM};
-use crate::geom::components::{components, eight_neighbours};
+use crate::geom::components::{self, Connectivity};
 use crate::page::Class;
 use crate::raster::plane::Plane;
 
@@ -119,8 +119,9 @@ impl Report {
 /// How many glyphs there are in ink: the 8-connected components of its dark pixels.
 fn glyphs(ink: &Plane) -> usize {
     let blackest = ink.values.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
-    let is_ink = |at: usize| ink.values[at] >= BLACK * blackest;
-    components(ink.values.len(), is_ink, |at| eight_neighbours(at, ink.size).filter(|&near| is_ink(near))).len()
+    let is_ink: Vec<bool> = ink.values.iter().map(|&value| value >= BLACK * blackest).collect();
+    let components = components::of_labels(&is_ink, ink.size, Connectivity::Eight);
+    components.iter().filter(|component| is_ink[component[0]]).count()
 }
 
 /// The area of all cells that pass, mm^2.
