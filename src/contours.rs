@@ -31,7 +31,7 @@ pub struct Polyline {
     pub strength: Vec<f32>,
     /// For a line of the page, its width in mm from each point to the next; the last point of an open line has that of
     /// the piece before it.
-    pub width: Option<Vec<f32>>,
+    pub width_mm: Option<Vec<f32>>,
 }
 
 impl Trace {
@@ -42,7 +42,7 @@ impl Trace {
             closed: chain.closed,
             points: chain.vertices.iter().map(|edgel| scale.to_source(edgel.at)).collect(),
             strength: chain.vertices.iter().map(|edgel| edgel.strength).collect(),
-            width: None,
+            width_mm: None,
         });
         Self { size: source, polylines: polylines.collect() }
     }
@@ -80,7 +80,7 @@ impl Trace {
                 closed,
                 strength: points.iter().map(|&at| strengths.near(at).unwrap_or(line.strength)).collect(),
                 points: points.iter().map(|&at| scale.to_source(transform.to_px(at))).collect(),
-                width: Some(width),
+                width_mm: Some(width),
             }
         });
         Self { size: source, polylines: polylines.collect() }

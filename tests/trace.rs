@@ -216,7 +216,7 @@ fn is_the_same_line(
     to_mm: impl Fn(PxPoint) -> tactograph::internals::units::MmPoint,
     name: &str,
 ) {
-    let (points, widths) = (&polyline.points, polyline.width.as_ref().expect("lines have widths"));
+    let (points, widths) = (&polyline.points, polyline.width_mm.as_ref().expect("lines have widths"));
     assert_eq!((points.len(), points.len()), (widths.len(), polyline.strength.len()));
     let mut from = 0;
     for run in &line.runs {
@@ -312,7 +312,7 @@ fn the_file_can_be_read() {
             near(&points[i][0], at.x, 0.000_500_1);
             near(&points[i][1], at.y, 0.000_500_1);
             near(&strength[i], polyline.strength[i], 0.005_001);
-            near(&width[i], polyline.width.as_ref().expect("widths")[i], 0.005_001);
+            near(&width[i], polyline.width_mm.as_ref().expect("widths")[i], 0.005_001);
         }
     }
 }

@@ -91,11 +91,7 @@ pub fn of_labels<L: PartialEq>(labels: &[L], size: Size, connectivity: Connectiv
 
 /// The connected components of points, of which two are linked if `linked` accepts the vector between them, whichever
 /// way it points. It is asked for all pairs that are at most `reach` apart, and for some that are farther.
-pub fn of_points<U>(
-    points: &[Point2D<f32, U>],
-    reach: f32,
-    linked: impl Fn(Vector2D<f32, U>) -> bool,
-) -> Components {
+pub fn of_points<U>(points: &[Point2D<f32, U>], reach: f32, linked: impl Fn(Vector2D<f32, U>) -> bool) -> Components {
     let square = |at: Point2D<f32, U>| ((at.y / reach).floor() as i32, (at.x / reach).floor() as i32);
     let mut by_square: BTreeMap<(i32, i32), Vec<usize>> = BTreeMap::new();
     let mut sets = DisjointSets::default();

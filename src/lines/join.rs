@@ -43,7 +43,7 @@ fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End<Mm>> {
                 .find(|v| (v.at - tip.at).length() >= HEADING)
                 .unwrap_or_else(|| from_end(vertices.len() - 1));
             let direction = (tip.at - inner.at).try_normalize().unwrap_or(MmVector::zero());
-            let contrast = if at_start { tip.step.map(|v| -v) } else { tip.step };
+            let contrast = if at_start { tip.contrast.map(|v| -v) } else { tip.contrast };
             ends.push(End { polyline: number, at_start, at: tip.at, direction, contrast });
         }
     }
@@ -123,8 +123,12 @@ mod tests {
 
     fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
         let [from, to] = [from, to].map(|(x, y)| MmPoint::new(x, y));
-        let vertex =
-            |k: u32| Vertex { at: from.lerp(to, k as f32 / 20.0), strength: 30.0, step: [step, 0.0, 0.0], width: 0.0 };
+        let vertex = |k: u32| Vertex {
+            at: from.lerp(to, k as f32 / 20.0),
+            strength: 30.0,
+            contrast: [step, 0.0, 0.0],
+            width: 0.0,
+        };
         Polyline::open((0..=20).map(vertex).collect())
     }
 
@@ -134,7 +138,7 @@ mod tests {
         let joined = join(pieces, 3.0);
         assert_eq!(joined.len(), 1);
         assert!((joined[0].length() - 18.0).abs() < 1e-3 && !joined[0].closed);
-        assert!(joined[0].vertices.iter().all(|v| v.step[0] > 0.0), "the second piece was turned round");
+        assert!(joined[0].vertices.iter().all(|v| v.contrast[0] > 0.0), "the second piece was turned round");
         assert!(joined[0].segments().all(|(a, b)| (b.at - a.at).length() <= 0.51), "the gap is filled");
     }
 
@@ -154,7 +158,7 @@ mod tests {
         let vertex = |k: u32| Vertex {
             at: MmPoint::new(10.0 * angle(k).cos(), 10.0 * angle(k).sin()),
             strength: 30.0,
-            step: [20.0, 0.0, 0.0],
+            contrast: [20.0, 0.0, 0.0],
             width: 0.0,
         };
         let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);

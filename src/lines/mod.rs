@@ -32,7 +32,7 @@ use crate::units::{MmRect, PageTransform};
 
 /// The lines of a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Drawn {
+pub struct Lines {
     /// The weightiest line comes first.
     pub lines: Vec<Line>,
     /// Share of the contours' length, 0..=1, that was worth a line but lies too close to others.
@@ -40,7 +40,7 @@ pub struct Drawn {
 }
 
 /// Draws the contours in `area`, the part of the sheet where `transform` puts the picture.
-pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Params) -> Drawn {
+pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Params) -> Lines {
     let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
     polylines.retain(|polyline| polyline.weighted_length(params.full_strength) >= CRUMB * params.min_length);
     let polylines = centreline::merge(polylines, area, params);
@@ -60,7 +60,7 @@ pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Par
     let drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
     let kept: f32 = drawn.iter().map(|line| line.polyline.length()).sum();
     let finish = |line: &clearance::Cleared| weight::finish(&line.polyline, &line.anchored, params);
-    Drawn {
+    Lines {
         lines: drawn.into_par_iter().filter_map(finish).collect(),
         crowded_out: if wanted > 0.0 { (1.0 - kept / wanted).max(0.0) } else { 0.0 },
     }

@@ -35,6 +35,21 @@ const APPROACH_MARGIN: f32 = 0.2;
 const ROUNDING: f32 = 0.08;
 
 impl Params {
+    /// Widths and gaps as for swell paper, and all detail.
+    #[cfg(test)]
+    pub(super) const TEST: Self = Self {
+        width_min: 0.75,
+        width_max: 1.5,
+        least_strength: 7.0,
+        full_strength: 30.0,
+        min_length: 8.0,
+        min_gap: 3.2,
+        join_gap: 3.0,
+        smoothing: 0.6,
+        tolerance: 0.05,
+        detail: 1.0,
+    };
+
     /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm: what lies
     /// nearer to a line than this may be too near.
     pub fn max_spacing(&self) -> f32 {
@@ -86,18 +101,7 @@ mod tests {
 
     #[test]
     fn distances_follow_from_gap_and_widths() {
-        let params = Params {
-            width_min: 0.7,
-            width_max: 1.5,
-            least_strength: 10.0,
-            full_strength: 30.0,
-            min_length: 8.0,
-            min_gap: 3.2,
-            join_gap: 3.0,
-            smoothing: 0.4,
-            tolerance: 0.05,
-            detail: 0.5,
-        };
+        let params = Params::TEST;
         assert!((params.max_spacing() - 4.7).abs() < 1e-6 && (params.max_offset() - 2.35).abs() < 1e-6);
         // two lines that are drawn a tolerance nearer each still keep the gap
         assert!(params.clearance(1.0) - 2.0 * params.tolerance >= params.min_gap + 1.0);

@@ -64,24 +64,13 @@ mod tests {
     fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
         let vertex = |i: u32| {
             let (x, y) = at(i as f32 * 0.4);
-            Vertex { at: MmPoint::new(x, y), strength: 30.0, step: [30.0, 0.0, 0.0], width: 1.0 }
+            Vertex { at: MmPoint::new(x, y), strength: 30.0, contrast: [30.0, 0.0, 0.0], width: 1.0 }
         };
         Polyline { vertices: (0..100).map(vertex).collect(), closed }
     }
 
     fn params(detail: f32) -> Params {
-        Params {
-            width_min: 0.75,
-            width_max: 1.5,
-            least_strength: 7.0,
-            full_strength: 30.0,
-            min_length: 8.0,
-            min_gap: 3.2,
-            join_gap: 3.0,
-            smoothing: 0.6,
-            tolerance: 0.05,
-            detail,
-        }
+        Params { detail, ..Params::TEST }
     }
 
     #[test]

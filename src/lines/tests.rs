@@ -6,18 +6,7 @@ use super::*;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::MmPoint;
 
-const PARAMS: Params = Params {
-    width_min: 0.75,
-    width_max: 1.5,
-    least_strength: 7.0,
-    full_strength: 30.0,
-    min_length: 8.0,
-    min_gap: 3.2,
-    join_gap: 3.0,
-    smoothing: 0.6,
-    tolerance: 0.05,
-    detail: 1.0,
-};
+const PARAMS: Params = Params::TEST;
 
 /// Numbers in 0..1 that look random and are the same every time.
 struct Numbers(u32);
@@ -41,7 +30,7 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
             heading += bend;
             at += crate::units::MmVector::new(heading.cos(), heading.sin()) * SPACING;
             let strength = (strength + fade * i as f32).max(PARAMS.least_strength);
-            Vertex { at, strength, step: [strength, 0.0, 0.0], width: 0.0 }
+            Vertex { at, strength, contrast: [strength, 0.0, 0.0], width: 0.0 }
         });
         Polyline::open(vertices.collect())
     };
@@ -125,7 +114,7 @@ fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
 #[test]
 fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
-        let tip = Vertex { at: from, strength: 50.0, step: [50.0, 0.0, 0.0], width: 0.0 };
+        let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], width: 0.0 };
         let mut vertices = vec![tip];
         vertices.extend(junction::straight(&tip, to));
         Polyline::open(vertices)

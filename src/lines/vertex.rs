@@ -15,7 +15,7 @@ pub(super) struct Vertex {
     pub(super) at: MmPoint,
     pub(super) strength: f32,
     /// Colour on the right less colour on the left.
-    pub(super) step: [f32; 3],
+    pub(super) contrast: [f32; 3],
     /// Width of the line here, mm; 0 until `weight` has been there.
     pub(super) width: f32,
 }
@@ -34,13 +34,13 @@ impl Blend for Vertex {
         Self {
             at: self.at.lerp(other.at, share),
             strength: mix(self.strength, other.strength),
-            step: std::array::from_fn(|i| mix(self.step[i], other.step[i])),
+            contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
             width: mix(self.width, other.width),
         }
     }
 
     fn reversed(self) -> Self {
-        Self { step: self.step.map(|v| -v), ..self }
+        Self { contrast: self.contrast.map(|v| -v), ..self }
     }
 }
 
@@ -48,7 +48,7 @@ impl Polyline<Vertex> {
     /// A contour on the sheet.
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, transform: &PageTransform) -> Self {
         let vertex =
-            |p: &Edgel| Vertex { at: transform.to_mm(p.at), strength: p.strength, step: p.contrast, width: 0.0 };
+            |p: &Edgel| Vertex { at: transform.to_mm(p.at), strength: p.strength, contrast: p.contrast, width: 0.0 };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
 
@@ -93,12 +93,12 @@ impl Polyline<Vertex> {
     pub(super) fn smoothed(self, sigma: f32) -> Self {
         let smooth = smooth(&self.arc_lengths(), self.closed, sigma, |i| {
             let v = &self.vertices[i];
-            [v.at.x, v.at.y, v.strength, v.step[0], v.step[1], v.step[2]]
+            [v.at.x, v.at.y, v.strength, v.contrast[0], v.contrast[1], v.contrast[2]]
         });
         let vertex = |[x, y, strength, l, a, b]: [f32; 6]| Vertex {
             at: MmPoint::new(x, y),
             strength,
-            step: [l, a, b],
+            contrast: [l, a, b],
             width: 0.0,
         };
         Self { vertices: smooth.into_iter().map(vertex).collect(), closed: self.closed }

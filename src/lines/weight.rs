@@ -153,40 +153,25 @@ fn crosses_itself(runs: &[Run]) -> bool {
 mod tests {
     use super::*;
 
-    fn params() -> Params {
-        Params {
-            width_min: 0.7,
-            width_max: 1.5,
-            least_strength: 10.0,
-            full_strength: 30.0,
-            min_length: 8.0,
-            min_gap: 3.2,
-            join_gap: 3.0,
-            smoothing: 0.4,
-            tolerance: 0.05,
-            detail: 0.5,
-        }
-    }
-
     fn straight(strength: impl Fn(f32) -> f32) -> Line {
         let vertices = (0..=300)
             .map(|i| Vertex {
                 at: MmPoint::new(i as f32 * 0.2, 5.0),
                 strength: strength(i as f32 * 0.2),
-                step: [1.0, 0.0, 0.0],
+                contrast: [1.0, 0.0, 0.0],
                 width: 0.0,
             })
             .collect();
         let mut polyline = Polyline::open(vertices);
-        assign(&mut polyline, &params());
-        finish(&polyline, &[false; 301], &params()).expect("there is a line")
+        assign(&mut polyline, &Params::TEST);
+        finish(&polyline, &[false; 301], &Params::TEST).expect("there is a line")
     }
 
     #[test]
     fn width_saturates_early_and_never_falls() {
-        let widths: Vec<f32> = (0..100).map(|s| width(s as f32, &params())).collect();
+        let widths: Vec<f32> = (0..100).map(|s| width(s as f32, &Params::TEST)).collect();
         assert!(widths.is_sorted());
-        assert!((widths[10] - 0.7).abs() < 1e-6 && (widths[30] - 1.5).abs() < 1e-6 && (widths[99] - 1.5).abs() < 1e-6);
+        assert!((widths[7] - 0.75).abs() < 1e-6 && (widths[30] - 1.5).abs() < 1e-6 && (widths[99] - 1.5).abs() < 1e-6);
     }
 
     #[test]
@@ -203,9 +188,9 @@ mod tests {
     #[test]
     fn a_fading_edge_ends_at_the_least_width() {
         for fade in [4.0, 8.0, 20.0] {
-            let line = straight(|x| 10.0 + 40.0 * ((60.0 - x) / fade).min(1.0));
+            let line = straight(|x| 7.0 + 40.0 * ((60.0 - x) / fade).min(1.0));
             let last = line.runs.last().expect("a run").width;
-            assert!(last <= 0.8 + 1e-4, "fading over {fade} mm it ends {last} mm wide");
+            assert!(last <= Params::TEST.width_min + STEP + 1e-4, "fading over {fade} mm it ends {last} mm wide");
             assert!(line.runs.windows(2).all(|pair| pair[0].width > pair[1].width), "fading over {fade} mm");
         }
     }

@@ -42,7 +42,7 @@ fn polyline(out: &mut String, line: &Polyline) {
     });
     out.push_str("],\"strength\":[");
     list(out, ",", "", &line.strength, |out, &strength| number::<2>(out, strength));
-    if let Some(width) = &line.width {
+    if let Some(width) = &line.width_mm {
         out.push_str("],\"width_mm\":[");
         list(out, ",", "", width, |out, &width| number::<2>(out, width));
     }
@@ -82,8 +82,8 @@ mod tests {
     #[test]
     fn the_file_is_as_promised() {
         let points = vec![PxPoint::new(0.5, 1.25), PxPoint::new(10.0, 2.0625)];
-        let closed = Polyline { closed: true, points, strength: vec![100.0, 3.456], width: None };
-        let line = Polyline { closed: false, width: Some(vec![0.8, 1.5]), ..closed.clone() };
+        let closed = Polyline { closed: true, points, strength: vec![100.0, 3.456], width_mm: None };
+        let line = Polyline { closed: false, width_mm: Some(vec![0.8, 1.5]), ..closed.clone() };
         let trace = |polylines| Trace { size: Size::new(640, 480), polylines };
         let head =
             format!("{{\"program\":\"tactograph {}\",\"image\":[640,480],\"polylines\":[", env!("CARGO_PKG_VERSION"));

@@ -5,14 +5,14 @@ use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
-use crate::lines::{Drawn, Line, Run};
+use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
 use crate::page::{self, DotMedium, Dots, Figure, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
 /// Lines in `area` as the device presses them; on a printed page they stay.
-pub(super) fn pressed(drawn: Drawn, area: MmRect, layout: &Layout, plan: &Plan) -> Drawn {
+pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
     let Medium::Dots(medium) = &layout.medium else { return drawn };
     // What the grid has no room for counts as crowded out too, by length.
     let length = |lines: &[Line]| {
@@ -21,7 +21,7 @@ pub(super) fn pressed(drawn: Drawn, area: MmRect, layout: &Layout, plan: &Plan) 
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
-    Drawn { lines, crowded_out: 1.0 - (1.0 - drawn.crowded_out) * kept }
+    Lines { lines, crowded_out: 1.0 - (1.0 - drawn.crowded_out) * kept }
 }
 
 /// The lines of the overview: all of one width and, where there are heights, high.

@@ -5,7 +5,7 @@ use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::request::{Fit, Request};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
-use crate::lines::{self, Drawn, Line};
+use crate::lines::{self, Line, Lines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, Medium, Texture};
 use crate::picture::Picture;
@@ -130,7 +130,7 @@ pub(super) fn find_edges(
     None
 }
 
-pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Drawn {
+pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Lines {
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
@@ -143,11 +143,11 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Lines, reason));
-    Drawn::default()
+    Lines::default()
 }
 
 /// What the maker is told when much was left out for want of room.
-pub(super) fn crowded(drawn: &Drawn) -> Option<Note> {
+pub(super) fn crowded(drawn: &Lines) -> Option<Note> {
     (drawn.crowded_out >= CROWDED).then(|| Note::Crowded((100.0 * drawn.crowded_out).round() as u32))
 }
 

@@ -1,5 +1,7 @@
 //! Which of two sides becomes the centreline of a stroke, and which is removed.
 
+use std::cmp::Ordering;
+
 use super::opposite::{Opposite, Opposites};
 use super::stretch::{MIN_STRETCH, Stretch};
 use crate::geom::polyline::Polyline;
@@ -32,39 +34,14 @@ pub(super) fn assign(
     mut stretches: Vec<Stretch>,
     params: &Params,
 ) -> Vec<Assignment> {
-    let mut by_rank: Vec<(f32, usize)> = polylines.iter().map(|polyline| saliency(polyline, params)).zip(0..).collect();
-    by_rank.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let mut rank = vec![0; polylines.len()];
-    by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
-
+    let rank = ranks(polylines, params);
     let winner = |stretch: &Stretch| rank[stretch.polyline].min(rank[stretch.other]);
-    // A ring that is a stroke's side on its lesser part stays whole if it can give way: it is a thing beside another,
-    // as a pupil in an eye.
-    let (mut sides, mut close) = (vec![0; polylines.len()], vec![false; polylines.len()]);
-    let nearest = params.max_spacing() - RING_FARTHEST;
-    for stretch in &stretches {
-        sides[stretch.polyline] += stretch.count;
-        let vertices = &polylines[stretch.polyline].vertices;
-        let is_close = |(i, opposite): (usize, Opposite)| (opposite.at - vertices[i].at).length() < nearest;
-        close[stretch.polyline] |= stretch.opposites(opposites).any(is_close);
-    }
-    let thing = |number: usize| {
-        let share = sides[number] as f32 / polylines[number].vertices.len() as f32;
-        polylines[number].closed && !close[number] && share < MOST
-    };
+    let stays_whole = things(polylines, opposites, &stretches, params);
     stretches.retain(|stretch| {
         let loser = if rank[stretch.polyline] == winner(stretch) { stretch.other } else { stretch.polyline };
-        stretch.polyline == stretch.other || !thing(loser)
+        stretch.polyline == stretch.other || !stays_whole[loser]
     });
-    stretches.sort_by(|a, b| {
-        let (first, second) = (winner(a), winner(b));
-        let sides = (rank[a.polyline] != first).cmp(&(rank[b.polyline] != second)); // as the winner sees it comes first
-        first
-            .cmp(&second)
-            .then(sides)
-            .then(b.saliency.total_cmp(&a.saliency))
-            .then((a.polyline, a.from).cmp(&(b.polyline, b.from)))
-    });
+    stretches.sort_by(|a, b| decided_first(a, b, &rank));
     let assignment = |polyline: &Polyline<Vertex>| Assignment {
         offsets: vec![None; polyline.vertices.len()],
         removed: vec![false; polyline.vertices.len()],
@@ -78,6 +55,48 @@ pub(super) fn assign(
         }
     }
     assignments
+}
+
+/// The rank of each polyline by its saliency: 0 is the most salient.
+fn ranks(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<usize> {
+    let mut by_rank: Vec<(f32, usize)> = polylines.iter().map(|polyline| saliency(polyline, params)).zip(0..).collect();
+    by_rank.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let mut rank = vec![0; polylines.len()];
+    by_rank.iter().enumerate().for_each(|(place, &(_, number))| rank[number] = place);
+    rank
+}
+
+/// Which polylines are rings that are a stroke's side on their lesser part and can give way. Such a ring stays whole: it
+/// is a thing beside another, as a pupil in an eye.
+fn things(
+    polylines: &[Polyline<Vertex>],
+    opposites: &[Opposites],
+    stretches: &[Stretch],
+    params: &Params,
+) -> Vec<bool> {
+    let (mut sides, mut close) = (vec![0; polylines.len()], vec![false; polylines.len()]);
+    let nearest = params.max_spacing() - RING_FARTHEST;
+    for stretch in stretches {
+        sides[stretch.polyline] += stretch.count;
+        let vertices = &polylines[stretch.polyline].vertices;
+        let is_close = |(i, opposite): (usize, Opposite)| (opposite.at - vertices[i].at).length() < nearest;
+        close[stretch.polyline] |= stretch.opposites(opposites).any(is_close);
+    }
+    let is_thing = |(number, polyline): (usize, &Polyline<Vertex>)| {
+        let share = sides[number] as f32 / polyline.vertices.len() as f32;
+        polyline.closed && !close[number] && share < MOST
+    };
+    polylines.iter().enumerate().map(is_thing).collect()
+}
+
+/// The order in which stretches are decided: by their winner, first as that sees it, and the most salient first.
+fn decided_first(a: &Stretch, b: &Stretch, rank: &[usize]) -> Ordering {
+    let winner = |stretch: &Stretch| rank[stretch.polyline].min(rank[stretch.other]);
+    let is_loser = |stretch: &Stretch| rank[stretch.polyline] != winner(stretch);
+    (winner(a), is_loser(a))
+        .cmp(&(winner(b), is_loser(b)))
+        .then(b.saliency.total_cmp(&a.saliency))
+        .then((a.polyline, a.from).cmp(&(b.polyline, b.from)))
 }
 
 /// A stretch goes to the middle; the other side goes. What stronger stretches have left of it must be long enough

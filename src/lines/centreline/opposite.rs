@@ -40,90 +40,105 @@ pub(super) struct Opposite {
 pub(super) type Opposites = Vec<Option<Opposite>>;
 
 /// Finds for every vertex the nearest place on the opposite side of a stroke, if it lies on one: straight across within
-/// `reach`, on either side of the line.
+/// [`Params::max_spacing`], on either side of the line.
 pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Opposites> {
-    let reach = params.max_spacing();
-    let mut nearby = Nearby::new(area, CELL);
-    let mut all_arcs = Vec::with_capacity(polylines.len());
-    for (number, polyline) in polylines.iter().enumerate() {
-        let arcs = polyline.arc_lengths();
-        if !is_dot(polyline, &arcs, params) {
+    let sides = Sides::new(polylines, area, params);
+    let of = |(number, polyline): (usize, &Polyline<Vertex>)| match sides.is_dot(number) {
+        true => vec![None; polyline.vertices.len()],
+        false => (0..polyline.vertices.len()).map(|i| sides.opposite(number, i)).collect(),
+    };
+    polylines.par_iter().enumerate().map(of).collect()
+}
+
+/// What may be a side of a stroke.
+struct Sides<'a> {
+    polylines: &'a [Polyline<Vertex>],
+    /// The way along each polyline to its vertices, mm.
+    arcs: Vec<Vec<f32>>,
+    segments: Nearby,
+    params: &'a Params,
+}
+
+impl<'a> Sides<'a> {
+    fn new(polylines: &'a [Polyline<Vertex>], area: MmRect, params: &'a Params) -> Self {
+        let arcs = polylines.iter().map(Polyline::arc_lengths).collect();
+        let mut sides = Self { polylines, arcs, segments: Nearby::new(area, CELL), params };
+        for (number, polyline) in polylines.iter().enumerate() {
+            if sides.is_dot(number) {
+                continue;
+            }
             for (i, (a, b)) in polyline.segments().enumerate() {
-                let (a, b) = (a.at, b.at);
-                nearby.insert(Segment { a, b, half_width: 0.0, line: number as u32, index: i as u32, arc: arcs[i] });
+                let (line, index, arc) = (number as u32, i as u32, sides.arcs[number][i]);
+                sides.segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc });
             }
         }
-        all_arcs.push(arcs);
+        sides
     }
-    polylines
-        .par_iter()
-        .enumerate()
-        .map(|(number, polyline)| match is_dot(polyline, &all_arcs[number], params) {
-            true => vec![None; polyline.vertices.len()],
-            false => {
-                let own = (number, &all_arcs[number][..]);
-                (0..polyline.vertices.len()).map(|i| opposite(polylines, own, i, &nearby, reach)).collect()
-            }
-        })
-        .collect()
-}
 
-/// The opposite of vertex `i` of a polyline, which is given by its number and the way to its vertices.
-fn opposite(
-    polylines: &[Polyline<Vertex>],
-    (number, arcs): (usize, &[f32]),
-    i: usize,
-    nearby: &Nearby,
-    reach: f32,
-) -> Option<Opposite> {
-    let polyline = &polylines[number];
-    let here: &Vertex = &polyline.vertices[i];
-    let (arc, total) = (arcs[i], arcs.last().copied().unwrap_or(0.0));
-    let tangent = polyline.tangent(i);
-    let up = dot(here.step, here.step).sqrt();
-    let mut best: Option<(f32, Opposite)> = None;
-    for side in [1.0, -1.0] {
-        let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
-        let way = (here.at, here.at + across);
-        nearby.along(way.0, way.1, |segment| {
-            // longer by a rounding: a line that leads through a vertex exactly crosses both segments, not neither
-            let over = (segment.b - segment.a) * ROUNDING;
-            let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
-            let distance = (at - here.at).length();
-            if best.is_some_and(|(least, _)| distance >= least * (1.0 - ROUNDING)) {
-                return;
-            }
-            if segment.line as usize == number {
-                // Along the same line: not this place itself, only what lies beyond a bend.
-                let apart = (segment.arc - arc).abs();
-                let apart = if polyline.closed { apart.min(total - apart) } else { apart };
-                if apart < BEND * distance + BEND_LEAST {
-                    return;
+    fn total(&self, number: usize) -> f32 {
+        self.arcs[number].last().copied().unwrap_or(0.0)
+    }
+
+    /// A small ring (an eye, a button) is felt as a dot and stays whole.
+    fn is_dot(&self, number: usize) -> bool {
+        self.polylines[number].closed && self.params.is_dot(self.total(number))
+    }
+
+    /// The opposite of vertex `i` of a polyline.
+    fn opposite(&self, number: usize, i: usize) -> Option<Opposite> {
+        let polyline = &self.polylines[number];
+        let here: &Vertex = &polyline.vertices[i];
+        let tangent = polyline.tangent(i);
+        let reach = self.params.max_spacing();
+        let mut best: Option<(f32, Opposite)> = None;
+        for side in [1.0, -1.0] {
+            let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
+            let way = (here.at, here.at + across);
+            self.segments.along(way.0, way.1, |segment| {
+                // longer by a rounding: a line that leads through a vertex exactly crosses both segments, not neither
+                let over = (segment.b - segment.a) * ROUNDING;
+                let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
+                let distance = (at - here.at).length();
+                if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
+                    && !self.is_same_side((number, i), segment, distance)
+                    && self.steps_back(here, tangent, segment)
+                {
+                    best = Some((distance, self.opposite_on(segment, at)));
                 }
-            }
-            let Some(direction) = (segment.b - segment.a).try_normalize() else { return };
-            let along = direction.dot(tangent);
-            if along.abs() < PARALLEL {
-                return;
-            }
-            let other = &polylines[segment.line as usize];
-            let sides = [0, 1].map(|end| other.vertices[(segment.index as usize + end) % other.vertices.len()].step);
-            let there = std::array::from_fn(|i| 0.5 * (sides[0][i] + sides[1][i]) * along.signum());
-            let down = dot(there, there).sqrt();
-            // a faint ghost beside a strong contour is no side of a stroke
-            let alike = up.min(down) >= ALIKE * up.max(down);
-            if alike && dot(here.step, there) < -STEP_BACK * up * down {
-                let (first, second) = ((segment.a - at).length(), (segment.b - at).length());
-                let nearer_end = usize::from(second < first * (1.0 - ROUNDING));
-                let index = (segment.index as usize + nearer_end) % other.vertices.len();
-                best = Some((distance, Opposite { polyline: segment.line as usize, index, at }));
-            }
-        });
+            });
+        }
+        best.map(|(_, opposite)| opposite)
     }
-    best.map(|(_, opposite)| opposite)
-}
 
-/// A small ring (an eye, a button) is felt as a dot and stays whole.
-fn is_dot(polyline: &Polyline<Vertex>, arcs: &[f32], params: &Params) -> bool {
-    polyline.closed && arcs.last().is_none_or(|&total| params.is_dot(total))
+    /// Whether a segment, this far away, is part of the vertex's own side: of the same line, and not beyond a bend.
+    fn is_same_side(&self, (number, i): (usize, usize), segment: &Segment, distance: f32) -> bool {
+        let apart = (segment.arc - self.arcs[number][i]).abs();
+        let apart = if self.polylines[number].closed { apart.min(self.total(number) - apart) } else { apart };
+        segment.line as usize == number && apart < BEND * distance + BEND_LEAST
+    }
+
+    /// Whether a segment runs beside a vertex and the colour steps back there what it steps at the vertex.
+    fn steps_back(&self, here: &Vertex, tangent: MmVector, segment: &Segment) -> bool {
+        let Some(direction) = (segment.b - segment.a).try_normalize() else { return false };
+        let along = direction.dot(tangent);
+        if along.abs() < PARALLEL {
+            return false;
+        }
+        let other = &self.polylines[segment.line as usize].vertices;
+        let ends = [0, 1].map(|end| other[(segment.index as usize + end) % other.len()].contrast);
+        let there = std::array::from_fn(|i| 0.5 * (ends[0][i] + ends[1][i]) * along.signum());
+        let (up, down) = (dot(here.contrast, here.contrast).sqrt(), dot(there, there).sqrt());
+        // a faint ghost beside a strong contour is no side of a stroke
+        let alike = up.min(down) >= ALIKE * up.max(down);
+        alike && dot(here.contrast, there) < -STEP_BACK * up * down
+    }
+
+    /// The place `at` of a segment, and its end that is nearer.
+    fn opposite_on(&self, segment: &Segment, at: MmPoint) -> Opposite {
+        let (first, second) = ((segment.a - at).length(), (segment.b - at).length());
+        let nearer_end = usize::from(second < first * (1.0 - ROUNDING));
+        let polyline = segment.line as usize;
+        let index = (segment.index as usize + nearer_end) % self.polylines[polyline].vertices.len();
+        Opposite { polyline, index, at }
+    }
 }

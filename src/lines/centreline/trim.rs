@@ -66,7 +66,7 @@ fn shifted(polyline: &Polyline<Vertex>, assignment: &Assignment, indices: &[usiz
         vertex.at += MmVector::new(x, y);
         // The middle has the same colour on both sides, so it goes on from either side of the stroke.
         if assignment.offsets[i].is_some() {
-            vertex.step = [0.0; 3];
+            vertex.contrast = [0.0; 3];
         }
     }
     part

@@ -151,26 +151,13 @@ mod tests {
     use super::*;
     use crate::units::MmPoint;
 
-    pub(super) const PARAMS: Params = Params {
-        width_min: 0.75,
-        width_max: 1.5,
-        least_strength: 7.0,
-        full_strength: 30.0,
-        min_length: 8.0,
-        min_gap: 3.2,
-        join_gap: 3.0,
-        smoothing: 0.6,
-        tolerance: 0.05,
-        detail: 1.0,
-    };
-
     /// A line of the greatest width with vertices as close as those of lines in the making.
     pub(super) fn polyline(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
         let vertex = |&(x, y): &(f32, f32)| Vertex {
             at: MmPoint::new(x, y),
             strength: 60.0,
-            step: [60.0, 0.0, 0.0],
-            width: PARAMS.width_max,
+            contrast: [60.0, 0.0, 0.0],
+            width: Params::TEST.width_max,
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(0.4);
@@ -180,7 +167,7 @@ mod tests {
     /// Lines that are drawn on a square of 100 mm.
     pub(super) fn drawn(lines: &[&[(f32, f32)]]) -> DrawnLines<'static> {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        let mut drawn = DrawnLines::new(area, &PARAMS);
+        let mut drawn = DrawnLines::new(area, &Params::TEST);
         lines.iter().for_each(|points| {
             draw(polyline(points, false), &mut drawn);
         });
@@ -190,7 +177,7 @@ mod tests {
     /// The verdict on a line where another runs along y = 50.
     fn verdict(points: &[(f32, f32)], closed: bool) -> Verdict {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        let mut own = Nearby::new(area, PARAMS.max_spacing());
+        let mut own = Nearby::new(area, Params::TEST.max_spacing());
         judge(polyline(points, closed), &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
     }
 

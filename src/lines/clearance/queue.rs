@@ -69,12 +69,12 @@ impl<'a> Queue<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{PARAMS, polyline};
+    use super::super::tests::polyline;
     use super::*;
 
     #[test]
     fn the_most_salient_comes_first_and_what_is_short_or_often_cut_not_at_all() {
-        let mut queue = Queue::new(4, &PARAMS);
+        let mut queue = Queue::new(4, &Params::TEST);
         let lengths = [12.0, 30.0, 7.0, 30.0];
         lengths.iter().zip(0..).for_each(|(&x, cuts)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), cuts));
         queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), MOST_CUTS + 1);

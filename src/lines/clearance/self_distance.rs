@@ -88,13 +88,13 @@ pub(super) fn is_bend(length: f32, distance: f32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{PARAMS, polyline};
+    use super::super::tests::polyline;
     use super::*;
     use crate::units::{MmPoint, MmRect};
 
     fn first_return(points: &[(f32, f32)], closed: bool) -> Option<Range<usize>> {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        returns(&polyline(points, closed), &PARAMS, &mut Nearby::new(area, PARAMS.max_spacing()))
+        returns(&polyline(points, closed), &Params::TEST, &mut Nearby::new(area, Params::TEST.max_spacing()))
     }
 
     #[test]

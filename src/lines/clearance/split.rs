@@ -122,7 +122,7 @@ fn most_salient(mut lines: Vec<Polyline<Vertex>>, params: &Params) -> Option<Pol
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{PARAMS, drawn, polyline};
+    use super::super::tests::{drawn, polyline};
     use super::*;
 
     #[test]
@@ -162,7 +162,7 @@ mod tests {
         let ring = polyline(&[(33.0, 33.0), (67.0, 33.0), (67.0, 67.0), (33.0, 67.0)], true);
         assert_eq!(split(&ring, &lines.states(&ring), &lines), []);
         let dot = polyline(&[(50.0, 31.0), (52.0, 31.0), (52.0, 33.0), (50.0, 33.0)], true);
-        assert!(PARAMS.is_dot(dot.length()));
+        assert!(Params::TEST.is_dot(dot.length()));
         assert_eq!(split(&dot, &lines.states(&dot), &lines), []);
     }
 }
