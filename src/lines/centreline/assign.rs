@@ -66,8 +66,8 @@ fn ranks(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<usize> {
     rank
 }
 
-/// Which polylines are rings that are a stroke's side on their lesser part and can give way. Such a ring stays whole: it
-/// is a thing beside another, as a pupil in an eye.
+/// Which polylines are rings that are a stroke's side on their lesser part and can give way. Such a ring stays
+/// whole: it is a thing beside another, as a pupil in an eye.
 fn things(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
