@@ -29,6 +29,8 @@ impl NearMap {
     /// Marks what is in reach of a point of a path. All points that are [`MARK`] apart along it must be marked.
     pub(super) fn mark(&mut self, at: MmPoint) {
         let reach = self.reach;
+        // what lies outside counts as on the border, as in `may_be_near`: that brings no two points further apart
+        let at = at.clamp(self.area.min, self.area.max);
         let (x, y) = ((at.x - self.area.min.x) / CELL, (at.y - self.area.min.y) / CELL);
         let range = |middle: f32, count: usize| {
             ((middle - reach / CELL).max(0.0) as usize)..(((middle + reach / CELL).max(0.0) as usize + 1).min(count))
@@ -54,6 +56,17 @@ impl NearMap {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn outside_of_the_area_nothing_is_missed() {
+        let mut map = NearMap::new(MmRect::new(MmPoint::new(10.0, 5.0), MmPoint::new(50.3, 40.0)), 5.0);
+        map.mark(MmPoint::new(30.0, -20.0));
+        map.mark(MmPoint::new(80.0, 60.0));
+        for at in [(32.0, -23.0), (28.0, 1.0), (77.0, 64.0)] {
+            assert!(map.may_be_near(MmPoint::from(at)), "{at:?}");
+        }
+        assert!(!map.may_be_near(MmPoint::new(12.0, -20.0)));
+    }
 
     #[test]
     fn what_is_in_reach_is_on_the_map_and_what_is_far_is_not() {
