@@ -1,4 +1,4 @@
-//! The calibration sheet has what it says, where fingers can part it.
+//! The calibration sheet has what it says, with gaps that a finger can tell apart.
 
 use tactograph::Error;
 use tactograph::internals::calibration::sheets;

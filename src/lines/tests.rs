@@ -128,7 +128,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     assert!(
         lines.iter().zip(&polylines).all(|(line, polyline)| (line.polyline.length() - polyline.length()).abs() < 0.1)
     );
-    // the same two at 20 degrees: nearer than fingers can part them for 25 mm
+    // the same two at 20 degrees: nearer than a finger can tell apart for 25 mm
     let mut flat = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(20.0, 40.0), at(75.0, 60.0))];
     flat.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
     let lines = clearance::clear(flat, area, &PARAMS);

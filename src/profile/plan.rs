@@ -15,7 +15,7 @@ use crate::{classes, dots, edges, lines, textures};
 const SIDE_CELL: f32 = 1.6;
 const SIDE_OFFSET: f32 = 2.4;
 
-/// Strength is averaged along a contour over this far to both sides, mm: below what a fingertip parts.
+/// Strength is averaged along a contour over this far to both sides, mm: less than a fingertip can tell apart.
 const STRENGTH_WINDOW: f32 = 1.0;
 
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.

@@ -1,5 +1,5 @@
-//! Where lines of a page run nearer to one another, or to themselves, than a finger can part them: measured on the finished
-//! lines alone, by a rule of its own, not by the one that made them. Each segment is held against every other one, with
+//! Where lines of a page run nearer to one another, or to themselves, than a finger can tell apart: measured on the
+//! finished lines alone, by a rule of its own, not by the one that made them. Each segment is held against every other one, with
 //! geometry in f64 that is written here, so no fault of the library's index or of its distances can hide itself.
 
 use tactograph::internals::page::Line;

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //!   colour A | colour B | colour A          A | A
-//!            |          |           ->        |        (nearer than a finger can part)
+//!            |          |           ->        |        (nearer than a finger can tell apart)
 //!          step       -step               centreline
 //! ```
 //!

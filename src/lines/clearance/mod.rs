@@ -1,4 +1,4 @@
-//! Clearance: no two lines nearer than fingers can part them. Of two rivals the more salient stays, the other is
+//! Clearance: no two lines nearer than a finger can tell apart. Of two rivals the more salient stays, the other is
 //! trimmed where it comes too near. Lines that truly join may meet.
 //!
 //! Lines wait in a queue, the most salient first. Each is judged among the lines that are drawn already ([`Verdict`]):

@@ -23,8 +23,9 @@
 //! * *class*: the share of the area that is sorted into another class; of scenes, further than 2 mm from a true border.
 //! * *read*: the share of places that a fingertip of 1.0 mm reads as they are; see `tactograph::internals::touch`.
 //!
-//! The curves are not smooth: a working picture has whole pixels, and `tactograph::internals::frame` scales both its sides by the longer one,
-//! so that lines at the far end of the shorter side lie up to half a working pixel off (0.1 mm at 5 px/mm), by luck.
+//! The curves are not smooth: a working picture has whole pixels, so its sides are rounded, and which edges fall together
+//! with the borders of its pixels differs from one resolution to the next. Each side has a scale of its own
+//! (`tactograph::internals::units::PageTransform`), so the rounding moves no line.
 //!
 //! **Time**: of this thread alone (CPU), the stages called one after the other as the program calls them, from the file's bytes
 //! to the page's SVG. Settings run in turn, round after round, every second round in reverse; figures are medians.
