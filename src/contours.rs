@@ -12,6 +12,7 @@ use crate::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 /// The contours of a picture.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Trace {
     /// Size of the upright source picture, px.
     pub size: Size,
@@ -21,6 +22,7 @@ pub struct Trace {
 
 /// One contour.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Polyline {
     /// Whether the last point goes on to the first. The first point is not repeated.
     pub closed: bool,
@@ -36,7 +38,7 @@ pub struct Polyline {
 
 impl Trace {
     /// The contours as they were found in a working picture of the source picture of size `source`.
-    pub fn of_edges(edges: &Edges, source: Size) -> Self {
+    pub(crate) fn of_edges(edges: &Edges, source: Size) -> Self {
         let scale = Scale::new(edges.size, source);
         let polylines = edges.chains().map(|chain| Polyline {
             closed: chain.closed,
@@ -51,7 +53,7 @@ impl Trace {
     ///
     /// A line says only how strong it is on the whole. The strength at a point is that of the nearest of the contours
     /// `edges` from which the lines were drawn; where none lies within `reach` mm, it is that of the whole line.
-    pub fn of_lines(
+    pub(crate) fn of_lines(
         lines: &[Line],
         edges: &Edges,
         transform: &PageTransform,

@@ -1,9 +1,7 @@
 //! What stops everything. Each message says what is wrong and what to do about it, in one line without the file's name
 //! (the caller knows it).
 
-use crate::page::spread::NotAGrid;
 use crate::profile::Fault;
-use crate::raster::crop::NotACrop;
 use crate::touch;
 use crate::units::Size;
 
@@ -108,6 +106,20 @@ pub enum Error {
     /// A mark would lie off the sheet.
     #[error("the page does not fit its sheet: {0}; give more margin or thinner lines")]
     OffSheet(String),
+    /// A number on a page is not finite, or a length is below 0.
+    #[error("a page cannot have a {what} of {value}")]
+    NoMeasure {
+        /// Of what it is the measure.
+        what: &'static str,
+        /// The number that was given.
+        value: f32,
+    },
+    /// There are no pages to write.
+    #[error("there are no pages to write; give at least one")]
+    NoPages,
+    /// The caller stopped the conversion.
+    #[error("the conversion was stopped")]
+    Cancelled,
     /// The sheet is too small for what must be on it.
     #[error(
         "a sample of {sample} has no room between the margins of a sheet of {sheet}; take larger paper or less margin"
@@ -170,11 +182,14 @@ pub enum Error {
         most: u32,
     },
     /// The text says no part of a picture.
-    #[error(transparent)]
-    Crop(#[from] NotACrop),
+    #[error(
+        "give four numbers x,y,width,height, each in whole pixels or in percent of the picture from 0% to 100%, such \
+         as 10%,0,80%,400"
+    )]
+    NotACrop,
     /// The text says no grid of sheets.
-    #[error(transparent)]
-    Grid(#[from] NotAGrid),
+    #[error("give how many sheets across and down, from 1x2 to 9x9, such as 2x2")]
+    NotASheetGrid,
     /// The page cannot be felt.
     #[error(transparent)]
     NotFelt(#[from] touch::Error),

@@ -87,6 +87,12 @@
 //! * `system-fonts`: `Fonts::system`, the fonts that are installed, for SVG drawings with text. Part of `cli`.
 //! * `turbojpeg`: JPEGs through the C library libjpeg-turbo, built by cmake and nasm.
 //!
+//! # What grows
+//!
+//! Enums and structs that later releases add to are `#[non_exhaustive]`: errors, notes, events, formats, media and
+//! devices, and what functions give. The marks of a page are a closed set ([`Shape`], [`Pen`], [`Sign`], [`Class`]),
+//! so that whoever draws them can see that none is missing.
+//!
 //! # Points and units
 //!
 //! Positions are points of [`euclid`], which is re-exported and part of this interface: `MmPoint` in millimetres on
@@ -121,12 +127,12 @@ pub use api::{
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
-pub use page::spread::{Grid as SheetGrid, NotAGrid as NotASheetGrid};
+pub use page::spread::Grid as SheetGrid;
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
 pub use pipeline::{Event, Stage};
 pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, built_in, is_path};
-pub use raster::crop::{Crop, NotACrop};
+pub use raster::crop::Crop;
 pub use raster::decode::Limits;
 // What they give.
 pub use contours::{Polyline, Trace};
@@ -141,7 +147,7 @@ pub use pipeline::Drawing;
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;
 pub use touch::report::{Areas as FeltAreas, OfClass as FeltClass};
-pub use touch::{FINGERS, Report as FeelReport};
+pub use touch::{FINGERS, FeltAs, Report as FeelReport};
 // Points and sizes: those of euclid, which is part of the interface.
 pub use lyon::geom::euclid;
 pub use units::{Mm, MmPoint, MmRect, MmVector, Px, PxPoint, PxVector, Size};

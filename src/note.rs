@@ -12,6 +12,8 @@ pub enum Note {
     NoLines,
     /// Nothing was found to trace.
     NoContours,
+    /// The lines of a page were to be traced, and the profile draws none.
+    LinesOff,
     /// Much of what was found lies too close together for fingers; percent of its length.
     Crowded(u32),
     /// There is nothing on the page but its frame.
@@ -41,6 +43,9 @@ impl std::fmt::Display for Note {
             Self::NoContours => f.write_str(
                 "nothing to trace: no contour is strong and long enough; lower the thresholds, or give a brighter \
                  picture",
+            ),
+            Self::LinesOff => f.write_str(
+                "nothing to trace: the profile draws no lines, as figure.lines is off; turn it on, or trace contours",
             ),
             Self::Crowded(percent) => write!(
                 f,

@@ -28,6 +28,7 @@ use progress::run;
 
 /// A page and what its maker should know.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Drawing {
     /// The finished page.
     pub page: Page,

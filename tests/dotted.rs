@@ -39,8 +39,8 @@ fn made() -> Vec<(String, Profile, &'static Page)> {
 
 fn area(page: &Page) -> &DotArea {
     match &page.medium {
-        Medium::Print(_) => panic!("a page of dots"),
         Medium::Dots(dots) => &dots.area,
+        other => panic!("{other:?} is not of dots"),
     }
 }
 

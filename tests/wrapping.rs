@@ -3,8 +3,9 @@
 use std::sync::{Arc, Mutex};
 
 use tactograph::{
-    Crop, Drawing, Error, Event, FeelReport, Felt, Fonts, Limits, Note, Options, Page, Picture, Profile, Sheets, Size,
-    Stage, Trace, Traced, Tracing,
+    Class, Crop, Device, DotArea, DotFormat, DotMedium, Drawing, Embossing, Error, Event, FeelReport, Felt, Figure,
+    Fonts, Limits, Medium, MmPoint, MmRect, Note, Options, Page, Parts, Picture, Profile, Sheets, Size, Stage, Trace,
+    Traced, Tracing, write_dots, write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -135,4 +136,82 @@ fn progress_is_told_of_and_tracing_takes_the_same_options() {
     let crop: Crop = "60,0,60,90".parse().expect("a part");
     let part = tactograph::trace(&png(), &Tracing::contours(), &options.crop(crop)).expect("contours").trace;
     assert_eq!(part.size, Size::new(60, 90));
+}
+
+/// A page of a device with nothing on it.
+fn page_of(medium: DotMedium, sheet: [f32; 2]) -> Page {
+    let place = MmRect::new(MmPoint::new(30.0, 30.0), MmPoint::new(50.0, 50.0));
+    let figure = Figure { place, source: SIZE, textures: vec![], lines: vec![] };
+    Page::new(Parts { medium: Medium::Dots(medium), ..Parts::of(sheet, figure) }).expect("nothing on it")
+}
+
+fn medium(device: &str, pitch: f32, sheet: [f32; 2]) -> DotMedium {
+    DotMedium::on(Device::named(device).expect("in the table"), pitch, sheet).expect("a sheet that it takes")
+}
+
+const A4: [f32; 2] = [210.0, 297.0];
+
+fn refused(pages: &[Page], format: DotFormat) -> String {
+    match write_dots("pages", pages, format, Embossing::default()) {
+        Err(error @ Error::CannotPress(_)) => error.to_string(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn no_pages_are_no_file() {
+    assert_eq!(write_pdf("nothing", &[]), Err(Error::NoPages));
+    for format in DotFormat::ALL {
+        let written = write_dots("nothing", &[], format, Embossing::default());
+        assert_eq!(written, Err(Error::NoPages), "{}", format.name());
+    }
+}
+
+#[test]
+fn pages_that_do_not_go_into_one_file_are_refused() {
+    let v4 = page_of(medium("index-basic-d-v4", 2.0, A4), A4);
+    let v5 = page_of(medium("index-basic-d-v5", 2.0, A4), A4);
+    for format in [DotFormat::Idx, DotFormat::Ubrl, DotFormat::Pef, DotFormat::Pixels, DotFormat::Txt] {
+        let told = refused(&[v4.clone(), v5.clone()], format);
+        assert!(told.contains("Basic-D V4 and Index Basic-D V5"), "{told}");
+    }
+    let finer = page_of(medium("index-basic-d-v4", 1.6, A4), A4);
+    let turned = page_of(medium("index-basic-d-v4", 2.0, [297.0, 210.0]), [297.0, 210.0]);
+    for other in [finer, turned] {
+        let told = refused(&[v4.clone(), other.clone()], DotFormat::Idx);
+        assert!(told.contains("different sheets or pitches"), "{told}");
+        // Each page of the others says how large it is.
+        let written = write_dots("pages", &[v4.clone(), other], DotFormat::Pixels, Embossing::default());
+        assert!(written.is_ok_and(|files| files.len() == 2));
+    }
+}
+
+#[test]
+fn dots_that_a_format_cannot_hold_are_refused_and_not_dropped() {
+    let mut on_grid = medium("braillerap-a4", 2.5, A4);
+    on_grid.area = medium("index-basic-d-v4", 2.5, A4).area;
+    let told = refused(&[page_of(on_grid, A4)], DotFormat::Gcode);
+    assert!(told.contains("lie on a grid"), "{told}");
+    let mut anywhere = medium("index-basic-d-v4", 2.5, A4);
+    anywhere.area = DotArea::Free(MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(200.0, 280.0)));
+    for format in [DotFormat::Idx, DotFormat::Ubrl, DotFormat::Pef, DotFormat::Pixels, DotFormat::Txt] {
+        let told = refused(&[page_of(anywhere.clone(), A4)], format);
+        assert!(told.contains("no grid"), "{told}");
+    }
+}
+
+#[test]
+fn lines_that_a_profile_leaves_out_are_no_missing_contours() {
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("figure.lines", "false").expect("a key");
+    let notes = |tracing| tactograph::trace(&png(), &tracing, &Options::new(profile.clone())).expect("a trace").notes;
+    assert_eq!(notes(Tracing::lines()), [Note::LinesOff]);
+    assert!(Note::LinesOff.to_string().contains("figure.lines"));
+    assert_eq!(notes(Tracing::contours()), []);
+}
+
+#[test]
+fn classes_are_found_by_their_names() {
+    assert_eq!(Class::ALL.map(|class| Class::named(class.name())), Class::ALL.map(Some));
+    assert_eq!(Class::named("Blue"), None, "names are in lower case");
 }

@@ -34,7 +34,7 @@ pub struct Felt {
 pub fn feel(page: impl AsRef<[u8]>, finger: f32) -> Result<Felt, Error> {
     let ink = Ink::of(svg_text(page.as_ref())?)?;
     let felt = ink.felt(finger)?;
-    let report = Report::of(&ink, &felt);
+    let report = touch::report(&ink, &felt);
     Ok(Felt { ink, felt, report })
 }
 

@@ -31,6 +31,18 @@ impl Page {
         png::write(self, dpi, depth)
     }
 
+    /// The page in a format of drawings that is chosen while the program runs. `dpi` and `depth` are for PNG.
+    ///
+    /// # Errors
+    /// As [`Page::to_png`].
+    pub fn to_drawing(&self, format: DrawingFormat, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
+        match format {
+            DrawingFormat::Svg => Ok(self.to_svg().into_bytes()),
+            DrawingFormat::Pdf => Ok(self.to_pdf()),
+            DrawingFormat::Png => self.to_png(dpi, depth),
+        }
+    }
+
     /// The dots of a page that was made with the profile of an embosser or a pin display, as a file that it or its
     /// driver takes. For several pages, or other [`Embossing`] than the usual, there is [`write_dots`].
     ///
@@ -38,16 +50,17 @@ impl Page {
     /// If the page is printed and not of dots, or its device does not take the format.
     pub fn to_dots(&self, format: DotFormat) -> Result<Vec<u8>, Error> {
         let files = write_dots(&self.title, std::slice::from_ref(self), format, Embossing::default())?;
-        files.into_iter().next().ok_or_else(|| Error::CannotPress("there are no dots to write".to_owned()))
+        files.into_iter().next().ok_or(Error::NoPages)
     }
 }
 
 /// One PDF document of several pages, such as those of [`convert_to_sheets`](super::convert_to_sheets) or
-/// [`calibrate`](super::calibrate). It has the language and the origin of the first; without pages it is a
-/// document without pages.
-#[must_use]
-pub fn write_pdf(title: &str, pages: &[Page]) -> Vec<u8> {
-    pdf::write(title, pages)
+/// [`calibrate`](super::calibrate). It has the language and the origin of the first.
+///
+/// # Errors
+/// [`Error::NoPages`] without pages: a PDF has at least one.
+pub fn write_pdf(title: &str, pages: &[Page]) -> Result<Vec<u8>, Error> {
+    if pages.is_empty() { Err(Error::NoPages) } else { Ok(pdf::write(title, pages)) }
 }
 
 impl Trace {

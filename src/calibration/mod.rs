@@ -219,5 +219,5 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
         labels: marks.labels,
         ..Parts::of([width, height], figure)
     };
-    Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))
+    Page::new(parts)
 }

@@ -32,6 +32,11 @@ impl Class {
             Self::Grey => "grey",
         }
     }
+
+    /// The class of this name in lower case; none if there is none.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|class| class.name() == name)
+    }
 }
 
 /// How colours are sorted. Lengths are in pixels of the working picture, areas in square pixels.

@@ -39,7 +39,7 @@ pub(super) fn run(args: &Convert) -> Exit {
         let files = timings.step("write", || match (&pages[..], chosen.format) {
             (pages, Format::Dots(format)) => write_dots(title, pages, format, args.embossing.numbers()),
             ([page], Format::Drawing(format)) => write(page, format, chosen).map(|file| vec![file]),
-            (pages, Format::Drawing(DrawingFormat::Pdf)) => Ok(vec![write_pdf(title, pages)]),
+            (pages, Format::Drawing(DrawingFormat::Pdf)) => write_pdf(title, pages).map(|file| vec![file]),
             (pages, Format::Drawing(format)) => pages.iter().map(|page| write(page, format, chosen)).collect(),
         })?;
         Ok(Made { files, sheets: pages.len(), notes })
@@ -51,9 +51,5 @@ pub(super) fn run(args: &Convert) -> Exit {
 /// # Errors
 /// If a PNG would have too many pixels.
 pub(super) fn write(page: &Page, format: DrawingFormat, chosen: Chosen) -> Result<Vec<u8>, Error> {
-    Ok(match format {
-        DrawingFormat::Svg => page.to_svg().into_bytes(),
-        DrawingFormat::Pdf => page.to_pdf(),
-        DrawingFormat::Png => page.to_png(chosen.dpi, chosen.depth)?,
-    })
+    page.to_drawing(format, chosen.dpi, chosen.depth)
 }

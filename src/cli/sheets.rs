@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use tactograph::{Calibration, Page, write_pdf};
+use tactograph::{Calibration, Error, Page, write_pdf};
 
 use super::args::Chosen;
 use super::output::Existing;
@@ -62,10 +62,10 @@ fn files(
 ) -> Result<Vec<File>, (String, String)> {
     let path = (!places::is_std(to)).then(|| to.to_path_buf());
     let one = |bytes| vec![File { path: path.clone(), made_up: false, bytes }];
-    let bytes =
-        |page| convert::write(page, format, chosen).map_err(|error| (to.display().to_string(), error.to_string()));
+    let about_target = |error: Error| (to.display().to_string(), error.to_string());
+    let bytes = |page| convert::write(page, format, chosen).map_err(about_target);
     match (pages, &path) {
-        (_, _) if format == DrawingFormat::Pdf => Ok(one(write_pdf(title, pages))),
+        (_, _) if format == DrawingFormat::Pdf => write_pdf(title, pages).map(one).map_err(about_target),
         ([page], _) => Ok(one(bytes(page)?)),
         (_, None) => {
             let what = format!(

@@ -76,6 +76,7 @@ impl Clock {
                 }
             }
             Event::Skip(stage, why) => self.insert(stage.name(), Some(stage), Row::Skipped(why)),
+            _ => {} // of other events nothing is timed
         }
     }
 

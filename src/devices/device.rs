@@ -12,6 +12,7 @@ pub(super) const CELL_DOT: f32 = 2.34;
 
 /// An embosser or a pin display.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Device {
     /// As profiles name it, such as `index-basic-d-v5`.
     pub id: &'static str,
@@ -27,6 +28,7 @@ pub struct Device {
 
 /// Devices that take the same language.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Family {
     /// Index embossers of the third generation.
     IndexV3 {
@@ -55,6 +57,7 @@ pub enum Family {
 
 /// How an Index V3 is told the size of the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Paper {
     /// In inches, with a digit for the fraction.
     Inches,
@@ -66,6 +69,7 @@ pub enum Paper {
 
 /// Distances from dot to dot that a device has, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Pitches {
     /// These.
     Listed(&'static [f32]),
@@ -84,6 +88,7 @@ pub enum DotArea {
 
 /// Columns and rows that dots lie on. They are not even for cells of braille, which stand apart.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Grid {
     /// The centre of every column, mm from the left edge of the sheet, ascending.
     pub columns: Vec<f32>,

@@ -1,4 +1,5 @@
-//! Plane geometry that several stages share. Lengths are in the unit of the points given (millimetres after the frame).
+//! Plane geometry that several stages share. Lengths are in the unit of the points given: pixels up to the page
+//! transform, millimetres after it.
 
 pub mod components;
 pub mod link;

@@ -81,7 +81,18 @@ impl Run {
         Self { width: diameter, points, closed: false, pen: Pen::Dots(height) }
     }
 
-    /// Its points as a polyline.
+    /// Length, mm; of a row of dots, from the first centre to the last.
+    pub fn length(&self) -> f32 {
+        self.polyline().length()
+    }
+
+    /// Its points in order; of a ring the first comes again at the end.
+    pub fn path(&self) -> impl Iterator<Item = MmPoint> + '_ {
+        self.polyline().path().copied()
+    }
+
+    /// Its points as a polyline: for the stages, and this project's own tests.
+    #[doc(hidden)]
     pub fn polyline(&self) -> PolylineRef<'_, MmPoint> {
         PolylineRef { vertices: &self.points, closed: self.closed }
     }
@@ -90,6 +101,6 @@ impl Run {
 impl Line {
     /// Length, mm.
     pub fn length(&self) -> f32 {
-        self.runs.iter().map(|run| run.polyline().length()).sum()
+        self.runs.iter().map(Run::length).sum()
     }
 }

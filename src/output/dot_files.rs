@@ -34,32 +34,34 @@ impl Embossing {
 /// page.
 ///
 /// # Errors
-/// [`Error::CannotPress`] if a page is not one of dots, its device does not take the format, or cannot reach all dots.
+/// [`Error::NoPages`] without pages; [`Error::CannotPress`] if a page is not one of dots, pages are for different
+/// devices, or the device does not take the format or cannot reach all dots.
 pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossing) -> Result<Vec<Vec<u8>>, Error> {
     let pages = pages.iter().map(|page| Ok((page, medium_of(page, format)?))).collect::<Result<Vec<_>, Error>>()?;
-    let matrices: Vec<DotMatrix> = pages.iter().filter_map(|(page, _)| DotMatrix::of(page)).collect();
+    let &(first, medium) = pages.first().ok_or(Error::NoPages)?;
+    let of_one_device = |(page, own): &&(&Page, &DotMedium)| is_for_same(first, medium, page, own, format);
+    if let Some((_, other)) = pages.iter().find(|page| !of_one_device(page)) {
+        return Err(different(medium, other));
+    }
+    let matrices = || pages.iter().map(|(page, medium)| matrix_of(page, medium)).collect::<Result<Vec<_>, Error>>();
     let one = |text: String| Ok(vec![text.into_bytes()]);
     match format {
-        DotFormat::Ubrl => one(ubrl::write(&matrices)),
-        DotFormat::Brf => one(brf::write(&matrices)),
-        DotFormat::Pef => {
-            let words = pages.first().map_or(Words::default(), |(page, _)| words(page));
-            one(pef::write(&matrices, &Words { title, ..words }))
-        }
-        DotFormat::Txt => one(text::write(&matrices)),
+        DotFormat::Ubrl => one(ubrl::write(&matrices()?)),
+        DotFormat::Brf => one(brf::write(&matrices()?)),
+        DotFormat::Pef => one(pef::write(&matrices()?, &Words { title, ..words(first) })),
+        DotFormat::Txt => one(text::write(&matrices()?)),
         DotFormat::Idx => {
-            let Some((page, medium)) = pages.first() else { return Ok(Vec::new()) };
             let Embossing { copies, impact } = embossing;
-            let params = index::Params::new(medium.device, page.sheet, medium.pitch, copies, impact);
+            let params = index::Params::new(medium.device, first.sheet, medium.pitch, copies, impact);
             let params = params.map_err(|faults| Error::CannotPress(faults.join("; ")))?;
-            Ok(vec![index::write(&matrices, &params)])
+            Ok(vec![index::write(&matrices()?, &params)])
         }
-        DotFormat::Gcode => pages.iter().filter_map(|(page, medium)| gcode_of(page, medium)).collect(),
+        DotFormat::Gcode => pages.iter().map(|(page, medium)| gcode_of(page, medium)).collect(),
         DotFormat::Pixels => {
             let of = |((page, medium), matrix): (&(&Page, &DotMedium), &DotMatrix)| {
                 pixels::write(matrix, medium.pitch, medium.device.has_heights(), &words(page))
             };
-            Ok(pages.iter().zip(&matrices).map(of).collect())
+            Ok(pages.iter().zip(&matrices()?).map(of).collect())
         }
     }
 }
@@ -88,9 +90,38 @@ fn words(page: &Page) -> Words<'_> {
     }
 }
 
-/// The G-code of a page; none where dots lie on a grid, which no machine that takes G-code has.
-fn gcode_of(page: &Page, medium: &DotMedium) -> Option<Result<Vec<u8>, Error>> {
-    let DotArea::Free(reach) = medium.area else { return None };
+/// Whether two pages can be pressed in one go. What Index embossers are told of sheet and pitch holds for all pages of
+/// a file.
+fn is_for_same(first: &Page, medium: &DotMedium, page: &Page, own: &DotMedium, format: DotFormat) -> bool {
+    let is_same_sheet = || first.sheet == page.sheet && medium.pitch.to_bits() == own.pitch.to_bits();
+    medium.device == own.device && (format != DotFormat::Idx || is_same_sheet())
+}
+
+fn different(first: &DotMedium, other: &DotMedium) -> Error {
+    let what = if first.device == other.device {
+        format!("the pages for {} have different sheets or pitches", first.device.name)
+    } else {
+        format!("the pages are for different devices, {} and {}", first.device.name, other.device.name)
+    };
+    Error::CannotPress(format!("{what}; write each in a file of its own"))
+}
+
+/// The dots of a page on the grid of its device.
+fn matrix_of(page: &Page, medium: &DotMedium) -> Result<DotMatrix, Error> {
+    DotMatrix::of(page).ok_or_else(|| {
+        let name = medium.device.name;
+        Error::CannotPress(format!("the page for {name} has no grid of dots that this format could hold"))
+    })
+}
+
+/// The G-code of a page, whose dots lie anywhere.
+fn gcode_of(page: &Page, medium: &DotMedium) -> Result<Vec<u8>, Error> {
+    let DotArea::Free(reach) = medium.area else {
+        let name = medium.device.name;
+        return Err(Error::CannotPress(format!(
+            "the dots of this page lie on a grid, which {name} does not have; lay the page out for its device"
+        )));
+    };
     let params = gcode::Params {
         limits: [reach.width(), reach.height()],
         origin: [reach.min.x, reach.min.y],
@@ -100,5 +131,5 @@ fn gcode_of(page: &Page, medium: &DotMedium) -> Option<Result<Vec<u8>, Error>> {
     };
     let at: Vec<_> = dots(page).into_iter().map(|(at, _)| at).collect();
     let written = gcode::write(&at, &params).map(String::into_bytes);
-    Some(written.map_err(|refused| Error::CannotPress(refused.to_string())))
+    written.map_err(|refused| Error::CannotPress(refused.to_string()))
 }

@@ -2,7 +2,7 @@
 
 use crate::devices::{Device, Family};
 
-/// A format of pages.
+/// A format of pages. There are these two kinds and no more: it is matched to choose the writer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Format {
     /// A drawing of all marks at their true size; any page can be drawn.
@@ -13,6 +13,7 @@ pub enum Format {
 
 /// A format of drawings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum DrawingFormat {
     /// A drawing, to be changed.
     Svg,
@@ -24,6 +25,7 @@ pub enum DrawingFormat {
 
 /// A format of dots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum DotFormat {
     /// Unicode braille, for CUPS.
     Ubrl,
@@ -53,6 +55,11 @@ impl DrawingFormat {
             Self::Png => "png",
         }
     }
+
+    /// The format of this name in lower case; none if there is none.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
 }
 
 impl DotFormat {
@@ -70,6 +77,11 @@ impl DotFormat {
             Self::Pixels => "pixels",
             Self::Txt => "txt",
         }
+    }
+
+    /// The format of this name in lower case; none if there is none.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
     /// How the names of its files end, without the point.
@@ -148,6 +160,11 @@ impl Format {
         }
     }
 
+    /// The format of this name in lower case; none if there is none.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
     /// How the names of its files end, without the point.
     pub fn extension(self) -> &'static str {
         match self {
@@ -174,6 +191,20 @@ mod tests {
             assert_eq!(back, Some(if format == Format::Dots(DotFormat::Pixels) { png } else { format }));
         }
         assert_eq!(Format::of_extension("jpg"), None);
+    }
+
+    #[test]
+    fn names_lead_back_to_their_formats() {
+        for format in Format::ALL {
+            assert_eq!(Format::named(format.name()), Some(format));
+        }
+        for format in DotFormat::ALL {
+            assert_eq!(DotFormat::named(format.name()), Some(format));
+            assert_eq!(DrawingFormat::named(format.name()), None);
+        }
+        for format in DrawingFormat::ALL {
+            assert_eq!(DrawingFormat::named(format.name()), Some(format));
+        }
     }
 
     #[test]

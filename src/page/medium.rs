@@ -5,6 +5,7 @@ use crate::units::MmRect;
 
 /// What a page is made for, with everything that only this medium needs.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Medium {
     /// It is printed.
     Print(Print),
@@ -37,6 +38,7 @@ pub struct Print {
 
 /// The dots of a device on one sheet.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct DotMedium {
     /// The device.
     pub device: &'static Device,

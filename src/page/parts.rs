@@ -1,4 +1,4 @@
-//! What a page is made of, and the check that it goes through.
+//! What a page is made of.
 
 use std::f32::consts::FRAC_PI_4;
 
@@ -103,52 +103,7 @@ pub struct Overview {
     pub lines: Vec<Line>,
 }
 
-/// A mark that cannot be on a page.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{what} lies at {at}, off the sheet of {sheet}")]
-pub struct OffSheet {
-    what: &'static str,
-    at: String,
-    sheet: String,
-}
-
 impl Page {
-    /// Makes a page of its parts.
-    ///
-    /// # Errors
-    /// If a mark is not finite or reaches beyond the sheet.
-    pub fn new(parts: Parts) -> Result<Self, OffSheet> {
-        let [width, height] = parts.sheet;
-        let on_sheet = |what, at: MmPoint, radius: f32| {
-            // NaN fails every comparison, so it is caught here as well
-            let inside =
-                at.x - radius >= 0.0 && at.y - radius >= 0.0 && at.x + radius <= width && at.y + radius <= height;
-            let sheet = || format!("{width} x {height} mm");
-            if inside {
-                Ok(())
-            } else {
-                Err(OffSheet { what, at: format!("{} mm, {} mm", at.x, at.y), sheet: sheet() })
-            }
-        };
-        let overview = parts.overview.iter();
-        let frames = [&parts.frame].into_iter().chain(overview.clone().map(|o| &o.frame));
-        let labels = parts.labels.iter().map(|dots| ("a dot of a label", dots));
-        for (what, dots) in frames.map(|dots| ("a dot of a frame", dots)).chain(labels) {
-            dots.at.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * dots.diameter))?;
-        }
-        let lines = parts.figure.lines.iter().chain(overview.flat_map(|o| &o.lines));
-        let runs = lines.flat_map(|line| &line.runs).map(|run| ("a line", run));
-        for (what, run) in runs.chain(
-            parts.orientation_mark.iter().chain(&parts.registration).map(|run| ("a mark beside the picture", run)),
-        ) {
-            run.points.iter().try_for_each(|&at| on_sheet(what, at, 0.5 * run.width))?;
-        }
-        for texture in &parts.figure.textures {
-            texture.glyphs.iter().try_for_each(|glyph| on_sheet("a glyph", glyph.at, glyph.radius()))?;
-        }
-        Ok(Self { parts })
-    }
-
     /// The same page with its maker's title and description, and the language of these (BCP 47, such as `en`). What is
     /// not given stays; a description that stays keeps its own language.
     #[must_use]

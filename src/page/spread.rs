@@ -14,6 +14,7 @@ use std::str::FromStr;
 use super::parts::{Dots, Figure, Glyph, Line, Run, Texture};
 use super::sheet::{self, FrameParams, MarkParams, Orientation, Params};
 use super::{braille, frame};
+use crate::Error;
 use crate::geom::polyline::PolylineRef;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
@@ -23,11 +24,6 @@ pub struct Grid {
     across: u32,
     down: u32,
 }
-
-/// A text that says no number of sheets.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("give how many sheets across and down, from 1x2 to 9x9, such as 2x2")]
-pub struct NotAGrid;
 
 impl Grid {
     /// Most sheets across or down: the label of a row is a letter, that of a column a digit.
@@ -55,12 +51,14 @@ impl Grid {
 }
 
 impl FromStr for Grid {
-    type Err = NotAGrid;
+    type Err = Error;
 
-    fn from_str(text: &str) -> Result<Self, NotAGrid> {
+    /// # Errors
+    /// [`Error::NotASheetGrid`] for a text that says no number of sheets.
+    fn from_str(text: &str) -> Result<Self, Error> {
         let counts =
             text.split_once(['x', 'X']).and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-        counts.and_then(|(across, down)| Self::new(across, down)).ok_or(NotAGrid)
+        counts.and_then(|(across, down)| Self::new(across, down)).ok_or(Error::NotASheetGrid)
     }
 }
 
@@ -346,7 +344,7 @@ mod tests {
             assert_eq!(grid.to_string(), text.replace(' ', "").to_lowercase());
         }
         for text in ["1x1", "0x3", "10x2", "2", "x", "2x", "2x2x2", "-1x2"] {
-            assert_eq!(text.parse::<Grid>(), Err(NotAGrid), "{text}");
+            assert_eq!(text.parse::<Grid>(), Err(Error::NotASheetGrid), "{text}");
         }
     }
 }

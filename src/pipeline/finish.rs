@@ -11,7 +11,7 @@ pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, 
     if let Medium::Print(print) = parts.medium {
         parts.narrowed(print.swell);
     }
-    let page = Page::new(parts).map_err(|fault| Error::OffSheet(fault.to_string()))?;
+    let page = Page::new(parts)?;
     Ok(if request.fit.mirrored { page.mirrored() } else { page })
 }
 

@@ -5,6 +5,7 @@ use std::sync::Mutex;
 /// A step on the way, for progress and timings; in the order in which they run, or begin where several run side by
 /// side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Stage {
     /// Bytes to pixels.
     Decode,
@@ -42,6 +43,7 @@ impl Stage {
 
 /// What the pipeline tells while it works.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Event {
     /// A stage begins; others may run already.
     Begin(Stage),

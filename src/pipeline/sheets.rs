@@ -13,6 +13,7 @@ use crate::{Error, Note};
 
 /// The sheets of a picture and what their maker should know.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Sheets {
     /// The overview on a sheet of its own, if there is one; then the picture, row by row.
     pub pages: Vec<Page>,

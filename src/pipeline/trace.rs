@@ -119,7 +119,9 @@ pub fn trace<'p>(
             Trace::of_lines(&drawn.lines, edges, &transform, layout.figure, reach, source)
         }
     };
-    if trace.polylines.is_empty() {
+    if tracing.subject == Subject::Lines && !plan.profile().figure.lines {
+        notes.push(Note::LinesOff);
+    } else if trace.polylines.is_empty() {
         notes.push(Note::NoContours);
     }
     Ok(Traced { trace, notes })

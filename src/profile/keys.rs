@@ -166,7 +166,8 @@ macro_rules! table {
             }
         )+
 
-        /// Everything about a page that its maker can choose. Got from [`Profile::named`] or [`Profile::from_toml`].
+        /// Everything about a page that its maker can choose. Got from [`Profile::named`] or [`Profile::from_toml`];
+        /// its values are read with [`Profile::get`] and written with [`Profile::set`].
         #[derive(Debug, Clone)]
         pub struct Profile {
             /// What the profile is called: its built-in name, or the file's name without path and ending.
@@ -174,7 +175,9 @@ macro_rules! table {
             /// What it is for, in one line.
             pub description: String,
             $(
-                $(#[doc = $section_doc])+
+                // For the stages and this project's own tests. Others read and write by path, so that a profile knows
+                // where each value came from: `set` says it in faults, and in what is written into the page.
+                #[doc(hidden)]
                 pub $section: $settings,
             )+
             /// Where each key of [`KEYS`] got its value.

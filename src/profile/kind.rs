@@ -9,6 +9,7 @@ use crate::textures::Sign;
 
 /// What a key holds, as TOML has it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Value {
     /// `true` or `false`.
     Switch(bool),
@@ -20,6 +21,7 @@ pub enum Value {
 
 /// From which to which number a key goes, both included.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct NumberRange {
     /// The smallest value taken.
     pub low: f32,
@@ -118,7 +120,7 @@ impl Setting for Sign {
     }
 
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
-        if let Value::Text(text) = value { text.parse().ok() } else { None }
+        if let Value::Text(text) = value { Self::named(text) } else { None }
     }
 
     fn write(&self) -> Value {

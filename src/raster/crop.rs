@@ -23,28 +23,20 @@ enum Length {
     Percent(f64),
 }
 
-/// A text that is no part of a picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "give four numbers x,y,width,height, each in whole pixels or in percent of the picture from 0% to 100%, such as \
-     10%,0,80%,400"
-)]
-pub struct NotACrop;
-
 /// A part of a picture in whole pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
+pub(crate) struct Part {
     /// Pixels to the left of it.
-    pub left: u32,
+    pub(crate) left: u32,
     /// Pixels above it.
-    pub top: u32,
+    pub(crate) top: u32,
     /// Width and height.
-    pub size: Size,
+    pub(crate) size: Size,
 }
 
 impl Part {
     /// All of a picture.
-    pub fn whole(size: Size) -> Self {
+    pub(crate) fn whole(size: Size) -> Self {
         Self { left: 0, top: 0, size }
     }
 }
@@ -55,7 +47,7 @@ impl Crop {
     ///
     /// # Errors
     /// If it is not wholly in the picture, or empty.
-    pub fn part(&self, size: Size) -> Result<Part, Error> {
+    pub(crate) fn part(&self, size: Size) -> Result<Part, Error> {
         let [x, y, width, height] = self.0;
         let along = |from: Length, length: Length, side: u32| {
             let whole = f64::from(side);
@@ -74,14 +66,16 @@ impl Crop {
 }
 
 impl FromStr for Crop {
-    type Err = NotACrop;
+    type Err = Error;
 
-    fn from_str(text: &str) -> Result<Self, NotACrop> {
+    /// # Errors
+    /// [`Error::NotACrop`] for a text that says no part of a picture, or one that is empty.
+    fn from_str(text: &str) -> Result<Self, Error> {
         let lengths: Vec<Length> =
-            text.split(',').map(|text| length(text.trim())).collect::<Option<_>>().ok_or(NotACrop)?;
-        let lengths: [Length; 4] = lengths.try_into().map_err(|_| NotACrop)?;
+            text.split(',').map(|text| length(text.trim())).collect::<Option<_>>().ok_or(Error::NotACrop)?;
+        let lengths: [Length; 4] = lengths.try_into().map_err(|_| Error::NotACrop)?;
         let is_empty = |length: &Length| matches!(length, Length::Pixels(0)) || *length == Length::Percent(0.0);
-        if lengths[2..].iter().any(is_empty) { Err(NotACrop) } else { Ok(Self(lengths)) }
+        if lengths[2..].iter().any(is_empty) { Err(Error::NotACrop) } else { Ok(Self(lengths)) }
     }
 }
 

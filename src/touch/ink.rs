@@ -102,7 +102,7 @@ impl Ink {
         if present.is_empty() && group(FIGURE).is_none() {
             return Err(Error::NotAPage);
         }
-        let stated = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(|sign| sign.parse().ok());
+        let stated = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(Sign::named);
         let signs: Vec<(Class, Option<Sign>)> = present.iter().map(|(name, layer)| (name.0, stated(layer))).collect();
         let lines = tree(&only(svg, &document, LINES))?;
         let trees = present

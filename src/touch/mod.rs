@@ -25,5 +25,5 @@ pub use distance::distances;
 pub use felt::{Cell, Felt, JUDGED_FROM, feel};
 pub use ink::{Error, Ink};
 pub use measure::{CELLS_PER_MM, FINGERS, Feel};
-pub use report::Report;
+pub use report::{FeltAs, Report, report};
 pub use signs::Signs;

@@ -16,6 +16,7 @@ const BLACK: f32 = 0.5;
 
 /// What was felt on a page.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// Size of the fingertip, mm.
     pub finger: f32,
@@ -25,21 +26,42 @@ pub struct Report {
 
 /// What was felt of one class's textures.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct OfClass {
     /// The class that is meant.
     pub class: Class,
     /// How much of its textured area is felt as what.
     pub areas: Areas,
-    /// The class that most of the wrong part is felt as, and `None` in it for blank.
-    pub mostly_felt_as: Option<Option<Class>>,
+    /// What most of the wrong part is felt as; none if nothing is felt wrong.
+    pub mostly_felt_as: Option<FeltAs>,
     /// Ink in the textured area, 0..=1.
     pub ink: f32,
     /// Glyphs to a square centimetre.
     pub density: f32,
 }
 
+/// What a fingertip takes a texture for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeltAs {
+    /// The texture of this class.
+    Class(Class),
+    /// Blank paper.
+    Blank,
+}
+
+impl FeltAs {
+    /// Its name in plain words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Class(class) => class.name(),
+            Self::Blank => "blank paper",
+        }
+    }
+}
+
 /// A textured area in four parts, mm^2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Areas {
     /// What is clearly felt as the class that is meant.
     pub right: f32,
@@ -92,23 +114,23 @@ fn share(part: f32, whole: f32) -> f32 {
     if whole > 0.0 { part / whole } else { 0.0 }
 }
 
-impl Report {
-    /// The report on `felt`, which was felt in `ink`.
-    pub fn of(ink: &Ink, felt: &Felt) -> Self {
-        let classes = ink.textures.iter().map(|(class, plane)| {
-            let areas = areas_of(felt, *class);
-            let inked = plane.values.iter().sum::<f32>() / (PX_PER_MM * PX_PER_MM) as f32;
-            OfClass {
-                class: *class,
-                areas,
-                mostly_felt_as: mostly_felt_as(felt, *class),
-                ink: share(inked, areas.textured()).min(1.0),
-                density: 100.0 * share(glyphs(plane) as f32, areas.textured()),
-            }
-        });
-        Self { finger: felt.finger, classes: classes.filter(|of| of.areas.textured() > 0.0).collect() }
-    }
+/// The report on `felt`, which was felt in `ink`.
+pub fn report(ink: &Ink, felt: &Felt) -> Report {
+    let classes = ink.textures.iter().map(|(class, plane)| {
+        let areas = areas_of(felt, *class);
+        let inked = plane.values.iter().sum::<f32>() / (PX_PER_MM * PX_PER_MM) as f32;
+        OfClass {
+            class: *class,
+            areas,
+            mostly_felt_as: mostly_felt_as(felt, *class),
+            ink: share(inked, areas.textured()).min(1.0),
+            density: 100.0 * share(glyphs(plane) as f32, areas.textured()),
+        }
+    });
+    Report { finger: felt.finger, classes: classes.filter(|of| of.areas.textured() > 0.0).collect() }
+}
 
+impl Report {
     /// The areas of all classes together: a share of this total is the mean of the classes' shares, weighted by their
     /// textured areas.
     pub fn total(&self) -> Areas {
@@ -140,11 +162,14 @@ fn areas_of(felt: &Felt, class: Class) -> Areas {
     }
 }
 
-fn mostly_felt_as(felt: &Felt, class: Class) -> Option<Option<Class>> {
+fn mostly_felt_as(felt: &Felt, class: Class) -> Option<FeltAs> {
     let judged = |cell: &Cell| cell.meant == Some(class) && cell.judged && cell.clear;
     let others = Class::ALL.map(Some).into_iter().chain([None]).filter(|other| *other != Some(class));
     let areas = others.map(|other| (area_of(felt.cells.iter(), |cell| judged(cell) && cell.felt == other), other));
-    areas.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(area, _)| *area > 0.0).map(|(_, other)| other)
+    areas
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .filter(|(area, _)| *area > 0.0)
+        .map(|(_, other)| other.map_or(FeltAs::Blank, FeltAs::Class))
 }
 
 impl fmt::Display for Report {
@@ -158,7 +183,7 @@ impl fmt::Display for Report {
             let of_all = Percent(share(of.areas.textured(), total.textured()));
             write!(f, "{}, {of_all} of all textures: {}", of.class.name(), Shares(of.areas))?;
             if let Some(other) = of.mostly_felt_as {
-                write!(f, ". Wrong is mostly felt as {}", other.map_or("blank paper", Class::name))?;
+                write!(f, ". Wrong is mostly felt as {}", other.name())?;
             }
             writeln!(f, ". Ink {}, {:.1} glyphs to a square centimetre.", Percent(of.ink), of.density)?;
         }
@@ -208,7 +233,7 @@ mod tests {
 
     fn of(class: Class, [right, unclear, wrong, not_judged]: [f32; 4]) -> OfClass {
         let areas = Areas { right, unclear, wrong, not_judged };
-        OfClass { class, areas, mostly_felt_as: (wrong > 0.0).then_some(None), ink: 0.06, density: 10.25 }
+        OfClass { class, areas, mostly_felt_as: (wrong > 0.0).then_some(FeltAs::Blank), ink: 0.06, density: 10.25 }
     }
 
     #[test]

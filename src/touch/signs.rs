@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     fn signs(layers: &[(Class, &str)]) -> Signs {
-        let said: Vec<_> = layers.iter().map(|(class, sign)| (*class, sign.parse().ok())).collect();
+        let said: Vec<_> = layers.iter().map(|(class, sign)| (*class, Sign::named(sign))).collect();
         Signs::of_layers(&said)
     }
 

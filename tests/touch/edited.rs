@@ -3,7 +3,7 @@
 use tactograph::internals::output::svg;
 use tactograph::internals::page::Class;
 use tactograph::internals::touch::report::OfClass;
-use tactograph::internals::touch::{self, Ink, Report};
+use tactograph::internals::touch::{self, FeltAs, Ink, Report};
 use tactograph::internals::units::{MmPoint, MmRect};
 
 use tactograph_tools::touch::chart;
@@ -18,7 +18,7 @@ fn page(class: Class) -> String {
 
 fn report(page: &str) -> Report {
     let ink = Ink::of(page).expect("it is a page still");
-    Report::of(&ink, &ink.felt(1.0).expect("there is such a finger"))
+    touch::report(&ink, &ink.felt(1.0).expect("there is such a finger"))
 }
 
 fn wrong_of_judged(of: &OfClass) -> f32 {
@@ -43,7 +43,7 @@ fn a_texture_that_was_turned_is_felt_as_another_and_told_so() {
         page(Class::Blue).replacen("id=\"texture-blue\"", "id=\"texture-blue\" transform=\"rotate(-45 55 50)\"", 1);
     let report = report(&page);
     let of = &report.classes[0];
-    assert!(wrong_of_judged(of) > 0.99 && of.mostly_felt_as == Some(Some(Class::Green)), "{of:?}");
+    assert!(wrong_of_judged(of) > 0.99 && of.mostly_felt_as == Some(FeltAs::Class(Class::Green)), "{of:?}");
     let text = report.to_string();
     assert!(text.contains(": right 0 %, unclear") && text.contains("Wrong is mostly felt as green."), "{text}");
 }

@@ -35,8 +35,8 @@ const PROGRAM: &str = concat!("tactograph ", env!("CARGO_PKG_VERSION"));
 /// half the time.
 const LEVEL: Compression = Compression::new(3);
 
-/// The pages as one PDF document called `title`, which has the language and the origin of the first. The same pages
-/// give the same bytes.
+/// The pages, at least one, as one PDF document called `title`, which has the language and the origin of the first. The
+/// same pages give the same bytes.
 pub fn write(title: &str, pages: &[Page]) -> Vec<u8> {
     let mut pdf = Pdf::with_settings(Settings { pretty: false });
     let ids = Ids::new(pages);

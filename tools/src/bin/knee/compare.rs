@@ -1,7 +1,7 @@
 //! How far a page lies from the truth: from what was drawn, or from the page of a higher resolution.
 
 use tactograph::internals::classes::{Class, Classes};
-use tactograph::internals::touch::{Ink, Report};
+use tactograph::internals::touch::{Ink, report};
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 use crate::run::Outcome;
@@ -206,7 +206,7 @@ fn read(truth: &Sight<'_>, svg: &str) -> Result<f64, String> {
         Some(clearance) => share(truth.places(INSIDE as f32).filter(|at| clearance(*at) > INSIDE), |at| {
             felt.at(at).and_then(|place| place.felt) == (truth.class)(at)
         }),
-        None => f64::from(Report::of(&ink, &felt).total().right_of_judged()),
+        None => f64::from(report(&ink, &felt).total().right_of_judged()),
     })
 }
 

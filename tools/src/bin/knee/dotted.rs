@@ -7,7 +7,7 @@ use tactograph::internals::output::svg;
 use tactograph::internals::page::{Page, Pen};
 use tactograph::internals::pipeline::{Event, Request, Stage};
 use tactograph::internals::profile::Plan;
-use tactograph::internals::touch::{Ink, Report};
+use tactograph::internals::touch::{Ink, report};
 use tactograph::internals::units::MmPoint;
 
 use crate::clock::{Clock, median};
@@ -91,7 +91,7 @@ fn look(page: &Page) -> Result<Made, String> {
     let glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
     let ink = Ink::of(&svg::write(page)).map_err(|fault| fault.to_string())?;
     let felt = ink.felt(FINGER).map_err(|fault| fault.to_string())?;
-    let read = Report::of(&ink, &felt).total().right_of_judged();
+    let read = report(&ink, &felt).total().right_of_judged();
     let length = lines.len() as f32;
     Ok(Made { lines, textures: glyphs.map(|glyph| at(glyph.at)).collect(), length, read, ms: Vec::new() })
 }

@@ -74,8 +74,7 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
     let textures = textures::fill(&classes, layout.figure, &lines, &plan.textures());
     times[5] = clock.lap();
     let figure = Figure { place: layout.figure, source, textures, lines };
-    let page = Page::new(Parts { overview, ..Parts::of(layout.sheet, figure) })
-        .map_err(|fault| Error::OffSheet(fault.to_string()))?;
+    let page = Page::new(Parts { overview, ..Parts::of(layout.sheet, figure) })?;
     let svg = svg::write(&page);
     times[6] = clock.lap();
     Ok(Outcome { source, working, place: layout.figure, lines: page.figure.lines.clone(), classes, svg, times })
