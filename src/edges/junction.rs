@@ -3,10 +3,12 @@
 //! Where three edges meet, the gradient has no single direction, and the weakest edge is found only up to a blur or two
 //! before the others.
 
+use lyon::geom::euclid::Box2D;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::contour::{Contour, ContourPoint, LineFit};
-use crate::units::{PxPoint, PxVector, Size};
+use crate::geom::nearby::Index;
+use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// Greatest distance over which an end is extended, in blurs.
 const MAX_EXTENSION: f32 = 3.5;
@@ -33,7 +35,7 @@ struct Extension {
 
 /// Extends open ends to the contours at which they point, in a picture of `size`.
 pub(super) fn extend(contours: &mut [Contour], size: Size) {
-    let index = PointIndex::new(contours, size);
+    let index = index_of(contours, size);
     let is_open = |&number: &usize| !contours[number].closed && contours[number].vertices.len() > 3;
     let both_ends = |number| [true, false].into_iter().map(move |at_start| (number, at_start));
     let ends = (0..contours.len()).into_par_iter().filter(is_open).flat_map_iter(both_ends);
@@ -58,7 +60,8 @@ fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: 
     let is_own =
         |k: usize| contour.walk(tip, at_start).take_while(|(_, arc)| *arc < 3.0 * reach).any(|(own, _)| own == k);
     let mut nearest: Option<f32> = None;
-    index.visit(end, reach, |other, k| {
+    index.around(end, end, reach, |&(other, k)| {
+        let (other, k) = (other as usize, k as usize);
         let Some(next) = contours[other].next(k, 1) else { return };
         if other == number && (is_own(k) || is_own(next)) {
             return;
@@ -106,59 +109,18 @@ fn apply(contour: &mut Contour, extension: &Extension) {
     }
 }
 
-/// An index of the points of all contours by grid cells.
-struct PointIndex {
-    columns: usize,
-    /// Index of the first point of each cell.
-    starts: Vec<u32>,
-    /// Contour and index of each point, cell after cell.
-    points: Vec<(u32, u32)>,
-}
+/// The points of all contours by place, each as its contour and its number there.
+type PointIndex = Index<(u32, u32), Px>;
 
-impl PointIndex {
-    fn new(contours: &[Contour], size: Size) -> Self {
-        let cells = |pixels: u32| (pixels as f32 / CELL) as usize + 1;
-        let (columns, rows) = (cells(size.width), cells(size.height));
-        let cell = |at: PxPoint| cell_index(at.y, rows) * columns + cell_index(at.x, columns);
-        let all = || {
-            let points = contours.iter().enumerate();
-            points.flat_map(|(number, contour)| {
-                contour.vertices.iter().enumerate().map(move |(k, point)| (number, k, point.at))
-            })
-        };
-        let mut starts = vec![0_u32; columns * rows + 1];
-        all().for_each(|(.., at)| starts[cell(at) + 1] += 1);
-        for cell in 0..columns * rows {
-            starts[cell + 1] += starts[cell];
-        }
-        let mut next = starts.clone();
-        let mut points = vec![(0, 0); starts[columns * rows] as usize];
-        for (number, k, at) in all() {
-            let slot = &mut next[cell(at)];
-            points[*slot as usize] = (number as u32, k as u32);
-            *slot += 1;
-        }
-        Self { columns, starts, points }
-    }
-
-    /// Calls `visit` with contour and index of every point within `reach` pixels, and of some points farther away.
-    fn visit(&self, at: PxPoint, reach: f32, mut visit: impl FnMut(usize, usize)) {
-        let rows = (self.starts.len() - 1) / self.columns;
-        let cells = |v: f32, count: usize| cell_index(v - reach, count)..cell_index(v + reach, count) + 1;
-        for row in cells(at.y, rows) {
-            for column in cells(at.x, self.columns) {
-                let cell = row * self.columns + column;
-                for &(contour, point) in &self.points[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
-                    visit(contour as usize, point as usize);
-                }
-            }
+fn index_of(contours: &[Contour], size: Size) -> PointIndex {
+    let picture = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
+    let mut index = PointIndex::new(picture, CELL);
+    for (number, contour) in contours.iter().enumerate() {
+        for (k, point) in contour.vertices.iter().enumerate() {
+            index.put_at(point.at, (number as u32, k as u32));
         }
     }
-}
-
-/// The cell of a coordinate; the nearest of `count` cells if it lies outside.
-fn cell_index(v: f32, count: usize) -> usize {
-    ((v / CELL).max(0.0) as usize).min(count - 1)
+    index
 }
 
 #[cfg(test)]

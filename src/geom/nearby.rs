@@ -1,50 +1,57 @@
-//! What lies near a place: segments in a grid of square cells.
+//! What lies near a place: the one index of things by square cells, and of segments in particular.
+
+use std::ops::Range;
+
+use lyon::geom::euclid::{Box2D, Point2D};
 
 use super::nearest_on_segment;
-use crate::units::{MmPoint, MmRect};
+use crate::units::Mm;
 
-/// A segment with the half of its width and whose it is.
+/// A segment with the half of its width and whose it is. Lengths are in the unit of its points.
 #[derive(Debug, Clone, Copy)]
-pub struct Segment {
+pub struct Segment<U = Mm> {
     /// One end.
-    pub a: MmPoint,
+    pub a: Point2D<f32, U>,
     /// The other end.
-    pub b: MmPoint,
-    /// Half its width, mm.
+    pub b: Point2D<f32, U>,
+    /// Half its width.
     pub half_width: f32,
     /// Number of the line it belongs to.
     pub line: u32,
     /// Number of the vertex `a` in its line.
     pub index: u32,
-    /// Way along its line to `a`, mm.
+    /// Way along its line to `a`.
     pub arc: f32,
 }
 
-/// Segments, found again by place. A query looks at the cells within `reach` of it, no further.
+/// Segments, found again by place.
+pub type Nearby<U = Mm> = Index<Segment<U>, U>;
+
+/// Entries found again by place, in pixels or millimetres. A query looks at the cells within `reach` of it, no further.
 #[derive(Debug, Clone)]
-pub struct Nearby {
-    origin: MmPoint,
+pub struct Index<T, U> {
+    origin: Point2D<f32, U>,
     cell: f32,
-    per_mm: f32,
+    per_unit: f32,
     columns: usize,
     rows: usize,
-    /// Each cell holds the segments that reach into its box, so that looking round reads memory in order.
-    cells: Vec<Vec<Segment>>,
+    /// Each cell holds the entries that reach into its box, so that looking round reads memory in order.
+    cells: Vec<Vec<T>>,
     /// Which cells hold something, so that emptying the grid is cheap.
     used: Vec<usize>,
 }
 
-impl Nearby {
-    /// An empty grid of `cell` millimetres over `area`. Queries of any reach are answered; those of about a cell look
-    /// at the fewest segments.
-    pub fn new(area: MmRect, cell: f32) -> Self {
-        let cell = cell.max(0.5); // finer cells cost memory and win nothing at the millimetre scale
+impl<T: Copy, U: Copy> Index<T, U> {
+    /// An empty grid with cells of this side over `area`. Queries of any reach are answered; those of about a cell look
+    /// at the fewest entries. What lies outside of the area is in the nearest cell.
+    pub fn new(area: Box2D<f32, U>, cell: f32) -> Self {
+        let cell = cell.max(0.5); // finer cells cost memory and win nothing, in millimetres and in pixels
         let columns = (area.width() / cell).ceil().max(1.0) as usize;
         let rows = (area.height() / cell).ceil().max(1.0) as usize;
         Self {
             origin: area.min,
             cell,
-            per_mm: 1.0 / cell,
+            per_unit: 1.0 / cell,
             columns,
             rows,
             cells: vec![Vec::new(); columns * rows],
@@ -52,32 +59,41 @@ impl Nearby {
         }
     }
 
-    /// Adds a segment.
-    pub fn insert(&mut self, segment: Segment) {
-        let (columns, rows) = self.covered(segment.a.min(segment.b), segment.a.max(segment.b));
+    /// Adds an entry at a point.
+    pub fn put_at(&mut self, at: Point2D<f32, U>, entry: T) {
+        let [column, row] = self.cell_of(at);
+        self.put(row * self.columns + column, entry);
+    }
+
+    /// Adds an entry that reaches over the box `low`-`high`.
+    fn put_over(&mut self, low: Point2D<f32, U>, high: Point2D<f32, U>, entry: T) {
+        let (columns, rows) = self.covered(low, high);
         for row in rows {
             for column in columns.clone() {
-                let cell = row * self.columns + column;
-                if self.cells[cell].is_empty() {
-                    self.used.push(cell);
-                }
-                self.cells[cell].push(segment);
+                self.put(row * self.columns + column, entry);
             }
         }
     }
 
-    /// Takes all segments out.
+    fn put(&mut self, cell: usize, entry: T) {
+        if self.cells[cell].is_empty() {
+            self.used.push(cell);
+        }
+        self.cells[cell].push(entry);
+    }
+
+    /// Takes all entries out.
     pub fn clear(&mut self) {
         for cell in self.used.drain(..) {
             self.cells[cell].clear();
         }
     }
 
-    /// Calls `visit` with the segments that may lie within `reach` of the box `low`-`high`; one segment can come
-    /// several times, and some farther ones come too.
-    pub fn around(&self, low: MmPoint, high: MmPoint, reach: f32, mut visit: impl FnMut(&Segment)) {
+    /// Calls `visit` with the entries that may lie within `reach` of the box `low`-`high`; one entry can come several
+    /// times, and some farther ones come too.
+    pub fn around(&self, low: Point2D<f32, U>, high: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(&T)) {
         let (columns, rows) =
-            self.covered(MmPoint::new(low.x - reach, low.y - reach), MmPoint::new(high.x + reach, high.y + reach));
+            self.covered(Point2D::new(low.x - reach, low.y - reach), Point2D::new(high.x + reach, high.y + reach));
         for row in rows {
             for column in columns.clone() {
                 self.cells[row * self.columns + column].iter().for_each(&mut visit);
@@ -85,10 +101,10 @@ impl Nearby {
         }
     }
 
-    /// Calls `visit` with the segments in the cells that the way from `from` to `to` leads through, nearest cells
-    /// first; one segment can come several times. Only what lies in the area is seen.
-    pub fn along(&self, from: MmPoint, to: MmPoint, mut visit: impl FnMut(&Segment)) {
-        let place = |p: MmPoint| ((p.x - self.origin.x) / self.cell, (p.y - self.origin.y) / self.cell);
+    /// Calls `visit` with the entries in the cells that the way from `from` to `to` leads through, nearest cells first;
+    /// one entry can come several times. Only what lies in the area is seen.
+    pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, mut visit: impl FnMut(&T)) {
+        let place = |p: Point2D<f32, U>| ((p.x - self.origin.x) / self.cell, (p.y - self.origin.y) / self.cell);
         let ((x, y), (end_x, end_y)) = (place(from), place(to));
         let (mut column, mut row) = (x.floor() as i64, y.floor() as i64);
         // Amanatides and Woo 1987: shares of the way at which it enters the next column and the next row
@@ -117,15 +133,33 @@ impl Nearby {
         }
     }
 
+    fn covered(&self, low: Point2D<f32, U>, high: Point2D<f32, U>) -> (Range<usize>, Range<usize>) {
+        let ([left, top], [right, bottom]) = (self.cell_of(low), self.cell_of(high));
+        (left..right + 1, top..bottom + 1)
+    }
+
+    /// Column and row of the cell that a point lies in; the nearest one if it lies outside.
+    fn cell_of(&self, at: Point2D<f32, U>) -> [usize; 2] {
+        let index = |value: f32, count: usize| (value * self.per_unit).clamp(0.0, (count - 1) as f32) as usize;
+        [index(at.x - self.origin.x, self.columns), index(at.y - self.origin.y, self.rows)]
+    }
+}
+
+impl<U: Copy> Nearby<U> {
+    /// Adds a segment.
+    pub fn insert(&mut self, segment: Segment<U>) {
+        self.put_over(segment.a.min(segment.b), segment.a.max(segment.b), segment);
+    }
+
     /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point,
     /// segment.
     pub fn nearest(
         &self,
-        at: MmPoint,
+        at: Point2D<f32, U>,
         reach: f32,
-        wanted: impl Fn(&Segment) -> bool,
-    ) -> Option<(f32, MmPoint, Segment)> {
-        let mut best: Option<(f32, MmPoint, Segment)> = None;
+        wanted: impl Fn(&Segment<U>) -> bool,
+    ) -> Option<(f32, Point2D<f32, U>, Segment<U>)> {
+        let mut best: Option<(f32, Point2D<f32, U>, Segment<U>)> = None;
         self.around(at, at, reach, |segment| {
             // the distance first: it is cheaper than most questions of `wanted`
             let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
@@ -135,22 +169,38 @@ impl Nearby {
         });
         best
     }
-
-    fn covered(&self, low: MmPoint, high: MmPoint) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
-        let index = |value: f32, count: usize| (value * self.per_mm).clamp(0.0, (count - 1) as f32) as usize;
-        let columns = index(low.x - self.origin.x, self.columns)..index(high.x - self.origin.x, self.columns) + 1;
-        let rows = index(low.y - self.origin.y, self.rows)..index(high.y - self.origin.y, self.rows) + 1;
-        (columns, rows)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geom::segment_distance;
+    use crate::units::{MmPoint, MmRect, Px, PxPoint};
     use proptest::prelude::*;
 
     proptest! {
+        #[test]
+        fn points_within_reach_are_seen_once_wherever_they_lie(
+            raw in prop::collection::vec((-20.0_f32..60.0, -20.0_f32..60.0), 1..60),
+            at in (-20.0_f32..60.0, -20.0_f32..60.0),
+            reach in 0.0_f32..30.0,
+            cell in 0.1_f32..50.0,
+        ) {
+            let points: Vec<PxPoint> = raw.iter().map(|&at| at.into()).collect();
+            let mut index = Index::<usize, Px>::new(Box2D::new(PxPoint::zero(), PxPoint::new(40.0, 30.0)), cell);
+            for (number, &point) in points.iter().enumerate() {
+                index.put_at(point, number);
+            }
+            let at = PxPoint::from(at);
+            let mut seen = Vec::new();
+            index.around(at, at, reach, |&number| seen.push(number));
+            seen.sort_unstable();
+            prop_assert!(seen.is_sorted_by(|a, b| a < b), "a point is in one cell");
+            for (number, &point) in points.iter().enumerate() {
+                prop_assert!((point - at).length() > reach || seen.contains(&number), "{point:?} is missed");
+            }
+        }
+
         #[test]
         fn along_a_way_nothing_that_it_crosses_is_missed(
             raw in prop::collection::vec((0.0_f32..40.0, 0.0_f32..30.0, -3.0_f32..3.0, -3.0_f32..3.0), 1..40),

@@ -1,13 +1,12 @@
 //! The clearance between lines whose dots can be anywhere. Their middles keep their distance already; where they
 //! join, dots would fall on dots.
 
-use std::collections::BTreeMap;
-
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{second_row, spacing};
+use crate::geom::nearby::Index;
 use crate::geom::polyline;
 use crate::lines::Line;
-use crate::units::{MmPoint, MmRect};
+use crate::units::{Mm, MmPoint, MmRect};
 
 /// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
 const LEAST_STEP: f32 = 0.75;
@@ -24,7 +23,7 @@ struct Row<'a> {
 pub(in crate::dots) fn anywhere(lines: &[Line], part: MmRect, params: &Params) -> Vec<Line> {
     let part = part.inflate(ROUNDED_OFF, ROUNDED_OFF);
     let least = LEAST_STEP * params.pitch;
-    let mut placed = Placed { squares: BTreeMap::new(), side: params.pitch };
+    let mut placed = Placed(Index::new(part, params.pitch));
     let mut rows: Vec<Row<'_>> = Vec::new();
     for line in lines {
         let polyline = polyline_of(line);
@@ -52,29 +51,19 @@ pub(in crate::dots) fn anywhere(lines: &[Line], part: MmRect, params: &Params) -
     out
 }
 
-/// Dots by the square that they lie in, each with the number of its line.
-struct Placed {
-    squares: BTreeMap<[i32; 2], Vec<(MmPoint, usize)>>,
-    /// Side of the squares, mm.
-    side: f32,
-}
+/// Dots by place, each with the number of its line.
+struct Placed(Index<(MmPoint, usize), Mm>);
 
 impl Placed {
-    fn square(&self, at: MmPoint) -> [i32; 2] {
-        [at.x, at.y].map(|mm| (mm / self.side).floor() as i32)
-    }
-
     fn place(&mut self, at: MmPoint, line: usize) {
-        self.squares.entry(self.square(at)).or_default().push((at, line));
+        self.0.put_at(at, (at, line));
     }
 
     /// Whether no dot of the lines that `counts` accepts is nearer than `gap` mm.
     fn is_free(&self, at: MmPoint, gap: f32, counts: impl Fn(usize) -> bool) -> bool {
-        let [x, y] = self.square(at);
-        let reach = (gap / self.side).ceil() as i32;
-        let around = (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| [x + dx, y + dy]));
-        let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
-        near.all(|&(other, line)| !counts(line) || (other - at).length() >= gap)
+        let mut is_free = true;
+        self.0.around(at, at, gap, |&(other, line)| is_free &= !counts(line) || (other - at).length() >= gap);
+        is_free
     }
 
     /// Places the second row of a line where it keeps the gap from all other lines; empty if that leaves too few dots.
