@@ -117,9 +117,6 @@ pub enum Error {
     /// There are no pages to write.
     #[error("there are no pages to write; give at least one")]
     NoPages,
-    /// The caller stopped the conversion.
-    #[error("the conversion was stopped")]
-    Cancelled,
     /// The sheet is too small for what must be on it.
     #[error(
         "a sample of {sample} has no room between the margins of a sheet of {sheet}; take larger paper or less margin"

@@ -1,9 +1,9 @@
 //! Which dots lie near a position: a grid index of square cells, for queries of the nearest dot that is left and of
 //! neighbour lists.
 //!
-//! It is not the index of [`crate::geom::nearby`]: positions here are whole numbers over the whole range of `i32`, so that
-//! the order is the same on every computer; they are taken out one by one; and a search goes outwards ring by ring until
-//! nothing nearer can come, where the other looks at everything within a reach that is known before.
+//! It is not the index of `geom::nearby`: positions are whole numbers over the whole range of `i32`, so that the order
+//! is the same on every computer; they are taken out one by one; and a search goes outwards ring by ring until nothing
+//! nearer can come, where the other looks at everything within a reach that is known before.
 
 /// A position: across and down, in hundredths of a millimetre.
 pub type Position = [i32; 2];
