@@ -93,7 +93,8 @@ fn words(page: &Page) -> Words<'_> {
 /// Whether two pages can be pressed in one go. What Index embossers are told of sheet and pitch holds for all pages of
 /// a file.
 fn is_for_same(first: &Page, medium: &DotMedium, page: &Page, own: &DotMedium, format: DotFormat) -> bool {
-    let is_same_sheet = || first.sheet == page.sheet && medium.pitch.to_bits() == own.pitch.to_bits();
+    let numbers = |page: &Page, medium: &DotMedium| [page.sheet[0], page.sheet[1], medium.pitch].map(f32::to_bits);
+    let is_same_sheet = || numbers(first, medium) == numbers(page, own);
     medium.device == own.device && (format != DotFormat::Idx || is_same_sheet())
 }
 
