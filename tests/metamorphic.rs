@@ -193,7 +193,7 @@ fn colours_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let labels = |raster: &Raster| -> (Size, Vec<Option<Class>>) {
             let edges = edges::find(raster, &EDGES);
-            let classes = classes::sort(raster, &edges.polylines(), &CLASSES);
+            let classes = classes::sort(raster, &edges.borders(), &CLASSES);
             let label = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
             (classes.size, classes.region.iter().map(label).collect())
         };

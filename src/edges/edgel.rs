@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::geom::polyline::{Located, Polyline, PolylineRef};
-use crate::units::{Px, PxPoint, Size};
+use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// An edge element: a point of a contour.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +25,27 @@ impl Located for Edgel {
     }
 }
 
+/// What a chain is, and how exactly it is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ChainKind {
+    /// Found in the pixels: right within a fraction of a pixel, with the wobble of noise.
+    Traced,
+    /// The outline of a path of a vector drawing, as exact as that.
+    Outline,
+    /// The centre line of a stroke of a vector drawing.
+    Stroke {
+        /// Width of the stroke, px.
+        width: f32,
+    },
+}
+
+impl ChainKind {
+    /// Whether the chain is where the drawing says, so that nothing is to be smoothed.
+    pub fn is_exact(self) -> bool {
+        self != Self::Traced
+    }
+}
+
 /// The edgels of one chain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChainRange {
@@ -32,6 +53,8 @@ pub struct ChainRange {
     pub edgels: Range<usize>,
     /// Whether the chain continues from its last edgel to its first, which is not repeated.
     pub closed: bool,
+    /// What it is.
+    pub kind: ChainKind,
 }
 
 /// Contours as chains of edgels.
@@ -51,11 +74,16 @@ impl Edges {
         Self { size, edgels: Vec::new(), chains: Vec::new() }
     }
 
-    /// Appends a chain.
+    /// Appends a chain that was found in the pixels.
     pub fn push(&mut self, chain: impl Iterator<Item = Edgel>, closed: bool) {
+        self.push_as(ChainKind::Traced, chain, closed);
+    }
+
+    /// Appends a chain of any kind.
+    pub fn push_as(&mut self, kind: ChainKind, chain: impl Iterator<Item = Edgel>, closed: bool) {
         let start = self.edgels.len();
         self.edgels.extend(chain);
-        self.chains.push(ChainRange { edgels: start..self.edgels.len(), closed });
+        self.chains.push(ChainRange { edgels: start..self.edgels.len(), closed, kind });
     }
 
     /// A chain as a polyline.
@@ -68,14 +96,35 @@ impl Edges {
         self.chains.iter().map(|range| self.chain(range))
     }
 
-    /// The positions of all chains.
-    pub fn polylines(&self) -> Vec<Polyline<PxPoint>> {
-        let positions = |chain: PolylineRef<'_, Edgel>| chain.vertices.iter().map(|edgel| edgel.at).collect();
-        self.chains().map(|chain| Polyline { vertices: positions(chain), closed: chain.closed }).collect()
+    /// Where colours end: the positions of all chains, of a stroke those of its two sides.
+    pub fn borders(&self) -> Vec<Polyline<PxPoint>> {
+        let mut borders = Vec::with_capacity(self.chains.len());
+        for range in &self.chains {
+            let chain = self.chain(range);
+            match range.kind {
+                ChainKind::Stroke { width } if width > THIN => {
+                    borders.extend([0.5, -0.5].map(|side| offset(chain, side * width)));
+                }
+                _ => borders.push(offset(chain, 0.0)),
+            }
+        }
+        borders
     }
 
     /// Whether nothing was found.
     pub fn is_empty(&self) -> bool {
         self.chains.is_empty()
     }
+}
+
+/// A stroke of up to this width, px, has no colour of its own that fills a pixel.
+const THIN: f32 = 1.5;
+
+/// The positions of a chain, moved to its right by a distance, px.
+fn offset(chain: PolylineRef<'_, Edgel>, distance: f32) -> Polyline<PxPoint> {
+    let moved = |i: usize| {
+        let along = chain.tangent(i);
+        chain.vertices[i].at + PxVector::new(-along.y, along.x) * distance
+    };
+    Polyline { vertices: (0..chain.vertices.len()).map(moved).collect(), closed: chain.closed }
 }

@@ -21,6 +21,7 @@ mod bridge;
 mod chain;
 mod contour;
 mod corner;
+mod drawing;
 mod edge_stopping;
 mod edgel;
 mod gradient;
@@ -39,7 +40,8 @@ mod strength;
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
 use contour::ContourPoint;
-pub use edgel::{ChainRange, Edgel, Edges};
+pub use drawing::find_drawn;
+pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
 use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;

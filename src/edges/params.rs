@@ -20,6 +20,8 @@ pub struct Params {
     pub side_cell: f32,
     /// Distance from the edge at which the two sides are compared, px.
     pub side_offset: f32,
+    /// The widest stroke of a vector drawing that has one contour, along its middle, px; a wider one has two.
+    pub widest_stroke: f32,
 }
 
 impl Default for Params {
@@ -35,6 +37,7 @@ impl Default for Params {
             suppression: 1.0,
             side_cell: 5.0,
             side_offset: 8.0,
+            widest_stroke: 6.0,
         }
     }
 }

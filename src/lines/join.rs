@@ -128,6 +128,7 @@ mod tests {
             strength: 30.0,
             contrast: [step, 0.0, 0.0],
             width: 0.0,
+            exact: false,
         };
         Polyline::open((0..=20).map(vertex).collect())
     }
@@ -160,6 +161,7 @@ mod tests {
             strength: 30.0,
             contrast: [20.0, 0.0, 0.0],
             width: 0.0,
+            exact: false,
         };
         let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
         assert!(joined.len() == 1 && joined[0].closed);

@@ -71,7 +71,13 @@ pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Par
 fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
     let polyline = |range: &ChainRange| {
         let chain = edges.chain(range);
-        let polyline = Polyline::of_chain(chain, transform).smoothed(params.smoothing).evened().stronger_half_first();
+        let polyline = Polyline::of_chain(chain, range.kind.is_exact(), transform);
+        let polyline = match range.kind.is_exact() {
+            // its corners are corners
+            true => polyline,
+            false => polyline.smoothed(params.smoothing).evened(),
+        };
+        let polyline = polyline.stronger_half_first();
         (polyline.path().map(|v| f64::from(v.strength)).sum::<f64>(), polyline)
     };
     let mut polylines: Vec<(f64, Polyline<Vertex>)> = edges.chains.par_iter().map(polyline).collect();

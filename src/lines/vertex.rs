@@ -18,6 +18,8 @@ pub(super) struct Vertex {
     pub(super) contrast: [f32; 3],
     /// Width of the line here, mm; 0 until `weight` has been there.
     pub(super) width: f32,
+    /// Whether it is where a vector drawing has it, and not where it was found in pixels.
+    pub(super) exact: bool,
 }
 
 impl Located for Vertex {
@@ -36,6 +38,7 @@ impl Blend for Vertex {
             strength: mix(self.strength, other.strength),
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
             width: mix(self.width, other.width),
+            exact: self.exact && other.exact,
         }
     }
 
@@ -46,9 +49,9 @@ impl Blend for Vertex {
 
 impl Polyline<Vertex> {
     /// A contour on the sheet.
-    pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, transform: &PageTransform) -> Self {
+    pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, exact: bool, transform: &PageTransform) -> Self {
         let vertex =
-            |p: &Edgel| Vertex { at: transform.to_mm(p.at), strength: p.strength, contrast: p.contrast, width: 0.0 };
+            |p: &Edgel| Vertex { at: transform.to_mm(p.at), strength: p.strength, contrast: p.contrast, width: 0.0, exact };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
 
@@ -100,6 +103,7 @@ impl Polyline<Vertex> {
             strength,
             contrast: [l, a, b],
             width: 0.0,
+            exact: false,
         };
         Self { vertices: smooth.into_iter().map(vertex).collect(), closed: self.closed }
     }

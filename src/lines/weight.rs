@@ -14,6 +14,9 @@ const SMOOTHING: f32 = 2.0;
 /// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first and the last run of
 /// a line may be shorter, where it fades out or is cut.
 const MIN_RUN: f32 = 2.0;
+/// Farthest that a line may lie from the curve of the vector drawing that it is, mm, beside what is lost by turning that
+/// into a polyline: together 0.02.
+const EXACT_TOLERANCE: f32 = 0.014;
 /// Places of a line with more way than this between them, mm, are kept apart by the clearance.
 const NEAR: f32 = 12.0;
 
@@ -90,7 +93,8 @@ pub(super) fn finish(polyline: &Polyline<Vertex>, anchored: &[bool], params: &Pa
     if points.len() < 2 {
         return None;
     }
-    let mut tolerance = params.tolerance;
+    let exact = polyline.vertices.iter().all(|vertex| vertex.exact);
+    let mut tolerance = if exact { params.tolerance.min(EXACT_TOLERANCE) } else { params.tolerance };
     let mut runs = drawn(polyline, &points, anchored, tolerance);
     // Where a line bends sharply its simplified sides may cross: there it stays nearer to what it was.
     for _ in 0..3 {
@@ -160,6 +164,7 @@ mod tests {
                 strength: strength(i as f32 * 0.2),
                 contrast: [1.0, 0.0, 0.0],
                 width: 0.0,
+                exact: false,
             })
             .collect();
         let mut polyline = Polyline::open(vertices);

@@ -12,6 +12,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
+use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note, textures};
@@ -49,7 +50,7 @@ pub(super) fn draw(
     let mut notes = picture.notes;
 
     let is_flat = picture.raster.is_flat();
-    let edges = find_edges(&picture.raster, is_flat, &layout, plan, watch);
+    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, watch);
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     let (drawn, (overview, classes)) = in_parallel(
         has_lines,
@@ -111,8 +112,17 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
     Ok(())
 }
 
+/// The contours of a picture: those of a vector drawing from its own geometry.
+pub(super) fn edges_of(raster: &Raster, drawing: Option<&VectorDrawing>, params: &edges::Params) -> Edges {
+    match drawing {
+        Some(drawing) => edges::find_drawn(raster, drawing, params),
+        None => edges::find(raster, params),
+    }
+}
+
 pub(super) fn find_edges(
     raster: &Raster,
+    drawing: Option<&VectorDrawing>,
     is_flat: bool,
     layout: &Layout,
     plan: &Plan,
@@ -124,7 +134,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
-        return Some(run(watch, Stage::Edges, || edges::find(raster, &plan.edges(px_per_mm))));
+        return Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &plan.edges(px_per_mm))));
     };
     watch(Event::Skip(Stage::Edges, reason));
     None
@@ -192,7 +202,7 @@ pub(super) fn sort_colours(
     let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
     Some(run(watch, Stage::Classes, || {
         let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
-        let contours = edges.map(Edges::polylines).unwrap_or_default();
+        let contours = edges.map(Edges::borders).unwrap_or_default();
         classes::sort(raster, &contours, &plan.classes(px_per_mm))
     }))
 }

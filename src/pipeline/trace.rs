@@ -1,6 +1,6 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::draw::{crowded, draw_lines, enough_pixels, working_size};
+use super::draw::{crowded, draw_lines, edges_of, enough_pixels, working_size};
 use super::progress::{Event, Stage, Watch, run};
 use super::request::{Fit, Request};
 use crate::contours::Trace;
@@ -10,6 +10,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
+use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::{Error, Note};
 
@@ -102,10 +103,10 @@ pub fn trace<'p>(
     };
     let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
     let picture = run(watch, Stage::Decode, || decode::decode_picture(picture.into(), &options))?;
-    let (raster, source, mut notes) = (picture.raster, picture.source.size, picture.notes);
+    let (raster, drawing, source, mut notes) = (picture.raster, picture.drawing, picture.source.size, picture.notes);
 
     let layout = fit.layout(source, plan)?;
-    let edges = find_edges(&raster, tracing, &layout, plan, watch);
+    let edges = find_edges(&raster, drawing.as_ref(), tracing, &layout, plan, watch);
     drop(raster);
     let trace = match &edges {
         None => Trace { size: source, polylines: Vec::new() },
@@ -130,6 +131,7 @@ pub fn trace<'p>(
 /// The contours that are asked for; none in a picture of one colour.
 fn find_edges(
     raster: &Raster,
+    drawing: Option<&VectorDrawing>,
     tracing: &Tracing,
     layout: &Layout,
     plan: &Plan,
@@ -147,5 +149,5 @@ fn find_edges(
     if let Some(Thresholds { low, high }) = tracing.thresholds {
         (params.low, params.high) = (low, high);
     }
-    Some(run(watch, Stage::Edges, || edges::find(raster, &params)))
+    Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &params)))
 }

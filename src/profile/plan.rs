@@ -105,6 +105,8 @@ impl Plan {
             suppression: edges.texture_suppression,
             side_cell: SIDE_CELL * px_per_mm,
             side_offset: SIDE_OFFSET * px_per_mm,
+            // two lines nearer than this could not both be drawn
+            widest_stroke: self.lines().max_spacing() * px_per_mm,
         }
     }
 

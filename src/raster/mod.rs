@@ -5,5 +5,6 @@ pub mod decode;
 pub mod plane;
 mod planes;
 pub mod shrink;
+pub mod vector;
 
 pub use planes::{Planes, Raster};

@@ -133,7 +133,7 @@ pub(crate) fn contours(raster: &Raster) -> Vec<Polyline<PxPoint>> {
         side_cell: 8.0,
         side_offset: 12.0,
     };
-    edges::find(raster, &params).polylines()
+    edges::find(raster, &params).borders()
 }
 
 /// The class of every pixel.

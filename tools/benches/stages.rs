@@ -67,7 +67,7 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     let px_per_mm = 1.0 / frame.mm_per_px();
     let found = edges::find(raster, &plan.edges(px_per_mm));
     let drawn = lines::draw(&found, &frame, layout.figure, &plan.lines());
-    let contours = found.polylines();
+    let contours = found.borders();
     let sorted = classes::sort(raster, &contours, &plan.classes(px_per_mm));
     let page = page(bytes, plan)?;
     let drawing = svg::write(&page);

@@ -22,6 +22,9 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
 pub(super) const TOUCH: f32 = 0.1;
 
+/// How far beyond its ends a segment is still crossed, as a share of its length.
+const VERTEX: f32 = 1e-3;
+
 /// A junction of a polyline with a drawn line.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Junction {
@@ -196,8 +199,10 @@ impl<'a> DrawnLines<'a> {
     /// Adds the junctions where the segment `a`-`b` of a polyline, which begins at `arc`, crosses lines.
     fn add_crossings(&self, (a, b): (MmPoint, MmPoint), arc: f32, junctions: &mut Vec<Junction>) {
         self.segments.around(a.min(b), a.max(b), 0.0, |segment| {
+            // longer by a rounding: lines that cross at a vertex, as those of drawings do, cross all the same
+            let (own, other) = ((b - a) * VERTEX, (segment.b - segment.a) * VERTEX);
             // a line that ends on another may, by a rounding, cross it
-            if let Some(at) = crossing((a, b), (segment.a, segment.b))
+            if let Some(at) = crossing((a - own, b + own), (segment.a - other, segment.b + other))
                 && self.tips.nearest(at, TOUCH, |tip| tip.line == segment.line).is_none()
             {
                 let line_arc = segment.arc + (at - segment.a).length();
@@ -241,11 +246,20 @@ impl<'a> DrawnLines<'a> {
             };
             let (from, to) = (junction.line_arc.min(other.line_arc), junction.line_arc.max(other.line_arc));
             let along = || line.iter().filter(|(arc, _)| (from..to).contains(arc));
-            // all of the polyline is looked at, as it may be near the line beyond the two
-            let is_hugged =
-                |at: MmPoint| vertices.iter().any(|v| (v.at - at).length() < self.params.clearance(0.5 * v.width));
+            // All of the polyline is looked at, as it may be near the line beyond the two. Where it has just come from
+            // one of them, as the legs of a bar on its axis, it is no winding.
+            let hugging = |at: MmPoint| {
+                let near = vertices.iter().zip(&passage.arcs);
+                let near = near.filter(move |(v, _)| (v.at - at).length() < self.params.clearance(0.5 * v.width));
+                near.map(|(v, &arc)| {
+                    let approach = self.params.approach(0.5 * v.width, 0.5 * self.params.width_max);
+                    passage.between(arc, junction.arc) > approach && passage.between(arc, other.arc) > approach
+                })
+            };
             vertices[stretch(junction.arc, other.arc)].iter().all(hugs)
-                || (to - from > 1.0 && along().all(|(_, at)| is_hugged(*at)))
+                || (to - from > 1.0
+                    && along().all(|(_, at)| hugging(*at).next().is_some())
+                    && along().any(|(_, at)| hugging(*at).any(|winds| winds)))
         })
     }
 

@@ -158,6 +158,7 @@ mod tests {
             strength: 60.0,
             contrast: [60.0, 0.0, 0.0],
             width: Params::TEST.width_max,
+            exact: false,
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(0.4);

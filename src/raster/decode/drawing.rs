@@ -18,6 +18,7 @@ use super::job::{
     self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, working_bytes,
 };
 use super::light::{Depth, Layout};
+use super::paths;
 use super::rows::{Extents, Samples};
 use crate::raster::crop::Part;
 use crate::raster::planes::Raster;
@@ -78,8 +79,10 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let canvases = 1 + canvases(tree.root());
     let bytes = canvases.saturating_mul(target.area().saturating_mul(4)).saturating_add(working_bytes(target));
     check_memory(FORMAT, target, bytes, limits)?;
-    let raster = unless_beyond_numbers(|| render(&tree, whole, part, target))??;
-    Ok(Picture { raster, source, notes: left_out.notes() })
+    let transform = to_pixels(&tree, whole, part, target);
+    let raster = unless_beyond_numbers(|| render(&tree, transform, target))??;
+    let drawing = unless_beyond_numbers(|| paths::of_tree(&tree, transform))?;
+    Ok(Picture { raster, source, drawing, notes: left_out.notes() })
 }
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
@@ -88,11 +91,8 @@ fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
     guarded(work).map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
 }
 
-/// Renders a part of a drawing whose size counts as `whole` pixels.
-fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<Raster, Error> {
-    let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
-    let mut canvas = tiny_skia::Pixmap::new(target.width, target.height).ok_or_else(room)?;
-    canvas.fill(tiny_skia::Color::WHITE);
+/// From a drawing whose size counts as `whole` pixels to a canvas of `target` pixels that shows a part of it.
+fn to_pixels(tree: &Tree, whole: Size, part: Part, target: Size) -> tiny_skia::Transform {
     // Pixels that the canvas would have for all of the drawing.
     let whole_canvas = |target: u32, part: u32, whole: u32| f64::from(target) * (f64::from(whole) / f64::from(part));
     let width = whole_canvas(target.width, part.size.width, whole.width);
@@ -100,7 +100,14 @@ fn render(tree: &Tree, whole: Size, part: Part, target: Size) -> Result<Raster, 
     let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
     let left = width * f64::from(part.left) / f64::from(whole.width);
     let top = height * f64::from(part.top) / f64::from(whole.height);
-    let transform = tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32);
+    tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32)
+}
+
+/// Renders a drawing over white.
+fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size) -> Result<Raster, Error> {
+    let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
+    let mut canvas = tiny_skia::Pixmap::new(target.width, target.height).ok_or_else(room)?;
+    canvas.fill(tiny_skia::Color::WHITE);
     resvg::render(tree, transform, &mut canvas.as_mut());
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
     let source = Extents::pixels(target.width, Part::whole(target));

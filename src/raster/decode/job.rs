@@ -9,6 +9,7 @@ use super::colour::{Kind, Meaning, one_line};
 use super::orient;
 use crate::raster::crop::{Crop, Part};
 use crate::raster::planes::Raster;
+use crate::raster::vector::VectorDrawing;
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -59,6 +60,8 @@ pub struct Picture {
     pub raster: Raster,
     /// What was known from the header.
     pub source: Source,
+    /// The paths of a vector drawing that has not too many.
+    pub drawing: Option<VectorDrawing>,
     /// Remarks on what was lost.
     pub notes: Vec<Note>,
 }
@@ -128,7 +131,7 @@ impl Job {
     /// The picture, when no rows are missing.
     pub(super) fn end(self, raster: Option<Raster>) -> Result<Picture, Error> {
         let raster = raster.ok_or_else(|| ends_early(self.format))?;
-        Ok(Picture { raster, source: self.source, notes: self.notes })
+        Ok(Picture { raster, source: self.source, drawing: None, notes: self.notes })
     }
 }
 

@@ -14,6 +14,7 @@ mod jpeg;
 mod light;
 mod orient;
 mod other;
+mod paths;
 mod pixels;
 mod png;
 mod rows;

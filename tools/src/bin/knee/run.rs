@@ -69,7 +69,7 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
         Overview { place, frame: Default::default(), lines }
     });
     times[3] = clock.lap();
-    let classes = classes::sort(&raster, &found.polylines(), &plan.classes(px_per_mm));
+    let classes = classes::sort(&raster, &found.borders(), &plan.classes(px_per_mm));
     times[4] = clock.lap();
     let textures = textures::fill(&classes, layout.figure, &lines, &plan.textures());
     times[5] = clock.lap();

@@ -1,0 +1,215 @@
+//! Which stretches of a proposal the picture shows.
+
+use super::{Confirmed, Proposal};
+use crate::edges::edgel::Edgel;
+use crate::edges::lab;
+use crate::edges::params::Params;
+use crate::geom::polyline::Polyline;
+use crate::raster::Raster;
+use crate::units::{PxPoint, PxVector};
+
+/// Distance from an outline at which the two sides are compared, px: an edge is spread over a pixel by rendering and
+/// over another by interpolation, at most 1.2 to each side.
+const FAR: f32 = 1.25;
+/// ... and close to it, where the step must be seen already, or it is not here.
+const CLOSE: f32 = 0.6;
+/// Least share of the step at [`FAR`] that is seen at [`CLOSE`]: 0.85 where the edge is here, half where it is
+/// [`CLOSE`] away.
+const HERE: f32 = 0.65;
+/// A stroke is summed up in steps of this, px.
+const STEP: f32 = 0.25;
+/// The middle of what is seen of a stroke lies at most this far from its centre line, px.
+const OFF_CENTRE: f32 = 0.45;
+/// The narrowest stroke whose contrast is computed from what is seen of it, px: below, single code values decide.
+const NARROWEST: f32 = 0.1;
+/// A stretch that is not seen and no longer than this, px, is hidden by something that crosses it; it is drawn all the
+/// same.
+const HIDDEN: f32 = 6.0;
+
+/// The stretches of a proposal that the picture shows, with their contrast.
+pub(super) fn confirmed(proposal: &Proposal, raster: &Raster, params: &Params) -> Vec<Confirmed> {
+    let Proposal { line, stroke } = proposal;
+    let seen: Vec<Seen> = line.segments().map(|(a, b)| look(*a, *b, *stroke, raster)).collect();
+    if seen.iter().all(|seen| seen.strength < params.high) {
+        return Vec::new();
+    }
+    let lengths: Vec<f32> = line.segments().map(|(a, b)| (*b - *a).length()).collect();
+    let shown =
+        bridged(&seen.iter().map(|seen| seen.strength >= params.low).collect::<Vec<_>>(), &lengths, line.closed);
+    stretches(&shown, line.closed)
+        .into_iter()
+        .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
+        .map(|stretch| Confirmed { line: part(line, &seen, &stretch, params.low), stroke: *stroke })
+        .collect()
+}
+
+/// What the picture shows at a segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Seen {
+    strength: f32,
+    /// Colour on the right less colour on the left.
+    contrast: [f32; 3],
+}
+
+/// Looks across the middle of a segment.
+fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, raster: &Raster) -> Seen {
+    let nothing = Seen { strength: 0.0, contrast: [0.0; 3] };
+    let at = a.lerp(b, 0.5);
+    let size = raster.size();
+    let Some(along) = (b - a).try_normalize() else { return nothing };
+    let reach = stroke.unwrap_or(0.0) * 0.5;
+    if at.x < -reach || at.y < -reach || at.x > size.width as f32 + reach || at.y > size.height as f32 + reach {
+        return nothing;
+    }
+    // with y down, right of the direction (x, y) is (-y, x)
+    let right = PxVector::new(-along.y, along.x);
+    let colour = |distance: f32| colour(raster, at + right * distance);
+    match stroke {
+        None => step(colour).unwrap_or(nothing),
+        Some(width) => Seen { strength: stroke_contrast(width, colour), contrast: [0.0; 3] },
+    }
+}
+
+/// The step of an outline, if it is here.
+fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<Seen> {
+    let difference = |distance: f32| less(colour(distance), colour(-distance));
+    let (close, far) = (difference(CLOSE), difference(FAR));
+    let (near, all) = (norm(close), norm(far));
+    if near < HERE * all {
+        return None;
+    }
+    // a strip narrower than the pixels look has its own ground on both sides
+    Some(if all >= near { Seen { strength: all, contrast: far } } else { Seen { strength: near, contrast: close } })
+}
+
+/// Contrast of a stroke to its ground, whatever share of the pixels it covers: the sum of what differs from the ground
+/// beside it, over its width. 0 where it is not seen, or not here. Between two grounds it is at least their step.
+fn stroke_contrast(width: f32, colour: impl Fn(f32) -> [f32; 3]) -> f32 {
+    let half = 0.5 * width;
+    let outside = half + FAR;
+    let (left, right) = (colour(-outside), colour(outside));
+    let steps = (outside / STEP).ceil() as i32;
+    let (mut sum, mut moment, mut weight) = ([0.0; 3], 0.0, 0.0);
+    for k in -steps..=steps {
+        let distance = outside * k as f32 / steps as f32;
+        let ground = match k.signum() {
+            -1 => left,
+            0 => std::array::from_fn(|i| 0.5 * (left[i] + right[i])),
+            _ => right,
+        };
+        let excess = less(colour(distance), ground);
+        // half a step at both ends
+        let share = if k.abs() == steps { 0.5 } else { 1.0 };
+        sum = std::array::from_fn(|i| sum[i] + share * excess[i]);
+        moment += share * distance * norm(excess);
+        weight += share * norm(excess);
+    }
+    let step = outside / steps as f32;
+    let contrast = norm(sum) * step / width.max(NARROWEST);
+    let centred = weight > 0.0 && (moment / weight).abs() <= OFF_CENTRE.max(0.25 * width);
+    if centred { contrast.max(norm(less(right, left))).min(MOST) } else { 0.0 }
+}
+
+/// Largest contrast: between two colours that a screen can show.
+const MOST: f32 = 400.0;
+
+fn less(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+fn norm([l, a, b]: [f32; 3]) -> f32 {
+    (l * l + a * a + b * b).sqrt()
+}
+
+/// Colour (L, 2a, 2b) at a point, between the centres of pixels; beyond the picture that of its border.
+fn colour(raster: &Raster, at: PxPoint) -> [f32; 3] {
+    let size = raster.size();
+    let axis = |at: f32, count: u32| {
+        let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
+        let first = (at.floor() as usize).min(count as usize - 1);
+        (first, (first + 1).min(count as usize - 1), at - first as f32)
+    };
+    let ((left, right, x), (above, below, y)) = (axis(at.x, size.width), axis(at.y, size.height));
+    let width = size.width as usize;
+    let light = raster.planes().as_ref().map(|plane| {
+        let row = |row: usize| plane[row * width + left] * (1.0 - x) + plane[row * width + right] * x;
+        row(above) * (1.0 - y) + row(below) * y
+    });
+    lab::colour(light.as_colour())
+}
+
+/// Closes the gaps that are no longer than [`HIDDEN`], also at the ends.
+fn bridged(shown: &[bool], lengths: &[f32], closed: bool) -> Vec<bool> {
+    let mut bridged = shown.to_vec();
+    if !shown.contains(&true) {
+        return bridged;
+    }
+    for gap in stretches(&shown.iter().map(|shown| !shown).collect::<Vec<_>>(), closed) {
+        let indices = || gap.indices().map(|i| i % shown.len());
+        if indices().map(|i| lengths[i]).sum::<f32>() <= HIDDEN {
+            indices().for_each(|i| bridged[i] = true);
+        }
+    }
+    bridged
+}
+
+/// Segments that follow one another, in a ring perhaps over its first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stretch {
+    pub(super) first: usize,
+    pub(super) count: usize,
+    /// Whether it is all of a ring.
+    pub(super) whole_ring: bool,
+}
+
+impl Stretch {
+    /// Numbers of its segments; those of a ring go on after the last.
+    pub(super) fn indices(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.count
+    }
+}
+
+/// The longest stretches of segments that are wanted.
+pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<Stretch> {
+    let n = wanted.len();
+    if n > 0 && wanted.iter().all(|wanted| *wanted) {
+        return vec![Stretch { first: 0, count: n, whole_ring: closed }];
+    }
+    // a ring is gone round from a segment that is not wanted
+    let start = if closed { wanted.iter().position(|wanted| !wanted).unwrap_or(0) } else { 0 };
+    let mut found: Vec<Stretch> = Vec::new();
+    let mut before = false;
+    for k in start..start + n {
+        let here = wanted[k % n];
+        match found.last_mut() {
+            Some(stretch) if here && before => stretch.count += 1,
+            _ if here => found.push(Stretch { first: k, count: 1, whole_ring: false }),
+            _ => {}
+        }
+        before = here;
+    }
+    found
+}
+
+/// A stretch of a line with what is seen there; what is hidden has the least strength that is drawn.
+fn part(line: &Polyline<PxPoint>, seen: &[Seen], stretch: &Stretch, least: f32) -> Polyline<Edgel> {
+    let n = seen.len();
+    let strength_of = |i: usize| Seen { strength: seen[i % n].strength.max(least), ..seen[i % n] };
+    // a vertex has the mean of the segments on both sides, as far as they belong to the stretch
+    let edgel = |vertex: usize, before: Option<usize>, after: Option<usize>| {
+        let both: Vec<Seen> = [before, after].into_iter().flatten().map(strength_of).collect();
+        let count = both.len().max(1) as f32;
+        Edgel {
+            at: line.vertices[vertex % line.vertices.len()],
+            strength: both.iter().map(|seen| seen.strength).sum::<f32>() / count,
+            contrast: std::array::from_fn(|i| both.iter().map(|seen| seen.contrast[i]).sum::<f32>() / count),
+        }
+    };
+    let last = stretch.first + stretch.count;
+    let vertices = if stretch.whole_ring {
+        (0..n).map(|i| edgel(i, Some(i + n - 1), Some(i))).collect()
+    } else {
+        (stretch.first..=last).map(|i| edgel(i, (i > stretch.first).then(|| i - 1), (i < last).then_some(i))).collect()
+    };
+    Polyline { vertices, closed: stretch.whole_ring }
+}

@@ -1,0 +1,161 @@
+//! Curves become polylines: outlines of filled paths, centre lines of thin strokes, both sides of wide ones.
+
+use lyon::geom::{CubicBezierSegment, QuadraticBezierSegment, point};
+use resvg::tiny_skia::{Path, PathSegment, Point};
+
+use super::{Proposal, SPACING};
+use crate::geom::polyline::Polyline;
+use crate::raster::vector::{PaintedPath, VectorDrawing};
+use crate::units::{PxPoint, Size};
+
+/// Farthest that a polyline lies from its curve, px: on a page of 4 px/mm, 0.005 mm.
+const TOLERANCE: f32 = 0.02;
+/// A path shorter than this is not seen, px.
+const SHORTEST: f32 = 1.0;
+/// What a path may reach beyond the picture and still be looked at, px.
+const MARGIN: f32 = 2.0;
+
+/// All that the drawing proposes: strokes first, since of a filled and stroked area the stroke is the contour.
+pub(super) fn proposals(drawing: &VectorDrawing, widest_stroke: f32, size: Size) -> Vec<Proposal> {
+    let mut strokes = Vec::new();
+    let mut outlines = Vec::new();
+    for PaintedPath { path, stroke } in &drawing.paths {
+        match stroke {
+            Some(stroke) if stroke.width <= widest_stroke => {
+                strokes.extend(of_path(path, false, Some(stroke.width), size))
+            }
+            Some(stroke) => {
+                let sides = path.stroke(stroke, 1.0);
+                outlines.extend(sides.iter().flat_map(|sides| of_path(sides, true, None, size)));
+            }
+            None => outlines.extend(of_path(path, true, None, size)),
+        }
+    }
+    strokes.append(&mut outlines);
+    strokes
+}
+
+/// The parts of a path; those of a filled one are all closed.
+fn of_path(path: &Path, filled: bool, stroke: Option<f32>, size: Size) -> Vec<Proposal> {
+    let bounds = path.bounds();
+    let margin = MARGIN + stroke.unwrap_or(0.0);
+    let seen = bounds.right() >= -margin
+        && bounds.bottom() >= -margin
+        && bounds.left() <= size.width as f32 + margin
+        && bounds.top() <= size.height as f32 + margin;
+    if !seen {
+        return Vec::new();
+    }
+    let lines = polylines(path, filled).into_iter().filter(|line| line.length() >= SHORTEST);
+    lines
+        .map(|mut line| {
+            line.subdivide(SPACING);
+            Proposal { line, stroke }
+        })
+        .collect()
+}
+
+/// The parts of a path as polylines.
+fn polylines(path: &Path, filled: bool) -> Vec<Polyline<PxPoint>> {
+    let mut lines = Vec::new();
+    let mut points: Vec<PxPoint> = Vec::new();
+    let at = |p: Point| PxPoint::new(p.x, p.y);
+    for segment in path.segments() {
+        match segment {
+            PathSegment::MoveTo(to) => {
+                lines.extend(polyline(std::mem::take(&mut points), filled));
+                points.push(at(to));
+            }
+            PathSegment::LineTo(to) => points.push(at(to)),
+            PathSegment::QuadTo(control, to) => {
+                let from = points.last().copied().unwrap_or(at(to));
+                let curve = QuadraticBezierSegment {
+                    from: point(from.x, from.y),
+                    ctrl: point(control.x, control.y),
+                    to: point(to.x, to.y),
+                };
+                curve.for_each_flattened(TOLERANCE, &mut |piece| points.push(PxPoint::new(piece.to.x, piece.to.y)));
+            }
+            PathSegment::CubicTo(first, second, to) => {
+                let from = points.last().copied().unwrap_or(at(to));
+                let curve = CubicBezierSegment {
+                    from: point(from.x, from.y),
+                    ctrl1: point(first.x, first.y),
+                    ctrl2: point(second.x, second.y),
+                    to: point(to.x, to.y),
+                };
+                curve.for_each_flattened(TOLERANCE, &mut |piece| points.push(PxPoint::new(piece.to.x, piece.to.y)));
+            }
+            PathSegment::Close => {
+                let start = points.first().copied();
+                lines.extend(polyline(std::mem::take(&mut points), true));
+                // what follows without a move begins where the part began
+                points.extend(start);
+            }
+        }
+    }
+    lines.extend(polyline(points, filled));
+    lines
+}
+
+/// A polyline through points that are not the same one after the other.
+fn polyline(mut points: Vec<PxPoint>, closed: bool) -> Option<Polyline<PxPoint>> {
+    points.dedup();
+    if !closed {
+        return (points.len() > 1).then(|| Polyline::from_path(points));
+    }
+    if points.len() > 1 && points.first() == points.last() {
+        points.pop();
+    }
+    match points.len() {
+        0 | 1 => None,
+        2 => Some(Polyline::open(points)),
+        _ => Some(Polyline { vertices: points, closed: true }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use resvg::tiny_skia::{PathBuilder, Stroke};
+
+    const SIZE: Size = Size::new(100, 100);
+
+    fn drawing(path: Path, width: Option<f32>) -> VectorDrawing {
+        let stroke = width.map(|width| Stroke { width, ..Stroke::default() });
+        VectorDrawing { paths: vec![PaintedPath { path, stroke }], pixel_areas: Vec::new() }
+    }
+
+    #[test]
+    fn a_circle_is_closed_and_round() {
+        let circle = PathBuilder::from_circle(50.0, 50.0, 30.0).expect("a circle");
+        let proposals = proposals(&drawing(circle, None), 8.0, SIZE);
+        assert_eq!(proposals.len(), 1);
+        assert!(proposals[0].line.closed);
+        for at in &proposals[0].line.vertices {
+            assert!(((*at - PxPoint::new(50.0, 50.0)).length() - 30.0).abs() < 0.05, "{at:?}");
+        }
+    }
+
+    #[test]
+    fn a_thin_stroke_has_one_line_and_a_wide_one_two_sides() {
+        let mut line = PathBuilder::new();
+        line.move_to(10.0, 50.0);
+        line.line_to(90.0, 50.0);
+        let line = line.finish().expect("a line");
+        let thin = proposals(&drawing(line.clone(), Some(3.0)), 8.0, SIZE);
+        assert!(
+            matches!(&thin[..], [one] if one.stroke == Some(3.0) && !one.line.closed && (one.line.length() - 80.0).abs() < 1e-3)
+        );
+        let wide = proposals(&drawing(line, Some(20.0)), 8.0, SIZE);
+        assert!(
+            matches!(&wide[..], [one] if one.stroke.is_none() && one.line.closed && (one.line.length() - 200.0).abs() < 1e-2)
+        );
+    }
+
+    #[test]
+    fn what_lies_outside_the_picture_is_left_out() {
+        let circle = PathBuilder::from_circle(500.0, 50.0, 30.0).expect("a circle");
+        assert_eq!(proposals(&drawing(circle, None), 8.0, SIZE), []);
+    }
+}

@@ -1,0 +1,80 @@
+//! Contours of a vector drawing: its own geometry proposes them, its picture confirms them.
+//!
+//! ```text
+//! VectorDrawing -> flatten (outlines of fills, centre lines of strokes)
+//!               -> confirm (the stretches where the picture shows a step or a stroke at that very place)
+//!               -> unite (of paths that coincide, one) -> Edges
+//! ```
+//!
+//! What is hidden, clipped or of the colour of its ground is not seen in the picture, so it needs no geometry of its
+//! own. Contours in places without paths (photographs, gradients, blurs) come from the pixels, as in any picture.
+
+mod confirm;
+mod flatten;
+mod unite;
+
+use super::edgel::{ChainKind, Edgel, Edges};
+use super::params::Params;
+use crate::geom::polyline::Polyline;
+use crate::raster::Raster;
+use crate::raster::vector::VectorDrawing;
+use crate::units::PxPoint;
+
+/// Distance of the points of a contour, px: the pixels are asked at the middle between two of them.
+const SPACING: f32 = 1.0;
+/// An edge found in the pixels that is this near to a contour of the drawing, px, is that contour.
+const EXPLAINED: f32 = 4.0;
+
+/// A line that the drawing proposes as a contour.
+#[derive(Debug, Clone, PartialEq)]
+struct Proposal {
+    line: Polyline<PxPoint>,
+    /// Width of the stroke of which it is the centre line, px; none of an outline.
+    stroke: Option<f32>,
+}
+
+/// A proposal, or a part of one, that the picture confirms.
+#[derive(Debug, Clone, PartialEq)]
+struct Confirmed {
+    line: Polyline<Edgel>,
+    stroke: Option<f32>,
+}
+
+/// Finds the contours of a drawing and of its rendering, `raster`.
+pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> Edges {
+    let size = raster.size();
+    let proposals = flatten::proposals(drawing, params.widest_stroke, size);
+    let confirmed: Vec<Confirmed> =
+        proposals.iter().flat_map(|proposal| confirm::confirmed(proposal, raster, params)).collect();
+    let mut edges = Edges::none(size);
+    for Confirmed { line, stroke } in unite::united(confirmed, size) {
+        let kind = stroke.map_or(ChainKind::Outline, |width| ChainKind::Stroke { width });
+        edges.push_as(kind, line.vertices.into_iter(), line.closed);
+    }
+    if drawing.pixel_areas.iter().any(|area| area.is_seen(size)) {
+        add_from_pixels(raster, drawing, params, &mut edges);
+    }
+    edges
+}
+
+/// Adds what edges the pixels have in the areas without paths, less what lies on a contour of the drawing.
+fn add_from_pixels(raster: &Raster, drawing: &VectorDrawing, params: &Params, edges: &mut Edges) {
+    let explained = unite::Covered::of(edges, EXPLAINED);
+    let found = super::find(raster, params);
+    for chain in found.chains() {
+        let is_new = |edgel: &Edgel| {
+            drawing.pixel_areas.iter().any(|area| area.contains(edgel.at)) && !explained.is_near(edgel.at)
+        };
+        let new: Vec<bool> = chain.vertices.iter().map(is_new).collect();
+        if new.iter().all(|new| *new) {
+            edges.push(chain.vertices.iter().copied(), chain.closed);
+            continue;
+        }
+        for run in chain.vertices.chunk_by(|a, b| is_new(a) == is_new(b)).filter(|run| is_new(&run[0])) {
+            let length: f32 = run.windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum();
+            if length >= params.min_length {
+                edges.push(run.iter().copied(), false);
+            }
+        }
+    }
+}

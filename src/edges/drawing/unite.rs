@@ -1,0 +1,158 @@
+//! Of contours that coincide one is kept: the shared border of two areas, the outline of an area under its stroke.
+
+use std::cmp::Reverse;
+
+use super::Confirmed;
+use super::confirm::stretches;
+use crate::edges::edgel::{Edgel, Edges};
+use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
+use crate::units::{PxPoint, PxVector, Size};
+
+/// Two contours this near to one another, px, are one if they are parallel; beside the half width of a stroke.
+const SAME: f32 = 0.75;
+/// Least cosine between the directions of two contours that are one (18 degrees).
+const PARALLEL: f32 = 0.95;
+/// What is left of a contour and shorter than this, px, is dropped.
+const SHORTEST: f32 = 2.0;
+/// Side of the cells of the index, px.
+const CELL: f32 = 8.0;
+
+/// A bend of this many degrees between segments is a corner.
+const CORNER: f32 = 25.0;
+
+/// The contours without those parts that coincide with one before them. Strokes come before outlines, then those with
+/// the longest side between two corners: so a side that goes on beyond the other's corners is whole, and the other ends
+/// on it.
+pub(super) fn united(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
+    // in whole pixels: rounding decides nothing
+    confirmed.sort_by_key(|contour| (contour.stroke.is_none(), Reverse(longest_side(&contour.line).round() as u32)));
+    let mut covered = Covered::new(size);
+    let mut kept = Vec::with_capacity(confirmed.len());
+    for contour in confirmed {
+        let parts = uncovered(&contour, &covered);
+        for part in &parts {
+            let reach = SAME + 0.5 * part.stroke.unwrap_or(0.0);
+            covered.add(&part.line, reach);
+        }
+        kept.extend(parts);
+    }
+    kept
+}
+
+/// The longest part of a contour between two corners, px.
+fn longest_side(line: &Polyline<Edgel>) -> f32 {
+    let directions: Vec<PxVector> = line.segments().map(|(a, b)| b.at - a.at).collect();
+    let least = CORNER.to_radians().cos();
+    let is_corner = |a: &PxVector, b: &PxVector| a.dot(*b) < least * a.length() * b.length();
+    let sides = directions.chunk_by(|a, b| !is_corner(a, b));
+    sides.map(|side| side.iter().map(|step| step.length()).sum::<f32>()).fold(0.0, f32::max)
+}
+
+/// The parts of a contour that coincide with none of those before it. They end on what covers the rest.
+fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
+    let Confirmed { line, stroke } = contour;
+    let cover: Vec<Option<PxPoint>> =
+        line.segments().map(|(a, b)| covered.under(a.at, b.at, stroke.is_some())).collect();
+    if cover.iter().all(Option::is_none) {
+        return vec![contour.clone()];
+    }
+    let n = cover.len();
+    let free: Vec<bool> = cover.iter().map(Option::is_none).collect();
+    let part = |stretch: super::confirm::Stretch| {
+        let vertex = |i: usize| line.vertices[i % line.vertices.len()];
+        let mut vertices: Vec<Edgel> = (stretch.first..=stretch.first + stretch.count).map(vertex).collect();
+        for (end, beyond) in
+            [(0, (stretch.first + n - 1) % n), (vertices.len() - 1, (stretch.first + stretch.count) % n)]
+        {
+            let at_end_of_open =
+                !line.closed && (if end == 0 { stretch.first == 0 } else { stretch.first + stretch.count == n });
+            if !at_end_of_open && cover[beyond].is_some() {
+                vertices[end].at = covered.nearest(vertices[end].at).unwrap_or(vertices[end].at);
+            }
+        }
+        Confirmed { line: Polyline::open(vertices), stroke: *stroke }
+    };
+    let parts = stretches(&free, line.closed).into_iter().map(part);
+    parts.filter(|part| part.line.length() >= SHORTEST).collect()
+}
+
+/// A segment of a contour.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    a: PxPoint,
+    b: PxPoint,
+    reach: f32,
+}
+
+/// The contours that are kept so far, found by place.
+pub(super) struct Covered {
+    columns: usize,
+    rows: usize,
+    cells: Vec<Vec<Piece>>,
+}
+
+impl Covered {
+    fn new(size: Size) -> Self {
+        let cells = |pixels: u32| (pixels as f32 / CELL) as usize + 1;
+        let (columns, rows) = (cells(size.width), cells(size.height));
+        Self { columns, rows, cells: vec![Vec::new(); columns * rows] }
+    }
+
+    /// All contours, each with the same reach.
+    pub(super) fn of(edges: &Edges, reach: f32) -> Self {
+        let mut covered = Self::new(edges.size);
+        for chain in edges.chains() {
+            covered.add(&Polyline { vertices: chain.vertices.to_vec(), closed: chain.closed }, reach);
+        }
+        covered
+    }
+
+    fn add(&mut self, line: &Polyline<Edgel>, reach: f32) {
+        for (a, b) in line.segments() {
+            let piece = Piece { a: a.at, b: b.at, reach };
+            for cell in self.cells_around(a.at.min(b.at), a.at.max(b.at), reach) {
+                self.cells[cell].push(piece);
+            }
+        }
+    }
+
+    fn cells_around(&self, low: PxPoint, high: PxPoint, reach: f32) -> impl Iterator<Item = usize> + use<> {
+        let axis = |low: f32, high: f32, count: usize| {
+            let cell = |at: f32| ((at / CELL).floor().max(0.0) as usize).min(count - 1);
+            cell(low - reach)..=cell(high + reach)
+        };
+        let (columns, rows, width) = (axis(low.x, high.x, self.columns), axis(low.y, high.y, self.rows), self.columns);
+        rows.flat_map(move |row| columns.clone().map(move |column| row * width + column))
+    }
+
+    /// The pieces whose reach may take in a point.
+    fn at(&self, at: PxPoint) -> impl Iterator<Item = &Piece> {
+        self.cells_around(at, at, 0.0).flat_map(|cell| &self.cells[cell])
+    }
+
+    /// The point of a contour on which the middle of a segment lies, if the two are parallel there. A stroke lies on
+    /// another only where their centre lines do.
+    fn under(&self, a: PxPoint, b: PxPoint, is_stroke: bool) -> Option<PxPoint> {
+        let along: PxVector = (b - a).try_normalize()?;
+        let middle = a.lerp(b, 0.5);
+        self.at(middle).find_map(|piece| {
+            let (distance, at) = nearest_on_segment(middle, piece.a, piece.b);
+            let reach = if is_stroke { SAME } else { piece.reach };
+            let parallel = (piece.b - piece.a).try_normalize().is_some_and(|piece| piece.dot(along).abs() >= PARALLEL);
+            (distance <= reach && parallel).then_some(at)
+        })
+    }
+
+    /// The nearest point of a contour that reaches as far as a point.
+    fn nearest(&self, at: PxPoint) -> Option<PxPoint> {
+        let pieces = self.at(at).map(|piece| (nearest_on_segment(at, piece.a, piece.b), piece.reach));
+        let near = pieces.filter(|((distance, _), reach)| distance <= reach);
+        near.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, at), _)| at)
+    }
+
+    /// Whether a contour reaches as far as a point.
+    pub(super) fn is_near(&self, at: PxPoint) -> bool {
+        self.nearest(at).is_some()
+    }
+}

@@ -1,0 +1,97 @@
+//! The paths of a drawing, as they are painted: what its outlines and strokes propose as contours.
+
+use resvg::tiny_skia::{Path, Rect, Transform};
+use usvg::{Group, Node, Paint, Tree};
+
+use crate::raster::vector::{PaintedPath, PixelArea, VectorDrawing};
+use crate::units::PxPoint;
+
+/// Most paths. A drawing of more is a picture in disguise (a traced photograph, a plot of a million points): its
+/// contours are found in its pixels.
+pub(super) const MOST_PATHS: usize = 20_000;
+
+/// The paths of a drawing that is rendered with `transform`; none if there are more than [`MOST_PATHS`].
+pub(super) fn of_tree(tree: &Tree, transform: Transform) -> Option<VectorDrawing> {
+    let mut found = VectorDrawing::default();
+    add_group(tree.root(), transform, &mut found);
+    (found.paths.len() <= MOST_PATHS).then_some(found)
+}
+
+/// Adds what is painted by the children of a group.
+fn add_group(group: &Group, transform: Transform, found: &mut VectorDrawing) {
+    if group.mask().is_some() || !group.filters().is_empty() {
+        let area = group.abs_layer_bounding_box().to_rect();
+        found.pixel_areas.extend(pixel_area(area, transform));
+    }
+    if let Some(clip) = group.clip_path() {
+        // its edge is seen wherever it cuts something off
+        let to_pixels = transform.pre_concat(group.abs_transform()).pre_concat(clip.transform());
+        add_clip(clip.root(), to_pixels, found);
+    }
+    for node in group.children() {
+        if found.paths.len() > MOST_PATHS {
+            return;
+        }
+        match node {
+            Node::Group(group) => add_group(group, transform, found),
+            Node::Path(path) => add_path(path, transform, found),
+            Node::Image(image) => {
+                let area = image.abs_bounding_box();
+                found.pixel_areas.extend(pixel_area(area, transform));
+                let border = resvg::tiny_skia::PathBuilder::from_rect(area).transform(transform);
+                found.paths.extend(border.map(|path| PaintedPath { path, stroke: None }));
+            }
+            Node::Text(text) => add_group(text.flattened(), transform, found),
+        }
+    }
+}
+
+fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) {
+    if !path.is_visible() {
+        return;
+    }
+    let paints = [path.fill().map(usvg::Fill::paint), path.stroke().map(usvg::Stroke::paint)];
+    if paints.iter().flatten().any(|paint| !matches!(paint, Paint::Color(_))) {
+        found.pixel_areas.extend(pixel_area(path.abs_stroke_bounding_box(), transform));
+    }
+    let to_pixels = transform.pre_concat(path.abs_transform());
+    let Some(outline) = path.data().clone().transform(to_pixels) else { return };
+    let stroke = path.stroke().map(|stroke| {
+        let mut stroke = stroke.to_tiny_skia();
+        stroke.width *= mean_scale(to_pixels);
+        // the line says where it runs; its dashes would be shorter than a line may be
+        stroke.dash = None;
+        stroke
+    });
+    if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
+        found.paths.push(PaintedPath { path: outline, stroke: None });
+    } else {
+        found.paths.push(PaintedPath { path: outline, stroke });
+    }
+}
+
+/// A stroke around a filled area that is thinner than this share of a pixel does not show beside it.
+const HAIRLINE: f32 = 0.02;
+
+fn add_clip(group: &Group, to_pixels: Transform, found: &mut VectorDrawing) {
+    for node in group.children() {
+        match node {
+            Node::Group(group) => add_clip(group, to_pixels.pre_concat(group.transform()), found),
+            Node::Path(path) => {
+                let path: Option<Path> = path.data().clone().transform(to_pixels);
+                found.paths.extend(path.map(|path| PaintedPath { path, stroke: None }));
+            }
+            Node::Image(_) | Node::Text(_) => {}
+        }
+    }
+}
+
+/// The factor by which a transform scales lengths, on average over all directions.
+fn mean_scale(transform: Transform) -> f32 {
+    (transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt()
+}
+
+fn pixel_area(area: Rect, transform: Transform) -> Option<PixelArea> {
+    let area = area.transform(transform)?;
+    Some(PixelArea { min: PxPoint::new(area.left(), area.top()), max: PxPoint::new(area.right(), area.bottom()) })
+}
