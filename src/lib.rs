@@ -143,9 +143,9 @@ pub use page::{
     Class, DotMedium, Dots, Figure, Glyph, Height, Line, Medium, Overview, Page, Parts, Pen, Print, Run, Shape, Sign,
     Texture,
 };
-pub use pipeline::Drawing;
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;
+pub use pipeline::{Drawing, Text};
 pub use touch::report::{Areas as FeltAreas, OfClass as FeltClass};
 pub use touch::{FINGERS, FeltAs, Report as FeelReport};
 // Points and sizes: those of euclid, which is part of the interface.

@@ -8,6 +8,8 @@ pub enum Note {
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
     LeftOut(String),
+    /// Texts of a drawing are left out, as letters are no lines that fingers can read; all of them.
+    TextsLeftOut(Vec<String>),
     /// No contour was found that is strong and long enough.
     NoLines,
     /// Nothing was found to trace.
@@ -36,6 +38,15 @@ impl std::fmt::Display for Note {
                 write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
             }
             Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
+            Self::TextsLeftOut(texts) => {
+                let (count, shown) = (texts.len(), texts.len().min(MOST_TEXTS));
+                let noun = if count == 1 { "text" } else { "texts" };
+                write!(f, "{count} {noun} left out, as fingers cannot read letters: ")?;
+                for (i, text) in texts[..shown].iter().enumerate() {
+                    write!(f, "{}\"{}\"", if i > 0 { ", " } else { "" }, short(text))?;
+                }
+                if count > shown { write!(f, " and {} more", count - shown) } else { Ok(()) }
+            }
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
                  and edges.low, or give a brighter picture or one with less around it",
@@ -67,5 +78,17 @@ impl std::fmt::Display for Note {
                  and edges.low to get more",
             ),
         }
+    }
+}
+
+/// Most texts that a note shows; it is read aloud.
+const MOST_TEXTS: usize = 12;
+
+/// The beginning of a text.
+fn short(text: &str) -> String {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
     }
 }

@@ -34,8 +34,24 @@ pub struct Drawing {
     pub page: Page,
     /// Of a page of dots, the overview, which follows on a sheet of its own.
     pub overview: Option<Page>,
+    /// Texts of an SVG drawing, which are not drawn unless asked for, in the order in which they are painted.
+    pub texts: Vec<Text>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,
+}
+
+/// A text of a picture that is not drawn, for labels in braille or a list beside the page.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Text {
+    /// Its letters, without line breaks.
+    pub string: String,
+    /// The box around it, mm on the sheet.
+    pub place: MmRect,
+    /// Direction in which it is read, degrees counter-clockwise from left to right.
+    pub angle: f32,
+    /// Size of its font, mm.
+    pub size: f32,
 }
 
 /// Makes the page of a picture. `watch` is told of every stage.
@@ -48,7 +64,7 @@ pub fn convert<'p>(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let Marks { figure, overview, shares, layout, is_flat, mut notes } =
+    let Marks { figure, overview, shares, layout, is_flat, texts, mut notes } =
         draw(picture.into(), request, &|size| request.fit.layout(size, plan), watch)?;
     let (page, overview) = run(watch, Stage::Page, || match &layout.medium {
         Medium::Print(_) => Ok((assemble(figure, overview, shares, &layout, request)?, None)),
@@ -63,7 +79,7 @@ pub fn convert<'p>(
         Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
         Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
     }
-    Ok(Drawing { page, overview, notes })
+    Ok(Drawing { page, overview, texts, notes })
 }
 
 /// Puts all marks on the sheet.

@@ -105,7 +105,13 @@ fn pictures() -> Vec<(String, Raster)> {
                 let side = |pixels: u32| (pixels as f32 * scale) as u32;
                 Ok(Size::new(side(source.size.width), side(source.size.height)))
             };
-            let options = Options { limits: Limits::default(), fonts: &fonts, crop: None, working_size: &working_size };
+            let options = Options {
+                limits: Limits::default(),
+                fonts: &fonts,
+                crop: None,
+                keep_text: true,
+                working_size: &working_size,
+            };
             let bytes = std::fs::read(path).expect("a sample can be read");
             let name = path.file_name().expect("it has a name").to_string_lossy().into_owned();
             (name, decode(&bytes, &options).expect("a sample can be decoded").raster)

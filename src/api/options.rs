@@ -109,6 +109,13 @@ impl Options {
         self
     }
 
+    /// Draws the letters of texts, as lines like any others; otherwise texts are left out, and told. For SVG drawings;
+    /// letters that are paths are drawn in any case. Default: false.
+    pub fn keep_text(mut self, keep: bool) -> Self {
+        self.fit.keep_text = keep;
+        self
+    }
+
     /// What decoding the picture may cost. Default: [`Limits::default`].
     pub fn limits(mut self, limits: Limits) -> Self {
         self.limits = limits;

@@ -26,7 +26,13 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let plan = request.plan;
     let fit = &request.fit;
     let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);
-    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
+    let options = Options {
+        limits: request.limits,
+        fonts: request.fonts,
+        crop: fit.crop,
+        keep_text: fit.keep_text,
+        working_size: &working_size,
+    };
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
     let layout = fit.layout(picture.source.size, plan)?;
     let edges = find_edges(&picture.raster, picture.drawing.as_ref(), picture.raster.is_flat(), &layout, plan, watch);

@@ -1,5 +1,6 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
+use super::Text;
 use super::dots;
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::request::{Fit, Request};
@@ -12,7 +13,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
-use crate::raster::vector::VectorDrawing;
+use crate::raster::vector::{DrawnText, VectorDrawing};
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note, textures};
@@ -32,6 +33,8 @@ pub(super) struct Marks {
     pub(super) shares: Option<[f32; 5]>,
     pub(super) layout: Layout,
     pub(super) is_flat: bool,
+    /// Texts that are not drawn.
+    pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
 }
 
@@ -44,10 +47,20 @@ pub(super) fn draw(
 ) -> Result<Marks, Error> {
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
-    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
+    let options = Options {
+        limits: request.limits,
+        fonts: request.fonts,
+        crop: fit.crop,
+        keep_text: fit.keep_text,
+        working_size: &working_size,
+    };
     let picture = run(watch, Stage::Decode, || decode::decode_picture(picture, &options))?;
     let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;
+    let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
+    if !texts.is_empty() {
+        notes.push(Note::TextsLeftOut(texts.iter().map(|text| text.string.clone()).collect()));
+    }
 
     let is_flat = picture.raster.is_flat();
     let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, watch);
@@ -67,7 +80,18 @@ pub(super) fn draw(
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-    Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, notes })
+    Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, texts, notes })
+}
+
+/// Texts where they stand on the sheet.
+fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text> {
+    let placed = |text: &DrawnText| Text {
+        string: text.string.clone(),
+        place: MmRect::new(transform.to_mm(text.min), transform.to_mm(text.max)),
+        angle: text.angle,
+        size: text.size * transform.mm_per_px(),
+    };
+    texts.iter().map(placed).collect()
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never

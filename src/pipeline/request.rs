@@ -16,6 +16,8 @@ pub struct Fit {
     pub width: Option<f32>,
     /// Whether left and right are exchanged, for a machine that presses dots up from the back of the sheet.
     pub mirrored: bool,
+    /// Whether the letters of drawings are drawn as lines.
+    pub keep_text: bool,
 }
 
 /// How much wider than there is room for a figure may be asked for, mm: less than is printed exactly. Widths that the
@@ -58,7 +60,8 @@ impl Fit {
         let part = self.crop.map(|crop| ("part of the picture", crop.to_string()));
         let width = self.width.map(|width| ("width asked for in mm", width.to_string()));
         let mirrored = self.mirrored.then(|| ("mirrored", "true".to_owned()));
-        [part, width, mirrored].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
+        let text = self.keep_text.then(|| ("text kept", "true".to_owned()));
+        [part, width, mirrored, text].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
     }
 }
 

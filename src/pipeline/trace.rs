@@ -101,7 +101,13 @@ pub fn trace<'p>(
             working_size(source, &|size| fit.layout(size, plan), &fit, plan)
         }
     };
-    let options = Options { limits: request.limits, fonts: request.fonts, crop: fit.crop, working_size: &working_size };
+    let options = Options {
+        limits: request.limits,
+        fonts: request.fonts,
+        crop: fit.crop,
+        keep_text: fit.keep_text,
+        working_size: &working_size,
+    };
     let picture = run(watch, Stage::Decode, || decode::decode_picture(picture.into(), &options))?;
     let (raster, drawing, source, mut notes) = (picture.raster, picture.drawing, picture.source.size, picture.notes);
 

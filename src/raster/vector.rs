@@ -23,6 +23,21 @@ pub struct PaintedPath {
     pub stroke: Option<Stroke>,
 }
 
+/// A text of a drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnText {
+    /// Its letters, without line breaks.
+    pub string: String,
+    /// Top left corner of the box around it.
+    pub min: PxPoint,
+    /// Bottom right corner of the box around it.
+    pub max: PxPoint,
+    /// Direction in which it is read, degrees counter-clockwise from left to right.
+    pub angle: f32,
+    /// Size of its font, px.
+    pub size: f32,
+}
+
 /// A box whose contours are found in the pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PixelArea {

@@ -7,7 +7,10 @@ use super::*;
 
 fn part_of(bytes: &[u8], crop: &str, working_size: &dyn Fn(Source) -> Result<Size, Error>) -> Result<Picture, Error> {
     let crop: Crop = crop.parse().expect("a part");
-    decode(bytes, &Options { limits: Limits::default(), fonts: &no_fonts, crop: Some(crop), working_size })
+    decode(
+        bytes,
+        &Options { limits: Limits::default(), fonts: &no_fonts, crop: Some(crop), keep_text: true, working_size },
+    )
 }
 
 /// The pixels of a part of a raster.
@@ -92,7 +95,10 @@ fn limits_are_about_the_part_that_is_kept() {
     writer.finish().expect("the end");
     let decode_part = |crop: Option<&str>| {
         let crop = crop.map(|crop| crop.parse().expect("a part"));
-        decode(&bytes, &Options { limits, fonts: &no_fonts, crop, working_size: &|source| Ok(source.size) })
+        decode(
+            &bytes,
+            &Options { limits, fonts: &no_fonts, crop, keep_text: true, working_size: &|source| Ok(source.size) },
+        )
     };
     assert!(matches!(decode_part(None), Err(Error::TooMuchMemory { .. })));
     assert_eq!(decode_part(Some("90%,90%,10%,10%")).expect("little memory").raster.size(), Size::new(200, 100));

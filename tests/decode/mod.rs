@@ -34,7 +34,7 @@ fn no_fonts() -> Arc<usvg::fontdb::Database> {
 }
 
 fn decode_to(bytes: &[u8], working_size: &dyn Fn(Source) -> Result<Size, Error>) -> Result<Picture, Error> {
-    decode(bytes, &Options { limits: Limits::default(), fonts: &no_fonts, crop: None, working_size })
+    decode(bytes, &Options { limits: Limits::default(), fonts: &no_fonts, crop: None, keep_text: true, working_size })
 }
 
 /// At the size of the source.

@@ -107,7 +107,13 @@ fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
         let pixels = |mm: f32, own: u32| ((mm * plan.profile().figure.resolution).round() as u32).clamp(1, own);
         Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
     };
-    let options = Options { limits: Limits::default(), fonts: &Arc::default, crop: None, working_size: &working_size };
+    let options = Options {
+        limits: Limits::default(),
+        fonts: &Arc::default,
+        crop: None,
+        keep_text: true,
+        working_size: &working_size,
+    };
     decode::decode(bytes, &options)
 }
 

@@ -56,12 +56,19 @@ pub(in crate::cli) struct Fitting {
     /// For machines that press a page up from its back. Not for swell paper.
     #[arg(long, hide_short_help = true)]
     mirror: bool,
+
+    /// Draws the letters of texts, too
+    ///
+    /// Fingers cannot read letters, so texts of SVG drawings are left out and listed. Letters that were turned into
+    /// paths are drawn like all other paths.
+    #[arg(long)]
+    keep_text: bool,
 }
 
 impl Fitting {
     /// Puts what these options say of the picture on its sheet into those of the library.
     pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
-        let options = options.mirrored(self.mirror);
+        let options = options.mirrored(self.mirror).keep_text(self.keep_text);
         let options = self.crop.into_iter().fold(options, Options::crop);
         self.width_mm.into_iter().fold(options, Options::width_mm)
     }

@@ -1,21 +1,23 @@
 //! Which stretches of a proposal the picture shows.
 
+use pulp::Arch;
+
 use super::{Confirmed, Proposal};
 use crate::edges::edgel::Edgel;
 use crate::edges::lab;
 use crate::edges::params::Params;
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
-use crate::units::{PxPoint, PxVector};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// Distance from an outline at which the two sides are compared, px: an edge is spread over a pixel by rendering and
 /// over another by interpolation, at most 1.2 to each side.
 const FAR: f32 = 1.25;
 /// ... and close to it, where the step must be seen already, or it is not here.
-const CLOSE: f32 = 0.6;
-/// Least share of the step at [`FAR`] that is seen at [`CLOSE`]: 0.85 where the edge is here, half where it is
-/// [`CLOSE`] away.
-const HERE: f32 = 0.65;
+const CLOSE: f32 = 0.75;
+/// Least share of the step at [`FAR`] that is seen at [`CLOSE`]: at least three quarters where the edge is here (in the
+/// middle of a pixel it is least), half where it is [`CLOSE`] away.
+const HERE: f32 = 0.62;
 /// A stroke is summed up in steps of this, px.
 const STEP: f32 = 0.25;
 /// The middle of what is seen of a stroke lies at most this far from its centre line, px.
@@ -27,9 +29,9 @@ const NARROWEST: f32 = 0.1;
 const HIDDEN: f32 = 6.0;
 
 /// The stretches of a proposal that the picture shows, with their contrast.
-pub(super) fn confirmed(proposal: &Proposal, raster: &Raster, params: &Params) -> Vec<Confirmed> {
+pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> Vec<Confirmed> {
     let Proposal { line, stroke } = proposal;
-    let seen: Vec<Seen> = line.segments().map(|(a, b)| look(*a, *b, *stroke, raster)).collect();
+    let seen: Vec<Seen> = line.segments().map(|(a, b)| look(*a, *b, *stroke, picture)).collect();
     if seen.iter().all(|seen| seen.strength < params.high) {
         return Vec::new();
     }
@@ -52,10 +54,10 @@ struct Seen {
 }
 
 /// Looks across the middle of a segment.
-fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, raster: &Raster) -> Seen {
+fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> Seen {
     let nothing = Seen { strength: 0.0, contrast: [0.0; 3] };
     let at = a.lerp(b, 0.5);
-    let size = raster.size();
+    let size = picture.size;
     let Some(along) = (b - a).try_normalize() else { return nothing };
     let reach = stroke.unwrap_or(0.0) * 0.5;
     if at.x < -reach || at.y < -reach || at.x > size.width as f32 + reach || at.y > size.height as f32 + reach {
@@ -63,7 +65,7 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, raster: &Raster) -> Seen {
     }
     // with y down, right of the direction (x, y) is (-y, x)
     let right = PxVector::new(-along.y, along.x);
-    let colour = |distance: f32| colour(raster, at + right * distance);
+    let colour = |distance: f32| picture.colour(at + right * distance);
     match stroke {
         None => step(colour).unwrap_or(nothing),
         Some(width) => Seen { strength: stroke_contrast(width, colour), contrast: [0.0; 3] },
@@ -121,21 +123,37 @@ fn norm([l, a, b]: [f32; 3]) -> f32 {
     (l * l + a * a + b * b).sqrt()
 }
 
-/// Colour (L, 2a, 2b) at a point, between the centres of pixels; beyond the picture that of its border.
-fn colour(raster: &Raster, at: PxPoint) -> [f32; 3] {
-    let size = raster.size();
-    let axis = |at: f32, count: u32| {
-        let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
-        let first = (at.floor() as usize).min(count as usize - 1);
-        (first, (first + 1).min(count as usize - 1), at - first as f32)
-    };
-    let ((left, right, x), (above, below, y)) = (axis(at.x, size.width), axis(at.y, size.height));
-    let width = size.width as usize;
-    let light = raster.planes().as_ref().map(|plane| {
-        let row = |row: usize| plane[row * width + left] * (1.0 - x) + plane[row * width + right] * x;
-        row(above) * (1.0 - y) + row(below) * y
-    });
-    lab::colour(light.as_colour())
+/// A picture as L, 2a and 2b. Rendering mixes code values along an edge, and L is one, so between the centres of pixels
+/// these are interpolated, not linear light.
+pub(super) struct Lab {
+    size: Size,
+    planes: Vec<Vec<f32>>,
+}
+
+impl Lab {
+    pub(super) fn of(raster: &Raster) -> Self {
+        let mut planes = vec![vec![0.0; raster.size().len()]; lab::planes(raster)];
+        let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
+        lab::convert(Arch::new(), &from, &mut planes);
+        Self { size: raster.size(), planes }
+    }
+
+    /// Colour at a point; beyond the picture that of its border.
+    fn colour(&self, at: PxPoint) -> [f32; 3] {
+        let axis = |at: f32, count: u32| {
+            let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
+            let first = (at.floor() as usize).min(count as usize - 1);
+            (first, (first + 1).min(count as usize - 1), at - first as f32)
+        };
+        let ((left, right, x), (above, below, y)) = (axis(at.x, self.size.width), axis(at.y, self.size.height));
+        let width = self.size.width as usize;
+        let mut colour = [0.0; 3];
+        for (value, plane) in colour.iter_mut().zip(&self.planes) {
+            let row = |row: usize| plane[row * width + left] * (1.0 - x) + plane[row * width + right] * x;
+            *value = row(above) * (1.0 - y) + row(below) * y;
+        }
+        colour
+    }
 }
 
 /// Closes the gaps that are no longer than [`HIDDEN`], also at the ends.

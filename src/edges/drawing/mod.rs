@@ -44,8 +44,9 @@ struct Confirmed {
 pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> Edges {
     let size = raster.size();
     let proposals = flatten::proposals(drawing, params.widest_stroke, size);
+    let picture = confirm::Lab::of(raster);
     let confirmed: Vec<Confirmed> =
-        proposals.iter().flat_map(|proposal| confirm::confirmed(proposal, raster, params)).collect();
+        proposals.iter().flat_map(|proposal| confirm::confirmed(proposal, &picture, params)).collect();
     let mut edges = Edges::none(size);
     for Confirmed { line, stroke } in unite::united(confirmed, size) {
         let kind = stroke.map_or(ChainKind::Outline, |width| ChainKind::Stroke { width });

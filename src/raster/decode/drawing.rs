@@ -18,8 +18,8 @@ use super::job::{
     self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, working_bytes,
 };
 use super::light::{Depth, Layout};
-use super::paths;
 use super::rows::{Extents, Samples};
+use super::{paths, texts};
 use crate::raster::crop::Part;
 use crate::raster::planes::Raster;
 use crate::units::Size;
@@ -60,9 +60,23 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         ..usvg::Options::default()
     };
     let document = document(text, complexity::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
-    let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, &parsing))?;
-    let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
+    let parse = |parsing: &usvg::Options<'_>| {
+        let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, parsing))?;
+        parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))
+    };
+    let with_texts = parse(&parsing)?;
+    // Without a font a text is not drawn.
+    let tree = if options.keep_text || !texts::has_any(with_texts.root()) {
+        None
+    } else {
+        let image_href_resolver = links(&left_out, options.limits);
+        Some(parse(&usvg::Options { image_href_resolver, font_resolver: no_fonts(), ..usvg::Options::default() })?)
+    };
     drop((parsing, document));
+    let (tree, with_texts) = match tree {
+        Some(tree) => (tree, Some(with_texts)),
+        None => (with_texts, None),
+    };
     let whole = nominal_size(tree.size())?;
     let part = job::part(whole, options)?;
     let source = Source { size: part.size, is_drawing: true };
@@ -82,7 +96,8 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let transform = to_pixels(&tree, whole, part, target);
     let raster = unless_beyond_numbers(|| render(&tree, transform, target))??;
     let drawing = unless_beyond_numbers(|| paths::of_tree(&tree, transform))?;
-    Ok(Picture { raster, source, drawing, notes: left_out.notes() })
+    let texts = with_texts.map_or_else(Vec::new, |tree| texts::of_tree(&tree, transform, target));
+    Ok(Picture { raster, source, drawing, texts, notes: left_out.notes() })
 }
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
@@ -304,6 +319,11 @@ fn font_resolver<'a>(
         }),
         select_fallback: FontResolver::default_fallback_selector(),
     }
+}
+
+/// Finds no font for any text.
+fn no_fonts() -> FontResolver<'static> {
+    FontResolver { select_font: Box::new(|_, _| None), select_fallback: FontResolver::default_fallback_selector() }
 }
 
 /// The beginning of a text from a drawing, on one line.

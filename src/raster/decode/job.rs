@@ -9,7 +9,7 @@ use super::colour::{Kind, Meaning, one_line};
 use super::orient;
 use crate::raster::crop::{Crop, Part};
 use crate::raster::planes::Raster;
-use crate::raster::vector::VectorDrawing;
+use crate::raster::vector::{DrawnText, VectorDrawing};
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -49,6 +49,8 @@ pub struct Options<'a> {
     pub fonts: &'a Fonts<'a>,
     /// The part of the upright picture that is used; all of it without one.
     pub crop: Option<Crop>,
+    /// Whether letters of drawings are drawn; if not, texts are left out and given as data.
+    pub keep_text: bool,
     /// The working size for a source: never larger than the source unless it is a drawing.
     pub working_size: &'a dyn Fn(Source) -> Result<Size, Error>,
 }
@@ -62,6 +64,8 @@ pub struct Picture {
     pub source: Source,
     /// The paths of a vector drawing that has not too many.
     pub drawing: Option<VectorDrawing>,
+    /// The texts of a drawing that are left out of `raster`.
+    pub texts: Vec<DrawnText>,
     /// Remarks on what was lost.
     pub notes: Vec<Note>,
 }
@@ -131,7 +135,7 @@ impl Job {
     /// The picture, when no rows are missing.
     pub(super) fn end(self, raster: Option<Raster>) -> Result<Picture, Error> {
         let raster = raster.ok_or_else(|| ends_early(self.format))?;
-        Ok(Picture { raster, source: self.source, drawing: None, notes: self.notes })
+        Ok(Picture { raster, source: self.source, drawing: None, texts: Vec::new(), notes: self.notes })
     }
 }
 

@@ -19,6 +19,7 @@ mod pixels;
 mod png;
 mod rows;
 mod sniff;
+mod texts;
 
 use self::job::{guarded, undecodable};
 use self::sniff::Format;

@@ -50,7 +50,13 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
             None => working_size(source, plan),
         })
     };
-    let options = Options { limits: Limits::default(), fonts: &Arc::default, crop: None, working_size: &working_size };
+    let options = Options {
+        limits: Limits::default(),
+        fonts: &Arc::default,
+        crop: None,
+        keep_text: true,
+        working_size: &working_size,
+    };
     let decoded = decode::decode(&picture.bytes, &options)?;
     let source = decoded.source.size;
     let working = self::working_size(decoded.source, plan);
