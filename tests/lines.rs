@@ -20,6 +20,7 @@ const EDGES: edges::Params = edges::Params {
     suppression: 0.0, // all that noise has to offer
     side_cell: 2.5,
     side_offset: 5.5,
+    widest_stroke: 19.0,
 };
 
 const LINES: lines::Params = lines::Params { detail: 1.0, ..drawn::LINES };

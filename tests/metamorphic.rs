@@ -23,6 +23,7 @@ const EDGES: edges::Params = edges::Params {
     suppression: 1.0,
     side_cell: 3.0,
     side_offset: 6.6,
+    widest_stroke: 19.0,
 };
 
 const LINES: lines::Params = lines::Params {

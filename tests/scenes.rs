@@ -28,6 +28,7 @@ fn edge_params(sigma: f32) -> edges::Params {
         suppression: 1.0,
         side_cell: 3.0,
         side_offset: 6.6,
+        widest_stroke: 19.0,
     }
 }
 

@@ -25,25 +25,14 @@ impl Located for Edgel {
     }
 }
 
-/// What a chain is, and how exactly it is known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ChainKind {
-    /// Found in the pixels: right within a fraction of a pixel, with the wobble of noise.
-    Traced,
-    /// The outline of a path of a vector drawing, as exact as that.
-    Outline,
-    /// The centre line of a stroke of a vector drawing.
-    Stroke {
-        /// Width of the stroke, px.
-        width: f32,
-    },
-}
-
-impl ChainKind {
-    /// Whether the chain is where the drawing says, so that nothing is to be smoothed.
-    pub fn is_exact(self) -> bool {
-        self != Self::Traced
-    }
+/// What is known of a chain as a whole.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ChainKind {
+    /// Whether it is a path of a vector drawing, as exact as that; otherwise it was found in the pixels, and has the
+    /// wobble of noise.
+    pub exact: bool,
+    /// Width of the stroke of which it is the centre line, px; none of an edge.
+    pub stroke: Option<f32>,
 }
 
 /// The edgels of one chain.
@@ -74,9 +63,9 @@ impl Edges {
         Self { size, edgels: Vec::new(), chains: Vec::new() }
     }
 
-    /// Appends a chain that was found in the pixels.
+    /// Appends an edge that was found in the pixels.
     pub fn push(&mut self, chain: impl Iterator<Item = Edgel>, closed: bool) {
-        self.push_as(ChainKind::Traced, chain, closed);
+        self.push_as(ChainKind::default(), chain, closed);
     }
 
     /// Appends a chain of any kind.
@@ -102,7 +91,7 @@ impl Edges {
         for range in &self.chains {
             let chain = self.chain(range);
             match range.kind {
-                ChainKind::Stroke { width } if width > THIN => {
+                ChainKind { stroke: Some(width), .. } if width > THIN => {
                     borders.extend([0.5, -0.5].map(|side| offset(chain, side * width)));
                 }
                 _ => borders.push(offset(chain, 0.0)),

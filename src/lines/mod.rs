@@ -71,8 +71,8 @@ pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Par
 fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
     let polyline = |range: &ChainRange| {
         let chain = edges.chain(range);
-        let polyline = Polyline::of_chain(chain, range.kind.is_exact(), transform);
-        let polyline = match range.kind.is_exact() {
+        let polyline = Polyline::of_chain(chain, range.kind.exact, transform);
+        let polyline = match range.kind.exact {
             // its corners are corners
             true => polyline,
             false => polyline.smoothed(params.smoothing).evened(),

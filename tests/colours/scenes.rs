@@ -132,6 +132,7 @@ pub(crate) fn contours(raster: &Raster) -> Vec<Polyline<PxPoint>> {
         suppression: 1.0,
         side_cell: 8.0,
         side_offset: 12.0,
+        widest_stroke: 19.0,
     };
     edges::find(raster, &params).borders()
 }

@@ -1,0 +1,191 @@
+//! Strokes in the pixels: a structure too thin for two lines is one contour, along its middle.
+//!
+//! ```text
+//! Lab -> residue (what a square of a size does not fit into) -> skeleton (thinned to a pixel)
+//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast) -> Strokes
+//! ```
+//!
+//! A stroke thinner than the scale of the edge detector has no two clean sides: they are found too far out, link with
+//! one another, and are torn apart on the page. Its middle can be found to a fraction of a pixel. The narrow squares
+//! come first, so that of a grid of thin lines the lines are found and not the gaps between them.
+//!
+//! Only pictures that are mostly flat are looked at ([`is_drawing`]): a photograph has few strokes, and everything in it
+//! that is thin has soft sides.
+
+mod arms;
+mod centre;
+mod residue;
+mod skeleton;
+
+use pulp::Arch;
+
+use self::residue::{Polarity, residue, square_max};
+use self::skeleton::Mask;
+use super::contour::Contour;
+use super::lab;
+use super::params::Params;
+use crate::raster::Raster;
+use crate::raster::plane::Plane;
+use crate::units::{PxPoint, Size};
+
+/// A stroke.
+#[derive(Debug, Clone)]
+pub(super) struct Stroke {
+    /// Its middle.
+    pub(super) contour: Contour,
+    /// Its width, px.
+    pub(super) width: f32,
+}
+
+/// Two neighbouring pixels that differ by no more than this, in units of strength, are flat: a code value and a half.
+const FLAT: f32 = 0.6;
+/// ... or by no more than this many standard deviations of the noise.
+const FLAT_NOISE: f32 = 3.0;
+/// A picture is a drawing if at least this share of its pixels is flat. Drawings and scanned worksheets have 0.85 to
+/// 0.99, photographs rarely more than 0.5.
+const FLAT_SHARE: f32 = 0.7;
+/// Half sides of the squares, px, the largest as wide as strokes may be.
+const SMALLEST_RADIUS: usize = 3;
+/// A pixel belongs to a structure if its residue is at least this share of the largest within [`LOCAL`] px.
+const SHARE: f32 = 0.35;
+const LOCAL: usize = 3;
+
+/// The strokes of a picture that is a drawing. `noise` is the standard deviation of a pixel.
+pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> {
+    let mut planes = vec![vec![0.0; raster.size().len()]; lab::planes(raster)];
+    let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
+    lab::convert(Arch::new(), &from, &mut planes);
+    let planes: Vec<Plane> = planes.into_iter().map(|values| Plane { size: raster.size(), values }).collect();
+    if !is_drawing(&planes, noise) {
+        return Vec::new();
+    }
+    let mut taken = Taken::new(raster.size());
+    let mut strokes = Vec::new();
+    for radius in radii(params.widest_stroke) {
+        let mut found = Vec::new();
+        for plane in &planes {
+            for polarity in [Polarity::Below, Polarity::Above] {
+                found.extend(candidates(plane, radius, polarity, &planes, params));
+            }
+        }
+        // narrow before wide, so that what lies between two strokes is no stroke
+        found.sort_by(|a, b| a.width.total_cmp(&b.width));
+        for stroke in found {
+            if !taken.has_most_of(&stroke, params.sigma) {
+                taken.add(&stroke, params.sigma);
+                strokes.push(stroke);
+            }
+        }
+    }
+    strokes
+}
+
+/// Half sides of the squares for strokes of up to a width, px: each twice the one before.
+fn radii(widest: f32) -> impl Iterator<Item = usize> {
+    let most = (0.5 * widest).ceil() as usize;
+    let doubled = std::iter::successors(Some(SMALLEST_RADIUS), |radius| Some(2 * radius));
+    doubled.take_while(move |radius| *radius < most).chain([most.max(SMALLEST_RADIUS)])
+}
+
+/// Whether a picture is mostly of flat areas.
+fn is_drawing(planes: &[Plane], noise: f32) -> bool {
+    let tolerance = FLAT.max(FLAT_NOISE * noise);
+    let Some(first) = planes.first() else { return false };
+    let (width, height) = (first.size.width as usize, first.size.height as usize);
+    let (mut flat, mut all) = (0_usize, 0_usize);
+    // every third row tells as much
+    for y in (1..height).step_by(3) {
+        for x in 1..width {
+            let here = y * width + x;
+            let step = |other: usize| {
+                planes.iter().map(|plane| (plane.values[here] - plane.values[other]).abs()).fold(0.0, f32::max)
+            };
+            all += 1;
+            flat += usize::from(step(here - 1) <= tolerance && step(here - width) <= tolerance);
+        }
+    }
+    flat as f32 >= FLAT_SHARE * all as f32
+}
+
+/// What is thin in one plane and looks like a stroke.
+fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane], params: &Params) -> Vec<Stroke> {
+    let residue = residue(plane, radius, polarity);
+    if residue.values.iter().all(|value| *value < params.high) {
+        return Vec::new();
+    }
+    let most = square_max(&residue.values, plane.size, LOCAL);
+    let mut mask =
+        Mask::new(plane.size, |cell| residue.values[cell] >= params.low && residue.values[cell] >= SHARE * most[cell]);
+    mask.thin();
+    let (paths, nodes) = mask.paths();
+    let arms = arms::joined(paths, &nodes);
+    arms.into_iter().filter_map(|line| centre::stroke(line, &residue, planes, radius, params)).collect()
+}
+
+/// Which pixels belong to a stroke that was found.
+#[derive(Debug, Clone)]
+pub(super) struct Taken {
+    size: Size,
+    cells: Vec<bool>,
+}
+
+/// Beyond its width, a stroke moves edges this far out, in scales of the edge detector.
+const OUTSIDE: f32 = 1.6;
+
+impl Taken {
+    fn new(size: Size) -> Self {
+        Self { size, cells: vec![false; size.len()] }
+    }
+
+    /// The pixels of all strokes, and as far around as they have their sides.
+    pub(super) fn by(strokes: &[Stroke], size: Size, sigma: f32) -> Self {
+        let mut taken = Self::new(size);
+        strokes.iter().for_each(|stroke| taken.add(stroke, sigma));
+        taken
+    }
+
+    fn add(&mut self, stroke: &Stroke, sigma: f32) {
+        let reach = 0.5 * stroke.width + OUTSIDE * sigma;
+        for (a, b) in stroke.contour.segments() {
+            for at in [a.at, a.at.lerp(b.at, 0.5), b.at] {
+                self.add_disc(at, reach);
+            }
+        }
+    }
+
+    fn add_disc(&mut self, at: PxPoint, radius: f32) {
+        let range = |at: f32, most: u32| {
+            let first = (at - radius - 0.5).ceil().max(0.0) as usize;
+            first..((at + radius + 0.5).floor().max(0.0) as usize).min(most as usize)
+        };
+        for y in range(at.y, self.size.height) {
+            for x in range(at.x, self.size.width) {
+                let (dx, dy) = (x as f32 + 0.5 - at.x, y as f32 + 0.5 - at.y);
+                if dx * dx + dy * dy <= radius * radius {
+                    self.cells[y * self.size.width as usize + x] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether a point is in a stroke or at its side.
+    pub(super) fn has(&self, at: PxPoint) -> bool {
+        let cell = |at: f32, count: u32| (at.max(0.0) as usize).min(count as usize - 1);
+        self.cells[cell(at.y, self.size.height) * self.size.width as usize + cell(at.x, self.size.width)]
+    }
+
+    /// Whether most of both sides of a stroke are those of others, or it is itself on one.
+    fn has_most_of(&self, stroke: &Stroke, sigma: f32) -> bool {
+        let n = stroke.contour.vertices.len();
+        let half = 0.5 * stroke.width + 0.5 * sigma;
+        let count = |of: &dyn Fn(usize) -> bool| (0..n).filter(|&i| of(i)).count();
+        let on = count(&|i| self.has(stroke.contour.vertices[i].at));
+        let between = count(&|i| {
+            let along = stroke.contour.tangent(i);
+            let across = crate::units::PxVector::new(-along.y, along.x) * half;
+            let at = stroke.contour.vertices[i].at;
+            self.has(at + across) && self.has(at - across)
+        });
+        2 * on > n || 2 * between > n
+    }
+}
