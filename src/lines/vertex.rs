@@ -50,8 +50,13 @@ impl Blend for Vertex {
 impl Polyline<Vertex> {
     /// A contour on the sheet.
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, exact: bool, transform: &PageTransform) -> Self {
-        let vertex =
-            |p: &Edgel| Vertex { at: transform.to_mm(p.at), strength: p.strength, contrast: p.contrast, width: 0.0, exact };
+        let vertex = |p: &Edgel| Vertex {
+            at: transform.to_mm(p.at),
+            strength: p.strength,
+            contrast: p.contrast,
+            width: 0.0,
+            exact,
+        };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
 

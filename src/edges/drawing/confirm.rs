@@ -24,9 +24,10 @@ const STEP: f32 = 0.25;
 const OFF_CENTRE: f32 = 0.45;
 /// The narrowest stroke whose contrast is computed from what is seen of it, px: below, single code values decide.
 const NARROWEST: f32 = 0.1;
-/// A stretch that is not seen and no longer than this, px, is hidden by something that crosses it; it is drawn all the
-/// same.
+/// A stretch that is not seen and no longer than this, px, and half as much again as the stroke is wide, is hidden by
+/// something that crosses it, or a stroke like it ends there; it is drawn all the same.
 const HIDDEN: f32 = 6.0;
+const HIDDEN_WIDTHS: f32 = 1.5;
 
 /// The stretches of a proposal that the picture shows, with their contrast.
 pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> Vec<Confirmed> {
@@ -36,8 +37,13 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
         return Vec::new();
     }
     let lengths: Vec<f32> = line.segments().map(|(a, b)| (*b - *a).length()).collect();
-    let shown =
-        bridged(&seen.iter().map(|seen| seen.strength >= params.low).collect::<Vec<_>>(), &lengths, line.closed);
+    let hidden = HIDDEN + HIDDEN_WIDTHS * stroke.unwrap_or(0.0);
+    let shown = bridged(
+        &seen.iter().map(|seen| seen.strength >= params.low).collect::<Vec<_>>(),
+        &lengths,
+        hidden,
+        line.closed,
+    );
     stretches(&shown, line.closed)
         .into_iter()
         .filter(|stretch| stretch.indices().any(|i| seen[i % seen.len()].strength >= params.high))
@@ -156,15 +162,15 @@ impl Lab {
     }
 }
 
-/// Closes the gaps that are no longer than [`HIDDEN`], also at the ends.
-fn bridged(shown: &[bool], lengths: &[f32], closed: bool) -> Vec<bool> {
+/// Closes the gaps that are no longer than `hidden`, px, also at the ends.
+fn bridged(shown: &[bool], lengths: &[f32], hidden: f32, closed: bool) -> Vec<bool> {
     let mut bridged = shown.to_vec();
     if !shown.contains(&true) {
         return bridged;
     }
     for gap in stretches(&shown.iter().map(|shown| !shown).collect::<Vec<_>>(), closed) {
         let indices = || gap.indices().map(|i| i % shown.len());
-        if indices().map(|i| lengths[i]).sum::<f32>() <= HIDDEN {
+        if indices().map(|i| lengths[i]).sum::<f32>() <= hidden {
             indices().for_each(|i| bridged[i] = true);
         }
     }

@@ -10,7 +10,8 @@ const HEADING: f32 = 8.0;
 const STRAIGHT: f32 = -0.866;
 /// The two straightest arms of a junction are one line, unless they make a sharper corner than this (120 degrees).
 const BENT: f32 = -0.5;
-/// An arm with a free end that is no longer than this, px, is a spur that thinning left.
+/// An arm with a free end that is no longer than this, px, beyond the stroke's own half width, is a spur that thinning
+/// left.
 const SPUR: f32 = 3.0;
 
 /// An end of a path at a junction.
@@ -23,8 +24,10 @@ struct Arm {
 
 /// The lines of a skeleton, pixel by pixel.
 pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Polyline<PxPoint>> {
-    let is_spur =
-        |path: &Path| path.nodes.iter().flatten().count() == 1 && !path.closed && path.points.len() as f32 <= SPUR;
+    let is_spur = |path: &Path| match path.nodes {
+        [Some(node), None] | [None, Some(node)] => path.points.len() as f32 <= SPUR + nodes[node].depth,
+        _ => false,
+    };
     let paths: Vec<Path> = paths.into_iter().filter(|path| !is_spur(path)).collect();
     let mut arms_of: Vec<Vec<Arm>> = vec![Vec::new(); nodes.len()];
     for (number, path) in paths.iter().enumerate() {

@@ -19,11 +19,13 @@ const END: f32 = 0.25;
 const BEYOND: f32 = 1.5;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
 const LONG: f32 = 3.0;
-/// Contrast of a stroke is at least this share of the step between its two sides: beside a sharpened edge there is a
-/// rim that is less.
-const OF_STEP: f32 = 0.35;
+/// Contrast of a stroke is at least this share of the step between its two sides. A stroke that shows less leaves the
+/// edge where it is; and beside a sharpened edge there is a rim that is no stroke.
+const OF_STEP: f32 = 0.7;
 /// Colours beside a stroke are read this far outside it, px.
 const OUTSIDE: f32 = 2.0;
+/// The direction of an end is taken over this much of it, px, beyond what it is extended by.
+const ENDING: f32 = 3.0;
 /// A line along the border of the picture, nearer to it than this, px, is the border.
 const BORDER: f32 = 2.0;
 
@@ -32,8 +34,6 @@ const BORDER: f32 = 2.0;
 struct Profile {
     /// Where its middle is, px to the right of the line.
     shift: f32,
-    /// Its largest value.
-    peak: f32,
     /// Its sum over its largest value, px.
     width: f32,
 }
@@ -50,14 +50,15 @@ pub(super) fn stroke(
         return None;
     }
     let mut line = line;
-    let mut profiles: Vec<Profile> = Vec::new();
     let mut width = 2.0 * radius as f32 + 1.0;
     for sigma in SMOOTHING {
         line = smoothed(&line, sigma);
-        profiles = (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
+        let profiles: Vec<Profile> =
+            (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
         width = median(profiles.iter().map(|profile| profile.width)).max(1.0);
         line = centred(&line, &profiles, 0.5 * width);
     }
+    extend_ends(&mut line, 0.5 * width - 1.0);
     let contrasts: Vec<f32> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_stroke = line.length() >= LONG * width
         && width <= params.widest_stroke
@@ -97,6 +98,21 @@ fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polylin
     Polyline { vertices: vertices.collect(), closed: line.closed }
 }
 
+/// Goes straight on at the free ends of a line as far as thinning took away.
+fn extend_ends(line: &mut Polyline<PxPoint>, length: f32) {
+    if line.closed || length <= 0.0 {
+        return;
+    }
+    for _ in 0..2 {
+        line.vertices.reverse();
+        let Some(&tip) = line.vertices.last() else { return };
+        let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= ENDING + length);
+        let Some(heading) = inner.and_then(|inner| (tip - *inner).try_normalize()) else { continue };
+        let steps = length.ceil() as i32;
+        line.vertices.extend((1..=steps).map(|k| tip + heading * (length * k as f32 / steps as f32)));
+    }
+}
+
 /// Unit vector to the right of a line at a vertex, with y down.
 fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
     let view = line.view();
@@ -130,7 +146,7 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> P
             moment += here * distance;
         }
     }
-    Profile { shift: moment / sum, peak, width: sum * STEP / peak }
+    Profile { shift: moment / sum, width: sum * STEP / peak }
 }
 
 /// Contrast of the stroke at a vertex with the ground on both sides, in all planes; 0 where the two sides differ more

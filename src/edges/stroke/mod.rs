@@ -44,10 +44,16 @@ const FLAT_NOISE: f32 = 3.0;
 /// A picture is a drawing if at least this share of its pixels is flat. Drawings and scanned worksheets have 0.85 to
 /// 0.99, photographs rarely more than 0.5.
 const FLAT_SHARE: f32 = 0.7;
+/// A stroke is kept from this share of the thresholds of edges on: where it is thinner than a pixel, its contrast is less
+/// in proportion, and it is long.
+const FAINT: f32 = 0.5;
+/// ... and from this many standard deviations of the noise: opening and closing find the extremes of noise.
+const FAINT_LOW_NOISE: f32 = 4.0;
+const FAINT_HIGH_NOISE: f32 = 8.0;
 /// Half sides of the squares, px, the largest as wide as strokes may be.
 const SMALLEST_RADIUS: usize = 3;
 /// A pixel belongs to a structure if its residue is at least this share of the largest within [`LOCAL`] px.
-const SHARE: f32 = 0.35;
+const SHARE: f32 = 0.45;
 const LOCAL: usize = 3;
 
 /// The strokes of a picture that is a drawing. `noise` is the standard deviation of a pixel.
@@ -59,6 +65,11 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
     if !is_drawing(&planes, noise) {
         return Vec::new();
     }
+    let params = &Params {
+        low: (FAINT * params.low).max(FAINT_LOW_NOISE * noise),
+        high: (FAINT * params.high).max(FAINT_HIGH_NOISE * noise),
+        ..*params
+    };
     let mut taken = Taken::new(raster.size());
     let mut strokes = Vec::new();
     for radius in radii(params.widest_stroke) {
@@ -68,8 +79,10 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
                 found.extend(candidates(plane, radius, polarity, &planes, params));
             }
         }
-        // narrow before wide, so that what lies between two strokes is no stroke
-        found.sort_by(|a, b| a.width.total_cmp(&b.width));
+        // Narrow before wide, so that what lies between two strokes is no stroke; then long before short, as another plane
+        // may show but pieces.
+        let octave = |stroke: &Stroke| (stroke.width / THINNEST).max(1.0).log2() as i32;
+        found.sort_by(|a, b| octave(a).cmp(&octave(b)).then(b.contour.length().total_cmp(&a.contour.length())));
         for stroke in found {
             if !taken.has_most_of(&stroke, params.sigma) {
                 taken.add(&stroke, params.sigma);
@@ -109,7 +122,8 @@ fn is_drawing(planes: &[Plane], noise: f32) -> bool {
 
 /// What is thin in one plane and looks like a stroke.
 fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane], params: &Params) -> Vec<Stroke> {
-    let residue = residue(plane, radius, polarity);
+    // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are even.
+    let residue = smoothed(&residue(plane, radius, polarity));
     if residue.values.iter().all(|value| *value < params.high) {
         return Vec::new();
     }
@@ -122,6 +136,27 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
     arms.into_iter().filter_map(|line| centre::stroke(line, &residue, planes, radius, params)).collect()
 }
 
+/// Each value averaged with its neighbours, by halves with those in its row and then in its column.
+fn smoothed(plane: &Plane) -> Plane {
+    let (width, height) = (plane.size.width as usize, plane.size.height as usize);
+    let mean = |before: f32, here: f32, after: f32| 0.25 * before + 0.5 * here + 0.25 * after;
+    let mut rows = vec![0.0; plane.values.len()];
+    for (out, row) in rows.chunks_exact_mut(width).zip(plane.values.chunks_exact(width)) {
+        for x in 0..width {
+            out[x] = mean(row[x.saturating_sub(1)], row[x], row[(x + 1).min(width - 1)]);
+        }
+    }
+    let mut values = vec![0.0; rows.len()];
+    for y in 0..height {
+        let row = |y: usize| &rows[y * width..][..width];
+        let (before, here, after) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        for x in 0..width {
+            values[y * width + x] = mean(before[x], here[x], after[x]);
+        }
+    }
+    Plane { size: plane.size, values }
+}
+
 /// Which pixels belong to a stroke that was found.
 #[derive(Debug, Clone)]
 pub(super) struct Taken {
@@ -129,6 +164,8 @@ pub(super) struct Taken {
     cells: Vec<bool>,
 }
 
+/// Width at which pixels show the thinnest strokes, px; up to twice as wide they are taken as equally wide.
+const THINNEST: f32 = 1.5;
 /// Beyond its width, a stroke moves edges this far out, in scales of the edge detector.
 const OUTSIDE: f32 = 1.6;
 

@@ -17,6 +17,8 @@ pub(super) struct Path {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Node {
     pub(super) at: PxPoint,
+    /// Distance to the border of the mask before it was thinned, px.
+    pub(super) depth: f32,
 }
 
 /// The eight neighbours of a pixel in order round it, beginning above it.
@@ -27,6 +29,8 @@ const AROUND: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (
 pub(super) struct Mask {
     stride: usize,
     cells: Vec<bool>,
+    /// Distance of each pixel to the next that is not set, px: the larger of the two along the axes.
+    depths: Vec<u16>,
 }
 
 impl Mask {
@@ -40,7 +44,8 @@ impl Mask {
                 cells[(y + 1) * stride + x + 1] = set(y * width + x);
             }
         }
-        Self { stride, cells }
+        let depths = depths(&cells, stride);
+        Self { stride, cells, depths }
     }
 
     fn neighbour(&self, cell: usize, k: usize) -> usize {
@@ -141,10 +146,30 @@ impl Mask {
                 next += 1;
             }
             let sum = members.iter().fold(PxPoint::zero(), |sum, &cell| sum + self.centre(cell).to_vector());
-            nodes.push(Node { at: sum / members.len() as f32 });
+            let depth = members.iter().map(|&cell| self.depths[cell]).max().unwrap_or(0);
+            nodes.push(Node { at: sum / members.len() as f32, depth: f32::from(depth) });
         }
         (node_of, nodes)
     }
+}
+
+/// The chessboard distance of each cell to the next that is not set (A. Rosenfeld and J. Pfaltz 1966). The cells have a
+/// border that is not set.
+fn depths(cells: &[bool], stride: usize) -> Vec<u16> {
+    let mut depths: Vec<u16> = cells.iter().map(|set| if *set { u16::MAX - 1 } else { 0 }).collect();
+    for cell in 0..cells.len() {
+        if cells[cell] {
+            let before = [cell - stride - 1, cell - stride, cell - stride + 1, cell - 1].map(|other| depths[other]);
+            depths[cell] = depths[cell].min(before.into_iter().fold(u16::MAX, u16::min).saturating_add(1));
+        }
+    }
+    for cell in (0..cells.len()).rev() {
+        if cells[cell] {
+            let after = [cell + stride + 1, cell + stride, cell + stride - 1, cell + 1].map(|other| depths[other]);
+            depths[cell] = depths[cell].min(after.into_iter().fold(u16::MAX, u16::min).saturating_add(1));
+        }
+    }
+    depths
 }
 
 /// How often the ring of neighbours goes from unset to set.
@@ -179,8 +204,10 @@ impl Walk<'_> {
 
     fn follow_ring(&mut self, cell: usize) {
         if !self.seen[cell] && self.node_of[cell].is_none() {
-            let (cells, _) = self.along(cell, None);
-            self.add(&cells, [None, None], true);
+            let (cells, end) = self.along(cell, None);
+            let last = cells[cells.len() - 1];
+            let closed = end.is_none() && cells.len() > 2 && (0..8).any(|k| self.mask.neighbour(last, k) == cell);
+            self.add(&cells, [None, end], closed);
         }
     }
 
@@ -194,13 +221,17 @@ impl Walk<'_> {
             // neighbours that share a side come first
             let order = [0, 2, 4, 6, 1, 3, 5, 7].map(|k| self.mask.neighbour(here, k));
             let node = order.iter().find_map(|&cell| self.node_of[cell]);
-            if node.is_some() && (node != start || cells.len() > 2) {
+            // beside its own junction it goes on as long as it can
+            if node.is_some() && node != start {
                 return (cells, node);
             }
             let next = order
                 .into_iter()
                 .find(|&cell| self.mask.cells[cell] && !self.seen[cell] && self.node_of[cell].is_none());
-            let Some(next) = next else { return (cells, None) };
+            let Some(next) = next else {
+                let node = node.filter(|_| cells.len() > 2);
+                return (cells, node);
+            };
             self.seen[next] = true;
             cells.push(next);
         }

@@ -12,7 +12,7 @@
 //!   --csv FILE         also every page on a line of its own
 //! ```
 //!
-//! **Scenes** (`scenes.rs`): eleven kinds of 900 x 600 units with strokes of 0.5, 1, 2, 3 and 6 units. **Input**: the drawing
+//! **Scenes** (`scenes.rs`): twelve kinds of 900 x 600 units with strokes of 0.5, 1, 2, 3 and 6 units. **Input**: the drawing
 //! as SVG, and rendered as a PNG of 1200 px for its longer side. **Pages**: each has its own seed, one of four quarter
 //! turns, and a figure from 60 to 250 mm wide in steps of 1 mm (the golden ratio spreads them evenly). **Truth**: outlines
 //! and the middle of strokes.

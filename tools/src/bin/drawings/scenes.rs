@@ -11,6 +11,9 @@ pub(crate) const WIDTH: f64 = 900.0;
 /// Its height.
 pub(crate) const HEIGHT: f64 = 600.0;
 
+/// Width of the faint ring's stroke at least, in units: thinner, it is fainter than a contour may be on a small page.
+const FAINT_STROKE: f64 = 4.0;
+
 /// A point of a drawing.
 pub(crate) type Point = [f64; 2];
 
@@ -39,11 +42,13 @@ pub(crate) enum Kind {
     Plot,
     /// A house: wall, roof, door.
     House,
+    /// Areas without strokes: a square, a triangle and a disc, a smaller one hidden behind the disc.
+    Fills,
 }
 
 impl Kind {
     /// All of them; the first six are those of the first measurement.
-    pub(crate) const ALL: [Self; 11] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Polygon,
         Self::Map,
         Self::Outlines,
@@ -55,6 +60,7 @@ impl Kind {
         Self::Cell,
         Self::Plot,
         Self::House,
+        Self::Fills,
     ];
 
     /// Its name in tables and on the command line.
@@ -71,6 +77,7 @@ impl Kind {
             Self::Cell => "cell",
             Self::Plot => "plot",
             Self::House => "house",
+            Self::Fills => "fills",
         }
     }
 }
@@ -102,6 +109,7 @@ impl Scene {
             Kind::Cell => scene.cell(&mut rng),
             Kind::Plot => scene.plot(&mut rng),
             Kind::House => scene.house(&mut rng),
+            Kind::Fills => scene.fills(&mut rng),
         }
         scene
     }
@@ -215,11 +223,14 @@ impl Scene {
         for (radius, faint) in [(280.0, false), (195.0, true), (110.0, false)] {
             let ring = circle(centre, [radius, radius]);
             let ink = std::mem::replace(&mut self.ink, "#ebebeb".into());
-            if !faint {
+            let stroke = self.stroke;
+            if faint {
+                self.stroke = stroke.max(FAINT_STROKE);
+            } else {
                 self.ink = ink.clone();
             }
             self.closed(&ring, "none");
-            self.ink = ink;
+            (self.ink, self.stroke) = (ink, stroke);
         }
     }
 
@@ -270,6 +281,22 @@ impl Scene {
         let door = [[400.0, 550.0], [400.0, top + 110.0], [520.0, top + 110.0], [520.0, 550.0]];
         self.shape(&door, true, &pastel(rng));
         self.truth.push(door.to_vec());
+    }
+
+    fn fills(&mut self, rng: &mut Rng) {
+        self.stroke = 0.0;
+        let mut at = |x: f64, y: f64| [x + rng.between(-20.0, 20.0), y + rng.between(-20.0, 20.0)];
+        let [left, top] = at(90.0, 110.0);
+        let triangle = [at(690.0, 500.0), at(850.0, 460.0), at(760.0, 150.0)];
+        let disc = at(480.0, 300.0);
+        let square = [[left, top], [left + 165.0, top], [left + 165.0, top + 260.0], [left, top + 260.0]];
+        let fills = ["#2a5fe6", "#2ca83c", "#e02a24"];
+        self.closed(&square, fills[rng.below(3)]);
+        self.closed(&triangle, fills[rng.below(3)]);
+        self.closed(&circle(disc, [90.0, 90.0]), fills[rng.below(3)]);
+        // hidden behind the disc
+        self.shape(&[[disc[0] - 50.0, disc[1] - 20.0], [disc[0] + 50.0, disc[1] + 30.0], disc], true, "#ffd21a");
+        self.shape(&circle(disc, [89.9, 89.9]), true, fills[0]);
     }
 
     // ----------------------------------------------------------------------------------------------- how it is drawn
