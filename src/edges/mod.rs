@@ -56,7 +56,8 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let size = raster.size();
     let noise = Noise::of(raster);
     let params = &noise.adapted(params);
-    let strokes = stroke::find(raster, noise.pixel, params);
+    let drawn = stroke::is_drawing(raster, noise.pixel);
+    let strokes = if drawn { stroke::find(raster, noise.pixel, params) } else { Vec::new() };
     let (mut points, sides) = bands::scan(raster, &noise.weights, params);
     points.retain(|point| !is_border(point, size));
     if !strokes.is_empty() {
@@ -83,7 +84,7 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let mut edges = Edges::none(size);
     for (contour, &stroke) in contours.iter().zip(&widths) {
         let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
-        edges.push_as(ChainKind { exact: false, stroke }, contour.vertices.iter().map(edgel), contour.closed);
+        edges.push_as(ChainKind { exact: false, drawn, stroke }, contour.vertices.iter().map(edgel), contour.closed);
     }
     edges
 }

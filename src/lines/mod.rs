@@ -71,7 +71,7 @@ pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Par
 fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
     let polyline = |range: &ChainRange| {
         let chain = edges.chain(range);
-        let polyline = Polyline::of_chain(chain, range.kind.exact, transform);
+        let polyline = Polyline::of_chain(chain, range.kind, transform);
         let polyline = match range.kind.exact {
             // its corners are corners
             true => polyline,

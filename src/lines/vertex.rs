@@ -1,6 +1,6 @@
 //! Lines in the making: polylines on the sheet, before it is known what of them is drawn.
 
-use crate::edges::Edgel;
+use crate::edges::{ChainKind, Edgel};
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
 use crate::units::{Mm, MmPoint, PageTransform};
 
@@ -20,6 +20,8 @@ pub(super) struct Vertex {
     pub(super) width: f32,
     /// Whether it is where a vector drawing has it, and not where it was found in pixels.
     pub(super) exact: bool,
+    /// Whether it is of a drawing, in which a sharp corner is meant.
+    pub(super) drawn: bool,
 }
 
 impl Located for Vertex {
@@ -39,6 +41,7 @@ impl Blend for Vertex {
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
             width: mix(self.width, other.width),
             exact: self.exact && other.exact,
+            drawn: self.drawn && other.drawn,
         }
     }
 
@@ -49,13 +52,14 @@ impl Blend for Vertex {
 
 impl Polyline<Vertex> {
     /// A contour on the sheet.
-    pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, exact: bool, transform: &PageTransform) -> Self {
+    pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
         let vertex = |p: &Edgel| Vertex {
             at: transform.to_mm(p.at),
             strength: p.strength,
             contrast: p.contrast,
             width: 0.0,
-            exact,
+            exact: kind.exact,
+            drawn: kind.drawn,
         };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
@@ -103,12 +107,14 @@ impl Polyline<Vertex> {
             let v = &self.vertices[i];
             [v.at.x, v.at.y, v.strength, v.contrast[0], v.contrast[1], v.contrast[2]]
         });
+        let drawn = self.vertices.iter().all(|vertex| vertex.drawn);
         let vertex = |[x, y, strength, l, a, b]: [f32; 6]| Vertex {
             at: MmPoint::new(x, y),
             strength,
             contrast: [l, a, b],
             width: 0.0,
             exact: false,
+            drawn,
         };
         Self { vertices: smooth.into_iter().map(vertex).collect(), closed: self.closed }
     }

@@ -165,6 +165,7 @@ mod tests {
                 contrast: [1.0, 0.0, 0.0],
                 width: 0.0,
                 exact: false,
+                drawn: false,
             })
             .collect();
         let mut polyline = Polyline::open(vertices);

@@ -56,15 +56,12 @@ const SMALLEST_RADIUS: usize = 3;
 const SHARE: f32 = 0.45;
 const LOCAL: usize = 3;
 
-/// The strokes of a picture that is a drawing. `noise` is the standard deviation of a pixel.
+/// The strokes of a drawing. `noise` is the standard deviation of a pixel.
 pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> {
     let mut planes = vec![vec![0.0; raster.size().len()]; lab::planes(raster)];
     let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
     lab::convert(Arch::new(), &from, &mut planes);
     let planes: Vec<Plane> = planes.into_iter().map(|values| Plane { size: raster.size(), values }).collect();
-    if !is_drawing(&planes, noise) {
-        return Vec::new();
-    }
     let params = &Params {
         low: (FAINT * params.low).max(FAINT_LOW_NOISE * noise),
         high: (FAINT * params.high).max(FAINT_HIGH_NOISE * noise),
@@ -100,22 +97,23 @@ fn radii(widest: f32) -> impl Iterator<Item = usize> {
     doubled.take_while(move |radius| *radius < most).chain([most.max(SMALLEST_RADIUS)])
 }
 
-/// Whether a picture is mostly of flat areas.
-fn is_drawing(planes: &[Plane], noise: f32) -> bool {
+/// Whether a picture is a drawing: mostly of flat areas. `noise` is the standard deviation of a pixel.
+pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
     let tolerance = FLAT.max(FLAT_NOISE * noise);
-    let Some(first) = planes.first() else { return false };
-    let (width, height) = (first.size.width as usize, first.size.height as usize);
+    let width = raster.size().width as usize;
     let (mut flat, mut all) = (0_usize, 0_usize);
+    let mut lab = [(); 2].map(|()| vec![vec![0.0; width]; lab::planes(raster)]);
     // every third row tells as much
-    for y in (1..height).step_by(3) {
+    for y in (1..raster.size().height as usize).step_by(3) {
+        let [above, here] = &mut lab;
+        lab::row(Arch::new(), raster, y - 1, above);
+        lab::row(Arch::new(), raster, y, here);
         for x in 1..width {
-            let here = y * width + x;
-            let step = |other: usize| {
-                planes.iter().map(|plane| (plane.values[here] - plane.values[other]).abs()).fold(0.0, f32::max)
-            };
-            all += 1;
-            flat += usize::from(step(here - 1) <= tolerance && step(here - width) <= tolerance);
+            let planes = here.iter().zip(&*above);
+            let step = planes.map(|(here, above)| (here[x] - here[x - 1]).abs().max((here[x] - above[x]).abs()));
+            flat += usize::from(step.fold(0.0, f32::max) <= tolerance);
         }
+        all += width - 1;
     }
     flat as f32 >= FLAT_SHARE * all as f32
 }
