@@ -16,8 +16,15 @@ pub enum Note {
     NoContours,
     /// The lines of a page were to be traced, and the profile draws none.
     LinesOff,
-    /// Much of what was found lies too close together for fingers; percent of its length.
-    Crowded(u32),
+    /// Contours are not drawn, as they lie too close to others for fingers, or are too short in a drawing.
+    LinesLeftOut {
+        /// Their length on the sheet, mm.
+        millimetres: u32,
+        /// Percent of the length of all contours.
+        percent: u32,
+        /// Where in the figure most of them are, in words.
+        place: &'static str,
+    },
     /// There is nothing on the page but its frame.
     EmptyPage,
     /// The dots of the page are those of text cells, which stand apart.
@@ -58,10 +65,11 @@ impl std::fmt::Display for Note {
             Self::LinesOff => f.write_str(
                 "nothing to trace: the profile draws no lines, as figure.lines is off; turn it on, or trace contours",
             ),
-            Self::Crowded(percent) => write!(
+            Self::LinesLeftOut { millimetres, percent, place } => write!(
                 f,
-                "{percent} percent of the contours lie too close to others for fingers and were left out; a larger \
-                 figure, on larger paper if there is any, or only a part of the picture keeps more of them"
+                "{millimetres} mm of contours, {percent} percent, were left out, most of them {place}: they lie too \
+                 close to others for fingers, or are too short; a larger figure, on larger paper if there is any, or \
+                 only a part of the picture keeps more of them"
             ),
             Self::TooBlack { percent, most } => write!(
                 f,

@@ -102,6 +102,11 @@ impl Edges {
         borders
     }
 
+    /// Whether they are those of a drawing, in which every line is meant.
+    pub fn of_drawing(&self) -> bool {
+        self.chains.iter().any(|chain| chain.kind.drawn)
+    }
+
     /// Whether nothing was found.
     pub fn is_empty(&self) -> bool {
         self.chains.is_empty()

@@ -12,6 +12,7 @@ mod clearance;
 mod join;
 mod junction;
 mod line;
+mod lost;
 mod params;
 mod saliency;
 mod vertex;
@@ -23,7 +24,10 @@ mod tests;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 use vertex::Vertex;
 
+use lost::Tally;
+
 pub use line::{Height, Line, Pen, Run};
+pub use lost::Lost;
 pub use params::Params;
 
 use crate::edges::{ChainRange, Edges};
@@ -35,8 +39,8 @@ use crate::units::{MmRect, PageTransform};
 pub struct Lines {
     /// The weightiest line comes first.
     pub lines: Vec<Line>,
-    /// Share of the contours' length, 0..=1, that was worth a line but lies too close to others.
-    pub crowded_out: f32,
+    /// What is not drawn.
+    pub lost: Lost,
 }
 
 /// Draws the contours in `area`, the part of the sheet where `transform` puts the picture.
@@ -46,24 +50,27 @@ pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Par
     let polylines = centreline::merge(polylines, area, params);
     // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
     let mut polylines = join::join(polylines, params.join_gap);
+    let mut wanted = Tally::new(area);
+    if edges.of_drawing() {
+        let is_short = |polyline: &&Polyline<Vertex>| polyline.length() < params.min_length;
+        polylines.iter().filter(is_short).for_each(|polyline| wanted.add(polyline));
+    }
     polylines.retain(|polyline| polyline.length() >= params.min_length);
     polylines.iter_mut().for_each(Polyline::fill);
     junction::extend(&mut polylines, area, params.join_gap);
     polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
 
     let saliencies: Vec<f32> = polylines.par_iter().map(|polyline| saliency::saliency(polyline, params)).collect();
-    let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
+    let all = polylines.clone();
     let cleared = clearance::clear(polylines, area, params);
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
-    let wanted: f32 = saliencies.iter().zip(&lengths).filter(|(of, _)| **of >= least).map(|(_, length)| length).sum();
+    all.iter().zip(&saliencies).filter(|(_, of)| **of >= least).for_each(|(polyline, _)| wanted.add(polyline));
     let drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
-    let kept: f32 = drawn.iter().map(|line| line.polyline.length()).sum();
+    let mut kept = Tally::new(area);
+    drawn.iter().for_each(|line| kept.add(&line.polyline));
     let finish = |line: &clearance::Cleared| weight::finish(&line.polyline, &line.anchored, params);
-    Lines {
-        lines: drawn.into_par_iter().filter_map(finish).collect(),
-        crowded_out: if wanted > 0.0 { (1.0 - kept / wanted).max(0.0) } else { 0.0 },
-    }
+    Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost: wanted.lost(&kept) }
 }
 
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found

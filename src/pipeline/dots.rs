@@ -21,7 +21,7 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
-    Lines { lines, crowded_out: 1.0 - (1.0 - drawn.crowded_out) * kept }
+    Lines { lines, lost: drawn.lost.keeping(kept) }
 }
 
 /// The lines of the overview: all of one width and, where there are heights, high.

@@ -6,7 +6,7 @@ use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::request::{Fit, Request};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
-use crate::lines::{self, Line, Lines};
+use crate::lines::{self, Line, Lines, Lost};
 use crate::page::layout::Layout;
 use crate::page::{Figure, Medium, Texture};
 use crate::picture::Picture;
@@ -24,6 +24,10 @@ const MIN_PIXELS: u32 = 8;
 /// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
 /// 0.2 to 0.3 and lose little by it.
 const CROWDED: f32 = 0.35;
+/// ... and length from which the maker of a drawing is told, mm: there every line is meant. Less is lost where lines meet.
+const LEAST_TOLD: f32 = 3.0;
+/// On a grid of dots lines are longer or shorter by about this share, which is no loss.
+const LEAST_TOLD_OF_DOTS: f32 = 0.05;
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct Marks {
@@ -74,7 +78,7 @@ pub(super) fn draw(
             (overview, sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch))
         },
     );
-    notes.extend(crowded(&drawn));
+    notes.extend(left_out(&drawn, edges.as_ref(), &layout));
     let lines = drawn.lines;
     drop(edges);
     drop(picture.raster);
@@ -180,9 +184,20 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
     Lines::default()
 }
 
-/// What the maker is told when much was left out for want of room.
-pub(super) fn crowded(drawn: &Lines) -> Option<Note> {
-    (drawn.crowded_out >= CROWDED).then(|| Note::Crowded((100.0 * drawn.crowded_out).round() as u32))
+/// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
+pub(super) fn left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
+    let Lost { wanted, lost, .. } = drawn.lost;
+    let share = drawn.lost.share();
+    let least = match layout.medium {
+        Medium::Print(_) => LEAST_TOLD,
+        Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
+    };
+    let told = share >= CROWDED || (edges.is_some_and(Edges::of_drawing) && lost >= least);
+    told.then(|| Note::LinesLeftOut {
+        millimetres: lost.round() as u32,
+        percent: (100.0 * share).round() as u32,
+        place: drawn.lost.place_name(),
+    })
 }
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave

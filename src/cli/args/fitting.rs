@@ -61,7 +61,7 @@ pub(in crate::cli) struct Fitting {
     ///
     /// Fingers cannot read letters, so texts of SVG drawings are left out and listed. Letters that were turned into
     /// paths are drawn like all other paths.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     keep_text: bool,
 }
 

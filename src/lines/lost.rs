@@ -1,0 +1,115 @@
+//! What of the contours is not drawn: how much, and where most of it is.
+
+use super::vertex::Vertex;
+use crate::geom::polyline::Polyline;
+use crate::units::{MmPoint, MmRect};
+
+/// What was worth a line and is not drawn: too near to others, or in a drawing too short.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Lost {
+    /// Length of all that was worth a line, mm.
+    pub wanted: f32,
+    /// Length of what is not drawn of it, mm.
+    pub lost: f32,
+    /// Where in the figure most of that is: one of nine parts, row by row from the top left.
+    pub place: usize,
+}
+
+/// Names of the parts of a figure.
+const PLACES: [&str; 9] = [
+    "at the top left",
+    "at the top",
+    "at the top right",
+    "on the left",
+    "in the middle",
+    "on the right",
+    "at the bottom left",
+    "at the bottom",
+    "at the bottom right",
+];
+
+impl Lost {
+    /// Share of what is not drawn, 0..=1.
+    pub fn share(&self) -> f32 {
+        if self.wanted > 0.0 { (self.lost / self.wanted).clamp(0.0, 1.0) } else { 0.0 }
+    }
+
+    /// Where most of it is, in words.
+    pub fn place_name(&self) -> &'static str {
+        PLACES[self.place.min(PLACES.len() - 1)]
+    }
+
+    /// The same if of what is drawn only a share is kept after all.
+    #[must_use]
+    pub fn keeping(self, share: f32) -> Self {
+        Self { lost: self.wanted - (self.wanted - self.lost) * share, ..self }
+    }
+}
+
+/// Lengths of lines in the nine parts of a figure.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tally {
+    area: MmRect,
+    lengths: [f32; 9],
+}
+
+impl Tally {
+    pub(super) fn new(area: MmRect) -> Self {
+        Self { area, lengths: [0.0; 9] }
+    }
+
+    /// Adds the length of a line.
+    pub(super) fn add(&mut self, line: &Polyline<Vertex>) {
+        for (a, b) in line.segments() {
+            self.lengths[self.part(a.at.lerp(b.at, 0.5))] += (b.at - a.at).length();
+        }
+    }
+
+    /// What of this is not in `kept`.
+    pub(super) fn lost(&self, kept: &Self) -> Lost {
+        let missing: [f32; 9] = std::array::from_fn(|i| self.lengths[i] - kept.lengths[i]);
+        let place = (0..9).fold(0, |best, i| if missing[i] > missing[best] { i } else { best });
+        let (wanted, kept) = (self.lengths.iter().sum::<f32>(), kept.lengths.iter().sum::<f32>());
+        Lost { wanted, lost: (wanted - kept).max(0.0), place }
+    }
+
+    fn part(&self, at: MmPoint) -> usize {
+        let third = |at: f32, from: f32, length: f32| {
+            ((3.0 * (at - from) / length.max(f32::MIN_POSITIVE)).max(0.0) as usize).min(2)
+        };
+        3 * third(at.y, self.area.min.y, self.area.height()) + third(at.x, self.area.min.x, self.area.width())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::vertex::Vertex;
+
+    fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
+        let vertex = |(x, y): (f32, f32)| Vertex {
+            at: MmPoint::new(x, y),
+            strength: 20.0,
+            contrast: [0.0; 3],
+            width: 1.0,
+            exact: false,
+            drawn: false,
+        };
+        let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
+        line.fill();
+        line
+    }
+
+    #[test]
+    fn what_is_lost_is_told_with_its_length_and_its_place() {
+        let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
+        let (mut wanted, mut kept) = (Tally::new(area), Tally::new(area));
+        wanted.add(&line((12.0, 12.0), (32.0, 12.0)));
+        wanted.add(&line((80.0, 40.0), (95.0, 40.0)));
+        kept.add(&line((12.0, 12.0), (32.0, 12.0)));
+        let lost = wanted.lost(&kept);
+        assert!((lost.lost - 15.0).abs() < 1e-3 && (lost.share() - 15.0 / 35.0).abs() < 1e-3, "{lost:?}");
+        assert_eq!(lost.place_name(), "on the right");
+        assert!((lost.keeping(0.5).lost - 25.0).abs() < 1e-3);
+    }
+}
