@@ -65,7 +65,12 @@ impl Params {
     /// How far apart the centre lines of two lines must be whose widths have this half sum, mm. Simplification may move
     /// both.
     pub(super) fn clearance(&self, half_widths: f32) -> f32 {
-        self.min_gap + half_widths + 2.0 * self.tolerance + ROUNDING
+        self.min_gap + half_widths + self.play()
+    }
+
+    /// By how much simplification and rounding may bring two lines nearer, mm.
+    pub(super) fn play(&self) -> f32 {
+        2.0 * self.tolerance + ROUNDING
     }
 
     /// The clearance of a line from the widest, mm, whatever its own width.

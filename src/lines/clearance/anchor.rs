@@ -24,10 +24,10 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
             let Some(at) = at.map(|vertex| vertex.at) else { continue };
             drawn.segments().around(at, at, TOUCH, |segment| {
                 let (distance, _) = nearest_on_segment(at, segment.a, segment.b);
-                let itself = segment.line as usize == number && (segment.index as usize).abs_diff(inner) <= 2;
-                if distance <= TOUCH && !itself {
-                    let anchor = (segment.line as usize, segment.index as usize, (at - segment.a).length(), at);
-                    anchors.push(anchor);
+                let (line, index) = (segment.line as usize, segment.index as usize);
+                let itself = line == number && index.abs_diff(inner) <= 2;
+                if distance <= TOUCH && !itself && !is_end_beside(&cleared[line].polyline, index, at) {
+                    anchors.push((line, index, (at - segment.a).length(), at));
                 }
             });
         }
@@ -57,6 +57,18 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     }
 }
 
+/// Whether `at` is the end of a line that lies within [`TOUCH`] along it from the segment that begins at vertex `index`:
+/// the line has a vertex there already.
+fn is_end_beside(polyline: &Polyline<Vertex>, index: usize, at: MmPoint) -> bool {
+    let vertices = &polyline.vertices;
+    let last = vertices.len() - 1;
+    let beside = |end: usize, vertex: usize| {
+        let (from, to) = (end.min(vertex), end.max(vertex));
+        vertices[end].at == at && vertices[from..=to].iter().all(|vertex| (vertex.at - at).length() <= 2.0 * TOUCH)
+    };
+    !polyline.closed && (beside(0, index) || beside(last, (index + 1).min(last)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::tests::{drawn, polyline};
@@ -76,5 +88,18 @@ mod tests {
         assert_eq!((anchors(&lines[0]), anchors(&lines[1])), (1, 0));
         let index = lines[0].anchored.iter().position(|anchored| *anchored).expect("an anchor");
         assert_eq!(Some(lines[0].polyline.vertices[index].at), lines[1].polyline.vertices.last().map(|v| v.at));
+    }
+
+    #[test]
+    fn a_line_needs_no_anchor_beside_its_end_where_another_ends_too() {
+        let (bar, mut next) = ([(10.0, 50.0), (50.0, 50.0)], polyline(&[(50.0, 50.0), (90.0, 50.0)], false));
+        // a vertex nearer to the end than the two lines have to be
+        next.vertices.insert(1, Vertex { at: MmPoint::new(50.03, 50.02), ..next.vertices[0] });
+        let next = Cleared { saliency: 0.0, anchored: vec![false; next.vertices.len()], polyline: next };
+        let mut lines = [cleared(&bar, false), next];
+        let before: Vec<MmPoint> = lines[1].polyline.vertices.iter().map(|vertex| vertex.at).collect();
+        anchor(&mut lines, &drawn(&[&bar, &[(50.0, 50.0), (50.03, 50.02), (90.0, 50.0)]]));
+        let after: Vec<MmPoint> = lines[1].polyline.vertices.iter().map(|vertex| vertex.at).collect();
+        assert_eq!(after, before);
     }
 }

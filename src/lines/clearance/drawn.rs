@@ -21,6 +21,10 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
 /// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
 pub(super) const TOUCH: f32 = 0.1;
+/// Crossings of one line with this much way between them, mm, or less, are those of one spike.
+const SPIKE: f32 = 1.0;
+/// Crossings nearer than this, mm, are one.
+const SAME: f32 = 0.01;
 
 /// How far beyond its ends a segment is still crossed, as a share of its length.
 const VERTEX: f32 = 1e-3;
@@ -37,6 +41,8 @@ pub(super) struct Junction {
     line_arc: f32,
     /// Whether it is an end of the line that lies here.
     tip: bool,
+    /// Of a crossing, to which side of the line the polyline goes: 1 or -1; 0 where one of them ends.
+    side: i8,
 }
 
 impl Junction {
@@ -44,7 +50,17 @@ impl Junction {
     fn of_end(at: MmPoint, arc: f32, segment: &Segment) -> Option<Self> {
         let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
         let line_arc = segment.arc + (touched - segment.a).length();
-        (distance <= TOUCH).then_some(Self { arc, at, line: segment.line, line_arc, tip: false })
+        (distance <= TOUCH).then_some(Self { arc, at, line: segment.line, line_arc, tip: false, side: 0 })
+    }
+
+    /// Whether it is an end of the polyline that lies here.
+    fn is_own_end(&self) -> bool {
+        self.side == 0 && !self.tip
+    }
+
+    /// Whether the other junction, with the same line, is so near that only one of them will be drawn.
+    fn is_beside(&self, other: &Self) -> bool {
+        self.line == other.line && (self.arc - other.arc).abs().max((self.line_arc - other.line_arc).abs()) <= SPIKE
     }
 }
 
@@ -147,8 +163,8 @@ impl<'a> DrawnLines<'a> {
 
     /// A line is complete: others may join its ends.
     pub(super) fn finish(&mut self, polyline: &Polyline<Vertex>, line: u32) {
-        let (Some(first), Some(last), false) = (polyline.vertices.first(), polyline.vertices.last(), polyline.closed)
-        else {
+        let tips = (polyline.vertices.first(), polyline.vertices.last(), goes_round(polyline.view()));
+        let (Some(first), Some(last), false) = tips else {
             return;
         };
         let length = self.lines[line as usize].last().map_or(0.0, |(arc, _)| *arc);
@@ -167,22 +183,31 @@ impl<'a> DrawnLines<'a> {
         let PolylineRef { vertices, closed } = polyline;
         let arcs = polyline.arc_lengths();
         let length = arcs.last().copied().unwrap_or(0.0);
-        let mut junctions = Vec::new();
+        let (mut crossings, mut ends) = (Vec::new(), Vec::new());
         for (i, (a, b)) in polyline.segments().enumerate() {
             if self.may_be_near(a.at) {
-                self.add_crossings((a.at, b.at), arcs[i], &mut junctions);
-                self.add_touching_tips((a.at, b.at), arcs[i], &mut junctions);
+                self.add_crossings((a.at, b.at), arcs[i], &mut crossings);
+                self.add_touching_tips((a.at, b.at), arcs[i], &mut ends);
             }
         }
-        if !closed && let (Some(first), Some(last)) = (vertices.first(), vertices.last()) {
+        let mut own_ends = Vec::new();
+        if let (Some(first), Some(last), false) = (vertices.first(), vertices.last(), closed) {
             for (at, arc) in [(first.at, 0.0), (last.at, length)] {
-                self.add_ends_on_lines(at, arc, &mut junctions);
+                self.add_ends_on_lines(at, arc, &mut own_ends);
             }
         }
-        let mut passage = Passage { arcs, round: closed.then_some(length), junctions };
-        let winding: Vec<bool> = passage.junctions.iter().map(|at| self.winds(at, vertices, &passage)).collect();
-        let mut winding = winding.into_iter();
-        passage.junctions.retain(|_| !winding.next().unwrap_or(false));
+        // where one ends on the other beside a crossing they will not be drawn as crossing
+        crossings.retain(|crossing| !ends.iter().chain(&own_ends).any(|end| end.is_beside(crossing)));
+        // ends in one place join nothing: the line will be drawn as a ring
+        if !goes_round(polyline) {
+            ends.append(&mut own_ends);
+        }
+        let round = closed.then_some(length);
+        let back_and_forth = back_and_forth(&crossings, round);
+        crossings.append(&mut ends);
+        let mut passage = Passage { arcs, round, junctions: crossings };
+        let joins = |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.winds(at, vertices, &passage);
+        passage.junctions = passage.junctions.iter().enumerate().filter(|at| joins(*at)).map(|(_, at)| *at).collect();
         passage
     }
 
@@ -205,8 +230,10 @@ impl<'a> DrawnLines<'a> {
             if let Some(at) = crossing((a - own, b + own), (segment.a - other, segment.b + other))
                 && self.tips.nearest(at, TOUCH, |tip| tip.line == segment.line).is_none()
             {
+                let arc = arc + (at - a).length();
                 let line_arc = segment.arc + (at - segment.a).length();
-                junctions.push(Junction { arc: arc + (at - a).length(), at, line: segment.line, line_arc, tip: false });
+                let side = if (b - a).cross(segment.b - segment.a) > 0.0 { 1 } else { -1 };
+                junctions.push(Junction { arc, at, line: segment.line, line_arc, tip: false, side });
             }
         });
     }
@@ -217,7 +244,7 @@ impl<'a> DrawnLines<'a> {
             let (distance, at) = nearest_on_segment(tip.a, a, b);
             if distance <= TOUCH {
                 let arc = arc + (at - a).length();
-                junctions.push(Junction { arc, at: tip.a, line: tip.line, line_arc: tip.arc, tip: true });
+                junctions.push(Junction { arc, at: tip.a, line: tip.line, line_arc: tip.arc, tip: true, side: 0 });
             }
         });
     }
@@ -236,31 +263,47 @@ impl<'a> DrawnLines<'a> {
             index(from)..index(to)
         };
         let line = &self.lines[junction.line as usize];
-        passage.junctions.iter().any(|other| {
-            if other.line != junction.line || (other.arc - junction.arc).abs() <= 1.0 {
-                return false;
-            }
-            let hugs = |vertex: &Vertex| {
-                let reach = self.params.clearance(0.5 * vertex.width);
-                self.segments.nearest(vertex.at, reach, |segment| segment.line == junction.line).is_some()
-            };
-            let (from, to) = (junction.line_arc.min(other.line_arc), junction.line_arc.max(other.line_arc));
-            let along = || line.iter().filter(|(arc, _)| (from..to).contains(arc));
-            // All of the polyline is looked at, as it may be near the line beyond the two. Where it has just come from
-            // one of them, as the legs of a bar on its axis, it is no winding.
-            let hugging = |at: MmPoint| {
-                let near = vertices.iter().zip(&passage.arcs);
-                let near = near.filter(move |(v, _)| (v.at - at).length() < self.params.clearance(0.5 * v.width));
-                near.map(|(v, &arc)| {
-                    let approach = self.params.approach(0.5 * v.width, 0.5 * self.params.width_max);
-                    passage.between(arc, junction.arc) > approach && passage.between(arc, other.arc) > approach
-                })
-            };
-            vertices[stretch(junction.arc, other.arc)].iter().all(hugs)
-                || (to - from > 1.0
-                    && along().all(|(_, at)| hugging(*at).next().is_some())
-                    && along().any(|(_, at)| hugging(*at).any(|winds| winds)))
-        })
+        self.grazes(junction, vertices, passage)
+            || passage.junctions.iter().any(|other| {
+                if other.line != junction.line || (other.arc - junction.arc).abs() <= SPIKE {
+                    return false;
+                }
+                let hugs = |vertex: &Vertex| {
+                    let reach = self.params.clearance(0.5 * vertex.width);
+                    self.segments.nearest(vertex.at, reach, |segment| segment.line == junction.line).is_some()
+                };
+                let (from, to) = (junction.line_arc.min(other.line_arc), junction.line_arc.max(other.line_arc));
+                let along = || line.iter().filter(|(arc, _)| (from..to).contains(arc));
+                // All of the polyline is looked at, as it may be near the line beyond the two. Where it ends at one of
+                // them and has just come from there, as the legs of a bar on its axis, it is no winding.
+                let ends = junction.is_own_end() || other.is_own_end();
+                let hugging = |at: MmPoint| {
+                    let near = vertices.iter().zip(&passage.arcs);
+                    let near = near.filter(move |(v, _)| (v.at - at).length() < self.params.clearance(0.5 * v.width));
+                    near.map(|(v, &arc)| {
+                        let approach = self.params.approach(0.5 * v.width, 0.5 * self.params.width_max);
+                        passage.between(arc, junction.arc) > approach && passage.between(arc, other.arc) > approach
+                    })
+                };
+                vertices[stretch(junction.arc, other.arc)].iter().all(hugs)
+                    || (to - from > 1.0
+                        && along().all(|(_, at)| hugging(*at).next().is_some())
+                        && (!ends || along().any(|(_, at)| hugging(*at).any(|winds| winds))))
+            })
+    }
+
+    /// Whether a polyline that joins a line comes so near to it again, before it has been apart from it, that the two
+    /// may cross once they are simplified.
+    fn grazes(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
+        let grazing = |(vertex, arc): (&Vertex, &f32)| {
+            let reach = self.params.clearance(0.5 * vertex.width);
+            let (distance, ..) = self.segments.nearest(vertex.at, reach, |segment| segment.line == junction.line)?;
+            Some((arc - junction.arc).abs() > SPIKE && distance <= self.params.play())
+        };
+        let at = passage.arcs.partition_point(|&arc| arc < junction.arc).min(vertices.len());
+        let along = || vertices.iter().zip(&passage.arcs);
+        let after = along().skip(at).map_while(grazing).any(|grazes| grazes);
+        after || along().take(at).rev().map_while(grazing).any(|grazes| grazes)
     }
 
     /// The state of every vertex of a polyline.
@@ -333,6 +376,58 @@ impl<'a> DrawnLines<'a> {
     pub(super) fn segments(&self) -> &Nearby {
         &self.segments
     }
+}
+
+/// Whether a line goes round: it is closed, or its ends lie in one place, and so it will be drawn closed.
+pub(super) fn goes_round(polyline: PolylineRef<'_, Vertex>) -> bool {
+    let at = |vertex: Option<&Vertex>| vertex.map(|vertex| vertex.at);
+    polyline.closed || at(polyline.vertices.first()) == at(polyline.vertices.last())
+}
+
+/// Numbers of the crossings that lead to no other side of a line. A polyline that crosses a line and is back within
+/// [`SPIKE`] has only touched it, and simplification may part the two; `round` is the length of a closed one.
+///
+/// ```text
+///       line
+///   ------|---.
+///         |    > spike: two crossings that are none
+///   ------|---´
+/// ```
+fn back_and_forth(crossings: &[Junction], round: Option<f32>) -> Vec<usize> {
+    let mut numbers: Vec<usize> = (0..crossings.len()).collect();
+    numbers.sort_by(|&a, &b| {
+        let (a, b) = (&crossings[a], &crossings[b]);
+        a.line.cmp(&b.line).then(a.arc.total_cmp(&b.arc))
+    });
+    let mut found = Vec::new();
+    for of_line in numbers.chunk_by(|&a, &b| crossings[a].line == crossings[b].line) {
+        let arc = |i: &usize| crossings[*i].arc;
+        let mut spikes: Vec<Vec<usize>> =
+            of_line.chunk_by(|a, b| arc(b) - arc(a) <= SPIKE).map(<[usize]>::to_vec).collect();
+        // one over the start of a ring
+        if let (Some(round), [first, .., last]) = (round, of_line)
+            && arc(first) + round - arc(last) <= SPIKE
+            && spikes.len() > 1
+        {
+            let before_the_start = spikes.pop().unwrap_or_default();
+            spikes[0].splice(0..0, before_the_start);
+        }
+        for spike in spikes {
+            let side = |i: &usize| crossings[*i].side;
+            // where it passes a vertex of either it crosses both segments there
+            let mut once: Vec<usize> = Vec::with_capacity(spike.len());
+            for &i in &spike {
+                let same = |j: &usize| side(j) == side(&i) && (crossings[*j].at - crossings[i].at).length() <= SAME;
+                if !once.iter().any(same) {
+                    once.push(i);
+                }
+            }
+            if once.iter().map(side).map(i32::from).sum::<i32>() == 0 {
+                found.extend(spike);
+            }
+        }
+    }
+    found
 }
 
 /// The segment of a line between two vertices.

@@ -77,7 +77,9 @@ pub(super) fn clear(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Par
 }
 
 /// What is to be done with a line among those that are drawn. `own` is an empty grid, and empty again afterwards.
-fn judge(polyline: Polyline<Vertex>, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+fn judge(mut polyline: Polyline<Vertex>, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+    // it is judged as it will be drawn: with both ends on one place of another line it is a ring
+    drawn.snap(&mut polyline);
     if let Some(shorter) = without_stubs(&polyline, drawn) {
         return Verdict::Shorten(shorter);
     }
@@ -188,6 +190,40 @@ mod tests {
         assert!(matches!(verdict(&[(10.0, 60.0), (90.0, 60.0)], false), Verdict::Draw(_)));
         assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 80.0)], false), Verdict::Draw(_)));
         assert!(matches!(verdict(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Verdict::Draw(_)));
+    }
+
+    /// The states of the vertices of a line where another runs along y = 50.
+    fn states(points: &[(f32, f32)], closed: bool) -> Vec<State> {
+        drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]).states(&polyline(points, closed))
+    }
+
+    #[test]
+    fn a_spike_that_only_just_crosses_a_line_does_not_join_it() {
+        let spike = [(46.0, 52.5), (49.8, 52.5), (50.01, 49.96), (50.2, 52.5), (54.0, 52.5)];
+        assert!(states(&spike, false).iter().all(|state| *state == State::TooNear));
+        // the same over the start of a ring
+        let ring = [(50.01, 49.96), (50.2, 52.5), (54.0, 52.5), (54.0, 70.0), (46.0, 70.0), (46.0, 52.5), (49.8, 52.5)];
+        assert_eq!(states(&ring, true)[0], State::TooNear);
+        // a line that ends up on the other side joins
+        let through = [(49.8, 80.1), (49.8, 52.5), (50.01, 49.96), (50.2, 20.1)];
+        assert!(!states(&through, false).contains(&State::TooNear));
+    }
+
+    #[test]
+    fn a_line_that_only_touches_the_corner_of_another_does_not_join_it() {
+        let roof = drawn(&[&[(30.0, 70.0), (50.0, 50.0), (70.0, 70.0)]]);
+        let states = |points: &[(f32, f32)]| roof.states(&polyline(points, false));
+        assert!(states(&[(30.0, 30.0), (50.0, 50.0), (70.0, 30.0)]).contains(&State::TooNear));
+        assert!(!states(&[(50.0, 20.0), (50.0, 50.0), (50.0, 80.0)]).contains(&State::TooNear));
+    }
+
+    #[test]
+    fn a_line_whose_two_ends_meet_on_another_will_be_a_ring_and_does_not_join_it() {
+        let drop = [(50.0, 50.0), (58.0, 60.0), (42.0, 60.0), (50.0, 50.0)];
+        assert_eq!(states(&drop, false)[0], State::TooNear);
+        assert_eq!(states(&drop[..2], false)[0], State::Joined);
+        let almost = [drop[0], drop[1], drop[2], (50.0, 50.05)];
+        assert!(!matches!(verdict(&almost, false), Verdict::Draw(_)), "its ends are drawn in one place");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::drawn::{TOUCH, segment};
+use super::drawn::{TOUCH, goes_round, segment};
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -25,10 +25,10 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
     if total <= BEND_LEAST {
         return None;
     }
-    let apart = |s: f32, t: f32| if polyline.closed { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
+    let ring = goes_round(polyline.view());
+    let apart = |s: f32, t: f32| if ring { (s - t).abs().min(total - (s - t).abs()) } else { (s - t).abs() };
     // its own ends may lie on it
-    let tips: Vec<f32> =
-        if polyline.closed { Vec::new() } else { own_junctions(polyline, &arcs, params.max_stub(), own) };
+    let tips: Vec<f32> = if ring { Vec::new() } else { own_junctions(polyline, &arcs, params.max_stub(), own) };
     let mut found: Option<Range<usize>> = None;
     let mut last: Option<&Vertex> = None;
     // a ring is gone round until its first vertex has been looked at with the others before it
