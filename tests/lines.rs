@@ -2,10 +2,11 @@
 //! detail is a part of more.
 
 use crate::common::{apart, drawn, page, samples};
-use tactograph::internals::edges;
+use proptest::prelude::*;
+use tactograph::internals::edges::{self, Edgel, Edges};
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::units::{MmPoint, MmRect, PageTransform, Size};
+use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, PxVector, Size};
 
 const SIDE: u32 = 300;
 /// Millimetres for a pixel.
@@ -230,4 +231,37 @@ fn a_pupil_in_an_eye_stays_a_ring() {
         line.runs[0].closed || line.runs[0].points.first() == line.runs[line.runs.len() - 1].points.last()
     };
     assert!(lines.iter().all(closed), "an eye or its pupil is open");
+}
+
+/// A chain of edgels, a pixel apart, that begins somewhere and turns this much a pixel, for so many pixels each.
+fn chain() -> impl Strategy<Value = (Vec<Edgel>, bool)> {
+    let place = 20.0..280.0_f32;
+    let arcs = prop::collection::vec((-0.3..0.3_f32, 2..40_u32), 1..7);
+    let values = (place.clone(), place, 0.0..std::f32::consts::TAU, arcs, 8.0..60.0_f32, any::<bool>());
+    values.prop_map(|(x, y, mut heading, arcs, strength, closed)| {
+        let mut at = PxPoint::new(x, y);
+        let mut edgels = Vec::new();
+        for (turn, count) in arcs {
+            for _ in 0..count {
+                heading += turn;
+                at += PxVector::new(heading.cos(), heading.sin());
+                edgels.push(Edgel { at, strength, contrast: [strength, 0.0, 0.0] });
+            }
+        }
+        (edgels, closed)
+    })
+}
+
+proptest! {
+    /// Contours that no picture would have: of any shape, across one another and themselves, and beyond the page.
+    #[test]
+    fn whatever_the_contours_lines_keep_apart(chains in prop::collection::vec(chain(), 1..9)) {
+        let size = Size::new(SIDE, SIDE);
+        let mut edges = Edges::none(size);
+        chains.into_iter().for_each(|(edgels, closed)| edges.push(edgels.into_iter(), closed));
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(SIDE as f32 * SCALE, SIDE as f32 * SCALE));
+        let lines = lines::draw(&edges, &PageTransform::new(size, area), area, &LINES).lines;
+        let near = apart::too_near(&lines, LINES.min_gap);
+        prop_assert!(near.is_empty(), "{} places are too near, such as {:?}", near.len(), near.first());
+    }
 }
