@@ -62,38 +62,38 @@ impl std::fmt::Display for Size {
     }
 }
 
-/// Where the working picture lies on the sheet: one scale for both axes and an offset.
+/// Where the working picture lies on the sheet: a scale for each axis and an offset. The scales differ by less than a
+/// pixel over the whole side: the sides of a working picture are whole pixels, and those of its rectangle are not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PageTransform {
     origin: MmPoint,
+    across: f32,
+    down: f32,
     mm_per_px: f32,
 }
 
 impl PageTransform {
-    /// Lays a picture of `size` pixels into the rectangle `place`, corner on corner. The scale comes from the longer
-    /// side, where rounding to whole pixels matters least.
+    /// Lays a picture of `size` pixels into the rectangle `place`, corner on corner.
     pub fn new(size: Size, place: MmRect) -> Self {
-        let mm_per_px = if size.width >= size.height {
-            place.width() / size.width as f32
-        } else {
-            place.height() / size.height as f32
-        };
-        Self { origin: place.min, mm_per_px }
+        let (across, down) = (place.width() / size.width as f32, place.height() / size.height as f32);
+        let mm_per_px = if size.width >= size.height { across } else { down };
+        Self { origin: place.min, across, down, mm_per_px }
     }
 
-    /// Millimetres on the sheet for one pixel of the picture.
+    /// Millimetres on the sheet for one pixel of the picture, for lengths without a direction: the scale of the longer
+    /// side, where rounding to whole pixels matters least.
     pub fn mm_per_px(&self) -> f32 {
         self.mm_per_px
     }
 
     /// The point on the sheet of a point in the picture.
     pub fn to_mm(&self, at: PxPoint) -> MmPoint {
-        MmPoint::new(self.origin.x + at.x * self.mm_per_px, self.origin.y + at.y * self.mm_per_px)
+        MmPoint::new(self.origin.x + at.x * self.across, self.origin.y + at.y * self.down)
     }
 
     /// The point in the picture of a point on the sheet.
     pub fn to_px(&self, at: MmPoint) -> PxPoint {
-        PxPoint::new((at.x - self.origin.x) / self.mm_per_px, (at.y - self.origin.y) / self.mm_per_px)
+        PxPoint::new((at.x - self.origin.x) / self.across, (at.y - self.origin.y) / self.down)
     }
 }
 
@@ -107,6 +107,9 @@ mod tests {
         let transform = PageTransform::new(Size::new(400, 200), place);
         assert!((transform.mm_per_px() - 0.25).abs() < 1e-6);
         assert!((transform.to_mm(PxPoint::new(400.0, 200.0)) - place.max).length() < 1e-4);
+        // Half a pixel that rounding took from the height is not missing at the bottom.
+        let rounded = PageTransform::new(Size::new(400, 199), MmRect::new(place.min, MmPoint::new(120.0, 79.9)));
+        assert!((rounded.to_mm(PxPoint::new(400.0, 199.0)) - MmPoint::new(120.0, 79.9)).length() < 1e-4);
         let at = PxPoint::new(123.4, 56.7);
         assert!((transform.to_px(transform.to_mm(at)) - at).length() < 1e-3);
     }
