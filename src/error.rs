@@ -14,7 +14,8 @@ pub enum Error {
     Empty,
     /// The bytes begin like no format that is read here.
     #[error(
-        "this is not a picture in a format that is read here (JPEG, PNG, WebP, TIFF, BMP, GIF, PNM, SVG){}",
+        "this is not a picture in a format that is read here (JPEG, PNG, WebP, TIFF, BMP, GIF, PNM, SVG{}){}",
+        if cfg!(feature = "pdf") { ", PDF" } else { "" },
         hint(.looks_like)
     )]
     UnknownFormat {
@@ -73,6 +74,14 @@ pub enum Error {
         part: String,
         /// The whole picture.
         size: Size,
+    },
+    /// The document does not have the page that is asked for.
+    #[error("there is no page {page}: {}", has_pages(.pages))]
+    NoSuchPage {
+        /// The page, counted from 1.
+        page: u32,
+        /// How many there are.
+        pages: usize,
     },
     /// The figure would be wider than the sheet has room for.
     #[error(
@@ -215,6 +224,13 @@ impl From<Fault> for Error {
 
 fn or_without(overview: &Option<f32>) -> String {
     overview.map_or_else(String::new, |most| format!(", or {most:.1} mm without the overview (overview = false)"))
+}
+
+fn has_pages(pages: &usize) -> String {
+    match pages {
+        1 => "the file has one page; leave the page out, or give 1".to_owned(),
+        _ => format!("the document has {pages} pages; give a number from 1 to {pages}"),
+    }
 }
 
 fn hint(looks_like: &Option<&'static str>) -> String {

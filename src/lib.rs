@@ -85,6 +85,8 @@
 //! * `cli` (default): the program `tactograph` and what only it needs. A library does without: `default-features =
 //!   false`.
 //! * `system-fonts`: `Fonts::system`, the fonts that are installed, for SVG drawings with text. Part of `cli`.
+//! * `pdf`: pages of PDF documents as pictures; see [`Options::page`]. Part of `cli`. It brings 30 more crates, all
+//!   of them Rust.
 //! * `turbojpeg`: JPEGs through the C library libjpeg-turbo, built by cmake and nasm.
 //!
 //! # What grows

@@ -8,6 +8,11 @@ pub enum Note {
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
     LeftOut(String),
+    /// Of a document only the first page was taken, as no page was asked for.
+    FirstPageOnly {
+        /// How many pages it has.
+        pages: usize,
+    },
     /// Texts of a drawing are left out, as letters are no lines that fingers can read; all of them.
     TextsLeftOut(Vec<String>),
     /// No contour was found that is strong and long enough.
@@ -45,6 +50,9 @@ impl std::fmt::Display for Note {
                 write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
             }
             Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
+            Self::FirstPageOnly { pages } => {
+                write!(f, "this is page 1 of {pages}; ask for another by its number")
+            }
             Self::TextsLeftOut(texts) => {
                 let (count, shown) = (texts.len(), texts.len().min(MOST_TEXTS));
                 let noun = if count == 1 { "text" } else { "texts" };

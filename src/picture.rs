@@ -29,8 +29,9 @@ pub(crate) enum Source<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// The bytes of a picture file: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM or SVG. The format is told from
-    /// the bytes. What they are worth is found out when they are decoded.
+    /// The bytes of a picture file: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM, SVG or, with the feature
+    /// `pdf`, PDF (see [`Options::page`](crate::Options::page)). The format is told from the bytes. What they
+    /// are worth is found out when they are decoded.
     pub fn file(bytes: &'a [u8]) -> Self {
         Self(Source::File(bytes))
     }

@@ -52,6 +52,9 @@ pub struct Text {
     pub angle: f32,
     /// Size of its font, mm.
     pub size: f32,
+    /// Whether it is not painted, as the words that lie behind a scanned page are not: its letters are a part of the
+    /// picture, if they are seen at all.
+    pub hidden: bool,
 }
 
 /// Makes the page of a picture. `watch` is told of every stage.

@@ -110,6 +110,7 @@ fn pictures() -> Vec<(String, Raster)> {
                 limits: Limits::default(),
                 fonts: &fonts,
                 crop: None,
+                page: None,
                 keep_text: true,
                 working_size: &working_size,
             };

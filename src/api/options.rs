@@ -88,6 +88,14 @@ impl Options {
         self
     }
 
+    /// The page of a document (PDF, with the feature `pdf`), counted from 1. Any other picture is one page. A page that
+    /// is not there is refused with [`Error::NoSuchPage`](crate::Error::NoSuchPage). Default: the first, with a
+    /// [`Note`](crate::Note) if there are more.
+    pub fn page(mut self, page: u32) -> Self {
+        self.fit.page = Some(page);
+        self
+    }
+
     /// Draws a part of the picture only, as if the rest were not there.
     pub fn crop(mut self, crop: Crop) -> Self {
         self.fit.crop = Some(crop);
@@ -109,8 +117,8 @@ impl Options {
         self
     }
 
-    /// Draws the letters of texts, as lines like any others; otherwise texts are left out, and told. For SVG drawings;
-    /// letters that are paths are drawn in any case. Default: false.
+    /// Draws the letters of texts, as lines like any others; otherwise texts are left out, and told. For SVG drawings
+    /// and pages of PDF; letters that are paths are drawn in any case. Default: false.
     pub fn keep_text(mut self, keep: bool) -> Self {
         self.fit.keep_text = keep;
         self

@@ -30,6 +30,7 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
         limits: request.limits,
         fonts: request.fonts,
         crop: fit.crop,
+        page: fit.page,
         keep_text: fit.keep_text,
         working_size: &working_size,
     };

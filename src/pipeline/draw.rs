@@ -55,6 +55,7 @@ pub(super) fn draw(
         limits: request.limits,
         fonts: request.fonts,
         crop: fit.crop,
+        page: fit.page,
         keep_text: fit.keep_text,
         working_size: &working_size,
     };
@@ -62,8 +63,9 @@ pub(super) fn draw(
     let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
-    if !texts.is_empty() {
-        notes.push(Note::TextsLeftOut(texts.iter().map(|text| text.string.clone()).collect()));
+    let left_out: Vec<_> = texts.iter().filter(|text| !text.hidden).map(|text| text.string.clone()).collect();
+    if !left_out.is_empty() {
+        notes.push(Note::TextsLeftOut(left_out));
     }
 
     let is_flat = picture.raster.is_flat();
@@ -94,6 +96,7 @@ fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text> {
         place: MmRect::new(transform.to_mm(text.min), transform.to_mm(text.max)),
         angle: text.angle,
         size: text.size * transform.mm_per_px(),
+        hidden: text.hidden,
     };
     texts.iter().map(placed).collect()
 }

@@ -16,6 +16,8 @@ pub struct Fit {
     pub width: Option<f32>,
     /// Whether left and right are exchanged, for a machine that presses dots up from the back of the sheet.
     pub mirrored: bool,
+    /// The page of a document, from 1; without it the first.
+    pub page: Option<u32>,
     /// Whether the letters of drawings are drawn as lines.
     pub keep_text: bool,
 }
@@ -61,7 +63,8 @@ impl Fit {
         let width = self.width.map(|width| ("width asked for in mm", width.to_string()));
         let mirrored = self.mirrored.then(|| ("mirrored", "true".to_owned()));
         let text = self.keep_text.then(|| ("text kept", "true".to_owned()));
-        [part, width, mirrored, text].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
+        let page = self.page.map(|page| ("page of the document", page.to_string()));
+        [page, part, width, mirrored, text].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
     }
 }
 

@@ -105,6 +105,7 @@ pub fn trace<'p>(
         limits: request.limits,
         fonts: request.fonts,
         crop: fit.crop,
+        page: fit.page,
         keep_text: fit.keep_text,
         working_size: &working_size,
     };

@@ -36,6 +36,8 @@ pub struct DrawnText {
     pub angle: f32,
     /// Size of its font, px.
     pub size: f32,
+    /// Whether it is not painted, as the texts that lie behind a scanned page are not.
+    pub hidden: bool,
 }
 
 /// A box whose contours are found in the pixels.

@@ -9,7 +9,14 @@ fn part_of(bytes: &[u8], crop: &str, working_size: &dyn Fn(Source) -> Result<Siz
     let crop: Crop = crop.parse().expect("a part");
     decode(
         bytes,
-        &Options { limits: Limits::default(), fonts: &no_fonts, crop: Some(crop), keep_text: true, working_size },
+        &Options {
+            limits: Limits::default(),
+            fonts: &no_fonts,
+            crop: Some(crop),
+            page: None,
+            keep_text: true,
+            working_size,
+        },
     )
 }
 
@@ -97,7 +104,14 @@ fn limits_are_about_the_part_that_is_kept() {
         let crop = crop.map(|crop| crop.parse().expect("a part"));
         decode(
             &bytes,
-            &Options { limits, fonts: &no_fonts, crop, keep_text: true, working_size: &|source| Ok(source.size) },
+            &Options {
+                limits,
+                fonts: &no_fonts,
+                crop,
+                page: None,
+                keep_text: true,
+                working_size: &|source| Ok(source.size),
+            },
         )
     };
     assert!(matches!(decode_part(None), Err(Error::TooMuchMemory { .. })));

@@ -49,8 +49,14 @@ fn fonts_are_asked_for_once_and_only_by_texts() {
         Arc::new(fonts)
     };
     let working_size = |source: Source| Ok(source.size);
-    let options =
-        Options { limits: Limits::default(), fonts: &fonts, crop: None, keep_text: true, working_size: &working_size };
+    let options = Options {
+        limits: Limits::default(),
+        fonts: &fonts,
+        crop: None,
+        page: None,
+        keep_text: true,
+        working_size: &working_size,
+    };
     for name in ["rgb.svg", "picture-inside.svg", "linked.svg", "rgb.png"] {
         decode(&read(name), &options).unwrap();
     }

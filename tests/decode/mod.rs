@@ -4,6 +4,7 @@ mod bad;
 mod colours;
 mod crops;
 mod drawings;
+mod pdf;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -34,7 +35,10 @@ fn no_fonts() -> Arc<usvg::fontdb::Database> {
 }
 
 fn decode_to(bytes: &[u8], working_size: &dyn Fn(Source) -> Result<Size, Error>) -> Result<Picture, Error> {
-    decode(bytes, &Options { limits: Limits::default(), fonts: &no_fonts, crop: None, keep_text: true, working_size })
+    decode(
+        bytes,
+        &Options { limits: Limits::default(), fonts: &no_fonts, crop: None, page: None, keep_text: true, working_size },
+    )
 }
 
 /// At the size of the source.

@@ -111,6 +111,7 @@ fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
         limits: Limits::default(),
         fonts: &Arc::default,
         crop: None,
+        page: None,
         keep_text: true,
         working_size: &working_size,
     };

@@ -22,6 +22,7 @@ use super::rows::{Extents, Samples};
 use super::{paths, texts};
 use crate::raster::crop::Part;
 use crate::raster::planes::Raster;
+use crate::raster::vector::DrawnText;
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -77,6 +78,35 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         Some(tree) => (tree, Some(with_texts)),
         None => (with_texts, None),
     };
+    let texts = |transform, size| with_texts.map_or_else(Vec::new, |tree| texts::of_tree(&tree, transform, size));
+    drawn(&tree, options, texts, left_out)
+}
+
+/// A page of a document that was made a drawing: SVG without texts. `texts` are those of the page on a canvas of this
+/// size, to which this transform leads from the drawing.
+#[cfg(feature = "pdf")]
+pub(super) fn decode_page(
+    text: &str,
+    options: &Options<'_>,
+    texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
+) -> Result<Picture, Error> {
+    let left_out = LeftOut::default();
+    let image_href_resolver = links(&left_out, options.limits);
+    let parsing = usvg::Options { image_href_resolver, font_resolver: no_fonts(), ..usvg::Options::default() };
+    let document = document(text, complexity::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
+    let parsed = unless_beyond_numbers(|| Tree::from_xmltree(&document, &parsing))?;
+    let tree = parsed.map_err(|fault| undecodable(FORMAT, fault_in(&fault)))?;
+    drop((parsing, document));
+    drawn(&tree, options, texts, left_out)
+}
+
+/// Renders a drawing, and asks for the texts that are left out of it.
+fn drawn(
+    tree: &Tree,
+    options: &Options<'_>,
+    texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
+    left_out: LeftOut,
+) -> Result<Picture, Error> {
     let whole = nominal_size(tree.size())?;
     let part = job::part(whole, options)?;
     let source = Source { size: part.size, is_drawing: true };
@@ -93,10 +123,10 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let canvases = 1 + canvases(tree.root());
     let bytes = canvases.saturating_mul(target.area().saturating_mul(4)).saturating_add(working_bytes(target));
     check_memory(FORMAT, target, bytes, limits)?;
-    let transform = to_pixels(&tree, whole, part, target);
-    let raster = unless_beyond_numbers(|| render(&tree, transform, target))??;
-    let drawing = unless_beyond_numbers(|| paths::of_tree(&tree, transform))?;
-    let texts = with_texts.map_or_else(Vec::new, |tree| texts::of_tree(&tree, transform, target));
+    let transform = to_pixels(tree, whole, part, target);
+    let raster = unless_beyond_numbers(|| render(tree, transform, target))??;
+    let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
+    let texts = texts(transform, target);
     Ok(Picture { raster, source, drawing, texts, notes: left_out.notes() })
 }
 

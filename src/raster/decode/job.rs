@@ -49,6 +49,8 @@ pub struct Options<'a> {
     pub fonts: &'a Fonts<'a>,
     /// The part of the upright picture that is used; all of it without one.
     pub crop: Option<Crop>,
+    /// The page of a document, from 1; without it the first. A picture has one page.
+    pub page: Option<u32>,
     /// Whether letters of drawings are drawn; if not, texts are left out and given as data.
     pub keep_text: bool,
     /// The working size for a source: never larger than the source unless it is a drawing.

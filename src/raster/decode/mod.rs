@@ -1,7 +1,7 @@
 //! Bytes of a picture file become a [`Raster`](super::Raster) at the working size.
 //!
 //! ```text
-//!  bytes -- sniff --> jpeg | png | other | drawing --> rows (light, shrink, orient)
+//!  bytes -- sniff --> jpeg | png | other | drawing | pdf --> rows (light, shrink, orient)
 //!                       `- header: Job::begin checks the limits and asks for the working size,
 //!                          before anything is decoded
 //! ```
@@ -15,6 +15,8 @@ mod light;
 mod orient;
 mod other;
 mod paths;
+#[cfg(feature = "pdf")]
+mod pdf;
 mod pixels;
 mod png;
 mod rows;
@@ -38,11 +40,16 @@ pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
         return Err(Error::Empty);
     }
     let format = sniff::format(bytes).map_err(|looks_like| Error::UnknownFormat { looks_like })?;
+    if !format.has_pages() {
+        check_page(options.page)?;
+    }
     let decoded = guarded(|| match format {
         Format::Jpeg => jpeg::decode(bytes, options),
         Format::Png => png::decode(bytes, options),
         Format::Svg => drawing::decode(bytes, options),
         Format::Gzip => drawing::decode_gzip(bytes, options),
+        #[cfg(feature = "pdf")]
+        Format::Pdf => pdf::decode(bytes, options),
         Format::WebP => other::webp(bytes, options),
         Format::Tiff => other::tiff(bytes, options),
         Format::Bmp => other::bmp(bytes, options),
@@ -52,6 +59,15 @@ pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
     decoded.unwrap_or_else(|panic| Err(undecodable(format.name(), format!("its decoder failed ({panic})"))))
 }
 
+/// # Errors
+/// If another page is asked for than the one that a picture is.
+fn check_page(page: Option<u32>) -> Result<(), Error> {
+    match page {
+        None | Some(1) => Ok(()),
+        Some(page) => Err(Error::NoSuchPage { page, pages: 1 }),
+    }
+}
+
 /// Decodes a picture that is given as a file or as pixels.
 ///
 /// # Errors
@@ -59,6 +75,9 @@ pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
 pub(crate) fn decode_picture(picture: picture::Picture<'_>, options: &Options<'_>) -> Result<Picture, Error> {
     match picture.0 {
         picture::Source::File(bytes) => decode(bytes, options),
-        picture::Source::Rgba8 { size, pixels } => pixels::decode_rgba8(size, pixels, options),
+        picture::Source::Rgba8 { size, pixels } => {
+            check_page(options.page)?;
+            pixels::decode_rgba8(size, pixels, options)
+        }
     }
 }

@@ -11,6 +11,8 @@ pub(super) enum Format {
     Gif,
     Pnm,
     Svg,
+    #[cfg(feature = "pdf")]
+    Pdf,
     /// Something compressed with gzip, as SVGZ drawings are.
     Gzip,
 }
@@ -27,8 +29,20 @@ impl Format {
             Self::Gif => "GIF",
             Self::Pnm => "PNM",
             Self::Svg => "SVG",
+            #[cfg(feature = "pdf")]
+            Self::Pdf => "PDF",
             Self::Gzip => "SVGZ",
         }
+    }
+}
+
+impl Format {
+    /// Whether it is a format of documents, which have pages.
+    pub(super) fn has_pages(self) -> bool {
+        #[cfg(feature = "pdf")]
+        return matches!(self, Self::Pdf);
+        #[cfg(not(feature = "pdf"))]
+        false
     }
 }
 
@@ -45,6 +59,8 @@ pub(super) fn format(bytes: &[u8]) -> Result<Format, Option<&'static str>> {
         () if starts(b"GIF87a") || starts(b"GIF89a") => Format::Gif,
         () if is_pnm(bytes) => Format::Pnm,
         () if starts(b"\x1F\x8B") => Format::Gzip,
+        #[cfg(feature = "pdf")]
+        () if is_pdf(bytes) => Format::Pdf,
         () => return root_element(bytes).map_or_else(|| Err(other(bytes)), |name| svg_or_not(&name)),
     })
 }
@@ -60,6 +76,11 @@ fn is_pnm(bytes: &[u8]) -> bool {
     let spaced = rest.first().is_some_and(|b| b.is_ascii_whitespace() || *b == b'#');
     let next = rest.trim_ascii_start().first();
     spaced && next.is_some_and(|b| b.is_ascii_digit() || *b == b'#' || (*kind == b'7' && b.is_ascii_uppercase()))
+}
+
+/// PDF documents may have other bytes before their header, such as those of a mail.
+fn is_pdf(bytes: &[u8]) -> bool {
+    find(bytes.get(..1024).unwrap_or(bytes), b"%PDF-").is_some()
 }
 
 /// The name of the first element of an XML or HTML text, without its prefix and in lower case.
@@ -114,7 +135,7 @@ fn other(bytes: &[u8]) -> Option<&'static str> {
         Some(b"avif" | b"avis") => "an AVIF picture: save it as JPEG or PNG",
         Some(b"crx ") => "a camera's raw file: save it as JPEG",
         Some(_) => "a film",
-        None if starts(b"%PDF-") => "a PDF: save the page as a picture",
+        None if is_pdf(bytes) => "a PDF: save the page as a picture",
         None if starts(b"%!PS") || starts(b"\xC5\xD0\xD3\xC6") => "PostScript: save it as SVG or PNG",
         None if starts(b"PK\x03\x04") => "a ZIP archive or an Office document: take the picture out of it",
         None if starts(b"\xD0\xCF\x11\xE0") => "an old Office document: take the picture out of it",
@@ -158,14 +179,13 @@ mod tests {
     #[test]
     fn other_files_are_named() {
         let german = "Grüße, ".repeat(300); // the first kilobyte ends within a letter
-        let cases: [(&[u8], Option<&str>); 10] = [
+        let cases: [(&[u8], Option<&str>); 9] = [
             (b"Dear reader,\nhello", Some("text")),
             (b"BMW and others", Some("text")),
             (b"P4 is a name", Some("text")),
             (german.as_bytes(), Some("text")),
             (b"<!doctype html><html>", Some("a web page (HTML)")),
             (b"<gpx version='1'>", Some("an XML file that is no SVG drawing")),
-            (b"%PDF-1.7", Some("a PDF: save the page as a picture")),
             (b"\0\0\0\x18ftypheic", Some("a HEIC photo: save it as JPEG")),
             (b"\0\0\0\x18ftypavif", Some("an AVIF picture: save it as JPEG or PNG")),
             (b"\x00\x01\x02\x03", None),
@@ -173,5 +193,17 @@ mod tests {
         for (bytes, what) in cases {
             assert_eq!(format(bytes).err().flatten(), what, "{}", String::from_utf8_lossy(bytes));
         }
+    }
+
+    #[test]
+    fn documents_may_begin_late() {
+        let late = [b"MIME-Version: 1.0\n\n".as_slice(), b"%PDF-1.4\n"].concat();
+        for bytes in [b"%PDF-1.7".as_slice(), &late] {
+            #[cfg(feature = "pdf")]
+            assert_eq!(format(bytes), Ok(Format::Pdf));
+            #[cfg(not(feature = "pdf"))]
+            assert_eq!(format(bytes), Err(Some("a PDF: save the page as a picture")));
+        }
+        assert_eq!(format(&[&[b' '; 1024][..], b"%PDF-1.7"].concat()), Err(Some("text")));
     }
 }

@@ -55,5 +55,6 @@ fn drawn(text: &Text, transform: Transform, size: Size) -> Option<DrawnText> {
         max: PxPoint::new(place.right(), place.bottom()),
         angle: -to_pixels.ky.atan2(to_pixels.sx).to_degrees() - turned,
         size: largest.fold(0.0, f32::max) * to_pixels.kx.hypot(to_pixels.sy),
+        hidden: false,
     })
 }

@@ -54,6 +54,7 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
         limits: Limits::default(),
         fonts: &Arc::default,
         crop: None,
+        page: None,
         keep_text: true,
         working_size: &working_size,
     };

@@ -1,0 +1,110 @@
+//! The SVG text that hayro writes of a page, made fit for the way of drawings.
+//!
+//! hayro-svg 0.9 writes one element a line. Letters are `<use xlink:href="#g7"/>` of outlines, or `#e7` where the
+//! font's letters are drawings of their own (Type 3). Each path that is clipped stands in a group of its own, so that
+//! a page of a thousand paths under one clip has a thousand clipped groups.
+
+use super::common::PX_PER_POINT;
+
+/// The text with its size in CSS pixels, without letters unless they are kept, and with neighbours that are clipped
+/// alike in one group.
+pub(super) fn prepared(svg: &str, (width, height): (f32, f32), keep_letters: bool) -> String {
+    let mut out = String::with_capacity(svg.len());
+    let mut lines = svg.lines();
+    out.push_str(&sized(lines.next().unwrap_or_default(), width, height));
+    // The lines that opened the elements around the place that is read.
+    let mut open: Vec<&str> = Vec::new();
+    // What opened a group of which the end is read but not written: it may go on.
+    let mut ending: Option<&str> = None;
+    for element in lines.map(str::trim_start) {
+        if !keep_letters && is_letter(element) {
+            continue;
+        }
+        if let Some(group) = ending.take() {
+            if element == group {
+                open.push(element);
+                continue;
+            }
+            out.push_str("\n</g>");
+        }
+        if element.starts_with("</") {
+            ending = open.pop().filter(|opening| only_clips(opening));
+            if ending.is_some() {
+                continue;
+            }
+        } else if element.starts_with('<') && !element.ends_with("/>") {
+            open.push(element);
+        }
+        out.push('\n');
+        out.push_str(element);
+    }
+    out
+}
+
+/// The first line, which says the size in points without a unit.
+fn sized(line: &str, width: f32, height: f32) -> String {
+    let with_unit = |line: &str, name: &str, points: f32| {
+        line.replacen(&format!(" {name}=\"{points}\""), &format!(" {name}=\"{}\"", points * PX_PER_POINT), 1)
+    };
+    with_unit(&with_unit(line, "width", width), "height", height)
+}
+
+/// Whether an element draws a letter.
+fn is_letter(element: &str) -> bool {
+    let id = element.strip_prefix("<use xlink:href=\"#").and_then(|rest| rest.split_once('"')).map(|(id, _)| id);
+    let number = id.and_then(|id| id.strip_prefix(['g', 'e']));
+    number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
+/// Whether an element opens a group that does nothing but clip.
+fn only_clips(opening: &str) -> bool {
+    let id = opening.strip_prefix("<g clip-path=\"url(#").and_then(|rest| rest.strip_suffix(")\">"));
+    id.is_some_and(|id| !id.contains('"'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = r##"<svg viewBox="0 0 72 36" width="72" height="36" xmlns="http://www.w3.org/2000/svg">
+    <g clip-path="url(#c0)">
+        <path d="M0,0 L1,1"/>
+    </g>
+    <g clip-path="url(#c0)">
+        <use xlink:href="#g0" transform="scale(0.1 0.1)"/>
+    </g>
+    <g clip-path="url(#c0)">
+        <g opacity="0.5" clip-path="url(#c0)">
+            <path d="M2,2 L3,3"/>
+        </g>
+    </g>
+    <use xlink:href="#e12"/>
+    <g clip-path="url(#c1)">
+        <use xlink:href="#s0"/>
+    </g>
+    <path d="M4,4"/>
+</svg>"##;
+
+    #[test]
+    fn letters_are_left_out_and_clipped_neighbours_united() {
+        let without = prepared(PAGE, (72.0, 36.0), false);
+        assert_eq!(
+            without,
+            r##"<svg viewBox="0 0 72 36" width="96" height="48" xmlns="http://www.w3.org/2000/svg">
+<g clip-path="url(#c0)">
+<path d="M0,0 L1,1"/>
+<g opacity="0.5" clip-path="url(#c0)">
+<path d="M2,2 L3,3"/>
+</g>
+</g>
+<g clip-path="url(#c1)">
+<use xlink:href="#s0"/>
+</g>
+<path d="M4,4"/>
+</svg>"##
+        );
+        let with = prepared(PAGE, (72.0, 36.0), true);
+        assert_eq!(with.matches("<use").count(), 3, "{with}");
+        assert_eq!(with.matches("</g>").count(), 3, "{with}");
+    }
+}

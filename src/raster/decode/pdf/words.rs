@@ -1,0 +1,200 @@
+//! Letters on a page are joined into texts by their places: a document does not say where a word or a line ends.
+
+use hayro_interpret::kurbo::{Point, Rect, Vec2};
+use resvg::tiny_skia::Transform;
+
+use super::common::PX_PER_POINT;
+use crate::raster::vector::DrawnText;
+use crate::units::{PxPoint, Size};
+
+/// Widest gap inside a word, in font sizes. Spaces between words are 0.22 (set close by TeX) to 0.6.
+const IN_WORD: f64 = 0.19;
+
+/// Widest gap between words of one text, in font sizes; beyond it stands another column or label.
+const BETWEEN_WORDS: f64 = 1.5;
+
+/// How far a letter may reach back into the one before it, in font sizes: accents and kerning do.
+const BACK: f64 = 0.5;
+
+/// How far letters of one text may stand above or below its line, in font sizes.
+const OFF_LINE: f64 = 0.2;
+
+/// How much larger or smaller letters of one text may be.
+const OTHER_SIZE: f64 = 1.15;
+
+/// Above and below the line that letters stand on, in font sizes.
+const ASCENT: f64 = 0.75;
+const DESCENT: f64 = 0.22;
+
+/// A letter on the page, in points from the top left.
+pub(super) struct Letter {
+    /// Which it is, if that is known.
+    pub(super) string: Option<String>,
+    /// Where it begins on the line that it stands on.
+    pub(super) from: Point,
+    /// Where the next may begin.
+    pub(super) to: Point,
+    /// From the line up, as long as the font size.
+    pub(super) up: Vec2,
+    /// In the direction of reading, as long as the font size.
+    pub(super) along: Vec2,
+    /// Whether it is not painted, as the letters behind a scanned picture are not.
+    pub(super) hidden: bool,
+}
+
+/// A text on the page, in points from the top left.
+#[derive(Debug, Clone)]
+pub(super) struct Written {
+    string: String,
+    place: Rect,
+    up: Vec2,
+    along: Vec2,
+    /// Where its last letter ends.
+    end: Point,
+    hidden: bool,
+}
+
+/// Texts as they grow.
+#[derive(Default)]
+pub(super) struct Texts {
+    done: Vec<Written>,
+    unknown: usize,
+    /// Whether a space was written after the last letter.
+    spaced: bool,
+    /// Whether the next letter may belong to the last text.
+    open: bool,
+}
+
+impl Texts {
+    /// Adds a letter where a part of it lies in the box that is seen.
+    pub(super) fn add(&mut self, letter: Letter, seen: Option<Rect>) {
+        let place = place(&letter);
+        let is_finite = place.is_finite() && letter.up.is_finite() && letter.along.is_finite();
+        if !is_finite || seen.is_none_or(|seen| !is_seen(place, seen)) {
+            self.open = false;
+            return;
+        }
+        let Some(string) = letter.string.as_deref() else {
+            self.unknown += usize::from(!letter.hidden);
+            return;
+        };
+        if string.chars().all(char::is_whitespace) {
+            self.space(&letter);
+        } else if let Some(gap) = self.gap(&letter).filter(|gap| *gap <= BETWEEN_WORDS)
+            && let Some(last) = self.done.last_mut()
+        {
+            if self.spaced || gap > IN_WORD {
+                last.string.push(' ');
+            }
+            last.string.push_str(string);
+            last.place = last.place.union(place);
+            last.end = letter.to;
+            self.spaced = false;
+        } else {
+            self.done.push(Written {
+                string: string.to_owned(),
+                place,
+                up: letter.up,
+                along: letter.along,
+                end: letter.to,
+                hidden: letter.hidden,
+            });
+            (self.spaced, self.open) = (false, true);
+        }
+    }
+
+    fn space(&mut self, letter: &Letter) {
+        if self.gap(letter).is_some_and(|gap| gap <= BETWEEN_WORDS)
+            && let Some(last) = self.done.last_mut()
+        {
+            last.end = letter.to;
+            self.spaced = true;
+        }
+    }
+
+    /// How far behind the last text a letter stands, in font sizes; none if it stands on another line or is of another
+    /// size or direction.
+    fn gap(&self, letter: &Letter) -> Option<f64> {
+        let last = self.done.last().filter(|_| self.open)?;
+        let (size, own) = (last.up.hypot(), letter.up.hypot());
+        let alike = size > 0.0 && own > 0.0 && (own / size).max(size / own) <= OTHER_SIZE;
+        let along = last.along.normalize();
+        let turned = along.cross(letter.along.normalize()).abs() > 0.02 || along.dot(letter.along) < 0.0;
+        if !alike || turned || last.hidden != letter.hidden {
+            return None;
+        }
+        let step = letter.from - last.end;
+        let gap = along.dot(step) / size;
+        (along.cross(step).abs() <= OFF_LINE * size && gap >= -BACK).then_some(gap)
+    }
+
+    /// The texts in their order, and how many letters are not known.
+    pub(super) fn finish(self) -> (Vec<Written>, usize) {
+        (self.done, self.unknown)
+    }
+}
+
+fn is_seen(place: Rect, seen: Rect) -> bool {
+    place.x0 < seen.x1 && place.y0 < seen.y1 && place.x1 > seen.x0 && place.y1 > seen.y0
+}
+
+/// The box around a letter.
+fn place(letter: &Letter) -> Rect {
+    let (above, below) = (letter.up * ASCENT, letter.up * -DESCENT);
+    let around = Rect::from_points(letter.from + above, letter.to + below);
+    around.union(Rect::from_points(letter.from + below, letter.to + above))
+}
+
+/// The texts that are seen on a canvas of a size, which shows a drawing in CSS pixels with `transform`.
+pub(super) fn on_canvas(texts: &[Written], transform: Transform, size: Size) -> Vec<DrawnText> {
+    let transform = transform.pre_scale(PX_PER_POINT, PX_PER_POINT);
+    let canvas = Rect::new(0.0, 0.0, f64::from(size.width), f64::from(size.height));
+    let at = |point: Point| {
+        let mut at = resvg::tiny_skia::Point::from_xy(point.x as f32, point.y as f32);
+        transform.map_point(&mut at);
+        PxPoint::new(at.x, at.y)
+    };
+    let drawn = |text: &Written| {
+        let (min, max) = (at(Point::new(text.place.x0, text.place.y0)), at(Point::new(text.place.x1, text.place.y1)));
+        let place = Rect::new(f64::from(min.x), f64::from(min.y), f64::from(max.x), f64::from(max.y));
+        is_seen(place, canvas).then(|| DrawnText {
+            string: text.string.split_whitespace().collect::<Vec<_>>().join(" "),
+            min,
+            max,
+            angle: -text.along.atan2().to_degrees() as f32,
+            size: text.up.hypot() as f32 * transform.sy.hypot(transform.kx),
+            hidden: text.hidden,
+        })
+    };
+    texts.iter().filter_map(drawn).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Letters of half a font size of 10, at these places.
+    fn texts(letters: &[(&str, f64, f64)]) -> Vec<String> {
+        let mut texts = Texts::default();
+        for (string, x, y) in letters {
+            let from = Point::new(*x, *y);
+            let (up, along) = (Vec2::new(0.0, -10.0), Vec2::new(10.0, 0.0));
+            let string = (*string != "?").then(|| (*string).to_owned());
+            let letter = Letter { string, from, to: from + Vec2::new(5.0, 0.0), up, along, hidden: false };
+            texts.add(letter, Some(Rect::new(0.0, 0.0, 200.0, 100.0)));
+        }
+        texts.finish().0.into_iter().map(|text| text.string).collect()
+    }
+
+    #[test]
+    fn letters_are_joined_by_their_gaps() {
+        assert_eq!(texts(&[("a", 0.0, 50.0), ("b", 6.0, 50.0), ("c", 10.0, 50.0)]), ["abc"]);
+        assert_eq!(texts(&[("a", 0.0, 50.0), ("b", 7.5, 50.0)]), ["a b"], "a gap of a quarter of the size");
+        assert_eq!(texts(&[("a", 0.0, 50.0), (" ", 5.0, 50.0), ("b", 10.0, 50.0)]), ["a b"], "a space that is written");
+        assert_eq!(texts(&[("a", 0.0, 50.0), ("b", 25.0, 50.0)]), ["a", "b"], "a gap of two sizes");
+        assert_eq!(texts(&[("a", 0.0, 50.0), ("b", 5.0, 62.0)]), ["a", "b"], "the next line");
+        assert_eq!(texts(&[("a", 50.0, 50.0), ("b", 0.0, 50.0)]), ["a", "b"], "back to the left");
+        assert_eq!(texts(&[("a", 0.0, 50.0), ("b", 300.0, 50.0)]), ["a"], "off the page");
+        assert_eq!(texts(&[(" ", 0.0, 50.0), ("a", 5.0, 50.0), (" ", 10.0, 50.0)]), ["a"], "spaces around");
+    }
+}
