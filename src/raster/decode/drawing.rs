@@ -121,10 +121,16 @@ fn drawn(
     }
     // Each group that is blended as a whole has a canvas of its own while it is drawn, and so has each one inside it.
     let canvases = 1 + canvases(tree.root());
-    let bytes = canvases.saturating_mul(target.area().saturating_mul(4)).saturating_add(working_bytes(target));
-    check_memory(FORMAT, target, bytes, limits)?;
+    let bytes = |finer: u32| {
+        let area = target.area().saturating_mul(u64::from(finer * finer));
+        canvases.saturating_mul(area.saturating_mul(4)).saturating_add(working_bytes(target))
+    };
+    check_memory(FORMAT, target, bytes(1), limits)?;
     let transform = to_pixels(tree, whole, part, target);
-    let raster = unless_beyond_numbers(|| render(tree, transform, target))??;
+    let wanted = density(tree.root(), transform).ceil().min(MOST_FINER) as u32;
+    let has_room = |finer: &u32| check_memory(FORMAT, target, bytes(*finer), limits).is_ok();
+    let finer = (2..=wanted).rev().find(has_room).unwrap_or(1);
+    let raster = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
     let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
     let texts = texts(transform, target);
     Ok(Picture { raster, source, drawing, texts, notes: left_out.notes() })
@@ -148,14 +154,35 @@ fn to_pixels(tree: &Tree, whole: Size, part: Part, target: Size) -> tiny_skia::T
     tiny_skia::Transform::from_row(across, 0.0, 0.0, down, -left as f32, -top as f32)
 }
 
-/// Renders a drawing over white.
-fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size) -> Result<Raster, Error> {
+/// Most times finer than the working picture a drawing is rendered.
+const MOST_FINER: f32 = 8.0;
+
+/// How many pixels of a picture inside a drawing lie side by side in a pixel of the canvas, at most. resvg takes the
+/// nearest ones, or the nearest 16, of each place: where they are close, it passes over most of them, and thin lines of
+/// a scan go to pieces.
+fn density(group: &usvg::Group, transform: tiny_skia::Transform) -> f32 {
+    let of_node = |node: &usvg::Node| match node {
+        usvg::Node::Group(group) => density(group, transform),
+        usvg::Node::Image(image) if !matches!(image.kind(), ImageKind::SVG(_)) => {
+            let to_canvas = transform.pre_concat(image.abs_transform());
+            let (across, down) = (to_canvas.sx.hypot(to_canvas.ky), to_canvas.kx.hypot(to_canvas.sy));
+            1.0 / across.min(down).max(1e-6)
+        }
+        _ => 1.0,
+    };
+    let of_mask = group.mask().map(|mask| density(mask.root(), transform));
+    group.children().iter().map(of_node).chain(of_mask).fold(1.0, f32::max)
+}
+
+/// Renders a drawing over white: on a canvas so many times finer, of which each pixel is an average.
+fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size, finer: u32) -> Result<Raster, Error> {
     let room = || undecodable(FORMAT, format!("there is no room to draw it at {target} pixels"));
-    let mut canvas = tiny_skia::Pixmap::new(target.width, target.height).ok_or_else(room)?;
+    let size = Size::new(target.width * finer, target.height * finer);
+    let mut canvas = tiny_skia::Pixmap::new(size.width, size.height).ok_or_else(room)?;
     canvas.fill(tiny_skia::Color::WHITE);
-    resvg::render(tree, transform, &mut canvas.as_mut());
+    resvg::render(tree, transform.post_scale(finer as f32, finer as f32), &mut canvas.as_mut());
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
-    let source = Extents::pixels(target.width, Part::whole(target));
+    let source = Extents::pixels(size.width, Part::whole(size));
     let samples = Samples::new(layout, Meaning::Srgb, source, target, Orientation::NoTransforms);
     samples.raster(canvas.data()).ok_or_else(room)
 }
