@@ -4,6 +4,7 @@ mod calibrate;
 mod embossing;
 mod feel;
 mod fitting;
+mod pages;
 mod quality;
 mod shared;
 mod trace;
@@ -20,6 +21,7 @@ pub(super) use self::calibrate::Calibrate;
 pub(super) use self::embossing::Embossing;
 pub(super) use self::feel::Feel;
 pub(super) use self::fitting::Fitting;
+pub(super) use self::pages::Pages;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 pub(super) use self::writing::{Chosen, Writing};
@@ -52,9 +54,9 @@ More about converting: tactograph convert --help";
 const CONVERT_LONG_ABOUT: &str = "\
 Makes a page of each picture.
 
-Formats read: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM and SVG. The format is told from the contents, not \
-from the name. Written are SVG, PDF and PNG, and dots for embossers and pin displays, as the name for -o ends or \
---format says.
+Formats read: JPEG, PNG, WebP, TIFF, BMP, GIF (first frame), PNM, SVG and pages of PDF. The format is told from the \
+contents, not from the name. Written are SVG, PDF and PNG, and dots for embossers and pin displays, as the name for \
+-o ends or --format says.
 
 The page of photo.png is photo.svg beside it, unless -o or --out-dir say otherwise. Where that is the picture itself, \
 because the picture is photo.svg, the page is photo.page.svg: a picture is never overwritten. Nor is a file that \
@@ -81,6 +83,8 @@ Examples:
         shows in less time what the page of a large picture will be like
   tactograph convert coffee.png --crop 20%,10%,50%,70% --width-mm 120
         draws a part of the picture, 120 mm wide
+  tactograph convert worksheet.pdf --page 1-2
+        makes worksheet-1.svg and worksheet-2.svg of the first two pages of a document
   tactograph convert coffee.png --sheets 2x2 -o large.pdf
         spreads the picture over two by two sheets, and the overview on another
   tactograph convert coffee.png --outlines --set page.orientation=landscape
@@ -231,11 +235,14 @@ impl Convert {
     /// What is wrong if one picture's words are given to several.
     fn words_for_many(&self) -> Option<String> {
         let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some())];
-        let given = given.iter().filter(|(_, given)| *given && self.pictures.len() > 1).map(|(option, _)| *option);
+        let (count, what) = match (self.pictures.len(), self.shared.page.map_or(1, |pages| pages.numbers().count())) {
+            (1, pages) => (pages, " pages"),
+            (pictures, _) => (pictures, ""),
+        };
+        let given = given.iter().filter(|(_, given)| *given && count > 1).map(|(option, _)| *option);
         let given = given.collect::<Vec<_>>().join(" and ");
-        let count = self.pictures.len();
         (!given.is_empty()).then(|| {
-            format!("{given}: these words are for one picture, but there are {count}; convert them one by one")
+            format!("{given}: these words are for one picture, but there are {count}{what}; convert them one by one")
         })
     }
 }

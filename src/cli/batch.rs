@@ -94,7 +94,7 @@ fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
     let profile = settings::profile(&shared.profile, &changes);
     let mut faults = order.faults.clone();
     faults.extend(profile.iter().flat_map(check));
-    let accepted = match (places::jobs(&Names { product, pictures, output, out_dir }), profile) {
+    let accepted = match (places::jobs(&Names { product, pictures, output, out_dir, pages: shared.page }), profile) {
         (Ok(jobs), Ok(profile)) if faults.is_empty() => (jobs, profile),
         (jobs, profile) => {
             faults.iter().for_each(|what| report.usage(what));
@@ -121,7 +121,7 @@ fn work(
     make: impl Fn(&[u8], &Options, &Timings) -> Result<Made, Error>,
 ) -> Result<Done, Failure> {
     let timings = Timings::start();
-    let about_picture = |what: String| Failure { file: places::picture_name(&job.picture), what };
+    let about_picture = |what: String| Failure { file: places::job_name(job), what };
     let about_target =
         |error: anyhow::Error| Failure { file: places::target_name(&job.target), what: format!("{error:#}") };
 
@@ -138,6 +138,7 @@ fn work(
         .map_err(|error| about_picture(format!("{error:#}")))?;
     let told = timings.clone();
     let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
+    let options = job.page.into_iter().fold(options, Options::page);
     let Made { files, sheets, notes } =
         make(&bytes, &options, &timings).map_err(|error| about_picture(explain(&error)))?;
     let names = timings.step("write", || write(product, job, &files, existing))?;
@@ -203,10 +204,21 @@ fn explain(error: &Error) -> String {
     }
 }
 
-/// A picture is called as its file is.
+/// What is remarked, with the option that helps.
+fn remark(note: &Note) -> String {
+    match note {
+        Note::FirstPageOnly { pages } => {
+            format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
+        }
+        _ => note.to_string(),
+    }
+}
+
+/// A picture is called as its file is, and the page of it that was asked for.
 fn name_of(job: &Job) -> String {
     let name = if places::is_std(&job.picture) { None } else { job.picture.file_name() };
-    name.map_or_else(|| "picture".into(), |name| name.to_string_lossy().into_owned())
+    let name = name.map_or_else(|| "picture".into(), |name| name.to_string_lossy().into_owned());
+    places::with_page(name, job.page)
 }
 
 /// Tells what became of one picture. Returns whether its file is written.
@@ -218,10 +230,10 @@ fn tell(
     report: &Report,
 ) -> bool {
     let job = &jobs[index];
-    let picture = places::picture_name(&job.picture);
+    let picture = places::job_name(job);
     match outcome {
         Ok(Ok(done)) => {
-            done.notes.iter().for_each(|note| report.note(&picture, &note.to_string()));
+            done.notes.iter().for_each(|note| report.note(&picture, &remark(note)));
             let wrote = format!("wrote {}", done.wrote);
             report.done(&match jobs.len() {
                 1 => wrote,

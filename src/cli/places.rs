@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::args::Pages;
 use super::output::{Existing, directory};
 use super::product::Product;
 
@@ -18,6 +19,8 @@ pub(super) struct Names<'a> {
     pub(super) output: Option<&'a Path>,
     /// `--out-dir`.
     pub(super) out_dir: Option<&'a Path>,
+    /// `--page`.
+    pub(super) pages: Option<Pages>,
 }
 
 /// One picture and what is made of it.
@@ -25,6 +28,8 @@ pub(super) struct Names<'a> {
 pub(super) struct Job {
     /// The picture; `-` is standard input.
     pub(super) picture: PathBuf,
+    /// The page of it that is asked for.
+    pub(super) page: Option<u32>,
     /// Where the result goes.
     pub(super) target: Target,
 }
@@ -69,6 +74,16 @@ pub(super) fn picture_name(path: &Path) -> String {
     if is_std(path) { "standard input".into() } else { path.display().to_string() }
 }
 
+/// What to call a job's picture in messages, with its page.
+pub(super) fn job_name(job: &Job) -> String {
+    with_page(picture_name(&job.picture), job.page)
+}
+
+/// A name with the page that is asked for.
+pub(super) fn with_page(name: String, page: Option<u32>) -> String {
+    page.map_or_else(|| name.clone(), |page| format!("{name}, page {page}"))
+}
+
 /// What to call a result's place in messages.
 pub(super) fn target_name(target: &Target) -> String {
     target.path().map_or_else(|| "standard output".into(), |path| path.display().to_string())
@@ -100,13 +115,33 @@ pub(super) fn jobs(names: &Names<'_>) -> Result<Vec<Job>, Vec<String>> {
         ));
         return Err(faults);
     }
-    let jobs = names
-        .pictures
-        .iter()
-        .map(|picture| Job { picture: picture.clone(), target: target(picture, names) })
-        .collect::<Vec<_>>();
+    let jobs: Vec<Job> = names.pictures.iter().flat_map(|picture| jobs_of(picture, names)).collect();
+    let is_range = matches!(names.pages, Some(Pages::Range(..)));
+    if is_range && names.pictures.iter().any(|path| is_std(path)) {
+        faults.push("several pages are read one by one, so not from standard input (-); give a file".into());
+    } else if is_range && jobs.iter().any(|job| job.target == Target::Stdout) {
+        faults.push(format!("several {noun}s do not go to standard output; name them with -o or --out-dir"));
+    }
     faults.extend(collisions(&jobs, product));
     if faults.is_empty() { Ok(jobs) } else { Err(faults) }
+}
+
+/// One job for each page that is asked for.
+fn jobs_of(picture: &Path, names: &Names<'_>) -> Vec<Job> {
+    let target = target(picture, names);
+    let job = |page, target| Job { picture: picture.to_path_buf(), page, target };
+    match names.pages {
+        None => vec![job(None, target)],
+        Some(Pages::One(page)) => vec![job(Some(page), target)],
+        Some(pages) => {
+            let of_page = |page: u32| match target.path() {
+                // The names with numbers are made up, also where the one without was given.
+                Some(path) => job(Some(page), Target::Derived(numbered(path, page as usize))),
+                None => job(Some(page), target.clone()),
+            };
+            pages.numbers().map(of_page).collect()
+        }
+    }
 }
 
 fn target(picture: &Path, names: &Names<'_>) -> Target {

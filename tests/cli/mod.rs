@@ -8,6 +8,7 @@ mod feel;
 mod fitting;
 mod formats;
 mod newcomers;
+mod pages;
 mod pictures;
 mod places;
 mod profiles;

@@ -59,8 +59,8 @@ pub(in crate::cli) struct Fitting {
 
     /// Draws the letters of texts, too
     ///
-    /// Fingers cannot read letters, so texts of SVG drawings are left out and listed. Letters that were turned into
-    /// paths are drawn like all other paths.
+    /// Fingers cannot read letters, so texts of SVG drawings and of PDF pages are left out and listed. Letters that
+    /// were turned into paths are drawn like all other paths.
     #[arg(long, hide_short_help = true)]
     keep_text: bool,
 }

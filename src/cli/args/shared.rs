@@ -3,6 +3,7 @@
 use clap::Args;
 use tactograph::{Limits, built_in};
 
+use super::pages::Pages;
 use super::quality::Quality;
 use crate::cli::settings::Change;
 
@@ -50,6 +51,15 @@ pub(in crate::cli) struct Shared {
     /// before every other --set; standard changes nothing. It does nothing for trace --full-resolution.
     #[arg(long, value_enum, default_value_t = Quality::Standard, hide_possible_values = true)]
     quality: Quality,
+
+    /// Page of a PDF document, or several such as 1-4
+    ///
+    /// The first is 1. With one page, the result is called as the document is; with several, each is a file with the
+    /// number of its page, such as worksheet-1.svg to worksheet-4.svg. Any other picture is one page.
+    ///
+    /// [default: the first page; if there are more, that is told]
+    #[arg(long, value_name = "N|N-M", allow_hyphen_values = true)]
+    pub(in crate::cli) page: Option<Pages>,
 
     /// Tells how long each stage took, in milliseconds
     ///
