@@ -63,9 +63,9 @@ pub(super) fn draw(
     let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
-    let left_out: Vec<_> = texts.iter().filter(|text| !text.hidden).map(|text| text.string.clone()).collect();
-    if !left_out.is_empty() {
-        notes.push(Note::TextsLeftOut(left_out));
+    let unread: Vec<_> = texts.iter().filter(|text| !text.hidden).map(|text| text.string.clone()).collect();
+    if !unread.is_empty() {
+        notes.push(Note::TextsLeftOut(unread));
     }
 
     let is_flat = picture.raster.is_flat();
