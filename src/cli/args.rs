@@ -201,7 +201,7 @@ pub(super) struct Convert {
     /// The description that is made without --alt is in English, and is marked as English.
     ///
     /// [default: en]
-    #[arg(long, value_name = "TAG", value_parser = language)]
+    #[arg(long, value_name = "TAG", value_parser = language, hide_short_help = true)]
     lang: Option<String>,
 
     #[command(flatten)]

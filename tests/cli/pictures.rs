@@ -8,7 +8,8 @@ use crate::cli::common::*;
 #[test]
 fn each_bad_picture_has_its_own_line() {
     let place = Place::new();
-    let unknown = "this is not a picture in a format that is read here (JPEG, PNG, WebP, TIFF, BMP, GIF, PNM, SVG)";
+    let unknown =
+        "this is not a picture in a format that is read here (JPEG, PNG, WebP, TIFF, BMP, GIF, PNM, SVG, PDF)";
     let cut = |format| {
         format!(
             "the {format} picture cannot be read: the file ends before the picture does; \

@@ -246,11 +246,14 @@ fn a_page_that_names_a_part_many_times_is_refused() {
 
 #[test]
 fn a_fine_scan_is_averaged() {
-    // A pixel of the page has 6 x 6 of the scan, of which every second row is black.
-    let rows: Vec<u8> = (0..1280).flat_map(|row| [255 * (row % 2) as u8; 640]).collect();
-    let kind = "/Type /XObject /Subtype /Image /ColorSpace /DeviceGray /BitsPerComponent 8 /Width 640 /Height 1280";
-    let entries = "/MediaBox [0 0 80 160] /Resources << /XObject << /S 5 0 R >> >>";
-    let picture = without_text(&page(entries, "q 80 0 0 160 0 0 cm /S Do Q", &[stream(kind, &rows)]), None);
-    let middle = at(&picture, 53, 107)[0];
-    assert!((middle - 0.5).abs() < 0.2, "half of the light: {middle}");
+    // A pixel of the page, of 120 x 240, has 6 x 6 of the scan, of which every second row is black.
+    let rows: Vec<u8> = (0..1440).flat_map(|row| [if row % 2 == 0 { 0 } else { 255 }; 720]).collect();
+    let kind = "/Type /XObject /Subtype /Image /ColorSpace /DeviceGray /BitsPerComponent 8 /Width 720 /Height 1440";
+    let entries = "/MediaBox [0 0 90 180] /Resources << /XObject << /S 5 0 R >> >>";
+    let picture = without_text(&page(entries, "q 90 0 0 180 0 0 cm /S Do Q", &[stream(kind, &rows)]), None);
+    assert_eq!(picture.raster.size(), Size::new(120, 240));
+    for (x, y) in [(10, 10), (60, 120), (110, 230)] {
+        let light = at(&picture, x, y)[0];
+        assert!((light - 0.5).abs() < 0.2, "half of the light: {light} at {x}, {y}");
+    }
 }

@@ -65,7 +65,7 @@ pub(in crate::cli) struct Shared {
     ///
     /// Written to standard error for each picture, also under --quiet. Stages that are not needed are listed as
     /// "skipped" with the reason.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(in crate::cli) timings: bool,
 
     /// Says nothing but errors
