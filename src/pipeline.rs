@@ -9,11 +9,13 @@ mod finish;
 mod progress;
 mod request;
 pub mod sheets;
+mod texts;
 pub mod trace;
 
 pub use finish::title_of_overview;
 pub use progress::{Event, Stage, Watch};
 pub use request::{Fit, Request};
+pub use texts::Text;
 
 use crate::devices::Family;
 use crate::lines::Line;
@@ -38,23 +40,6 @@ pub struct Drawing {
     pub texts: Vec<Text>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,
-}
-
-/// A text of a picture that is not drawn, for labels in braille or a list beside the page.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Text {
-    /// Its letters, without line breaks.
-    pub string: String,
-    /// The box around it, mm on the sheet.
-    pub place: MmRect,
-    /// Direction in which it is read, degrees counter-clockwise from left to right.
-    pub angle: f32,
-    /// Size of its font, mm.
-    pub size: f32,
-    /// Whether it is not painted, as the words that lie behind a scanned page are not: its letters are a part of the
-    /// picture, if they are seen at all.
-    pub hidden: bool,
 }
 
 /// Makes the page of a picture. `watch` is told of every stage.

@@ -303,7 +303,7 @@ fn a_page_with_too_much_black_is_made_and_its_maker_told() {
     let made = page_for(&samples::read("landscape.svg"), "landscape", &profile, &mut |_| ());
     let percent = (100.0 * made.page.black_share()).round() as u32;
     assert!(percent > 1);
-    assert_eq!(made.notes, [Note::TooBlack { percent, most: 1 }]);
+    assert!(made.notes.contains(&Note::TooBlack { percent, most: 1 }), "{:?}", made.notes);
 }
 
 /// Left and right change places, also in what a texture says; twice is the page again.

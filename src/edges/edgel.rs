@@ -31,7 +31,7 @@ pub struct ChainKind {
     /// Whether it is a path of a vector drawing, as exact as that; otherwise it was found in the pixels, and has the
     /// wobble of noise.
     pub exact: bool,
-    /// Whether the picture is a drawing, in which a sharp corner is meant.
+    /// Whether the picture is a drawing, in which every line is meant.
     pub drawn: bool,
     /// Width of the stroke of which it is the centre line, px; none of an edge.
     pub stroke: Option<f32>,

@@ -59,7 +59,9 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let drawn = stroke::is_drawing(raster, noise.pixel);
     let strokes = if drawn { stroke::find(raster, noise.pixel, params) } else { Vec::new() };
     let (mut points, sides) = bands::scan(raster, &noise.weights, params);
-    points.retain(|point| !is_border(point, size));
+    if drawn {
+        points.retain(|point| !is_border(point, size));
+    }
     if !strokes.is_empty() {
         // their sides are no contours
         let taken = stroke::Taken::by(&strokes, size, params.sigma);
@@ -89,8 +91,8 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     edges
 }
 
-/// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in rows
-/// that are half transparent or black.
+/// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in
+/// rows that are half transparent or black.
 const BORDER: f32 = 2.0;
 /// ... if the cosine between the two is at least this (18 degrees).
 const ALONG_BORDER: f32 = 0.95;

@@ -129,7 +129,6 @@ mod tests {
             contrast: [step, 0.0, 0.0],
             width: 0.0,
             exact: false,
-            drawn: false,
         };
         Polyline::open((0..=20).map(vertex).collect())
     }
@@ -163,7 +162,6 @@ mod tests {
             contrast: [20.0, 0.0, 0.0],
             width: 0.0,
             exact: false,
-            drawn: false,
         };
         let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
         assert!(joined.len() == 1 && joined[0].closed);

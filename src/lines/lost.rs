@@ -93,7 +93,6 @@ mod tests {
             contrast: [0.0; 3],
             width: 1.0,
             exact: false,
-            drawn: false,
         };
         let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
         line.fill();

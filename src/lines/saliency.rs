@@ -64,14 +64,7 @@ mod tests {
     fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
         let vertex = |i: u32| {
             let (x, y) = at(i as f32 * 0.4);
-            Vertex {
-                at: MmPoint::new(x, y),
-                strength: 30.0,
-                contrast: [30.0, 0.0, 0.0],
-                width: 1.0,
-                exact: false,
-                drawn: false,
-            }
+            Vertex { at: MmPoint::new(x, y), strength: 30.0, contrast: [30.0, 0.0, 0.0], width: 1.0, exact: false }
         };
         Polyline { vertices: (0..100).map(vertex).collect(), closed }
     }

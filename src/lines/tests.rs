@@ -30,7 +30,7 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
             heading += bend;
             at += crate::units::MmVector::new(heading.cos(), heading.sin()) * SPACING;
             let strength = (strength + fade * i as f32).max(PARAMS.least_strength);
-            Vertex { at, strength, contrast: [strength, 0.0, 0.0], width: 0.0, exact: false, drawn: false }
+            Vertex { at, strength, contrast: [strength, 0.0, 0.0], width: 0.0, exact: false }
         });
         Polyline::open(vertices.collect())
     };
@@ -114,8 +114,7 @@ fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
 #[test]
 fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
-        let tip =
-            Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], width: 0.0, exact: false, drawn: false };
+        let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], width: 0.0, exact: false };
         let mut vertices = vec![tip];
         vertices.extend(junction::straight(&tip, to));
         Polyline::open(vertices)

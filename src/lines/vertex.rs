@@ -20,8 +20,6 @@ pub(super) struct Vertex {
     pub(super) width: f32,
     /// Whether it is where a vector drawing has it, and not where it was found in pixels.
     pub(super) exact: bool,
-    /// Whether it is of a drawing, in which a sharp corner is meant.
-    pub(super) drawn: bool,
 }
 
 impl Located for Vertex {
@@ -41,7 +39,6 @@ impl Blend for Vertex {
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
             width: mix(self.width, other.width),
             exact: self.exact && other.exact,
-            drawn: self.drawn && other.drawn,
         }
     }
 
@@ -59,7 +56,6 @@ impl Polyline<Vertex> {
             contrast: p.contrast,
             width: 0.0,
             exact: kind.exact,
-            drawn: kind.drawn,
         };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
@@ -107,14 +103,12 @@ impl Polyline<Vertex> {
             let v = &self.vertices[i];
             [v.at.x, v.at.y, v.strength, v.contrast[0], v.contrast[1], v.contrast[2]]
         });
-        let drawn = self.vertices.iter().all(|vertex| vertex.drawn);
         let vertex = |[x, y, strength, l, a, b]: [f32; 6]| Vertex {
             at: MmPoint::new(x, y),
             strength,
             contrast: [l, a, b],
             width: 0.0,
             exact: false,
-            drawn,
         };
         Self { vertices: smooth.into_iter().map(vertex).collect(), closed: self.closed }
     }

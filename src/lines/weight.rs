@@ -14,8 +14,8 @@ const SMOOTHING: f32 = 2.0;
 /// A run is at least this long, mm; what is shorter is drawn with its neighbour's width. The first and the last run of
 /// a line may be shorter, where it fades out or is cut.
 const MIN_RUN: f32 = 2.0;
-/// Farthest that a line may lie from the curve of the vector drawing that it is, mm, beside what is lost by turning that
-/// into a polyline: together 0.02.
+/// Farthest that a line may lie from the curve of the vector drawing that it is, mm, beside what is lost by turning
+/// that into a polyline: together 0.02.
 const EXACT_TOLERANCE: f32 = 0.014;
 /// Places of a line with more way than this between them, mm, are kept apart by the clearance.
 const NEAR: f32 = 12.0;
@@ -165,7 +165,6 @@ mod tests {
                 contrast: [1.0, 0.0, 0.0],
                 width: 0.0,
                 exact: false,
-                drawn: false,
             })
             .collect();
         let mut polyline = Polyline::open(vertices);

@@ -1,9 +1,9 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
-use super::Text;
 use super::dots;
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::request::{Fit, Request};
+use super::texts::{Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, Lost};
@@ -13,7 +13,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
-use crate::raster::vector::{DrawnText, VectorDrawing};
+use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note, textures};
@@ -24,7 +24,8 @@ const MIN_PIXELS: u32 = 8;
 /// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
 /// 0.2 to 0.3 and lose little by it.
 const CROWDED: f32 = 0.35;
-/// ... and length from which the maker of a drawing is told, mm: there every line is meant. Less is lost where lines meet.
+/// ... and length from which the maker of a drawing is told, mm: there every line is meant. Less is lost where lines
+/// meet.
 const LEAST_TOLD: f32 = 3.0;
 /// On a grid of dots lines are longer or shorter by about this share, which is no loss.
 const LEAST_TOLD_OF_DOTS: f32 = 0.05;
@@ -87,18 +88,6 @@ pub(super) fn draw(
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, texts, notes })
-}
-
-/// Texts where they stand on the sheet.
-fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text> {
-    let placed = |text: &DrawnText| Text {
-        string: text.string.clone(),
-        place: MmRect::new(transform.to_mm(text.min), transform.to_mm(text.max)),
-        angle: text.angle,
-        size: text.size * transform.mm_per_px(),
-        hidden: text.hidden,
-    };
-    texts.iter().map(placed).collect()
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never

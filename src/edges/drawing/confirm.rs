@@ -2,7 +2,7 @@
 
 use pulp::Arch;
 
-use super::{Confirmed, Proposal};
+use super::proposal::{Confirmed, Proposal, Stretch, stretches};
 use crate::edges::edgel::Edgel;
 use crate::edges::lab;
 use crate::edges::params::Params;
@@ -175,44 +175,6 @@ fn bridged(shown: &[bool], lengths: &[f32], hidden: f32, closed: bool) -> Vec<bo
         }
     }
     bridged
-}
-
-/// Segments that follow one another, in a ring perhaps over its first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stretch {
-    pub(super) first: usize,
-    pub(super) count: usize,
-    /// Whether it is all of a ring.
-    pub(super) whole_ring: bool,
-}
-
-impl Stretch {
-    /// Numbers of its segments; those of a ring go on after the last.
-    pub(super) fn indices(&self) -> std::ops::Range<usize> {
-        self.first..self.first + self.count
-    }
-}
-
-/// The longest stretches of segments that are wanted.
-pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<Stretch> {
-    let n = wanted.len();
-    if n > 0 && wanted.iter().all(|wanted| *wanted) {
-        return vec![Stretch { first: 0, count: n, whole_ring: closed }];
-    }
-    // a ring is gone round from a segment that is not wanted
-    let start = if closed { wanted.iter().position(|wanted| !wanted).unwrap_or(0) } else { 0 };
-    let mut found: Vec<Stretch> = Vec::new();
-    let mut before = false;
-    for k in start..start + n {
-        let here = wanted[k % n];
-        match found.last_mut() {
-            Some(stretch) if here && before => stretch.count += 1,
-            _ if here => found.push(Stretch { first: k, count: 1, whole_ring: false }),
-            _ => {}
-        }
-        before = here;
-    }
-    found
 }
 
 /// A stretch of a line with what is seen there; what is hidden has the least strength that is drawn.

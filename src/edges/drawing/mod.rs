@@ -11,34 +11,17 @@
 
 mod confirm;
 mod flatten;
+mod proposal;
 mod unite;
 
 use super::edgel::{ChainKind, Edgel, Edges};
 use super::params::Params;
-use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::vector::VectorDrawing;
-use crate::units::PxPoint;
+use proposal::Confirmed;
 
-/// Distance of the points of a contour, px: the pixels are asked at the middle between two of them.
-const SPACING: f32 = 1.0;
 /// An edge found in the pixels that is this near to a contour of the drawing, px, is that contour.
 const EXPLAINED: f32 = 4.0;
-
-/// A line that the drawing proposes as a contour.
-#[derive(Debug, Clone, PartialEq)]
-struct Proposal {
-    line: Polyline<PxPoint>,
-    /// Width of the stroke of which it is the centre line, px; none of an outline.
-    stroke: Option<f32>,
-}
-
-/// A proposal, or a part of one, that the picture confirms.
-#[derive(Debug, Clone, PartialEq)]
-struct Confirmed {
-    line: Polyline<Edgel>,
-    stroke: Option<f32>,
-}
 
 /// Finds the contours of a drawing and of its rendering, `raster`.
 pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> Edges {

@@ -2,8 +2,7 @@
 
 use std::cmp::Reverse;
 
-use super::Confirmed;
-use super::confirm::stretches;
+use super::proposal::{Confirmed, Stretch, stretches};
 use crate::edges::edgel::{Edgel, Edges};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -59,7 +58,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
     }
     let n = cover.len();
     let free: Vec<bool> = cover.iter().map(Option::is_none).collect();
-    let part = |stretch: super::confirm::Stretch| {
+    let part = |stretch: Stretch| {
         let vertex = |i: usize| line.vertices[i % line.vertices.len()];
         let mut vertices: Vec<Edgel> = (stretch.first..=stretch.first + stretch.count).map(vertex).collect();
         for (end, beyond) in

@@ -1,4 +1,5 @@
-//! Paths of a skeleton become lines: short spurs go, and arms that continue one another through a junction are one line.
+//! Paths of a skeleton become lines: short spurs go, and arms that continue one another through a junction are one
+//! line.
 
 use super::skeleton::{Node, Path};
 use crate::geom::polyline::Polyline;

@@ -1,12 +1,20 @@
 //! The middle of a stroke to a fraction of a pixel, its width and its contrast.
 
-use super::Stroke;
-use crate::edges::contour::ContourPoint;
+use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};
+
+/// A stroke.
+#[derive(Debug, Clone)]
+pub(in crate::edges) struct Stroke {
+    /// Its middle.
+    pub(in crate::edges) contour: Contour,
+    /// Its width, px.
+    pub(in crate::edges) width: f32,
+}
 
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
 /// left.
@@ -17,8 +25,11 @@ const STEP: f32 = 0.25;
 const END: f32 = 0.25;
 /// Beyond this much more than half its width, px, what is read is no longer the stroke.
 const BEYOND: f32 = 1.5;
+/// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
+/// lines anyway.
+const SHORTEST: f32 = 3.0;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
-const LONG: f32 = 3.0;
+const LONG: f32 = 5.0;
 /// Contrast of a stroke is at least this share of the step between its two sides. A stroke that shows less leaves the
 /// edge where it is; and beside a sharpened edge there is a rim that is no stroke.
 const OF_STEP: f32 = 0.7;
@@ -46,7 +57,7 @@ pub(super) fn stroke(
     radius: usize,
     params: &Params,
 ) -> Option<Stroke> {
-    if line.length() < params.min_length {
+    if line.length() < SHORTEST * params.min_length {
         return None;
     }
     let mut line = line;
@@ -58,10 +69,10 @@ pub(super) fn stroke(
         width = median(profiles.iter().map(|profile| profile.width)).max(1.0);
         line = centred(&line, &profiles, 0.5 * width);
     }
-    extend_ends(&mut line, 0.5 * width - 1.0);
+    extend_ends(&mut line, residue, width);
     let contrasts: Vec<f32> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_stroke = line.length() >= LONG * width
-        && width <= params.widest_stroke
+        && width <= super::WIDEST * params.widest_stroke
         && median(contrasts.iter().copied()) >= params.low
         && contrasts.iter().any(|contrast| *contrast >= params.high)
         && !is_border(&line, residue);
@@ -98,18 +109,24 @@ fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polylin
     Polyline { vertices: vertices.collect(), closed: line.closed }
 }
 
-/// Goes straight on at the free ends of a line as far as thinning took away.
-fn extend_ends(line: &mut Polyline<PxPoint>, length: f32) {
-    if line.closed || length <= 0.0 {
+/// Goes straight on at the free ends of a line, which thinning has shortened, as far as the residue is at least half of
+/// what it is along the line.
+fn extend_ends(line: &mut Polyline<PxPoint>, residue: &Plane, width: f32) {
+    if line.closed {
         return;
     }
+    let along = median(line.vertices.iter().map(|&at| interpolated(residue, at)));
     for _ in 0..2 {
         line.vertices.reverse();
         let Some(&tip) = line.vertices.last() else { return };
-        let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= ENDING + length);
+        let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= ENDING + 0.5 * width);
         let Some(heading) = inner.and_then(|inner| (tip - *inner).try_normalize()) else { continue };
-        let steps = length.ceil() as i32;
-        line.vertices.extend((1..=steps).map(|k| tip + heading * (length * k as f32 / steps as f32)));
+        let most = ((width + ENDING) / STEP) as i32;
+        let is_stroke = |k: &i32| interpolated(residue, tip + heading * (*k as f32 * STEP)) >= 0.5 * along;
+        let steps = (1..=most).take_while(is_stroke).count() as i32;
+        if steps > 0 {
+            line.vertices.push(tip + heading * (steps as f32 * STEP));
+        }
     }
 }
 

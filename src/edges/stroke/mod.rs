@@ -9,8 +9,8 @@
 //! one another, and are torn apart on the page. Its middle can be found to a fraction of a pixel. The narrow squares
 //! come first, so that of a grid of thin lines the lines are found and not the gaps between them.
 //!
-//! Only pictures that are mostly flat are looked at ([`is_drawing`]): a photograph has few strokes, and everything in it
-//! that is thin has soft sides.
+//! Only pictures that are mostly flat are looked at ([`is_drawing`]): a photograph has few strokes, and everything in
+//! it that is thin has soft sides.
 
 mod arms;
 mod centre;
@@ -19,24 +19,19 @@ mod skeleton;
 
 use pulp::Arch;
 
+pub(super) use self::centre::Stroke;
 use self::residue::{Polarity, residue, square_max};
 use self::skeleton::Mask;
-use super::contour::Contour;
 use super::lab;
 use super::params::Params;
 use crate::raster::Raster;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
-/// A stroke.
-#[derive(Debug, Clone)]
-pub(super) struct Stroke {
-    /// Its middle.
-    pub(super) contour: Contour,
-    /// Its width, px.
-    pub(super) width: f32,
-}
-
+/// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
+const WIDEST: f32 = 0.5;
+/// A picture with more noise than this standard deviation of a pixel, in units of strength, is taken for a photograph.
+const NOISY: f32 = 1.0;
 /// Two neighbouring pixels that differ by no more than this, in units of strength, are flat: a code value and a half.
 const FLAT: f32 = 0.6;
 /// ... or by no more than this many standard deviations of the noise.
@@ -44,12 +39,14 @@ const FLAT_NOISE: f32 = 3.0;
 /// A picture is a drawing if at least this share of its pixels is flat. Drawings and scanned worksheets have 0.85 to
 /// 0.99, photographs rarely more than 0.5.
 const FLAT_SHARE: f32 = 0.7;
-/// A stroke is kept from this share of the thresholds of edges on: where it is thinner than a pixel, its contrast is less
-/// in proportion, and it is long.
+/// In a picture without noise a stroke is kept from this share of the thresholds of edges on: where it is thinner
+/// than a pixel, its contrast is less in proportion.
 const FAINT: f32 = 0.5;
-/// ... and from this many standard deviations of the noise: opening and closing find the extremes of noise.
-const FAINT_LOW_NOISE: f32 = 4.0;
-const FAINT_HIGH_NOISE: f32 = 8.0;
+/// A picture has no noise up to this standard deviation of a pixel, in units of strength: a third of a code value.
+const QUIET: f32 = 0.13;
+/// ... otherwise from this many standard deviations on: opening and closing find the extremes of noise.
+const LOW_NOISE: f32 = 4.0;
+const HIGH_NOISE: f32 = 8.0;
 /// Half sides of the squares, px, the largest as wide as strokes may be.
 const SMALLEST_RADIUS: usize = 3;
 /// A pixel belongs to a structure if its residue is at least this share of the largest within [`LOCAL`] px.
@@ -63,21 +60,21 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
     lab::convert(Arch::new(), &from, &mut planes);
     let planes: Vec<Plane> = planes.into_iter().map(|values| Plane { size: raster.size(), values }).collect();
     let params = &Params {
-        low: (FAINT * params.low).max(FAINT_LOW_NOISE * noise),
-        high: (FAINT * params.high).max(FAINT_HIGH_NOISE * noise),
+        low: if noise <= QUIET { FAINT * params.low } else { params.low.max(LOW_NOISE * noise) },
+        high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },
         ..*params
     };
     let mut taken = Taken::new(raster.size());
     let mut strokes = Vec::new();
-    for radius in radii(params.widest_stroke) {
+    for radius in radii(WIDEST * params.widest_stroke) {
         let mut found = Vec::new();
         for plane in &planes {
             for polarity in [Polarity::Below, Polarity::Above] {
                 found.extend(candidates(plane, radius, polarity, &planes, params));
             }
         }
-        // Narrow before wide, so that what lies between two strokes is no stroke; then long before short, as another plane
-        // may show but pieces.
+        // Narrow before wide, so that what lies between two strokes is no stroke; then long before short, as another
+        // plane may show but pieces.
         let octave = |stroke: &Stroke| (stroke.width / THINNEST).max(1.0).log2() as i32;
         found.sort_by(|a, b| octave(a).cmp(&octave(b)).then(b.contour.length().total_cmp(&a.contour.length())));
         for stroke in found {
@@ -99,6 +96,9 @@ fn radii(widest: f32) -> impl Iterator<Item = usize> {
 
 /// Whether a picture is a drawing: mostly of flat areas. `noise` is the standard deviation of a pixel.
 pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
+    if noise > NOISY {
+        return false;
+    }
     let tolerance = FLAT.max(FLAT_NOISE * noise);
     let width = raster.size().width as usize;
     let (mut flat, mut all) = (0_usize, 0_usize);
@@ -120,18 +120,75 @@ pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
 
 /// What is thin in one plane and looks like a stroke.
 fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane], params: &Params) -> Vec<Stroke> {
-    // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are even.
+    // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are
+    // even.
     let residue = smoothed(&residue(plane, radius, polarity));
     if residue.values.iter().all(|value| *value < params.high) {
         return Vec::new();
     }
     let most = square_max(&residue.values, plane.size, LOCAL);
-    let mut mask =
-        Mask::new(plane.size, |cell| residue.values[cell] >= params.low && residue.values[cell] >= SHARE * most[cell]);
+    let turn = Turn::of(&residue);
+    let mut mask = Mask::new(turn.size(), |cell| {
+        let cell = turn.cell(cell);
+        residue.values[cell] >= params.low && residue.values[cell] >= SHARE * most[cell]
+    });
     mask.thin();
-    let (paths, nodes) = mask.paths();
+    let (mut paths, mut nodes) = mask.paths();
+    paths.iter_mut().flat_map(|path| &mut path.points).for_each(|at| *at = turn.back(*at));
+    nodes.iter_mut().for_each(|node| node.at = turn.back(node.at));
     let arms = arms::joined(paths, &nodes);
     arms.into_iter().filter_map(|line| centre::stroke(line, &residue, planes, radius, params)).collect()
+}
+
+/// How a picture lies so that most of what is thin is at the right, below, and farther right than below. Thinning goes
+/// from one corner to the other; so it does the same to a picture that is flipped or turned.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    from: Size,
+    flip_x: bool,
+    flip_y: bool,
+    transpose: bool,
+}
+
+impl Turn {
+    fn of(plane: &Plane) -> Self {
+        let (width, height) = (plane.size.width as usize, plane.size.height as usize);
+        let (mut right, mut down) = (0.0_f64, 0.0_f64);
+        for (y, row) in plane.values.chunks_exact(width).enumerate() {
+            let (mut sum, mut moment) = (0.0, 0.0);
+            for (x, &value) in row.iter().enumerate() {
+                sum += f64::from(value);
+                moment += f64::from(value) * (x as f64 - 0.5 * (width as f64 - 1.0));
+            }
+            right += moment;
+            down += sum * (y as f64 - 0.5 * (height as f64 - 1.0));
+        }
+        Self { from: plane.size, flip_x: right < 0.0, flip_y: down < 0.0, transpose: down.abs() > right.abs() }
+    }
+
+    /// Size of the turned picture.
+    fn size(&self) -> Size {
+        if self.transpose { self.from.turned() } else { self.from }
+    }
+
+    /// The number in the picture of a cell of the turned one.
+    fn cell(&self, turned: usize) -> usize {
+        let width = self.size().width as usize;
+        let (x, y) = (turned % width, turned / width);
+        let (x, y) = if self.transpose { (y, x) } else { (x, y) };
+        let (columns, rows) = (self.from.width as usize, self.from.height as usize);
+        let x = if self.flip_x { columns - 1 - x } else { x };
+        let y = if self.flip_y { rows - 1 - y } else { y };
+        y * columns + x
+    }
+
+    /// The point in the picture of a point of the turned one.
+    fn back(&self, turned: PxPoint) -> PxPoint {
+        let (x, y) = if self.transpose { (turned.y, turned.x) } else { (turned.x, turned.y) };
+        let x = if self.flip_x { self.from.width as f32 - x } else { x };
+        let y = if self.flip_y { self.from.height as f32 - y } else { y };
+        PxPoint::new(x, y)
+    }
 }
 
 /// Each value averaged with its neighbours, by halves with those in its row and then in its column.

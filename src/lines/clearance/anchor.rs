@@ -57,8 +57,8 @@ pub(super) fn anchor(cleared: &mut [Cleared], drawn: &DrawnLines<'_>) {
     }
 }
 
-/// Whether `at` is the end of a line that lies within [`TOUCH`] along it from the segment that begins at vertex `index`:
-/// the line has a vertex there already.
+/// Whether `at` is the end of a line that lies within [`TOUCH`] along it from the segment that begins at vertex
+/// `index`: the line has a vertex there already.
 fn is_end_beside(polyline: &Polyline<Vertex>, index: usize, at: MmPoint) -> bool {
     let vertices = &polyline.vertices;
     let last = vertices.len() - 1;

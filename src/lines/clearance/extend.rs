@@ -174,15 +174,13 @@ impl Extension<'_> {
 
     /// Whether a segment of the line itself is near only because the line bends there.
     fn is_own_bend(&self, segment: &Segment, arc: f32, distance: f32) -> bool {
-        self.what == Extended::Line(segment.line)
-            && is_bend(self.length + arc - segment.arc, distance, self.start.drawn)
+        self.what == Extended::Line(segment.line) && is_bend(self.length + arc - segment.arc, distance)
     }
 
     /// Whether the line, extended to a segment of its own, would have no loop that a finger finds.
     fn is_own_knot(&self, segment: &Segment, arc: f32, distance: f32) -> bool {
         let loop_length = self.length + arc - segment.arc;
-        self.what == Extended::Line(segment.line)
-            && is_bend(loop_length - self.drawn.params.max_stub(), distance, self.start.drawn)
+        self.what == Extended::Line(segment.line) && is_bend(loop_length - self.drawn.params.max_stub(), distance)
     }
 
     /// The direction of the line that goes on with `added`.

@@ -161,7 +161,6 @@ mod tests {
             contrast: [60.0, 0.0, 0.0],
             width: Params::TEST.width_max,
             exact: false,
-            drawn: false,
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(0.4);

@@ -12,9 +12,6 @@ use crate::lines::vertex::Vertex;
 /// A line that comes back to itself is its own rival where the length along it is more than the distance across by this
 /// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
 const BEND: f32 = 3.5;
-/// ... and for a line of a drawing, where a sharp corner is meant and a reader feels its tip: one of 20 degrees
-/// (1 / sin 10).
-const DRAWN_BEND: f32 = 5.76;
 const BEND_LEAST: f32 = 1.5;
 
 /// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty grid, and empty
@@ -42,7 +39,7 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
             let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
             let line_arc = segment.arc + (at - segment.a).length();
             let length = apart(arcs[i], line_arc);
-            if distance >= params.clearance(half + segment.half_width) || is_bend(length, distance, vertex.drawn) {
+            if distance >= params.clearance(half + segment.half_width) || is_bend(length, distance) {
                 return;
             }
             let limit = params.approach(half, segment.half_width);
@@ -85,8 +82,8 @@ fn own_junctions(polyline: &Polyline<Vertex>, arcs: &[f32], knot: f32, own: &mut
 }
 
 /// Whether two points of one line, this length apart along it, are near one another only because it bends there.
-pub(super) fn is_bend(length: f32, distance: f32, drawn: bool) -> bool {
-    length <= if drawn { DRAWN_BEND } else { BEND } * distance + BEND_LEAST
+pub(super) fn is_bend(length: f32, distance: f32) -> bool {
+    length <= BEND * distance + BEND_LEAST
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! The texts of a drawing. Letters as lines are squiggles under a finger, so texts are left out of the picture, and kept
-//! as data.
+//! The texts of a drawing. Letters as lines are squiggles under a finger, so texts are left out of the picture, and
+//! kept as data.
 
 use resvg::tiny_skia::Transform;
 use usvg::{Group, Node, Text, Tree};

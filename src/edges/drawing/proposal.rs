@@ -1,0 +1,76 @@
+//! What a drawing proposes as a contour, what of it is confirmed, and stretches of either.
+
+use crate::edges::edgel::Edgel;
+use crate::geom::polyline::Polyline;
+use crate::units::PxPoint;
+
+/// A line that the drawing proposes as a contour.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Proposal {
+    pub(super) line: Polyline<PxPoint>,
+    /// Width of the stroke of which it is the centre line, px; none of an outline.
+    pub(super) stroke: Option<f32>,
+}
+
+/// A proposal, or a part of one, that the picture confirms.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Confirmed {
+    pub(super) line: Polyline<Edgel>,
+    pub(super) stroke: Option<f32>,
+}
+
+/// Segments that follow one another, in a ring perhaps over its first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stretch {
+    pub(super) first: usize,
+    pub(super) count: usize,
+    /// Whether it is all of a ring.
+    pub(super) whole_ring: bool,
+}
+
+impl Stretch {
+    /// Numbers of its segments; those of a ring go on after the last.
+    pub(super) fn indices(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.count
+    }
+}
+
+/// The longest stretches of segments that are wanted.
+pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<Stretch> {
+    let n = wanted.len();
+    if n > 0 && wanted.iter().all(|wanted| *wanted) {
+        return vec![Stretch { first: 0, count: n, whole_ring: closed }];
+    }
+    // a ring is gone round from a segment that is not wanted
+    let start = if closed { wanted.iter().position(|wanted| !wanted).unwrap_or(0) } else { 0 };
+    let mut found: Vec<Stretch> = Vec::new();
+    let mut before = false;
+    for k in start..start + n {
+        let here = wanted[k % n];
+        match found.last_mut() {
+            Some(stretch) if here && before => stretch.count += 1,
+            _ if here => found.push(Stretch { first: k, count: 1, whole_ring: false }),
+            _ => {}
+        }
+        before = here;
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(wanted: &[bool], closed: bool) -> Vec<(usize, usize, bool)> {
+        stretches(wanted, closed).iter().map(|stretch| (stretch.first, stretch.count, stretch.whole_ring)).collect()
+    }
+
+    #[test]
+    fn a_stretch_goes_over_the_first_segment_of_a_ring_and_not_of_a_line() {
+        let wanted = [true, true, false, false, true];
+        assert_eq!(found(&wanted, false), [(0, 2, false), (4, 1, false)]);
+        assert_eq!(found(&wanted, true), [(4, 3, false)]);
+        assert_eq!(found(&[true; 3], true), [(0, 3, true)]);
+        assert_eq!(found(&[false; 3], true), []);
+    }
+}
