@@ -164,8 +164,11 @@ mod tests {
         }
     }
 
+    /// A number of a page: its name, and where it is.
+    type Number = (&'static str, fn(&mut Parts) -> &mut f32);
+
     /// Every number of a page, each by itself.
-    fn numbers() -> Vec<(&'static str, fn(&mut Parts) -> &mut f32)> {
+    fn numbers() -> Vec<Number> {
         fn rhombus(parts: &mut Parts) -> [&mut f32; 3] {
             match &mut parts.figure.textures[0].glyphs[0].shape {
                 Shape::Rhombus { length, thickness, degrees } => [length, thickness, degrees],

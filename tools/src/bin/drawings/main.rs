@@ -167,7 +167,7 @@ fn tasks(args: &Args) -> Vec<Task> {
 fn page(task: &Task, profile: &str) -> Result<(Shares, String), Box<dyn Error + Send + Sync>> {
     let scene = Scene::new(task.kind, task.stroke, task.seed);
     let drawn = convert(&task.picture()?, profile, task.width as f32)?;
-    let scale = drawn.width / if task.turns % 2 == 0 { scenes::WIDTH } else { scenes::HEIGHT };
+    let scale = drawn.width / if task.turns.is_multiple_of(2) { scenes::WIDTH } else { scenes::HEIGHT };
     let on_sheet = |&[x, y]: &Point| [drawn.corner[0] + scale * x, drawn.corner[1] + scale * y];
     let truth: Vec<Vec<Point>> =
         scene.truth(task.turns).iter().map(|line| line.iter().map(on_sheet).collect()).collect();
@@ -256,10 +256,12 @@ fn table(measured: &[(Task, Shares)]) -> String {
         for stroke in STROKES {
             let of: Vec<&Shares> = measured
                 .iter()
-                .filter(|(task, _)| task.input == input && task.stroke == stroke)
+                .filter(|(task, _)| task.input == input && (task.stroke - stroke).abs() < f64::EPSILON)
                 .map(|(_, shares)| shares)
                 .collect();
-            text += &row(input.name(), &format!("stroke {stroke}"), &of);
+            if !of.is_empty() {
+                text += &row(input.name(), &format!("stroke {stroke}"), &of);
+            }
         }
     }
     text
