@@ -6,7 +6,7 @@ use super::request::Request;
 use crate::Error;
 use crate::classes::{self, Classes};
 use crate::profile::Plan;
-use crate::raster::decode::{self, Options, Source};
+use crate::raster::decode::{self, Source};
 use crate::units::MmRect;
 
 /// The colours of a picture, sorted.
@@ -26,14 +26,7 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let plan = request.plan;
     let fit = &request.fit;
     let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);
-    let options = Options {
-        limits: request.limits,
-        fonts: request.fonts,
-        crop: fit.crop,
-        page: fit.page,
-        keep_text: fit.keep_text,
-        working_size: &working_size,
-    };
+    let options = request.decoding(&working_size);
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
     let layout = fit.layout(picture.source.size, plan)?;
     let edges = find_edges(&picture.raster, picture.drawing.as_ref(), picture.raster.is_flat(), &layout, plan, watch);

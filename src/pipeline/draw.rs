@@ -12,7 +12,7 @@ use crate::page::{Figure, Medium, Texture};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Options, Source};
+use crate::raster::decode::{self, Source};
 use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
@@ -52,14 +52,7 @@ pub(super) fn draw(
 ) -> Result<Marks, Error> {
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
-    let options = Options {
-        limits: request.limits,
-        fonts: request.fonts,
-        crop: fit.crop,
-        page: fit.page,
-        keep_text: fit.keep_text,
-        working_size: &working_size,
-    };
+    let options = request.decoding(&working_size);
     let picture = run(watch, Stage::Decode, || decode::decode_picture(picture, &options))?;
     let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;

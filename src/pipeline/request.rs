@@ -4,7 +4,7 @@ use crate::Error;
 use crate::page::layout::{self, Layout};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
-use crate::raster::decode::{Fonts, Limits};
+use crate::raster::decode::{Fonts, Limits, Options, Source};
 use crate::units::Size;
 
 /// Which part of a picture is drawn, and how. The default is all of it, as large as the sheet allows, for the front.
@@ -80,4 +80,12 @@ pub struct Request<'a> {
     pub title: &'a str,
     /// Which part of the picture is drawn, how large, and whether for the back of the sheet.
     pub fit: Fit,
+}
+
+impl Request<'_> {
+    /// How the picture is decoded.
+    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Source) -> Result<Size, Error>) -> Options<'b> {
+        let Fit { crop, page, keep_text, .. } = self.fit;
+        Options { limits: self.limits, fonts: self.fonts, crop, page, keep_text, working_size }
+    }
 }

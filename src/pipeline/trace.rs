@@ -9,7 +9,7 @@ use crate::page::layout::Layout;
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Options, Source};
+use crate::raster::decode::{self, Source};
 use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::{Error, Note};
@@ -101,14 +101,7 @@ pub fn trace<'p>(
             working_size(source, &|size| fit.layout(size, plan), &fit, plan)
         }
     };
-    let options = Options {
-        limits: request.limits,
-        fonts: request.fonts,
-        crop: fit.crop,
-        page: fit.page,
-        keep_text: fit.keep_text,
-        working_size: &working_size,
-    };
+    let options = request.decoding(&working_size);
     let picture = run(watch, Stage::Decode, || decode::decode_picture(picture.into(), &options))?;
     let (raster, drawing, source, mut notes) = (picture.raster, picture.drawing, picture.source.size, picture.notes);
 
