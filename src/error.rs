@@ -205,6 +205,9 @@ pub enum Error {
         /// For what.
         what: &'static str,
     },
+    /// The caller did not want it any more: see [`Options::cancelled`](crate::Options::cancelled).
+    #[error("cancelled; no page was made")]
+    Cancelled,
     /// The profile cannot be used; every fault is listed.
     #[error("{}", crate::profile::faults_in_one_line(.0))]
     Profile(Vec<Fault>),

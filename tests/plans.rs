@@ -71,6 +71,7 @@ proptest! {
                 fonts: &fonts,
                 title: "any",
                 fit: Default::default(),
+                cancelled: &|| false,
             };
             // An error is an answer: nothing fits between these margins, say.
             if let Ok(drawing) = convert(&picture, &request, &mut |_| ()) {

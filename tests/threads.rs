@@ -9,8 +9,14 @@ use tactograph::internals::profile::{Plan, Profile};
 
 fn page(picture: &[u8], plan: &Plan) -> String {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
-    let request =
-        Request { plan, limits: Default::default(), fonts: &fonts, title: "threads", fit: Default::default() };
+    let request = Request {
+        plan,
+        limits: Default::default(),
+        fonts: &fonts,
+        title: "threads",
+        fit: Default::default(),
+        cancelled: &|| false,
+    };
     svg::write(&convert(picture, &request, &mut |_| ()).expect("a sample can be converted").page)
 }
 

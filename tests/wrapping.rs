@@ -1,5 +1,6 @@
 //! The face as others see it: that its types can be wrapped for other languages, and that what it takes and gives agrees.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
 use tactograph::{
@@ -214,4 +215,26 @@ fn lines_that_a_profile_leaves_out_are_no_missing_contours() {
 fn classes_are_found_by_their_names() {
     assert_eq!(Class::ALL.map(|class| Class::named(class.name())), Class::ALL.map(Some));
     assert_eq!(Class::named("Blue"), None, "names are in lower case");
+}
+
+#[test]
+fn work_that_is_cancelled_ends_between_stages() {
+    for last in [Stage::Decode, Stage::Edges, Stage::Lines, Stage::Textures] {
+        let begun = Arc::new(Mutex::new(Vec::new()));
+        let done = Arc::new(AtomicBool::new(false));
+        let (told, is_done, asked) = (Arc::clone(&begun), Arc::clone(&done), Arc::clone(&done));
+        let options = Options::new(Profile::named("swell-a4").expect("it is built in"))
+            .progress(move |event| match event {
+                Event::Begin(stage) => told.lock().expect("nothing panics").push(stage),
+                Event::End(stage) if stage == last => is_done.store(true, Ordering::Relaxed),
+                _ => {}
+            })
+            .cancelled(move || asked.load(Ordering::Relaxed));
+        assert_eq!(tactograph::convert(&png(), &options).err(), Some(Error::Cancelled), "after {last:?}");
+        let begun = begun.lock().expect("nothing panics");
+        assert!(begun.contains(&last) && !begun.contains(&Stage::Page), "after {last:?}: {begun:?}");
+        if last == Stage::Edges {
+            assert!(!begun.contains(&Stage::Lines), "{begun:?}");
+        }
+    }
 }

@@ -119,5 +119,9 @@ fn with_request<T>(
 ) -> Result<T, Error> {
     let plan = Plan::new(&options.profile)?;
     let fonts = || options.fonts.database();
-    work(&Request { plan: &plan, limits: options.limits, fonts: &fonts, title, fit: options.fit })
+    let cancelled = || options.is_cancelled();
+    let request =
+        Request { plan: &plan, limits: options.limits, fonts: &fonts, title, fit: options.fit, cancelled: &cancelled };
+    request.go_on()?;
+    work(&request)
 }

@@ -63,7 +63,9 @@ pub(super) fn draw(
     }
 
     let is_flat = picture.raster.is_flat();
+    request.go_on()?;
     let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, watch);
+    request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     let (drawn, (overview, classes)) = in_parallel(
         has_lines,
@@ -74,11 +76,13 @@ pub(super) fn draw(
             (overview, sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch))
         },
     );
+    request.go_on()?;
     notes.extend(left_out(&drawn, edges.as_ref(), &layout));
     let lines = drawn.lines;
     drop(edges);
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
+    request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, texts, notes })
 }

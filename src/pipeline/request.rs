@@ -80,9 +80,19 @@ pub struct Request<'a> {
     pub title: &'a str,
     /// Which part of the picture is drawn, how large, and whether for the back of the sheet.
     pub fit: Fit,
+    /// Asked between stages whether to stop.
+    pub cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl Request<'_> {
+    /// Between two stages: whether to go on.
+    ///
+    /// # Errors
+    /// If the caller has cancelled.
+    pub(crate) fn go_on(&self) -> Result<(), Error> {
+        if (self.cancelled)() { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
     /// How the picture is decoded.
     pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Source) -> Result<Size, Error>) -> Options<'b> {
         let Fit { crop, page, keep_text, .. } = self.fit;

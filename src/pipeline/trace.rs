@@ -106,8 +106,10 @@ pub fn trace<'p>(
     let (raster, drawing, source, mut notes) = (picture.raster, picture.drawing, picture.source.size, picture.notes);
 
     let layout = fit.layout(source, plan)?;
+    request.go_on()?;
     let edges = find_edges(&raster, drawing.as_ref(), tracing, &layout, plan, watch);
     drop(raster);
+    request.go_on()?;
     let trace = match &edges {
         None => Trace { size: source, polylines: Vec::new() },
         Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),

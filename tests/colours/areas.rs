@@ -28,6 +28,7 @@ fn sorted(picture: &[u8], settings: &[(&str, &str)]) -> (Classes, f32) {
         fonts: &Arc::default,
         title: "test",
         fit: Default::default(),
+        cancelled: &|| false,
     };
     let sorted = colours::sort(picture, &request, &mut |_| ()).expect("the picture can be sorted");
     let classes = sorted.classes.expect("the profile wants textures");

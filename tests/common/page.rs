@@ -41,6 +41,13 @@ pub(crate) fn page_of(bytes: &[u8], title: &str, settings: &[(&str, &str)], watc
 pub(crate) fn page_for(bytes: &[u8], title: &str, profile: &Profile, watch: &mut Watch<'_>) -> Drawing {
     let plan = Plan::new(profile).expect("the settings make sense together");
     let fonts = || Arc::new(usvg::fontdb::Database::new());
-    let request = Request { plan: &plan, limits: Limits::default(), fonts: &fonts, title, fit: Default::default() };
+    let request = Request {
+        plan: &plan,
+        limits: Limits::default(),
+        fonts: &fonts,
+        title,
+        fit: Default::default(),
+        cancelled: &|| false,
+    };
     tactograph::internals::pipeline::convert(bytes, &request, watch).expect("the picture can be converted")
 }

@@ -53,8 +53,14 @@ fn plan(name: &str) -> Result<Plan, Box<dyn Error>> {
 fn page_of(file: &Path, title: &str, profile: &str) -> Result<String, Box<dyn Error>> {
     let plan = plan(profile)?;
     // None of these samples has text.
-    let request =
-        Request { plan: &plan, limits: Limits::default(), fonts: &Arc::default, title, fit: Default::default() };
+    let request = Request {
+        plan: &plan,
+        limits: Limits::default(),
+        fonts: &Arc::default,
+        title,
+        fit: Default::default(),
+        cancelled: &|| false,
+    };
     Ok(svg::write(&convert(&std::fs::read(file)?, &request, &mut |_| ())?.page))
 }
 

@@ -101,7 +101,14 @@ type Pages<'a> = dyn Fn(&Scene) -> Vec<(Scene, Page)> + 'a;
 
 fn page_of(picture: &[u8], plan: &Plan, watch: &mut Watch<'_>) -> Page {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
-    let request = Request { plan, limits: Default::default(), fonts: &fonts, title: "scene", fit: Default::default() };
+    let request = Request {
+        plan,
+        limits: Default::default(),
+        fonts: &fonts,
+        title: "scene",
+        fit: Default::default(),
+        cancelled: &|| false,
+    };
     tactograph::internals::pipeline::convert(picture, &request, watch).expect("a scene can be converted").page
 }
 

@@ -56,7 +56,14 @@ impl Device {
     pub fn page_of(&self, picture: &[u8], width: Option<f32>) -> Page {
         let fonts = || Arc::new(usvg::fontdb::Database::new());
         let fit = Fit { width, ..Fit::default() };
-        let request = Request { plan: &self.plan, limits: Default::default(), fonts: &fonts, title: "scene", fit };
+        let request = Request {
+            plan: &self.plan,
+            limits: Default::default(),
+            fonts: &fonts,
+            title: "scene",
+            fit,
+            cancelled: &|| false,
+        };
         tactograph::internals::pipeline::convert(picture, &request, &mut |_| ())
             .expect("a picture can be converted")
             .page

@@ -24,6 +24,7 @@ pub(super) fn draw(picture: &str, out: &str, settings: &[&str]) -> Result<(), Bo
         fonts: &Arc::default,
         title: picture,
         fit: Default::default(),
+        cancelled: &|| false,
     };
     let mut begun = std::time::Instant::now();
     let sorted = colours::sort(&std::fs::read(picture)?, &request, &mut |event| match event {
