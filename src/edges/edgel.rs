@@ -31,6 +31,8 @@ pub struct ChainKind {
     /// Whether it is a path of a vector drawing, as exact as that; otherwise it was found in the pixels, and has the
     /// wobble of noise.
     pub exact: bool,
+    /// Whether the picture is a drawing, in which every line is meant.
+    pub drawn: bool,
     /// Width of the stroke of which it is the centre line, px; none of an edge.
     pub stroke: Option<f32>,
 }
@@ -100,9 +102,9 @@ impl Edges {
         borders
     }
 
-    /// Whether they are those of a vector drawing, in which every line is meant.
+    /// Whether they are those of a drawing, in which every line is meant.
     pub fn of_drawing(&self) -> bool {
-        self.chains.iter().any(|chain| chain.kind.exact)
+        self.chains.iter().any(|chain| chain.kind.drawn)
     }
 
     /// Whether nothing was found.

@@ -36,6 +36,7 @@ mod ridge;
 mod side_statistics;
 mod step_height;
 mod strength;
+mod stroke;
 
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
@@ -45,16 +46,28 @@ pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
 use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
+use ridge::RidgePoint;
 
 use crate::raster::Raster;
+use crate::units::Size;
 
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
     let size = raster.size();
     let noise = Noise::of(raster);
     let params = &noise.adapted(params);
+    let drawn = stroke::is_drawing(raster, noise.pixel);
+    let strokes = if drawn { stroke::find(raster, noise.pixel, params) } else { Vec::new() };
     let (mut points, sides) = bands::scan(raster, &noise.weights, params);
-    if points.is_empty() {
+    if drawn {
+        points.retain(|point| !is_border(point, size));
+    }
+    if !strokes.is_empty() {
+        // their sides are no contours
+        let taken = stroke::Taken::by(&strokes, size, params.sigma);
+        points.retain(|point| !taken.has(point.at));
+    }
+    if points.is_empty() && strokes.is_empty() {
         return Edges::none(size);
     }
     let chains = chain::link(&points, size, params.min_length);
@@ -66,11 +79,27 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
         refine::refine(contour, params.sigma);
         corner::sharpen(contour);
     });
+    let widths: Vec<Option<f32>> =
+        contours.iter().map(|_| None).chain(strokes.iter().map(|stroke| Some(stroke.width))).collect();
+    contours.extend(strokes.into_iter().map(|stroke| stroke.contour));
     junction::extend(&mut contours, size);
     let mut edges = Edges::none(size);
-    for contour in &contours {
+    for (contour, &stroke) in contours.iter().zip(&widths) {
         let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
-        edges.push(contour.vertices.iter().map(edgel), contour.closed);
+        edges.push_as(ChainKind { exact: false, drawn, stroke }, contour.vertices.iter().map(edgel), contour.closed);
     }
     edges
+}
+
+/// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in
+/// rows that are half transparent or black.
+const BORDER: f32 = 2.0;
+/// ... if the cosine between the two is at least this (18 degrees).
+const ALONG_BORDER: f32 = 0.95;
+
+/// Whether a point belongs to the border of the picture.
+fn is_border(point: &RidgePoint, size: Size) -> bool {
+    let near = |at: f32, count: u32| at <= BORDER || at >= count as f32 - BORDER;
+    (near(point.at.x, size.width) && point.normal.x.abs() >= ALONG_BORDER)
+        || (near(point.at.y, size.height) && point.normal.y.abs() >= ALONG_BORDER)
 }

@@ -1,0 +1,229 @@
+//! The middle of a stroke to a fraction of a pixel, its width and its contrast.
+
+use super::arms::Strand;
+use crate::edges::contour::{Contour, ContourPoint};
+use crate::edges::corner;
+use crate::edges::params::Params;
+use crate::geom::polyline::{Polyline, smooth};
+use crate::raster::plane::Plane;
+use crate::units::{PxPoint, PxVector};
+
+/// A stroke.
+#[derive(Debug, Clone)]
+pub(in crate::edges) struct Stroke {
+    /// Its middle.
+    pub(in crate::edges) contour: Contour,
+    /// Its width, px.
+    pub(in crate::edges) width: f32,
+}
+
+/// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
+/// left.
+const SMOOTHING: [f32; 3] = [1.5, 1.0, 1.0];
+/// The profile across a stroke is read in steps of this, px.
+const STEP: f32 = 0.25;
+/// It ends where less than this share of its largest value is left.
+const END: f32 = 0.25;
+/// Beyond this much more than half its width, px, what is read is no longer the stroke.
+const BEYOND: f32 = 1.5;
+/// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
+/// lines anyway.
+const SHORTEST: f32 = 3.0;
+/// A stroke is at least this many times as long as wide; what is shorter is an area.
+const LONG: f32 = 5.0;
+/// Contrast of a stroke is at least this share of the step between its two sides. A stroke that shows less leaves the
+/// edge where it is; and beside a sharpened edge there is a rim that is no stroke.
+const OF_STEP: f32 = 0.7;
+/// Colours beside a stroke are read this far outside it, px.
+const OUTSIDE: f32 = 2.0;
+/// The direction of an end is taken over the width of the stroke and this much more, px.
+const ENDING: f32 = 3.0;
+/// Of a free end half the width of the stroke and this much more, px, is where thinning left it.
+const UNSURE: f32 = 1.5;
+/// A line along the border of the picture, nearer to it than this, px, is the border.
+const BORDER: f32 = 2.0;
+
+/// The profile of a residue across a line.
+#[derive(Debug, Clone, Copy, Default)]
+struct Profile {
+    /// Where its middle is, px to the right of the line.
+    shift: f32,
+    /// Its sum over its largest value, px.
+    width: f32,
+}
+
+/// The stroke along a line of pixels, if it is one.
+pub(super) fn stroke(
+    strand: Strand,
+    residue: &Plane,
+    planes: &[Plane],
+    radius: usize,
+    params: &Params,
+) -> Option<Stroke> {
+    let Strand { mut line, free } = strand;
+    if line.length() < SHORTEST * params.min_length {
+        return None;
+    }
+    let mut width = 2.0 * radius as f32 + 1.0;
+    for sigma in SMOOTHING {
+        line = smoothed(&line, sigma);
+        let profiles: Vec<Profile> =
+            (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
+        width = median(profiles.iter().map(|profile| profile.width)).max(1.0);
+        line = centred(&line, &profiles, 0.5 * width);
+    }
+    extend_ends(&mut line, free, residue, width);
+    let contrasts: Vec<f32> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
+    let is_stroke = line.length() >= LONG * width
+        && width <= super::WIDEST * params.widest_stroke
+        && median(contrasts.iter().copied()) >= params.low
+        && contrasts.iter().any(|contrast| *contrast >= params.high)
+        && !is_border(&line, residue);
+    if !is_stroke {
+        return None;
+    }
+    let strength = smooth(&line.arc_lengths(), line.closed, 0.5 * params.strength_window, |i| [contrasts[i]]);
+    let vertices = line.vertices.iter().zip(strength).map(|(&at, [strength])| ContourPoint {
+        at,
+        strength,
+        contrast: [0.0; 3],
+        blur: (0.5 * width).max(1.0),
+        position_sigma: 0.05,
+    });
+    let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
+    corner::sharpen(&mut contour);
+    Some(Stroke { contour, width })
+}
+
+fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
+    let at = smooth(&line.arc_lengths(), line.closed, sigma, |i| [line.vertices[i].x, line.vertices[i].y]);
+    Polyline { vertices: at.into_iter().map(|[x, y]| PxPoint::new(x, y)).collect(), closed: line.closed }
+}
+
+/// Each vertex moved to the middle of its profile; the shifts are smoothed, so that a crossing stroke moves nothing.
+fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polyline<PxPoint> {
+    let arcs = line.arc_lengths();
+    let shift = |i: usize| {
+        let around = (i.saturating_sub(2)..(i + 3).min(profiles.len())).map(|k| profiles[k].shift);
+        [median(around).clamp(-most.max(1.0), most.max(1.0))]
+    };
+    let shifts = smooth(&arcs, line.closed, 1.0, shift);
+    let vertices = line.vertices.iter().zip(shifts).enumerate().map(|(i, (&at, [shift]))| at + right(line, i) * shift);
+    Polyline { vertices: vertices.collect(), closed: line.closed }
+}
+
+/// Goes straight on at the free ends of a line, as far as the residue is at least half of what it is along the line.
+/// Thinning shortens ends and leads them into a corner of the stroke, so the last half width is made anew.
+fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, width: f32) {
+    let along = median(line.vertices.iter().map(|&at| interpolated(residue, at)));
+    let unsure = 0.5 * width + UNSURE;
+    // the end, then the start
+    for is_free in [free[1], free[0]] {
+        if is_free && line.length() > 4.0 * unsure {
+            trim_end(line, unsure);
+            extend_end(line, residue, width + ENDING, along);
+        }
+        line.vertices.reverse();
+    }
+}
+
+/// Takes away the last `length` px of a line.
+fn trim_end(line: &mut Polyline<PxPoint>, length: f32) {
+    let mut left = length;
+    while let [.., before, last] = line.vertices[..] {
+        let way = (last - before).length();
+        line.vertices.pop();
+        if way >= left {
+            line.vertices.push(last.lerp(before, left / way));
+            return;
+        }
+        left -= way;
+    }
+}
+
+/// Goes straight on for at most `most` px, as long as the residue is at least half of `along`.
+fn extend_end(line: &mut Polyline<PxPoint>, residue: &Plane, most: f32, along: f32) {
+    let Some(&tip) = line.vertices.last() else { return };
+    let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= most);
+    let Some(heading) = inner.and_then(|inner| (tip - *inner).try_normalize()) else { return };
+    let is_stroke = |k: &i32| interpolated(residue, tip + heading * (*k as f32 * STEP)) >= 0.5 * along;
+    let steps = (1..=(2.0 * most / STEP) as i32).take_while(is_stroke).count() as i32;
+    if steps > 0 {
+        line.vertices.push(tip + heading * (steps as f32 * STEP));
+    }
+}
+
+/// Unit vector to the right of a line at a vertex, with y down.
+fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
+    let view = line.view();
+    let [before, after] = [-2, 2].map(|step| view.next(i, step).or(view.next(i, step / 2)).unwrap_or(i));
+    let along = (line.vertices[after] - line.vertices[before]).try_normalize().unwrap_or(PxVector::zero());
+    PxVector::new(-along.y, along.x)
+}
+
+/// The profile of the residue across the line at a vertex, as far as `reach`.
+fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> Profile {
+    let (at, across) = (line.vertices[i], right(line, i));
+    let value = |distance: f32| interpolated(residue, at + across * distance);
+    let steps = (reach / STEP).ceil() as i32;
+    // the largest value near the line is the stroke's
+    let near = (1.0 / STEP) as i32;
+    let (peak, top) = (-near..=near)
+        .map(|k| (value(k as f32 * STEP), k))
+        .fold((0.0_f32, 0), |best, here| if here.0 > best.0 { here } else { best });
+    if peak <= 0.0 {
+        return Profile::default();
+    }
+    let (mut sum, mut weights, mut moment) = (peak, (1.0 - END) * peak, (1.0 - END) * peak * top as f32 * STEP);
+    for direction in [1, -1] {
+        for k in 1..=steps {
+            let distance = (top + direction * k) as f32 * STEP;
+            let here = value(distance);
+            if here < END * peak {
+                break;
+            }
+            sum += here;
+            // a weight without a jump, so that the middle does not depend on where the steps lie
+            weights += here - END * peak;
+            moment += (here - END * peak) * distance;
+        }
+    }
+    Profile { shift: moment / weights, width: sum * STEP / peak }
+}
+
+/// Contrast of the stroke at a vertex with the ground on both sides, in all planes; 0 where the two sides differ more
+/// than it does from either.
+fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) -> f32 {
+    let (at, across) = (line.vertices[i], right(line, i));
+    let outside = 0.5 * width + OUTSIDE;
+    let norm = |of: &dyn Fn(&Plane) -> f32| planes.iter().map(|plane| of(plane) * of(plane)).sum::<f32>().sqrt();
+    let value = |plane: &Plane, distance: f32| interpolated(plane, at + across * distance);
+    let step = norm(&|plane| value(plane, outside) - value(plane, -outside));
+    let excess = norm(&|plane| value(plane, 0.0) - 0.5 * (value(plane, outside) + value(plane, -outside)));
+    if excess < OF_STEP * step { 0.0 } else { excess.max(step) }
+}
+
+/// Whether a line runs along the border of the picture.
+fn is_border(line: &Polyline<PxPoint>, plane: &Plane) -> bool {
+    let (width, height) = (plane.size.width as f32, plane.size.height as f32);
+    let near = |at: &PxPoint| at.x.min(at.y).min(width - at.x).min(height - at.y) <= BORDER;
+    2 * line.vertices.iter().filter(|at| near(at)).count() > line.vertices.len()
+}
+
+fn interpolated(plane: &Plane, at: PxPoint) -> f32 {
+    let axis = |at: f32, count: u32| {
+        let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
+        let first = (at as usize).min(count as usize - 1);
+        (first, (first + 1).min(count as usize - 1), at - first as f32)
+    };
+    let ((left, to, x), (above, below, y)) = (axis(at.x, plane.size.width), axis(at.y, plane.size.height));
+    let width = plane.size.width as usize;
+    let row = |row: usize| plane.values[row * width + left] * (1.0 - x) + plane.values[row * width + to] * x;
+    row(above) * (1.0 - y) + row(below) * y
+}
+
+fn median(values: impl Iterator<Item = f32>) -> f32 {
+    let mut values: Vec<f32> = values.collect();
+    values.sort_by(f32::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,312 @@
+//! Strokes in the pixels: a structure too thin for two lines is one contour, along its middle.
+//!
+//! ```text
+//! Lab -> residue (what a square of a size does not fit into) -> skeleton (thinned to a pixel)
+//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast) -> Strokes
+//! ```
+//!
+//! A stroke thinner than the scale of the edge detector has no two clean sides: they are found too far out, link with
+//! one another, and are torn apart on the page. Its middle can be found to a fraction of a pixel. The narrow squares
+//! come first, so that of a grid of thin lines the lines are found and not the gaps between them.
+//!
+//! Only pictures that are mostly flat are looked at ([`is_drawing`]): a photograph has few strokes, and everything in
+//! it that is thin has soft sides.
+
+mod arms;
+mod centre;
+mod residue;
+mod skeleton;
+
+use pulp::Arch;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+pub(super) use self::centre::Stroke;
+use self::residue::{Polarity, residue, square_max};
+use self::skeleton::{Mask, Node, Path};
+use super::lab;
+use super::params::Params;
+use crate::geom::components::{self, Connectivity};
+use crate::raster::Raster;
+use crate::raster::plane::Plane;
+use crate::units::{PxPoint, Size};
+
+/// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
+const WIDEST: f32 = 0.5;
+/// A picture with more noise than this standard deviation of a pixel, in units of strength, is taken for a photograph.
+const NOISY: f32 = 1.0;
+/// Two neighbouring pixels that differ by no more than this, in units of strength, are flat: a code value and a half.
+const FLAT: f32 = 0.6;
+/// ... or by no more than this many standard deviations of the noise.
+const FLAT_NOISE: f32 = 3.0;
+/// A picture is a drawing if at least this share of its pixels is flat. Drawings and scanned worksheets have 0.85 to
+/// 0.99, photographs rarely more than 0.5.
+const FLAT_SHARE: f32 = 0.7;
+/// In a picture without noise a stroke is kept from this share of the thresholds of edges on: where it is thinner
+/// than a pixel, its contrast is less in proportion.
+const FAINT: f32 = 0.5;
+/// A picture has no noise up to this standard deviation of a pixel, in units of strength: a third of a code value.
+const QUIET: f32 = 0.13;
+/// ... otherwise from this many standard deviations on: opening and closing find the extremes of noise.
+const LOW_NOISE: f32 = 4.0;
+const HIGH_NOISE: f32 = 8.0;
+/// Half sides of the squares, px, the largest as wide as strokes may be.
+const SMALLEST_RADIUS: usize = 3;
+/// A pixel belongs to a structure if its residue is at least this share of the largest within [`LOCAL`] px.
+const SHARE: f32 = 0.45;
+const LOCAL: usize = 3;
+
+/// The strokes of a drawing. `noise` is the standard deviation of a pixel.
+pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> {
+    let mut planes = vec![vec![0.0; raster.size().len()]; lab::planes(raster)];
+    let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
+    lab::convert(Arch::new(), &from, &mut planes);
+    let planes: Vec<Plane> = planes.into_iter().map(|values| Plane { size: raster.size(), values }).collect();
+    let params = &Params {
+        low: if noise <= QUIET { FAINT * params.low } else { params.low.max(LOW_NOISE * noise) },
+        high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },
+        ..*params
+    };
+    let mut taken = Taken::new(raster.size());
+    let mut strokes = Vec::new();
+    for radius in radii(WIDEST * params.widest_stroke) {
+        let mut found = Vec::new();
+        for plane in &planes {
+            for polarity in [Polarity::Below, Polarity::Above] {
+                found.extend(candidates(plane, radius, polarity, &planes, params));
+            }
+        }
+        // Narrow before wide, so that what lies between two strokes is no stroke; then long before short, as another
+        // plane may show but pieces.
+        let octave = |stroke: &Stroke| (stroke.width / THINNEST).max(1.0).log2() as i32;
+        found.sort_by(|a, b| octave(a).cmp(&octave(b)).then(b.contour.length().total_cmp(&a.contour.length())));
+        for stroke in found {
+            if !taken.has_most_of(&stroke, params.sigma) {
+                taken.add(&stroke, params.sigma);
+                strokes.push(stroke);
+            }
+        }
+    }
+    strokes
+}
+
+/// Half sides of the squares for strokes of up to a width, px: each twice the one before.
+fn radii(widest: f32) -> impl Iterator<Item = usize> {
+    let most = (0.5 * widest).ceil() as usize;
+    let doubled = std::iter::successors(Some(SMALLEST_RADIUS), |radius| Some(2 * radius));
+    doubled.take_while(move |radius| *radius < most).chain([most.max(SMALLEST_RADIUS)])
+}
+
+/// Whether a picture is a drawing: mostly of flat areas. `noise` is the standard deviation of a pixel.
+pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
+    if noise > NOISY {
+        return false;
+    }
+    let tolerance = FLAT.max(FLAT_NOISE * noise);
+    let width = raster.size().width as usize;
+    let (mut flat, mut all) = (0_usize, 0_usize);
+    let mut lab = [(); 2].map(|()| vec![vec![0.0; width]; lab::planes(raster)]);
+    // every third row tells as much
+    for y in (1..raster.size().height as usize).step_by(3) {
+        let [above, here] = &mut lab;
+        lab::row(Arch::new(), raster, y - 1, above);
+        lab::row(Arch::new(), raster, y, here);
+        for x in 1..width {
+            let planes = here.iter().zip(&*above);
+            let step = planes.map(|(here, above)| (here[x] - here[x - 1]).abs().max((here[x] - above[x]).abs()));
+            flat += usize::from(step.fold(0.0, f32::max) <= tolerance);
+        }
+        all += width - 1;
+    }
+    flat as f32 >= FLAT_SHARE * all as f32
+}
+
+/// What is thin in one plane and looks like a stroke.
+fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane], params: &Params) -> Vec<Stroke> {
+    // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are
+    // even.
+    let residue = smoothed(&residue(plane, radius, polarity));
+    if residue.values.iter().all(|value| *value < params.high) {
+        return Vec::new();
+    }
+    let most = square_max(&residue.values, plane.size, LOCAL);
+    let set: Vec<bool> =
+        residue.values.iter().zip(&most).map(|(value, most)| *value >= params.low.max(SHARE * most)).collect();
+    let components = components::of_labels(&set, plane.size, Connectivity::Eight);
+    let things: Vec<&[usize]> = components.iter().filter(|cells| set[cells[0]]).collect();
+    let strokes = |cells: &&[usize]| -> Vec<Stroke> {
+        let (paths, nodes) = thinned(cells, &residue);
+        let arms = arms::joined(paths, &nodes);
+        arms.into_iter().filter_map(|strand| centre::stroke(strand, &residue, planes, radius, params)).collect()
+    };
+    things.par_iter().flat_map_iter(strokes).collect()
+}
+
+/// The skeleton of a connected part of a mask, given by its cells: its paths and junctions.
+fn thinned(cells: &[usize], residue: &Plane) -> (Vec<Path>, Vec<Node>) {
+    let turn = Turn::of(cells, residue);
+    let mut mask = Mask::new(turn.size(), cells.iter().map(|&cell| turn.turned(cell)));
+    mask.thin();
+    let (mut paths, mut nodes) = mask.paths();
+    paths.iter_mut().flat_map(|path| &mut path.points).for_each(|at| *at = turn.back(*at));
+    nodes.iter_mut().for_each(|node| node.at = turn.back(node.at));
+    (paths, nodes)
+}
+
+/// The box around some cells, and how it is flipped and turned so that they have a positive skewness to the right and
+/// below, the larger one to the right. Thinning goes from one corner to the other; so it does the same to a part of a
+/// picture that is flipped, turned or moved.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    /// Columns of the picture.
+    width: usize,
+    /// First column and row of the box.
+    min: [usize; 2],
+    /// Columns and rows of the box.
+    count: [usize; 2],
+    flip: [bool; 2],
+    transpose: bool,
+}
+
+impl Turn {
+    fn of(cells: &[usize], residue: &Plane) -> Self {
+        let width = residue.size.width as usize;
+        let at = |cell: usize| [cell % width, cell / width];
+        let (mut min, mut max) = ([usize::MAX; 2], [0; 2]);
+        let (mut sum, mut first) = (0.0_f64, [0.0_f64; 2]);
+        for &cell in cells {
+            let value = f64::from(residue.values[cell]);
+            sum += value;
+            for (axis, at) in at(cell).into_iter().enumerate() {
+                (min[axis], max[axis]) = (min[axis].min(at), max[axis].max(at));
+                first[axis] += value * at as f64;
+            }
+        }
+        let mean = first.map(|first| first / sum);
+        let skewness = [0, 1].map(|axis| {
+            let cubes = cells
+                .iter()
+                .map(|&cell| f64::from(residue.values[cell]) * (at(cell)[axis] as f64 - mean[axis]).powi(3));
+            cubes.sum::<f64>()
+        });
+        Self {
+            width,
+            min,
+            count: [0, 1].map(|axis| max[axis] - min[axis] + 1),
+            flip: skewness.map(|skewness| skewness < 0.0),
+            transpose: skewness[1].abs() > skewness[0].abs(),
+        }
+    }
+
+    /// Size of the turned box.
+    fn size(&self) -> Size {
+        let [columns, rows] = self.count.map(|count| count as u32);
+        if self.transpose { Size::new(rows, columns) } else { Size::new(columns, rows) }
+    }
+
+    /// The number in the turned box of a cell of the picture.
+    fn turned(&self, cell: usize) -> usize {
+        let [x, y] = [cell % self.width - self.min[0], cell / self.width - self.min[1]];
+        let x = if self.flip[0] { self.count[0] - 1 - x } else { x };
+        let y = if self.flip[1] { self.count[1] - 1 - y } else { y };
+        if self.transpose { x * self.count[1] + y } else { y * self.count[0] + x }
+    }
+
+    /// The point in the picture of a point of the turned box.
+    fn back(&self, turned: PxPoint) -> PxPoint {
+        let (x, y) = if self.transpose { (turned.y, turned.x) } else { (turned.x, turned.y) };
+        let x = if self.flip[0] { self.count[0] as f32 - x } else { x };
+        let y = if self.flip[1] { self.count[1] as f32 - y } else { y };
+        PxPoint::new(x + self.min[0] as f32, y + self.min[1] as f32)
+    }
+}
+
+/// Each value averaged with its neighbours, by halves with those in its row and then in its column.
+fn smoothed(plane: &Plane) -> Plane {
+    let (width, height) = (plane.size.width as usize, plane.size.height as usize);
+    let mean = |before: f32, here: f32, after: f32| 0.25 * before + 0.5 * here + 0.25 * after;
+    let mut rows = vec![0.0; plane.values.len()];
+    for (out, row) in rows.chunks_exact_mut(width).zip(plane.values.chunks_exact(width)) {
+        for x in 0..width {
+            out[x] = mean(row[x.saturating_sub(1)], row[x], row[(x + 1).min(width - 1)]);
+        }
+    }
+    let mut values = vec![0.0; rows.len()];
+    for y in 0..height {
+        let row = |y: usize| &rows[y * width..][..width];
+        let (before, here, after) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        for x in 0..width {
+            values[y * width + x] = mean(before[x], here[x], after[x]);
+        }
+    }
+    Plane { size: plane.size, values }
+}
+
+/// Which pixels belong to a stroke that was found.
+#[derive(Debug, Clone)]
+pub(super) struct Taken {
+    size: Size,
+    cells: Vec<bool>,
+}
+
+/// Width at which pixels show the thinnest strokes, px; up to twice as wide they are taken as equally wide.
+const THINNEST: f32 = 1.5;
+/// Beyond its width, a stroke moves edges this far out, in scales of the edge detector.
+const OUTSIDE: f32 = 1.6;
+
+impl Taken {
+    fn new(size: Size) -> Self {
+        Self { size, cells: vec![false; size.len()] }
+    }
+
+    /// The pixels of all strokes, and as far around as they have their sides.
+    pub(super) fn by(strokes: &[Stroke], size: Size, sigma: f32) -> Self {
+        let mut taken = Self::new(size);
+        strokes.iter().for_each(|stroke| taken.add(stroke, sigma));
+        taken
+    }
+
+    fn add(&mut self, stroke: &Stroke, sigma: f32) {
+        let reach = 0.5 * stroke.width + OUTSIDE * sigma;
+        for (a, b) in stroke.contour.segments() {
+            for at in [a.at, a.at.lerp(b.at, 0.5), b.at] {
+                self.add_disc(at, reach);
+            }
+        }
+    }
+
+    fn add_disc(&mut self, at: PxPoint, radius: f32) {
+        let range = |at: f32, most: u32| {
+            let first = (at - radius - 0.5).ceil().max(0.0) as usize;
+            first..((at + radius + 0.5).floor().max(0.0) as usize).min(most as usize)
+        };
+        for y in range(at.y, self.size.height) {
+            for x in range(at.x, self.size.width) {
+                let (dx, dy) = (x as f32 + 0.5 - at.x, y as f32 + 0.5 - at.y);
+                if dx * dx + dy * dy <= radius * radius {
+                    self.cells[y * self.size.width as usize + x] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether a point is in a stroke or at its side.
+    pub(super) fn has(&self, at: PxPoint) -> bool {
+        let cell = |at: f32, count: u32| (at.max(0.0) as usize).min(count as usize - 1);
+        self.cells[cell(at.y, self.size.height) * self.size.width as usize + cell(at.x, self.size.width)]
+    }
+
+    /// Whether most of both sides of a stroke are those of others, or it is itself on one.
+    fn has_most_of(&self, stroke: &Stroke, sigma: f32) -> bool {
+        let n = stroke.contour.vertices.len();
+        let half = 0.5 * stroke.width + 0.5 * sigma;
+        let count = |of: &dyn Fn(usize) -> bool| (0..n).filter(|&i| of(i)).count();
+        let on = count(&|i| self.has(stroke.contour.vertices[i].at));
+        let between = count(&|i| {
+            let along = stroke.contour.tangent(i);
+            let across = crate::units::PxVector::new(-along.y, along.x) * half;
+            let at = stroke.contour.vertices[i].at;
+            self.has(at + across) && self.has(at - across)
+        });
+        2 * on > n || 2 * between > n
+    }
+}
