@@ -103,6 +103,7 @@
 //! says otherwise.
 
 mod api;
+mod braille;
 mod calibration;
 mod classes;
 mod contours;
@@ -158,6 +159,9 @@ pub use units::{Mm, MmPoint, MmRect, MmVector, Px, PxPoint, PxVector, Size};
 /// anything in here may change with any release.
 #[doc(hidden)]
 pub mod internals {
+    pub mod braille {
+        pub use crate::braille::*;
+    }
     pub mod calibration {
         pub use crate::calibration::*;
     }

@@ -1,10 +1,10 @@
 //! The samples themselves, each with its label.
 
 use super::flow::{Block, Marks};
+use crate::braille::{self, CellSize};
 use crate::classes::Class;
 use crate::lines::{Line, Run};
 use crate::page::Dots;
-use crate::page::braille;
 use crate::page::frame as frames;
 use crate::page::layout::FrameParams;
 use crate::textures;
@@ -27,8 +27,12 @@ const FRAMED: [f32; 2] = [20.0, 10.0];
 
 /// Dots of some cells as a block.
 fn label(cells: &[u8], diameter: f32) -> Block {
-    let labels = vec![Dots { diameter, at: braille::dots(cells, diameter) }];
-    Block { size: braille::size(cells, diameter), marks: Marks { labels, ..Marks::default() }, ..Block::default() }
+    let labels = vec![Dots { diameter, at: CellSize::MARBURG.dots(cells, diameter) }];
+    Block {
+        size: CellSize::MARBURG.extent(cells.len(), diameter),
+        marks: Marks { labels, ..Marks::default() },
+        ..Block::default()
+    }
 }
 
 /// A sample above its number, both centred.

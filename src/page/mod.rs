@@ -2,7 +2,6 @@
 //!
 //! A page has no options, no references and no pixels. Its constructor checks it once; writers need not check again.
 
-pub(crate) mod braille;
 mod check;
 mod dot_layout;
 pub mod frame;

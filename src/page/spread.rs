@@ -11,10 +11,11 @@
 
 use std::str::FromStr;
 
+use super::frame;
 use super::parts::{Dots, Figure, Glyph, Line, Run, Texture};
 use super::sheet::{self, FrameParams, MarkParams, Orientation, Params};
-use super::{braille, frame};
 use crate::Error;
+use crate::braille::{self, CellSize};
 use crate::geom::polyline::PolylineRef;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
@@ -116,7 +117,7 @@ pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) 
 fn fit_on(sheet: [f32; 2], aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
     let mark = |mark: MarkParams| (sheet::reach(mark), mark.gap.max(GAP));
     let (mark_height, gap) = params.mark.map_or((0.0, GAP), mark);
-    let row = mark_height.max(braille::size(&[0], braille::PRINTED).y);
+    let row = mark_height.max(CellSize::MARBURG.extent(1, braille::PRINTED).y);
     let corner = MmPoint::new(params.margin + BAND, params.margin + row + gap + BAND);
     let window = MmVector::new(sheet[0] - 2.0 * corner.x, sheet[1] - corner.y - params.margin - BAND);
     // In windows of at most two overlaps, three neighbouring sheets would show the same part.
@@ -211,7 +212,7 @@ impl Spread {
             ticks: self.ticks(column, row, figure.place),
             label: Dots {
                 diameter: braille::PRINTED,
-                at: braille::dots(&label, braille::PRINTED).into_iter().map(|at| at + from).collect(),
+                at: CellSize::MARBURG.dots(&label, braille::PRINTED).into_iter().map(|at| at + from).collect(),
             },
             name: format!("{}{}", char::from(b'a' + row as u8), column + 1),
         }

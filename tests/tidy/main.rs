@@ -20,6 +20,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("note", &["units"]),
     ("picture", &["units"]), // as it is given: a file or pixels
     ("geom", &["units"]),
+    ("braille", &["units"]), // text to cells, cells to dots
     ("devices", &["units"]), // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
     ("edges", &["units", "geom", "raster"]),
@@ -30,7 +31,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // The same textures and lines as dots.
     ("dots", &["units", "geom", "raster", "classes", "lines", "textures", "devices"]),
     // No raster: a page has no pixels.
-    ("page", &["units", "geom", "edges", "classes", "lines", "textures", "devices"]),
+    ("page", &["units", "geom", "braille", "edges", "classes", "lines", "textures", "devices"]),
     // Contours as data, back in the pixels of the source.
     ("contours", &["units", "geom", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
@@ -44,7 +45,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
-    ("calibration", &["units", "raster", "classes", "lines", "textures", "page", "profile"]),
+    ("calibration", &["units", "braille", "raster", "classes", "lines", "textures", "page", "profile"]),
     (
         "pipeline",
         &[

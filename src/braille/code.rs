@@ -1,0 +1,62 @@
+//! The braille codes that come with the program, one for each language.
+
+use super::parse;
+use super::table::Table;
+
+/// A braille code that comes with the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Code {
+    /// The language that it is for (BCP 47), which is also its name.
+    pub language: &'static str,
+    text: &'static str,
+}
+
+/// All codes, by their names.
+const CODES: &[Code] = &[
+    Code { language: "cs", text: include_str!("tables/cs.txt") },
+    Code { language: "de", text: include_str!("tables/de.txt") },
+    Code { language: "en", text: include_str!("tables/en.txt") },
+    Code { language: "es", text: include_str!("tables/es.txt") },
+    Code { language: "fr", text: include_str!("tables/fr.txt") },
+    Code { language: "it", text: include_str!("tables/it.txt") },
+    Code { language: "nl", text: include_str!("tables/nl.txt") },
+    Code { language: "pl", text: include_str!("tables/pl.txt") },
+    Code { language: "pt", text: include_str!("tables/pt.txt") },
+    Code { language: "sv", text: include_str!("tables/sv.txt") },
+];
+
+impl Code {
+    /// Every code there is, by its name.
+    pub const fn all() -> &'static [Self] {
+        CODES
+    }
+
+    /// The code of a language such as `de` or `de-CH`.
+    pub fn of_language(tag: &str) -> Option<Self> {
+        let language = tag.split(['-', '_']).next().unwrap_or(tag);
+        CODES.iter().copied().find(|code| code.language.eq_ignore_ascii_case(language))
+    }
+
+    /// Its table. The texts of the program itself are tested, so that this gives one for each of [`Code::all`].
+    pub fn table(self) -> Option<Table> {
+        parse::table(self.text).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_table_of_the_program_can_be_read() {
+        for code in Code::all() {
+            let table = parse::table(code.text).unwrap_or_else(|fault| panic!("{}: {fault}", code.language));
+            let alphabet = ('a'..='z').all(|letter| table.letters.contains_key(&letter));
+            assert!(alphabet && !table.name.is_empty(), "{}", code.language);
+            for (sign, rules) in &table.signs {
+                let is_general = rules.last().is_some_and(|rule| (rule.left, rule.right) == ('*', '*'));
+                assert!(is_general, "{}: {sign}", code.language);
+            }
+        }
+    }
+}

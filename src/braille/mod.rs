@@ -1,0 +1,22 @@
+//! Text to uncontracted braille: tables of the codes of ten languages, and what no table has is told.
+//!
+//! ```text
+//! text -> translate (signs by their neighbours, numbers, capitals) -> cells -> wrap (lines)
+//! ```
+//!
+//! A cell is a byte: bit 0 is dot 1, bit 5 is dot 6; 0 is a blank.
+
+mod capitals;
+mod cell;
+mod code;
+mod neighbours;
+mod parse;
+mod table;
+mod translate;
+mod wrap;
+
+pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
+pub use code::Code;
+pub use table::Table;
+pub use translate::{Braille, Lacking};
+pub use wrap::{Wrapped, wrap};

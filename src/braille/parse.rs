@@ -1,0 +1,143 @@
+//! Reading a table of a braille code.
+//!
+//! A line is a word and what belongs to it; lines that begin with `# ` are remarks. Cells are dots joined by hyphens:
+//! `46-1` is a cell of dots 4 and 6 and one of dot 1, `0` is a blank.
+//!
+//! ```text
+//! name Unified English Braille
+//! number 3456                          digits follow
+//! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
+//! group 5                              between groups of three digits
+//! letter-after-number 56               before a to j after digits; "any" behind it: before capitals too
+//! capital 6                            before one
+//! capital-word 6-6
+//! capital-end 6-3                      a word goes on in small letters
+//! capital-through - .                  signs that capitals go through
+//! capital-passage 3 6-6-6 6-3          from 3 words on; "before-last" behind it: the end stands before the last word
+//! letters a 1 b 12
+//! sign . _# 3456-256 number            a sign, its neighbours, its cells, and what else it does
+//! sign . ** 256
+//! ```
+//!
+//! Neighbours are those on the left and on the right: `*` anything, `_` nothing or a space, `a` a letter, `#` a digit,
+//! `n` a space with a digit beyond it, `%` (on the left) a sign of percent, degrees, powers or fractions. The first
+//! line that fits counts. What else a sign does: `number`, digits that follow belong to the same number; `<`, `>`: the
+//! space on that side falls out.
+
+use super::table::{AfterNumber, Capitals, Passage, Rule, Table};
+
+/// A table, or what is wrong with its text and on which line.
+pub(super) fn table(text: &str) -> Result<Table, String> {
+    let mut table = Table::default();
+    for (number, line) in (1..).zip(text.lines()) {
+        read(line, &mut table).map_err(|what| format!("line {number}: {what}"))?;
+    }
+    if table.digits.len() != 10 || table.number.is_empty() || table.letters.is_empty() {
+        return Err("number, digits or letters are missing".into());
+    }
+    Ok(table)
+}
+
+fn read(line: &str, table: &mut Table) -> Result<(), String> {
+    if line.trim().is_empty() || line.starts_with("# ") {
+        return Ok(());
+    }
+    let (word, rest) = line.split_once(' ').ok_or("a word alone")?;
+    let parts: Vec<&str> = rest.split_whitespace().collect();
+    let part = |i: usize| parts.get(i).copied().ok_or_else(|| format!("{word} lacks something"));
+    let capitals = |table: &mut Table, put: &dyn Fn(&mut Capitals)| put(table.capitals.get_or_insert_default());
+    match word {
+        "name" => rest.clone_into(&mut table.name),
+        "number" => table.number = cells(part(0)?)?,
+        "digits" => table.digits = parts.iter().map(|dots| cell(dots)).collect::<Result<_, _>>()?,
+        "group" => table.group = Some(cells(part(0)?)?),
+        "letter-after-number" => {
+            let before_capitals = parts.get(1) == Some(&"any");
+            table.letter_after_number = Some(AfterNumber { sign: cells(part(0)?)?, before_capitals });
+        }
+        "capital" => {
+            let cells = cells(part(0)?)?;
+            capitals(table, &|capitals| capitals.letter.clone_from(&cells));
+        }
+        "capital-word" => {
+            let cells = cells(part(0)?)?;
+            capitals(table, &|capitals| capitals.word.clone_from(&cells));
+        }
+        "capital-end" => {
+            let cells = cells(part(0)?)?;
+            capitals(table, &|capitals| capitals.end = Some(cells.clone()));
+        }
+        "capital-through" => {
+            let through: Vec<char> = parts.iter().filter_map(|part| part.chars().next()).collect();
+            capitals(table, &|capitals| capitals.through.clone_from(&through));
+        }
+        "capital-passage" => {
+            let words = part(0)?.parse().map_err(|_| "no number of words")?;
+            let before_last = parts.get(3) == Some(&"before-last");
+            let passage = Passage { words, begin: cells(part(1)?)?, end: cells(part(2)?)?, before_last };
+            capitals(table, &|capitals| capitals.passage = Some(passage.clone()));
+        }
+        "letters" => {
+            for pair in parts.chunks(2) {
+                let [letter, dots] = pair else { return Err("a letter without dots".into()) };
+                let letter = letter.chars().next().ok_or("no letter")?;
+                table.letters.insert(letter, cells(dots)?);
+            }
+        }
+        "sign" => {
+            let mut sides = part(1)?.chars();
+            let (left, right) = sides.next().zip(sides.next()).ok_or("a sign without neighbours")?;
+            let flags = parts.get(3..).unwrap_or_default();
+            if let Some(flag) = flags.iter().find(|flag| !["number", "<", ">"].contains(flag)) {
+                return Err(format!("no such thing as {flag}"));
+            }
+            let has = |flag| flags.contains(&flag);
+            let rule = Rule {
+                left,
+                right,
+                cells: cells(part(2)?)?,
+                in_number: has("number"),
+                joins_left: has("<"),
+                joins_right: has(">"),
+            };
+            let sign = part(0)?;
+            table.longest = table.longest.max(sign.chars().count());
+            table.signs.entry(sign.to_owned()).or_default().push(rule);
+        }
+        _ => return Err(format!("no such word as {word}")),
+    }
+    Ok(())
+}
+
+fn cells(text: &str) -> Result<Vec<u8>, String> {
+    text.split('-').map(cell).collect()
+}
+
+/// A cell from the numbers of its dots; `0` is a blank.
+fn cell(dots: &str) -> Result<u8, String> {
+    if dots == "0" {
+        return Ok(0);
+    }
+    let bit = |dot: char| dot.to_digit(7).filter(|&dot| dot > 0).map(|dot| 1_u8 << (dot - 1));
+    let bits = dots.chars().map(|dot| bit(dot).ok_or_else(|| format!("no dots: {dots}")));
+    bits.into_iter().try_fold(0, |cell, bit| Ok(cell | bit?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faults_have_their_line() {
+        for (text, fault) in [
+            ("number 3456\nletters a", "line 2: a letter without dots"),
+            ("sign . * 3", "line 1: a sign without neighbours"),
+            ("sign . ** 7", "line 1: no dots: 7"),
+            ("sign . ** 3 nubmer", "line 1: no such thing as nubmer"),
+            ("capitals 6", "line 1: no such word as capitals"),
+            ("number 3456", "number, digits or letters are missing"),
+        ] {
+            assert_eq!(table(text).map(|table| table.name), Err(fault.to_owned()), "{text}");
+        }
+    }
+}

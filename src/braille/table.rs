@@ -1,0 +1,72 @@
+//! What a table of a braille code holds.
+
+use std::collections::BTreeMap;
+
+/// What a braille code has for letters, digits and signs.
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    /// What the code is called.
+    pub name: String,
+    /// Says that digits follow.
+    pub(super) number: Vec<u8>,
+    /// The digits 0 to 9.
+    pub(super) digits: Vec<u8>,
+    /// Joins groups of three digits; a blank where a code has none.
+    pub(super) group: Option<Vec<u8>>,
+    /// Says that a letter after digits is one, where it could be taken for a digit.
+    pub(super) letter_after_number: Option<AfterNumber>,
+    /// None for codes that do not write capitals.
+    pub(super) capitals: Option<Capitals>,
+    pub(super) letters: BTreeMap<char, Vec<u8>>,
+    /// Signs of one or more characters, the rules of each in their order.
+    pub(super) signs: BTreeMap<String, Vec<Rule>>,
+    /// Length of the longest sign, in characters.
+    pub(super) longest: usize,
+}
+
+/// A sign before letters that follow digits.
+#[derive(Debug, Clone)]
+pub(super) struct AfterNumber {
+    pub(super) sign: Vec<u8>,
+    /// Whether it stands before capitals too: so where a code does not mark them.
+    pub(super) before_capitals: bool,
+}
+
+/// How a code writes capitals.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Capitals {
+    /// Before one.
+    pub(super) letter: Vec<u8>,
+    /// Before several.
+    pub(super) word: Vec<u8>,
+    /// Before what follows them in the same word and is none. Without it each of them has the sign of one there.
+    pub(super) end: Option<Vec<u8>>,
+    /// Signs that do not end a word of capitals.
+    pub(super) through: Vec<char>,
+    pub(super) passage: Option<Passage>,
+}
+
+/// How a code writes several words in capitals.
+#[derive(Debug, Clone)]
+pub(super) struct Passage {
+    pub(super) begin: Vec<u8>,
+    pub(super) end: Vec<u8>,
+    /// From how many words on.
+    pub(super) words: usize,
+    /// Whether the end stands before the last word, and not after it.
+    pub(super) before_last: bool,
+}
+
+/// What a sign is written as between these neighbours.
+#[derive(Debug, Clone)]
+pub(super) struct Rule {
+    pub(super) left: char,
+    pub(super) right: char,
+    pub(super) cells: Vec<u8>,
+    /// Digits that follow belong to the same number and need no number sign.
+    pub(super) in_number: bool,
+    /// The space before it falls out.
+    pub(super) joins_left: bool,
+    /// The space after it falls out.
+    pub(super) joins_right: bool,
+}

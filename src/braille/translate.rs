@@ -1,0 +1,188 @@
+//! Text to cells, by the table of a code.
+
+use super::capitals::{self, Around};
+use super::neighbours::Neighbours;
+use super::table::{Rule, Table};
+
+/// A text in braille.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Braille {
+    /// Its cells; 0 is a blank.
+    pub cells: Vec<u8>,
+    /// Behind which cells a line can end although no blank follows: hyphens in words.
+    pub breaks: Vec<usize>,
+    /// What the code has no cells for, and is left out.
+    pub lacking: Vec<Lacking>,
+}
+
+/// A character that a code has no cells for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Lacking {
+    /// The character.
+    pub character: char,
+    /// Which of the text's characters it is, from 1.
+    pub at: usize,
+}
+
+impl Braille {
+    /// The cells as Unicode braille.
+    pub fn unicode(&self) -> String {
+        self.cells.iter().filter_map(|&cell| char::from_u32(0x2800 + u32::from(cell))).collect()
+    }
+}
+
+impl Table {
+    /// A text in this code. Spaces at its ends fall out, and several are one.
+    pub fn translate(&self, text: &str) -> Braille {
+        let (text, places) = plain(text);
+        let around = match &self.capitals {
+            Some(capitals) => capitals::signs(&text, capitals),
+            None => vec![Around::default(); text.len()],
+        };
+        let mut out = Writer { table: self, text: &text, out: Braille::default(), in_number: false };
+        let mut i = 0;
+        while i < text.len() {
+            out.out.cells.extend(&around[i].before);
+            let read = out.character(i, places[i]);
+            let last = (i + read).min(text.len()) - 1;
+            out.out.cells.extend(&around[last].after);
+            i += read;
+        }
+        while out.out.cells.last() == Some(&0) {
+            out.out.cells.pop();
+        }
+        out.out
+    }
+}
+
+/// The characters of a text and their places in it, from 1: one space for any white space, none at the ends. What is
+/// never seen is left out.
+fn plain(text: &str) -> (Vec<char>, Vec<usize>) {
+    let mut plain: Vec<(char, usize)> = Vec::new();
+    for (at, character) in (1..).zip(text.chars()) {
+        let character = if character.is_whitespace() { ' ' } else { character };
+        let is_unseen = matches!(character, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}');
+        let is_more_space = character == ' ' && plain.last().is_none_or(|last| last.0 == ' ');
+        if !is_unseen && !is_more_space {
+            plain.push((character, at));
+        }
+    }
+    while plain.last().is_some_and(|last| last.0 == ' ') {
+        plain.pop();
+    }
+    plain.into_iter().unzip()
+}
+
+struct Writer<'t> {
+    table: &'t Table,
+    text: &'t [char],
+    out: Braille,
+    /// Whether digits need no number sign.
+    in_number: bool,
+}
+
+impl<'t> Writer<'t> {
+    /// Writes what begins at `i`; gives how many characters that was.
+    fn character(&mut self, i: usize, place: usize) -> usize {
+        let (table, character) = (self.table, self.text[i]);
+        if character == ' ' {
+            self.space(i);
+            return 1;
+        }
+        if let Some(digit) = character.to_digit(10) {
+            if !self.in_number {
+                self.out.cells.extend(&table.number);
+            }
+            self.in_number = true;
+            self.out.cells.extend(table.digits.get(digit as usize));
+            return 1;
+        }
+        if let Some((length, rule)) = self.sign(i) {
+            if rule.joins_left && self.out.cells.last() == Some(&0) {
+                self.out.cells.pop();
+            }
+            self.out.cells.extend(&rule.cells);
+            self.in_number = rule.in_number;
+            if is_hyphen_in_word(self.text, i) {
+                self.out.breaks.push(self.out.cells.len());
+            }
+            let drops_space = rule.joins_right && self.text.get(i + length) == Some(&' ');
+            return length + usize::from(drops_space);
+        }
+        let small = small(character);
+        match small.and_then(|small| table.letters.get(&small)) {
+            Some(cells) => {
+                self.after_number(character);
+                self.out.cells.extend(cells);
+            }
+            None => self.out.lacking.push(Lacking { character, at: place }),
+        }
+        self.in_number = false;
+        1
+    }
+
+    fn space(&mut self, i: usize) {
+        match &self.table.group {
+            Some(group) if self.in_number && is_group(self.text, i) => self.out.cells.extend(group),
+            _ => {
+                self.out.cells.push(0);
+                self.in_number = false;
+            }
+        }
+    }
+
+    /// The sign for a letter that would be a digit after digits. Where capitals are marked, their mark stands between.
+    fn after_number(&mut self, letter: char) {
+        if let Some(sign) = &self.table.letter_after_number
+            && self.in_number
+            && ('a'..='j').contains(&letter.to_ascii_lowercase())
+            && (sign.before_capitals || letter.is_lowercase())
+        {
+            self.out.cells.extend(&sign.sign);
+        }
+    }
+
+    /// The longest sign that begins at `i`, with its length.
+    fn sign(&self, i: usize) -> Option<(usize, &'t Rule)> {
+        let (table, rest) = (self.table, &self.text[i..]);
+        (1..=table.longest.min(rest.len())).rev().find_map(|length| {
+            let sign: String = rest[..length].iter().collect();
+            let rules = table.signs.get(&sign).or_else(|| table.signs.get(same_as(&sign)?))?;
+            let neighbours = Neighbours::of(self.text, i, i + length);
+            let rule = rules.iter().find(|rule| neighbours.fit(rule.left, rule.right))?;
+            Some((length, rule))
+        })
+    }
+}
+
+/// Whether the space at `i` parts groups of three digits of one number, as in 12 000.
+fn is_group(text: &[char], i: usize) -> bool {
+    let digits = |side: &mut dyn Iterator<Item = &char>| side.take_while(|letter| letter.is_ascii_digit()).count();
+    let before = digits(&mut text[..i].iter().rev());
+    (1..=3).contains(&before) && digits(&mut text[i + 1..].iter()) == 3
+}
+
+/// Whether a hyphen stands between two letters.
+fn is_hyphen_in_word(text: &[char], i: usize) -> bool {
+    let is_letter = |at: Option<usize>| at.and_then(|at| text.get(at)).is_some_and(|letter| letter.is_alphabetic());
+    matches!(text[i], '-' | '\u{2010}') && is_letter(i.checked_sub(1)) && is_letter(Some(i + 1))
+}
+
+/// The small letter of a letter.
+fn small(letter: char) -> Option<char> {
+    let mut small = letter.to_lowercase();
+    small.next().filter(|_| small.next().is_none())
+}
+
+/// A sign that is read as this one, for codes that do not tell them apart.
+fn same_as(sign: &str) -> Option<&'static str> {
+    Some(match sign {
+        "\u{2010}" | "\u{2011}" | "\u{2212}" => "-",
+        "\u{2013}" | "\u{2014}" => "\u{2013}",
+        "\u{2019}" | "\u{2bc}" => "'",
+        "\u{3bc}" => "\u{b5}",
+        "\u{2126}" => "\u{3a9}",
+        "\u{2026}" => "...",
+        _ => return None,
+    })
+}
