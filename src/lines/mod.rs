@@ -9,6 +9,7 @@
 
 mod centreline;
 mod clearance;
+mod corner;
 mod join;
 mod junction;
 mod line;

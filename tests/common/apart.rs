@@ -16,6 +16,10 @@ const APPROACH: f32 = 1.7;
 /// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
 const BEND_LEAST: f32 = 2.0;
+/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the way over the tip is
+/// nearly as long as the line.
+const CORNER: f32 = 6.1;
+const STRAIGHT: f32 = 0.92;
 /// Numbers of the page have two digits after the point, and some are added up.
 const ROUNDING: f32 = 0.01;
 
@@ -112,6 +116,16 @@ impl Way {
         })
     }
 
+    /// Whether between two of its places there are but two straight sides of a corner.
+    fn has_corner(&self, (s, a): (f32, MmPoint), (t, b): (f32, MmPoint)) -> bool {
+        let (from, to) = (s.min(t), s.max(t));
+        let over_start = self.closed && self.length - (to - from) < to - from;
+        let places = self.segments.iter().filter(|s| (from..to).contains(&s.arc) != over_start).map(|s| s.a);
+        let over = |tip: MmPoint| f64::from((tip - a).length()) + f64::from((tip - b).length());
+        let farthest = places.map(over).fold(0.0, f64::max);
+        farthest >= f64::from(STRAIGHT * self.between(s, t))
+    }
+
     /// The way along the line between two of its places.
     fn between(&self, s: f32, t: f32) -> f32 {
         let apart = (s - t).abs();
@@ -150,8 +164,11 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
                     continue;
                 }
                 let there = other.arc + (point - other.a).length();
+                let way = &ways[other.line as usize];
+                let along = way.between(here, there);
                 let bend = other.line == segment.line
-                    && ways[other.line as usize].between(here, there) <= BEND * distance + BEND_LEAST;
+                    && (along <= BEND * distance + BEND_LEAST
+                        || (along <= CORNER * distance + BEND_LEAST && way.has_corner((here, at), (there, point))));
                 let joins = arrives(segment.line, here, other.line, clearance)
                     || arrives(other.line, there, segment.line, clearance);
                 let gap = distance - segment.half_width - other.half_width;

@@ -5,6 +5,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
+use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Vertex, dot};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -102,6 +103,7 @@ impl<'a> Sides<'a> {
                 if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
                     && !self.is_same_side((number, i), segment, distance)
                     && self.steps_back(here, tangent, segment)
+                    && !self.is_corner((number, i), segment, at)
                 {
                     best = Some((distance, self.opposite_on(segment, at)));
                 }
@@ -115,6 +117,14 @@ impl<'a> Sides<'a> {
         let apart = (segment.arc - self.arcs[number][i]).abs();
         let apart = if self.polylines[number].closed { apart.min(self.total(number) - apart) } else { apart };
         segment.line as usize == number && apart < BEND * distance + BEND_LEAST
+    }
+
+    /// Whether a place on a segment is on the other side of a sharp corner.
+    fn is_corner(&self, (number, i): (usize, usize), segment: &Segment, at: MmPoint) -> bool {
+        let (polyline, arcs) = (&self.polylines[number], &self.arcs[number]);
+        let there = segment.arc + (at - segment.a).length();
+        let places = [(arcs[i], polyline.vertices[i].at), (there, at)];
+        segment.line as usize == number && is_corner(polyline, arcs, polyline.closed, places)
     }
 
     /// Whether a segment runs beside a vertex and the colour steps back there what it steps at the vertex.

@@ -6,11 +6,13 @@ use super::drawn::{TOUCH, goes_round, segment};
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
+use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
 
 /// A line that comes back to itself is its own rival where the length along it is more than the distance across by this
-/// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5).
+/// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5), nor is a sharper
+/// one with straight sides.
 const BEND: f32 = 3.5;
 const BEND_LEAST: f32 = 1.5;
 
@@ -39,7 +41,10 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
             let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
             let line_arc = segment.arc + (at - segment.a).length();
             let length = apart(arcs[i], line_arc);
-            if distance >= params.clearance(half + segment.half_width) || is_bend(length, distance) {
+            if distance >= params.clearance(half + segment.half_width)
+                || is_bend(length, distance)
+                || is_corner(polyline, &arcs, ring, [(arcs[i], vertex.at), (line_arc, at)])
+            {
                 return;
             }
             let limit = params.approach(half, segment.half_width);
@@ -110,6 +115,22 @@ mod tests {
     fn a_corner_is_no_return() {
         assert_eq!(first_return(&[(10.0, 10.0), (50.0, 10.0), (50.0, 50.0)], false), None);
         assert_eq!(first_return(&[(10.0, 10.0), (40.0, 10.0), (40.0, 40.0), (10.0, 40.0)], true), None);
+    }
+
+    #[test]
+    fn a_sharp_corner_is_no_return_and_a_narrow_loop_is_one() {
+        // 25 degrees between its sides, which are 30 mm long
+        let tip = [(10.0, 50.0), (40.0, 50.0), (12.81, 37.32)];
+        assert_eq!(first_return(&tip, false), None);
+        let triangle = [(10.0, 50.0), (40.0, 50.0), (12.81, 37.32)];
+        for start in 0..3 {
+            let turned: Vec<_> = (0..3).map(|k| triangle[(start + k) % 3]).collect();
+            assert_eq!(first_return(&turned, true), None, "begun at {start}");
+        }
+        // 15 degrees are too few
+        assert!(first_return(&[(10.0, 50.0), (40.0, 50.0), (11.02, 42.24)], false).is_some());
+        // nor is a hairpin a corner that has the same distance after the same way
+        assert!(first_return(&[(10.0, 10.0), (22.0, 10.0), (22.0, 14.0), (10.0, 14.0)], false).is_some());
     }
 
     #[test]

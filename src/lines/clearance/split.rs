@@ -44,7 +44,10 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     if let (Some(junction), Some(&before)) = (last, vertices.last()) {
         vertices.push(Vertex { at: junction.at, ..before });
     }
-    Some(Polyline::open(vertices))
+    let mut shorter = Polyline::open(vertices);
+    // put back on the place where it was, it would be shortened for ever
+    drawn.snap(&mut shorter);
+    (shorter.length() + TIP < polyline.length()).then_some(shorter)
 }
 
 /// What is left of a line that is too near to others: its parts between, extended to the lines that they join.
