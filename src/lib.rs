@@ -143,8 +143,8 @@ pub use devices::{Device, DotArea, Family, Grid as DotGrid, Paper, Pitches};
 pub use error::Error;
 pub use note::Note;
 pub use page::{
-    Class, DotMedium, Dots, Figure, Glyph, Height, Line, Medium, Overview, Page, Parts, Pen, Print, Run, Shape, Sign,
-    Texture,
+    BrailleText, Class, DotMedium, Dots, Figure, Glyph, Height, Line, Medium, Overview, Page, Parts, Pen, Print, Run,
+    Shape, Sign, TextRole, Texture,
 };
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;

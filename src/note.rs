@@ -1,5 +1,7 @@
 //! What the maker of a page or a trace should know and the result survives.
 
+use crate::braille::Code;
+
 /// One remark about a page that was made all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
@@ -15,6 +17,20 @@ pub enum Note {
     },
     /// Texts of a drawing are left out, as letters are no lines that fingers can read; all of them.
     TextsLeftOut(Vec<String>),
+    /// There is no braille code for the language of the words, so they are not written on the page.
+    NoBrailleCode(String),
+    /// The braille code lacks characters of a text, so they are left out of its braille.
+    NotInBraille {
+        /// The text.
+        text: String,
+        /// Each character, and which of the text's it is, from 1.
+        lacking: Vec<(char, usize)>,
+    },
+    /// The title is not written in braille, as there is no room for it above the figure.
+    NoRoomForTitle {
+        /// How many cells it has.
+        cells: usize,
+    },
     /// No contour was found that is strong and long enough.
     NoLines,
     /// Nothing was found to trace.
@@ -62,6 +78,30 @@ impl std::fmt::Display for Note {
                 }
                 if count > shown { write!(f, " and {} more", count - shown) } else { Ok(()) }
             }
+            Self::NoBrailleCode(language) => {
+                let codes: Vec<&str> = Code::all().iter().map(|code| code.language).collect();
+                write!(
+                    f,
+                    "the title is not written in braille, as there is no code for the language \"{}\"; there are {}; \
+                     choose one with braille.code, or leave braille out with braille=false",
+                    short(language),
+                    codes.join(", ")
+                )
+            }
+            Self::NotInBraille { text, lacking } => {
+                write!(f, "left out of the braille of \"{}\", as its code has no cells for it: ", short(text))?;
+                let shown = lacking.len().min(MOST_TEXTS);
+                for (i, (character, at)) in lacking[..shown].iter().enumerate() {
+                    write!(f, "{}{character:?} (character {at})", if i > 0 { ", " } else { "" })?;
+                }
+                let more = lacking.len() - shown;
+                if more > 0 { write!(f, " and {more} more") } else { Ok(()) }
+            }
+            Self::NoRoomForTitle { cells } => write!(
+                f,
+                "the title is not written in braille: its {cells} cells have no room above the figure, where three \
+                 lines may take a fifth of the sheet; give a shorter one, or a larger sheet"
+            ),
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
                  and edges.low, or give a brighter picture or one with less around it",

@@ -11,22 +11,25 @@ mod request;
 pub mod sheets;
 mod texts;
 pub mod trace;
+mod words;
 
 pub use finish::title_of_overview;
 pub use progress::{Event, Stage, Watch};
 pub use request::{Fit, Request};
 pub use texts::Text;
+pub use words::Words;
 
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
-use crate::page::{self, Dots, Figure, Medium, Overview, Page, Parts, frame};
+use crate::page::{self, BrailleText, Dots, Figure, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::units::MmRect;
 use crate::{Error, Note};
 use draw::{Marks, draw};
 use finish::{finished, origin, too_black};
 use progress::run;
+use words::Written;
 
 /// A page and what its maker should know.
 #[derive(Debug, Clone)]
@@ -51,12 +54,29 @@ pub fn convert<'p>(
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
+    convert_with_words(picture, &Words::default(), request, watch)
+}
+
+/// As [`convert`], with words in braille.
+///
+/// # Errors
+/// As [`convert`].
+pub fn convert_with_words<'p>(
+    picture: impl Into<Picture<'p>>,
+    words: &Words<'_>,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Drawing, Error> {
     let plan = request.plan;
+    let written = Written::new(words, plan);
     let Marks { figure, overview, shares, layout, is_flat, texts, mut notes } =
-        draw(picture.into(), request, &|size| request.fit.layout(size, plan), watch)?;
+        draw(picture.into(), request, &|size| written.layout(size, request), watch)?;
+    let braille = written.on(&layout);
+    notes.extend(written.left_out(&layout));
+    notes.extend(written.notes);
     let (page, overview) = run(watch, Stage::Page, || match &layout.medium {
-        Medium::Print(_) => Ok((assemble(figure, overview, shares, &layout, request)?, None)),
-        Medium::Dots(medium) => dots::assemble(figure, overview, shares, &layout, medium, request),
+        Medium::Print(_) => Ok((assemble(figure, overview, shares, braille, &layout, request)?, None)),
+        Medium::Dots(medium) => dots::assemble(figure, overview, shares, braille, (&layout, medium), request),
     })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
@@ -75,6 +95,7 @@ fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
     shares: Option<[f32; 5]>,
+    braille: Vec<BrailleText>,
     layout: &Layout,
     request: &Request<'_>,
 ) -> Result<Page, Error> {
@@ -84,10 +105,11 @@ fn assemble(
     let parts = Parts {
         title: request.title.to_owned(),
         description: page::describe(&figure, overview.as_ref(), shares),
-        origin: origin(request, figure.source),
+        origin: origin(request, figure.source, &braille),
         frame: around(figure.place),
         orientation_mark: layout.mark.clone(),
         overview,
+        braille,
         medium: layout.medium.clone(),
         ..Parts::of(layout.sheet, figure)
     };

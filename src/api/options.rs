@@ -64,7 +64,8 @@ impl Options {
         }
     }
 
-    /// What the page is called: shown by viewers and read out by screen readers. Default: the picture's name.
+    /// What the page is called: shown by viewers, read out by screen readers, and written in braille above the figure
+    /// unless `braille.on` of the profile is off. Default: the picture's name, which is not written.
     pub fn title(mut self, title: impl Into<String>) -> Self {
         self.title = Some(title.into());
         self
@@ -84,8 +85,8 @@ impl Options {
         self
     }
 
-    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`. Default: `en`, which is the
-    /// language of the description that is made if none is given.
+    /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`; braille is written in its code.
+    /// Default: `en`, which is the language of the description that is made if none is given.
     pub fn language(mut self, tag: impl Into<String>) -> Self {
         self.language = Some(tag.into());
         self
@@ -200,6 +201,10 @@ impl Options {
 
     pub(super) fn own_title(&self) -> Option<&str> {
         self.title.as_deref()
+    }
+
+    pub(super) fn own_language(&self) -> Option<&str> {
+        self.language.as_deref()
     }
 }
 

@@ -31,6 +31,11 @@ impl Code {
         CODES
     }
 
+    /// The code of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        CODES.iter().copied().find(|code| code.language == name)
+    }
+
     /// The code of a language such as `de` or `de-CH`.
     pub fn of_language(tag: &str) -> Option<Self> {
         let language = tag.split(['-', '_']).next().unwrap_or(tag);

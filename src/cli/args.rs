@@ -180,7 +180,8 @@ pub(super) struct Convert {
 
     /// What the page is called, for one picture
     ///
-    /// Shown by viewers and read out by screen readers.
+    /// Written in braille above the figure, shown by viewers and read out by screen readers. --set braille=false leaves
+    /// the braille out. The file name is never written on a page.
     ///
     /// [default: the picture's file name]
     #[arg(long, value_name = "TEXT", value_parser = words)]
@@ -196,7 +197,7 @@ pub(super) struct Convert {
 
     /// Language of --title and --alt, such as de or fr-CA
     ///
-    /// With it a screen reader speaks them well.
+    /// With it a screen reader speaks them well, and the braille code of --title is that of the language.
     ///
     /// The description that is made without --alt is in English, and is marked as English.
     ///

@@ -1,6 +1,6 @@
 //! The layers of a page and the greys of heights: the same in every format that has them.
 
-use crate::page::{Class, Height};
+use crate::page::{Class, Height, TextRole};
 
 /// A layer. Those with a parent lie in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,6 +15,7 @@ pub(super) enum Layer {
     OverviewFrame,
     Overview,
     Labels,
+    Braille(TextRole),
 }
 
 impl Layer {
@@ -36,6 +37,7 @@ impl Layer {
             Self::OverviewFrame => "Overview frame".into(),
             Self::Overview => "Overview".into(),
             Self::Labels => "Labels".into(),
+            Self::Braille(TextRole::Title) => "Braille title".into(),
         }
     }
 }

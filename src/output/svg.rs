@@ -13,6 +13,7 @@
 //!   g#overview-frame
 //!   g#overview  data-box > g > path
 //!   g#labels (one path a size of dots)
+//!   g#braille-title > g  aria-label (the text)  data-braille (its lines in Unicode braille) > path
 //! ```
 //!
 //! Every group with an id is an Inkscape layer; other editors show groups. A layer that would be empty is left out.
@@ -25,7 +26,9 @@ use svg::{Document, Node};
 use super::layer::{Layer, grey};
 use super::seal;
 use super::text::{origin_lines, plain, push_number};
-use crate::page::{Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, Texture};
+use crate::page::{
+    BrailleText, Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, TextRole, Texture,
+};
 use crate::units::{MmPoint, MmRect};
 
 /// The page as an SVG document. The same page gives the same bytes.
@@ -65,11 +68,32 @@ pub fn write(page: &Page) -> String {
     if !page.labels.is_empty() {
         document = document.add(page.labels.iter().fold(layer(Layer::Labels), |group, label| group.add(dots(label))));
     }
+    document = braille_layers(page).into_iter().fold(document, Document::add);
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Writing to a String cannot fail.
     let _ = writeln!(text, "{document}");
     let seal = seal::comment(text.as_bytes());
     text + &seal
+}
+
+/// Words in braille, in a layer for each of their roles.
+fn braille_layers(page: &Page) -> Vec<Group> {
+    let of_role = |role: TextRole| {
+        let mut texts = page.braille.iter().filter(|text| text.role == role).peekable();
+        texts.peek()?;
+        Some(texts.fold(layer(Layer::Braille(role)), |group, text| group.add(braille(text))))
+    };
+    TextRole::ALL.into_iter().filter_map(of_role).collect()
+}
+
+/// One text: a person who listens hears what fingers read.
+fn braille(text: &BrailleText) -> Group {
+    Group::new()
+        .set("role", "img")
+        .set("xml:lang", plain(&text.language))
+        .set("aria-label", plain(&text.text))
+        .set("data-braille", text.lines.join(" "))
+        .add(dots(&text.dots))
 }
 
 /// The title, with its language where that is not the one of generated titles.

@@ -31,6 +31,7 @@ fn check(parts: &Parts) -> Result<(), Error> {
     let frames = [&parts.frame].into_iter().chain(overview.clone().map(|overview| &overview.frame));
     frames.into_iter().try_for_each(|dots| sheet.dots("a dot of a frame", dots))?;
     parts.labels.iter().try_for_each(|dots| sheet.dots("a dot of a label", dots))?;
+    parts.braille.iter().try_for_each(|text| sheet.dots("a dot of braille", &text.dots))?;
     let mut lines = parts.figure.lines.iter().chain(overview.flat_map(|overview| &overview.lines));
     lines.try_for_each(|line| sheet.line(line))?;
     let mut marks = parts.orientation_mark.iter().chain(&parts.registration);

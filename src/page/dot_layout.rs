@@ -3,10 +3,12 @@
 //! From left to right the picture is centred on the grid, so that a flipped one takes the same dots, flipped; from
 //! top to bottom it begins in the middle between two rows.
 
+use super::cells::CellGrid;
 use super::frame;
+use super::heading::Heading;
 use super::medium::{DotMedium, Medium};
 use super::parts::Run;
-use super::sheet::{FrameParams, Layout, MarkParams, Params, Sheet};
+use super::sheet::{FrameParams, Layout, MarkParams, Params, Sheet, beside};
 use crate::devices::DotArea;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -25,7 +27,12 @@ pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, med
         overview: None,
         ..*params
     };
-    let sheet = Sheet::new([usable.width(), usable.height()], &params);
+    let size_of_usable = [usable.width(), usable.height()];
+    let heading = params.heading.and_then(|heading| {
+        let cells = CellGrid::of_dots(&medium, heading.cell);
+        Heading::on(&heading, &cells, size_of_usable, params.margin, beside(params.mark))
+    });
+    let sheet = Sheet::new(size_of_usable, &params, heading.as_ref());
     let place = |widest: f32| {
         let at = sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest));
         (on_grid(at.figure.translate(usable.min.to_vector()), &medium), at.mark)
@@ -36,7 +43,8 @@ pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, med
         let moved = mark.points.iter().map(|&at| at + usable.min.to_vector()).collect();
         Run::stroke(mark.width, mark_on_grid(moved, &medium.area))
     });
-    Layout { sheet: size, figure, overview, mark, medium: Medium::Dots(medium) }
+    let heading = heading.map(|heading| heading.translated(usable.min.to_vector()));
+    Layout { sheet: size, figure, overview, mark, heading, medium: Medium::Dots(medium) }
 }
 
 /// The band that a frame takes: one dot, and half a pitch for the grid, whose rows and columns are where they are.

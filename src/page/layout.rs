@@ -15,9 +15,11 @@
 //!  +--------------------------+
 //! ```
 
+use super::cells::CellGrid;
 use super::dot_layout;
+use super::heading::Heading;
 use super::medium::{DotMedium, Medium, MediumParams, Print};
-use super::sheet::Sheet;
+use super::sheet::{Sheet, beside};
 use crate::devices::Device;
 use crate::units::MmRect;
 
@@ -36,16 +38,22 @@ pub fn fit(aspect: f32, widest: f32, params: &Params) -> Layout {
 }
 
 fn fit_print(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params, print: Print) -> Layout {
-    let (upright, across) = (Sheet::new([short, long], params), Sheet::new([long, short], params));
-    let sheet = match params.orientation {
+    let on = |size: [f32; 2]| {
+        let heading = params.heading.and_then(|heading| {
+            Heading::on(&heading, &CellGrid::printed(heading.cell), size, params.margin, beside(params.mark))
+        });
+        (Sheet::new(size, params, heading.as_ref()), heading)
+    };
+    let (upright, across) = (on([short, long]), on([long, short]));
+    let (sheet, heading) = match params.orientation {
         Orientation::Portrait => upright,
         Orientation::Landscape => across,
-        Orientation::Auto if across.figure_width(aspect) > upright.figure_width(aspect) => across,
+        Orientation::Auto if across.0.figure_width(aspect) > upright.0.figure_width(aspect) => across,
         Orientation::Auto => upright,
     };
     let at = sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest));
     let medium = Medium::Print(print);
-    Layout { sheet: sheet.size, figure: at.figure, overview: at.overview, mark: at.mark, medium }
+    Layout { sheet: sheet.size, figure: at.figure, overview: at.overview, mark: at.mark, heading, medium }
 }
 
 /// The same for dots. On a sheet that the device takes in none of the orientations allowed, the figure is empty.
@@ -71,6 +79,7 @@ fn fit_dots(
         figure: MmRect::zero(),
         overview: None,
         mark: None,
+        heading: None,
         medium: Medium::Dots(DotMedium::without_dots(device, pitch)),
     })
 }
@@ -90,6 +99,7 @@ mod tests {
             frame: Some(FrameParams { width: 3.0, dot: 0.8, pitch: 1.6, gap: 5.0 }),
             overview: Some(OverviewParams { scale: 0.4, gap: 12.0 }),
             mark: Some(MarkParams { length: 12.0, width: 2.0, gap: 5.0 }),
+            heading: None,
             medium: MediumParams::Print(Print::default()),
         }
     }

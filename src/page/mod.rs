@@ -2,9 +2,11 @@
 //!
 //! A page has no options, no references and no pixels. Its constructor checks it once; writers need not check again.
 
+pub mod cells;
 mod check;
 mod dot_layout;
 pub mod frame;
+pub mod heading;
 pub mod layout;
 mod medium;
 mod parts;

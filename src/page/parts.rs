@@ -45,6 +45,8 @@ pub struct Parts {
     pub overview: Option<Overview>,
     /// Braille and other dots that name or number what is on the page; one entry a size. Few pages have any.
     pub labels: Vec<Dots>,
+    /// Words in braille: the title, and labels in the figure.
+    pub braille: Vec<BrailleText>,
     /// What the page is made for; of dots, every mark is a dot that the device can raise.
     pub medium: Medium,
 }
@@ -65,6 +67,7 @@ impl Parts {
             figure,
             overview: None,
             labels: Vec::new(),
+            braille: Vec::new(),
             medium: Medium::Print(Print::default()),
         }
     }
@@ -77,6 +80,28 @@ pub struct Dots {
     pub diameter: f32,
     /// Centres.
     pub at: Vec<MmPoint>,
+}
+
+/// Words in braille, and the same as text for those who listen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BrailleText {
+    /// What it is.
+    pub role: TextRole,
+    /// What it says.
+    pub text: String,
+    /// The language of the text (BCP 47).
+    pub language: String,
+    /// Its lines, in Unicode braille.
+    pub lines: Vec<String>,
+    /// The dots of all lines.
+    pub dots: Dots,
+}
+
+/// What a text is on a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum TextRole {
+    /// The title.
+    Title,
 }
 
 /// The main picture.
@@ -101,6 +126,18 @@ pub struct Overview {
     pub frame: Dots,
     /// Its lines.
     pub lines: Vec<Line>,
+}
+
+impl TextRole {
+    /// All of them, in the order of a page's layers.
+    pub const ALL: [Self; 1] = [Self::Title];
+
+    /// Its name, such as "braille title".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Title => "braille title",
+        }
+    }
 }
 
 impl Page {

@@ -2,6 +2,7 @@
 
 use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
 
+use super::heading::{Heading, HeadingParams};
 use super::medium::{Medium, MediumParams};
 use super::parts::Run;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -45,6 +46,8 @@ pub struct Params {
     pub overview: Option<OverviewParams>,
     /// The orientation mark, if there is one.
     pub mark: Option<MarkParams>,
+    /// The title in braille, if there is one.
+    pub heading: Option<HeadingParams>,
     /// What the page is made for.
     pub medium: MediumParams,
 }
@@ -93,6 +96,8 @@ pub struct Layout {
     pub overview: Option<MmRect>,
     /// The orientation mark.
     pub mark: Option<Run>,
+    /// Where the title stands in braille, if there is one and there is room for it.
+    pub heading: Option<Heading>,
     /// What the page is made for.
     pub medium: Medium,
 }
@@ -111,11 +116,14 @@ pub(super) struct Sheet<'a> {
     pub(super) size: [f32; 2],
     /// From the picture to the outer edge of its frame.
     border: f32,
+    /// From the top margin to what lies below the title, mm.
+    heading: f32,
 }
 
 impl<'a> Sheet<'a> {
-    pub(super) fn new(size: [f32; 2], params: &'a Params) -> Self {
-        Self { params, size, border: params.frame.map_or(0.0, |frame| frame.width + frame.gap) }
+    pub(super) fn new(size: [f32; 2], params: &'a Params, heading: Option<&Heading>) -> Self {
+        let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+        Self { params, size, border, heading: heading.map_or(0.0, Heading::height) }
     }
 
     /// Width and height within the margins.
@@ -145,7 +153,7 @@ impl<'a> Sheet<'a> {
         let [width, height] = self.inner();
         let (fixed, share) = self.stack();
         let free = width - 2.0 * self.border;
-        let by_height = (height - fixed) / share * aspect;
+        let by_height = (height - fixed - self.heading) / share * aspect;
         // The narrower the figure, the less it has to go down below the mark.
         let by_mark = (height - fixed - self.cut() + 0.5 * free) / (share / aspect + 0.5);
         free.min(by_height).min(by_mark).max(0.0)
@@ -161,7 +169,7 @@ impl<'a> Sheet<'a> {
             MmRect::new(corner, corner + size)
         };
         let beside = 0.5 * self.inner()[0] - 0.5 * width - self.border;
-        let down = (self.cut() - beside).max(0.0);
+        let down = (self.cut() - beside).max(self.heading);
         let figure = centred(margin + down + self.border, size);
         let overview =
             overview.map(|overview| centred(figure.max.y + overview.gap + 2.0 * self.border, size * overview.scale));
@@ -178,6 +186,14 @@ fn leg(mark: MarkParams) -> f32 {
 /// How far a mark reaches down and to the left from the corner that it cuts off, ink and all.
 pub(super) fn reach(mark: MarkParams) -> f32 {
     leg(mark) + mark.width
+}
+
+/// Least blank between the title and the mark, mm: as other programs leave around braille on graphics.
+const BESIDE_MARK: f32 = 3.0;
+
+/// How far from the corner of what can be printed a title has to end, because of the mark.
+pub(super) fn beside(mark: Option<MarkParams>) -> f32 {
+    mark.map_or(0.0, |mark| reach(mark) + mark.gap.max(BESIDE_MARK))
 }
 
 /// The bar that cuts off a corner of what can be printed; all of its ink lies within.

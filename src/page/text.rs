@@ -89,7 +89,11 @@ impl Display for Page {
             writeln!(f, "overview {:.2} {:.2} to {:.2} {:.2}", place.min.x, place.min.y, place.max.x, place.max.y)?;
             overview.lines.iter().try_for_each(|line| write_line(f, line))?;
         }
-        self.labels.iter().try_for_each(|label| write_dots(f, "label", label))
+        self.labels.iter().try_for_each(|label| write_dots(f, "label", label))?;
+        self.braille.iter().try_for_each(|text| {
+            writeln!(f, "{} {}", text.role.name(), text.lines.join(" "))?;
+            write_dots(f, "braille", &text.dots)
+        })
     }
 }
 

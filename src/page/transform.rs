@@ -9,7 +9,8 @@ const LEAST_TICK: f32 = 0.5;
 
 impl Parts {
     /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now
-    /// once they have risen. Labels stay: their dots already have the size to be printed. A mark that is no wider
+    /// once they have risen. Labels and braille stay: their dots already have the size to
+    /// be printed. A mark that is no wider
     /// than `swell` would vanish; a [`Plan`](crate::profile::Plan) has none.
     pub fn narrowed(&mut self, swell: f32) {
         if swell <= 0.0 {
@@ -72,7 +73,8 @@ impl Page {
         let parts = &mut self.parts;
         let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration);
         runs.for_each(|run| mirror_run(run, width));
-        parts.labels.iter_mut().for_each(|dots| mirror_dots(dots, width));
+        let braille = parts.braille.iter_mut().map(|text| &mut text.dots);
+        parts.labels.iter_mut().chain(braille).for_each(|dots| mirror_dots(dots, width));
         mirror_dots(&mut parts.frame, width);
         mirror_rect(&mut parts.figure.place, width);
         mirror_lines(&mut parts.figure.lines, width);

@@ -7,7 +7,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
-use crate::page::{self, DotMedium, Dots, Figure, Medium, Page, Parts, Texture, frame};
+use crate::page::{self, BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -47,8 +47,8 @@ pub(super) fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
     shares: Option<[f32; 5]>,
-    layout: &Layout,
-    medium: &DotMedium,
+    braille: Vec<BrailleText>,
+    (layout, medium): (&Layout, &DotMedium),
     request: &Request<'_>,
 ) -> Result<(Page, Option<Page>), Error> {
     let source = figure.source;
@@ -57,23 +57,23 @@ pub(super) fn assemble(
             let own = Figure { place, source, textures: Vec::new(), lines };
             let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
             let title = title_of_overview(request.title);
-            finished(parts(title, description, own, layout, medium, request), request)
+            finished(parts((title, description), own, braille.clone(), (layout, medium), request), request)
         })
         .transpose()?;
     let mut description = page::describe(&figure, None, shares);
     if overview.is_some() {
         description += " An overview of lines only follows on the next sheet.";
     }
-    let page = finished(parts(request.title.to_owned(), description, figure, layout, medium, request), request)?;
+    let words = (request.title.to_owned(), description);
+    let page = finished(parts(words, figure, braille, (layout, medium), request), request)?;
     Ok((page, overview))
 }
 
 fn parts(
-    title: String,
-    description: String,
+    (title, description): (String, String),
     figure: Figure,
-    layout: &Layout,
-    medium: &DotMedium,
+    braille: Vec<BrailleText>,
+    (layout, medium): (&Layout, &DotMedium),
     request: &Request<'_>,
 ) -> Parts {
     let params = request.plan.dots(medium);
@@ -82,9 +82,10 @@ fn parts(
     Parts {
         title,
         description,
-        origin: origin(request, figure.source),
+        origin: origin(request, figure.source, &braille),
         frame: request.plan.layout().frame.map_or_else(Dots::default, around),
         orientation_mark: layout.mark.as_ref().map(mark),
+        braille,
         medium: layout.medium.clone(),
         ..Parts::of(layout.sheet, figure)
     }

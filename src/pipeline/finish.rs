@@ -1,7 +1,7 @@
 //! What every page ends with: its words of how it was made, and the check that it goes through.
 
 use super::request::Request;
-use crate::page::{Medium, Page, Parts, Print};
+use crate::page::{BrailleText, Medium, Page, Parts, Print};
 use crate::units::Size;
 use crate::{Error, Note};
 
@@ -22,8 +22,9 @@ pub(super) fn too_black(share: f32, print: &Print) -> Option<Note> {
     (share > most).then(|| Note::TooBlack { percent: percent(share), most: percent(most) })
 }
 
-/// How the page was made, so that it can be made again. Keys that do not count on it are left out.
-pub(super) fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String)> {
+/// How the page was made, so that it can be made again. Keys that do not count on it are left out: those of braille
+/// where nothing is written.
+pub(super) fn origin(request: &Request<'_>, source: Size, braille: &[BrailleText]) -> Vec<(String, String)> {
     let profile = request.plan.profile();
     let own = |name: &str, value: String| (name.to_owned(), value);
     let mut origin = vec![
@@ -33,7 +34,9 @@ pub(super) fn origin(request: &Request<'_>, source: Size) -> Vec<(String, String
         own("profile", profile.name.clone()),
     ];
     origin.extend(request.fit.origin());
-    origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));
+    let counts = |key: &str| !braille.is_empty() || !key.starts_with("braille.");
+    let parameters = profile.counting_parameters().filter(|(key, _)| counts(key));
+    origin.extend(parameters.map(|(key, value)| (key.to_owned(), value)));
     origin
 }
 

@@ -1,6 +1,7 @@
 //! What one picture is converted with: the profile, and what its maker chooses anew for each picture.
 
 use crate::Error;
+use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
@@ -32,13 +33,27 @@ impl Fit {
     /// # Errors
     /// If it is asked for wider than there is room for, or its width is no length.
     pub(super) fn layout(&self, size: Size, plan: &Plan) -> Result<Layout, Error> {
+        self.layout_below(size, plan, None)
+    }
+
+    /// The same below a title in braille.
+    ///
+    /// # Errors
+    /// As [`Fit::layout`].
+    pub(super) fn layout_below(
+        &self,
+        size: Size,
+        plan: &Plan,
+        heading: Option<HeadingParams>,
+    ) -> Result<Layout, Error> {
         self.check()?;
         let aspect = size.width as f32 / size.height as f32;
-        let layout = layout::fit(aspect, self.width.unwrap_or(f32::MAX), &plan.layout());
+        let params = layout::Params { heading, ..plan.layout() };
+        let layout = layout::fit(aspect, self.width.unwrap_or(f32::MAX), &params);
         let most = layout.figure.width();
         match self.width {
             Some(wanted) if wanted > most + SLACK => {
-                let params = layout::Params { overview: None, ..plan.layout() };
+                let params = layout::Params { overview: None, ..params };
                 let without = layout::fit(aspect, wanted, &params).figure.width();
                 let without_overview =
                     (wanted <= without + SLACK).then(|| layout::fit(aspect, f32::MAX, &params).figure.width());

@@ -69,8 +69,8 @@ fn places(size: Size, grid: Grid, print: Print, request: &Request<'_>) -> Result
     let spread = spread_of(size, grid, request)?;
     let params = request.plan.layout();
     let overview = params.overview.map(|_| overview_sheet(size, request).figure);
-    let medium = Medium::Print(print);
-    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark: spread.mark, medium })
+    let (mark, medium) = (spread.mark, Medium::Print(print));
+    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark, heading: None, medium })
 }
 
 fn aspect(size: Size) -> f32 {
@@ -154,7 +154,7 @@ fn parts(
     (grid, print): (Grid, Print),
     request: &Request<'_>,
 ) -> Parts {
-    let mut origin = origin(request, figure.source);
+    let mut origin = origin(request, figure.source, &[]);
     origin.push(("sheets".to_owned(), grid.to_string()));
     Parts { title, description, origin, medium: Medium::Print(print), ..Parts::of([0.0, 0.0], figure) }
 }

@@ -4,7 +4,9 @@
 
 use super::fault::{Fault, has_decimal_comma, quoted_path};
 use super::kind::{NumberRange, Setting, Value};
+use crate::braille::{CellSize, Code};
 use crate::devices::Device;
+use crate::page::heading::Align;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
 
@@ -387,6 +389,17 @@ table! {
         texture_gap: f32 = 0.0 to 10.0, "dots";
         /// Height of a colour step from which a line is two dots wide, or higher where the device has heights.
         heavy_from: f32 = 1.0 to 600.0, "units of lightness";
+    }
+    /// Words in braille, where the maker of a page gives any.
+    braille: BrailleSettings {
+        /// Whether a title that is given is written in braille above the figure.
+        on: bool;
+        /// The code; "auto" is that of the language of the words.
+        code: Option<Code>;
+        /// Measures of the cells; on a grid of dots cells come as near to them as they can.
+        cell: CellSize;
+        /// Where the lines of the title begin.
+        align: Align;
     }
     /// Printing and swelling.
     print: PrintSettings {

@@ -3,7 +3,9 @@
 use super::built_in;
 use super::fault::list;
 use super::nearest::nearest_value;
+use crate::braille::{CellSize, Code};
 use crate::devices::Device;
+use crate::page::heading::Align;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
 
@@ -179,6 +181,76 @@ impl Setting for Option<&'static Device> {
             None => nearest_value(text, std::iter::once(PRINTED).chain(Device::ALL.iter().map(|device| device.id))),
         }
     }
+}
+
+/// The braille code: `auto`, which is that of the language, or a code by its name.
+impl Setting for Option<Code> {
+    const BLANK: Self = None;
+
+    fn range(_: Option<NumberRange>) -> String {
+        one_of(&std::iter::once(AUTO).chain(codes()).collect::<Vec<_>>())
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        let Value::Text(text) = value else { return None };
+        if text == AUTO { Some(None) } else { Code::named(text).map(Some) }
+    }
+
+    fn write(&self) -> Value {
+        Value::Text(self.map_or(AUTO, |code| code.language).to_owned())
+    }
+
+    fn suggestion(text: &str) -> Option<String> {
+        nearest_value(text, std::iter::once(AUTO).chain(codes()))
+    }
+}
+
+impl Setting for CellSize {
+    const BLANK: Self = Self::MARBURG;
+
+    fn range(_: Option<NumberRange>) -> String {
+        one_of(&Self::ALL.map(|size| size.name))
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        if let Value::Text(text) = value { Self::named(text) } else { None }
+    }
+
+    fn write(&self) -> Value {
+        Value::Text(self.name.to_owned())
+    }
+
+    fn suggestion(text: &str) -> Option<String> {
+        nearest_value(text, Self::ALL.into_iter().map(|size| size.name))
+    }
+}
+
+impl Setting for Align {
+    const BLANK: Self = Self::Centre;
+
+    fn range(_: Option<NumberRange>) -> String {
+        one_of(&Self::ALL.map(Self::name))
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        let Value::Text(text) = value else { return None };
+        Self::ALL.into_iter().find(|align| align.name() == text)
+    }
+
+    fn write(&self) -> Value {
+        Value::Text(self.name().to_owned())
+    }
+
+    fn suggestion(text: &str) -> Option<String> {
+        nearest_value(text, Self::ALL.into_iter().map(Self::name))
+    }
+}
+
+/// The word for the code of the language.
+const AUTO: &str = "auto";
+
+fn codes() -> impl Iterator<Item = &'static str> {
+    Code::all().iter().map(|code| code.language)
 }
 
 /// How the line of a profile begins that names its device.

@@ -25,8 +25,8 @@ pub use fault::Fault;
 pub(crate) use fault::faults_in_one_line;
 pub use inherit::FindFile;
 pub use keys::{
-    ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, Key, LinesSettings, MarkSettings, OverviewSettings,
-    PageSettings, PaletteSettings, PrintSettings, Profile, SheetsSettings, TexturesSettings,
+    BrailleSettings, ColoursSettings, EdgesSettings, FigureSettings, FrameSettings, Key, LinesSettings, MarkSettings,
+    OverviewSettings, PageSettings, PaletteSettings, PrintSettings, Profile, SheetsSettings, TexturesSettings,
 };
 pub use kind::{NumberRange, Value};
 pub use plan::Plan;

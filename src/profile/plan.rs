@@ -55,6 +55,7 @@ impl Profile {
             }),
             overview: overview.on.then_some(layout::OverviewParams { scale: overview.scale, gap: overview.gap }),
             mark: mark.on.then_some(layout::MarkParams { length: mark.length, width: mark.width, gap: mark.gap }),
+            heading: None,
             medium: self.medium(),
         }
     }

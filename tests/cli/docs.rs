@@ -36,6 +36,16 @@ fn text_of(page: &Path) -> String {
     fs::read_to_string(root().join(page)).unwrap_or_else(|error| panic!("{}: {error}", page.display()))
 }
 
+/// The words of a command; those in quotation marks are one.
+fn words_of(command: &str) -> Vec<String> {
+    let parts = command.split('"').enumerate();
+    let words = parts.flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().collect(),
+        _ => vec![part],
+    });
+    words.map(str::to_owned).collect()
+}
+
 /// The commands in a page's blocks.
 fn commands(text: &str) -> Vec<Shown> {
     let (mut shown, mut fenced, mut only_parsed) = (Vec::new(), false, false);
@@ -48,7 +58,7 @@ fn commands(text: &str) -> Vec<Shown> {
         let command = line.trim();
         let command = command.strip_prefix("cargo run --release -- ").or_else(|| command.strip_prefix("tactograph "));
         if let Some(command) = command.filter(|_| in_block) {
-            let words = command.split_whitespace().map(str::to_owned).collect();
+            let words = words_of(command);
             shown.push(Shown { line: i + 1, words, only_parsed });
         }
     }

@@ -6,8 +6,8 @@ mod reader;
 use crate::common::{page, samples};
 use reader::{Mark, Reader, string_of};
 use roxmltree::{Document, Node};
-use tactograph::Page;
 use tactograph::internals::output::{pdf, svg};
+use tactograph::{Options, Page, Profile};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
@@ -20,6 +20,14 @@ fn sample(name: &str, settings: &[(&str, &str)]) -> Page {
     page::page_of(&samples::read(name), name, settings, &mut |_| ()).page
 }
 
+/// A page with a title in braille.
+fn titled() -> Page {
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in")).title(TITLE);
+    tactograph::convert(&samples::read("bars.svg"), &options).expect("a page").page
+}
+
+const TITLE: &str = "Bars, two of them";
+
 /// A document of one page.
 fn written(page: &Page) -> Vec<u8> {
     pdf::write(&page.title, std::slice::from_ref(page))
@@ -31,6 +39,7 @@ fn pages() -> Vec<Page> {
         sample("landscape.svg", &[]),
         sample("empty.png", &[]),
         sample("coffee.png", &[("frame", "false"), ("figure.textures", "false"), ("page.width", "215.9")]),
+        titled(),
     ]
 }
 
@@ -227,16 +236,16 @@ fn words_are_where_a_screen_reader_looks_for_them() {
 #[test]
 fn several_pages_are_one_document_with_one_set_of_layers() {
     let pages = pages();
-    let bytes = pdf::write("Three pages", &pages);
+    let bytes = pdf::write("Four pages", &pages);
     let reader = Reader::new(&bytes);
     let leaves = reader.with("/Type/Page/");
     assert_eq!(leaves.len(), pages.len());
-    assert!(reader.only("/Type/Pages").contains("/Count 3"));
-    assert_eq!(string_of(&reader.objects[&reader.follow(&reader.trailer, "Info")], "Title"), "Three pages");
+    assert!(reader.only("/Type/Pages").contains("/Count 4"));
+    assert_eq!(string_of(&reader.objects[&reader.follow(&reader.trailer, "Info")], "Title"), "Four pages");
     let mut names: Vec<String> = reader.with("/Type/OCG").iter().map(|(_, layer)| string_of(layer, "Name")).collect();
-    assert_eq!(names.len(), 12, "{names:?}");
+    assert_eq!(names.len(), 13, "{names:?}");
     names.dedup();
-    assert_eq!(names.len(), 12, "a layer twice: {names:?}");
+    assert_eq!(names.len(), 13, "a layer twice: {names:?}");
     let root = reader.only("/Type/StructTreeRoot");
     for (number, ((own, leaf), page)) in leaves.iter().zip(&pages).enumerate() {
         // Each page is the same as if it were alone.
@@ -295,4 +304,12 @@ fn marks_have_layers_that_the_reader_of_this_test_tells_apart() {
     for layer in ["Frame", "Texture blue", "Texture green", "Lines", "Overview frame", "Overview"] {
         assert!(marks.iter().any(|mark| mark.layer() == layer), "nothing in {layer}");
     }
+}
+
+/// What fingers read in braille is text for those who listen.
+#[test]
+fn braille_is_marked_with_its_text() {
+    let bytes = written(&titled());
+    let reader = Reader::new(&bytes);
+    assert_eq!(reader.words(reader.only("/Type/Page/")), [TITLE]);
 }

@@ -89,7 +89,7 @@ impl Reader {
     #[track_caller]
     pub(crate) fn marks(&self, page: &str) -> Vec<Mark> {
         let text = String::from_utf8(self.streams[&self.follow(page, "Contents")].clone()).expect("text");
-        let text = text.replace("<<", " << ").replace(">>", " >> ").replace('/', " /");
+        let text = without_words(&text).replace("<<", " << ").replace(">>", " >> ").replace('/', " /");
         let (mut operands, mut marks) = (Vec::<&str>::new(), Vec::new());
         let (mut open, mut width, mut colours) = (Vec::<Option<String>>::new(), 0, Vec::new());
         let mut subpaths: Vec<Vec<[i64; 2]>> = Vec::new();
@@ -109,7 +109,7 @@ impl Reader {
                 "w" => width = numbers()[0],
                 "BDC" => open.push(match operands[..] {
                     ["/OC", name] => Some(self.layer_name(page, name)),
-                    ["/Figure", "<<", "/MCID", "0", ">>"] => None,
+                    ["/Figure", "<<", "/MCID", "0", ">>"] | ["/Span", "<<", ">>"] => None,
                     _ => panic!("marked content {operands:?}"),
                 }),
                 "EMC" => drop(open.pop().expect("EMC without BDC")),
@@ -136,11 +136,26 @@ impl Reader {
         marks
     }
 
+    /// The words that stand for marks on a page, given by its dictionary.
+    #[track_caller]
+    pub(crate) fn words(&self, page: &str) -> Vec<String> {
+        let text = String::from_utf8(self.streams[&self.follow(page, "Contents")].clone()).expect("text");
+        let spans = text.split("/Span").skip(1);
+        spans.map(|span| string_of(span.split("BDC").next().expect("its properties"), "ActualText")).collect()
+    }
+
     fn layer_name(&self, page: &str, name: &str) -> String {
         let layer = &self.objects[&self.follow(page, &name[1..])];
         assert!(layer.contains("/Type/OCG"), "{layer}");
         string_of(layer, "Name")
     }
+}
+
+/// A content stream without the words of its marks, which are no operators.
+fn without_words(text: &str) -> String {
+    let mut parts = text.split("/ActualText(");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| text + part.split_once(')').expect("an end of the words").1)
 }
 
 /// What stands in brackets after a key, without the escapes of brackets and backslashes.

@@ -15,12 +15,12 @@ use scan::{Token, Use, compiled, exports, module_of, paths, scan};
 /// pipeline -> lib`; a stage is left out of a row where the stage below must not know of it.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
+    ("braille", &["units"]), // text to cells, cells to dots
     // What stops everything: faults of a profile, of a part or a grid of sheets as written, of a page that is felt.
     ("error", &["units", "raster", "page", "touch", "profile"]),
-    ("note", &["units"]),
-    ("picture", &["units"]), // as it is given: a file or pixels
+    ("note", &["units", "braille"]), // names the codes that there are
+    ("picture", &["units"]),         // as it is given: a file or pixels
     ("geom", &["units"]),
-    ("braille", &["units"]), // text to cells, cells to dots
     ("devices", &["units"]), // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
     ("edges", &["units", "geom", "raster"]),
@@ -40,8 +40,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "profile",
         &[
-            "units", "geom", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page", "contours",
-            "output", "touch",
+            "units", "geom", "braille", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page",
+            "contours", "output", "touch",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
@@ -49,8 +49,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "pipeline",
         &[
-            "units", "geom", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page", "contours",
-            "touch", "profile", "picture",
+            "units", "geom", "braille", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page",
+            "contours", "touch", "profile", "picture",
         ],
     ),
     // The face: profiles checked, the pipeline run, pages handed to their writers.

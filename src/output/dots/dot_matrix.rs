@@ -142,7 +142,8 @@ pub fn dots(page: &Page) -> Vec<(MmPoint, Height)> {
     }
     page.figure.lines.iter().flat_map(|line| &line.runs).for_each(|piece| all(&piece.points, run(piece)));
     let labels = |dots: &Dots| dots.at.clone();
-    page.labels.iter().for_each(|dots| all(&labels(dots), Height::High));
+    let braille = page.braille.iter().map(|text| &text.dots);
+    page.labels.iter().chain(braille).for_each(|dots| all(&labels(dots), Height::High));
     out
 }
 

@@ -5,10 +5,11 @@
 //! printer, and never a mixture of colours.
 
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
-use pdf_writer::{Content, Name, Settings};
+use pdf_writer::{Content, Name, Settings, TextStr};
 
 use super::super::layer::{Layer, grey};
-use crate::page::{Class, Dots, Glyph, Height, Line, Page, Pen, Run, Shape};
+use super::super::text::plain;
+use crate::page::{BrailleText, Class, Dots, Glyph, Height, Line, Page, Pen, Run, Shape, TextRole};
 use crate::units::MmPoint;
 
 /// Points of a PDF in a millimetre.
@@ -54,6 +55,9 @@ pub(super) fn layers(page: &Page) -> Vec<Layer> {
     add(Layer::OverviewFrame, page.overview.as_ref().is_some_and(|overview| !overview.frame.at.is_empty()));
     add(Layer::Overview, page.overview.is_some());
     add(Layer::Labels, !page.labels.is_empty());
+    TextRole::ALL.into_iter().for_each(|role| {
+        add(Layer::Braille(role), page.braille.iter().any(|text| text.role == role));
+    });
     layers
 }
 
@@ -88,6 +92,10 @@ impl Writer<'_> {
                 Layer::Labels => self.layer(layer, |out| {
                     out.raise(Height::High);
                     page.labels.iter().for_each(|label| out.dots(label));
+                }),
+                Layer::Braille(role) => self.layer(layer, |out| {
+                    out.raise(Height::High);
+                    page.braille.iter().filter(|text| text.role == role).for_each(|text| out.braille(text));
                 }),
                 Layer::Textures | Layer::Texture(_) | Layer::Lines => {} // in the figure
             }
@@ -167,6 +175,16 @@ impl Writer<'_> {
             }
         }
         self.content.fill_nonzero();
+    }
+
+    /// Words in braille, which a screen reader reads as text.
+    fn braille(&mut self, text: &BrailleText) {
+        let words = plain(&text.text);
+        let mut content = self.content.begin_marked_content_with_properties(Name(b"Span"));
+        content.properties().actual_text(TextStr(&words));
+        drop(content);
+        self.dots(&text.dots);
+        self.content.end_marked_content();
     }
 
     fn dots(&mut self, dots: &Dots) {

@@ -1,0 +1,217 @@
+//! Where cells of braille can stand: anywhere on paper, on whole dots of a device.
+//!
+//! A grid of dots has no room between its dots, so cells take whole steps of it. What comes nearest to standard
+//! braille:
+//!
+//! ```text
+//! grid            dots in a cell   cells     lines
+//! 1.27 (ViewPlus)    2  2.54 mm    5  6.35   8 10.16 mm
+//! 1.6  (Index)       1  1.6        4  6.4    6  9.6     small
+//! 2.0  (Index)       1  2.0        3  6.0    5 10.0     dots nearer than standard, cells and lines as standard
+//! 2.5  (Index, pins) 1  2.5        3  7.5    4 10.0     cells further apart than standard
+//! text cells         1  2.34       2 (6.2)   3 (10.0)   the embosser's own
+//! anywhere           as the profile says
+//! ```
+
+use super::medium::{DotMedium, Medium};
+use crate::braille::{CellSize, PRINTED};
+use crate::devices::{DotArea, Family, Grid};
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// Where cells can stand on a medium.
+#[derive(Debug, Clone)]
+pub struct CellGrid<'m> {
+    /// Diameter of a dot, mm.
+    pub diameter: f32,
+    size: CellSize,
+    on: Option<Steps<'m>>,
+}
+
+/// Cells on a grid of dots, in whole steps.
+#[derive(Debug, Clone)]
+struct Steps<'m> {
+    grid: &'m Grid,
+    dot: usize,
+    cell: usize,
+    line: usize,
+    /// Cells begin in columns and rows that these divide.
+    start: [usize; 2],
+}
+
+/// From the first column or row to the one so many steps further.
+fn span(centres: &[f32], steps: usize) -> Option<f32> {
+    Some(centres.get(steps)? - centres.first()?)
+}
+
+/// Nearest dots of a cell that fingers still tell apart, mm: those of small braille.
+const LEAST_DOT: f32 = 1.5;
+
+impl<'m> CellGrid<'m> {
+    /// Cells of this size on a medium, or as near to it as the medium's dots allow.
+    pub fn of(medium: &'m Medium, size: CellSize) -> Self {
+        match medium {
+            Medium::Print(_) => Self::printed(size),
+            Medium::Dots(dots) => Self::of_dots(dots, size),
+        }
+    }
+
+    pub(super) fn printed(size: CellSize) -> Self {
+        Self { diameter: PRINTED, size, on: None }
+    }
+
+    pub(super) fn of_dots(medium: &'m DotMedium, size: CellSize) -> Self {
+        let diameter = medium.diameter();
+        match &medium.area {
+            DotArea::Free(_) => Self { diameter, size, on: None },
+            DotArea::Grid(grid) => {
+                let steps = Steps::of(grid, medium, size);
+                let across = |steps: usize| span(&grid.columns, steps).unwrap_or(steps as f32 * medium.pitch);
+                let down = |steps: usize| span(&grid.rows, steps).unwrap_or(steps as f32 * medium.pitch);
+                let size =
+                    CellSize { dot: across(steps.dot), cell: across(steps.cell), line: down(steps.line), ..size };
+                Self { diameter, size, on: Some(steps) }
+            }
+        }
+    }
+
+    /// The measures that cells have here.
+    pub fn size(&self) -> CellSize {
+        self.size
+    }
+
+    /// Width and height of lines of so many cells, from the edges of the outermost dots.
+    pub fn extent(&self, cells: usize, lines: usize) -> MmVector {
+        let line = self.size.extent(cells, self.diameter);
+        line + MmVector::new(0.0, lines.saturating_sub(1) as f32 * self.size.line)
+    }
+
+    /// How many cells a line of this width holds.
+    pub fn cells_in(&self, width: f32) -> usize {
+        self.size.cells_in(width, self.diameter)
+    }
+
+    /// The dots of lines of cells, their corner as near to this one as dots can be. Blank columns and rows beside the
+    /// dots count, so that lines of one text stand below one another.
+    pub fn dots(&self, lines: &[Vec<u8>], corner: MmPoint) -> Vec<MmPoint> {
+        let of_line = |(number, cells): (usize, &Vec<u8>)| -> Vec<MmPoint> {
+            match &self.on {
+                None => {
+                    let below = MmVector::new(0.0, number as f32 * self.size.line);
+                    self.size.dots(cells, self.diameter).into_iter().map(|at| at + below + corner.to_vector()).collect()
+                }
+                Some(steps) => steps.dots(cells, number, steps.start_at(corner, self.diameter)),
+            }
+        };
+        lines.iter().enumerate().flat_map(of_line).collect()
+    }
+
+    /// The same box moved to where its cells would stand.
+    pub fn snapped(&self, place: MmRect) -> MmRect {
+        let Some(steps) = &self.on else { return place };
+        let [column, row] = steps.start_at(place.min, self.diameter);
+        let half = 0.5 * self.diameter;
+        match steps.grid.at(column, row) {
+            Some(at) => {
+                let min = at - MmVector::new(half, half);
+                MmRect::new(min, min + place.size().to_vector())
+            }
+            None => place,
+        }
+    }
+}
+
+impl<'m> Steps<'m> {
+    fn of(grid: &'m Grid, medium: &DotMedium, size: CellSize) -> Self {
+        if medium.device.family == Family::Cells {
+            return Self { grid, dot: 1, cell: 2, line: 3, start: [2, 3] };
+        }
+        let nearest = |mm: f32| ((mm / medium.pitch).round() as usize).max(1);
+        let mut dot = nearest(size.dot);
+        // further apart than standard is jumbo braille, which few read; rather small
+        if dot as f32 * medium.pitch > 1.15 * size.dot && (dot - 1) as f32 * medium.pitch >= LEAST_DOT {
+            dot -= 1;
+        }
+        // a wider step between cells than within them, and a wider one between lines
+        let cell = nearest(size.cell).max(2 * dot + 1);
+        let line = nearest(size.line).max(3 * dot + 1);
+        Self { grid, dot, cell, line, start: [1, 1] }
+    }
+
+    /// The column and row of dot 1 for a corner of the box around dots.
+    fn start_at(&self, corner: MmPoint, diameter: f32) -> [usize; 2] {
+        let nearest = |mm: f32, centres: &[f32], step: usize| {
+            let wanted = mm + 0.5 * diameter;
+            let starts = (0..centres.len()).step_by(step);
+            let distance = |&index: &usize| (centres[index] - wanted).abs();
+            starts.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+        };
+        [nearest(corner.x, &self.grid.columns, self.start[0]), nearest(corner.y, &self.grid.rows, self.start[1])]
+    }
+
+    fn dots(&self, cells: &[u8], line: usize, [column, row]: [usize; 2]) -> Vec<MmPoint> {
+        let of_cell = |(i, &cell): (usize, &u8)| {
+            let raised = (0..6_usize).filter(move |dot| cell & (1 << dot) != 0);
+            raised.filter_map(move |dot| {
+                let x = column + i * self.cell + dot / 3 * self.dot;
+                let y = row + line * self.line + dot % 3 * self.dot;
+                self.grid.at(x, y)
+            })
+        };
+        cells.iter().enumerate().flat_map(of_cell).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::braille::Code;
+    use crate::devices::Device;
+    use crate::page::Print;
+
+    /// On every device cells stand where the table above says.
+    #[test]
+    fn cells_come_near_to_standard_ones() {
+        for (device, sheet, pitch, expected) in [
+            ("viewplus-columbia", [279.4, 292.1], 1.27, [2.54, 6.35, 10.16]),
+            ("index-basic-d-v5", [210.0, 297.0], 1.6, [1.6, 6.4, 9.6]),
+            ("index-basic-d-v5", [210.0, 297.0], 2.0, [2.0, 6.0, 10.0]),
+            ("index-basic-d-v5", [210.0, 297.0], 2.5, [2.5, 7.5, 10.0]),
+            ("monarch", [240.0, 100.0], 2.5, [2.5, 7.5, 10.0]),
+            ("braille-cells", [292.1, 279.4], 2.34, [2.34, 6.2, 10.0]),
+        ] {
+            let device = Device::named(device).expect("in the table");
+            let medium = Medium::Dots(DotMedium::on(device, pitch, sheet).expect("its own sheet"));
+            let cells = CellGrid::of(&medium, CellSize::MARBURG);
+            let lines = vec![vec![0b11_1111; 3], vec![0b11_1111; 3]];
+            let dots = cells.dots(&lines, MmPoint::new(40.0, 30.0));
+            assert_eq!(dots.len(), 36, "{}", device.id);
+            let off = |i: usize, j: usize, want: MmVector| (dots[j] - dots[i] - want).length();
+            let [dot, cell, line] = expected;
+            // dots 1 and 4 of a cell, dot 1 of the next, dot 1 of the next line
+            for (to, want) in [(3, (dot, 0.0)), (1, (0.0, dot)), (6, (cell, 0.0)), (18, (0.0, line))] {
+                assert!(off(0, to, want.into()) < 0.06, "{}: {:?}", device.id, &dots[..7]);
+            }
+        }
+    }
+
+    #[test]
+    fn on_paper_cells_are_standard() {
+        let table = Code::of_language("en").and_then(Code::table).expect("a table");
+        let medium = Medium::Print(Print::default());
+        let cells = CellGrid::of(&medium, CellSize::MARBURG);
+        let corner = MmPoint::new(20.0, 30.0);
+        let dots = cells.dots(&[table.translate("c").cells, table.translate("ac").cells], corner);
+        let expected = [(0.0, 0.0), (2.5, 0.0), (0.0, 10.0), (6.0, 10.0), (8.5, 10.0)];
+        assert!(
+            dots.len() == 5
+                && dots
+                    .iter()
+                    .zip(expected)
+                    .all(|(at, want)| { (*at - dots[0] - MmVector::from(want)).length() < 1e-4 }),
+            "{dots:?}"
+        );
+        assert!((dots[0] - corner - MmVector::new(0.65, 0.65)).length() < 1e-5);
+        let extent = cells.extent(2, 2);
+        assert!((extent - MmVector::new(9.8, 16.3)).length() < 1e-4, "{extent:?}");
+    }
+}
