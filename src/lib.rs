@@ -112,6 +112,7 @@ mod dots;
 mod edges;
 mod error;
 mod geom;
+mod labels;
 mod lines;
 mod note;
 mod output;
@@ -133,7 +134,7 @@ pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
 pub use page::spread::Grid as SheetGrid;
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
-pub use pipeline::{Event, Stage};
+pub use pipeline::{Event, Label, Position, Stage};
 pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, built_in, is_path};
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;
@@ -185,6 +186,9 @@ pub mod internals {
     }
     pub mod geom {
         pub use crate::geom::*;
+    }
+    pub mod labels {
+        pub use crate::labels::*;
     }
     pub mod lines {
         pub use crate::lines::*;

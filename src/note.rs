@@ -31,6 +31,10 @@ pub enum Note {
         /// How many cells it has.
         cells: usize,
     },
+    /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
+    Abbreviated(Vec<(String, String)>),
+    /// Labels that are not on the page: there is no room for them, or they lie outside of the picture.
+    LabelsLeftOut(Vec<String>),
     /// No contour was found that is strong and long enough.
     NoLines,
     /// Nothing was found to trace.
@@ -70,19 +74,14 @@ impl std::fmt::Display for Note {
                 write!(f, "this is page 1 of {pages}; ask for another by its number")
             }
             Self::TextsLeftOut(texts) => {
-                let (count, shown) = (texts.len(), texts.len().min(MOST_TEXTS));
-                let noun = if count == 1 { "text" } else { "texts" };
-                write!(f, "{count} {noun} left out, as fingers cannot read letters: ")?;
-                for (i, text) in texts[..shown].iter().enumerate() {
-                    write!(f, "{}\"{}\"", if i > 0 { ", " } else { "" }, short(text))?;
-                }
-                if count > shown { write!(f, " and {} more", count - shown) } else { Ok(()) }
+                let (count, noun) = (texts.len(), if texts.len() == 1 { "text" } else { "texts" });
+                write!(f, "{count} {noun} left out, as fingers cannot read letters: {}", listed(texts))
             }
             Self::NoBrailleCode(language) => {
                 let codes: Vec<&str> = Code::all().iter().map(|code| code.language).collect();
                 write!(
                     f,
-                    "the title is not written in braille, as there is no code for the language \"{}\"; there are {}; \
+                    "nothing is written in braille, as there is no code for the language \"{}\"; there are {}; \
                      choose one with braille.code, or leave braille out with braille=false",
                     short(language),
                     codes.join(", ")
@@ -102,6 +101,19 @@ impl std::fmt::Display for Note {
                 "the title is not written in braille: its {cells} cells have no room above the figure, where three \
                  lines may take a fifth of the sheet; give a shorter one, or a larger sheet"
             ),
+            Self::Abbreviated(labels) => {
+                let all: Vec<String> =
+                    labels.iter().map(|(abbreviation, text)| format!("{abbreviation} = {}", short(text))).collect();
+                write!(f, "abbreviated for want of room: {}", all.join(", "))
+            }
+            Self::LabelsLeftOut(texts) => {
+                let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });
+                write!(
+                    f,
+                    "{count} {noun} left out, as there is no room, or they lie outside of the picture: {}",
+                    listed(texts)
+                )
+            }
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
                  and edges.low, or give a brighter picture or one with less around it",
@@ -139,6 +151,14 @@ impl std::fmt::Display for Note {
 
 /// Most texts that a note shows; it is read aloud.
 const MOST_TEXTS: usize = 12;
+
+/// Texts in quotation marks, as many as a note shows.
+fn listed(texts: &[String]) -> String {
+    let shown = texts.len().min(MOST_TEXTS);
+    let quoted: Vec<String> = texts[..shown].iter().map(|text| format!("\"{}\"", short(text))).collect();
+    let more = texts.len() - shown;
+    if more > 0 { format!("{} and {more} more", quoted.join(", ")) } else { quoted.join(", ") }
+}
 
 /// The beginning of a text.
 fn short(text: &str) -> String {

@@ -6,6 +6,7 @@ pub mod colours;
 mod dots;
 mod draw;
 mod finish;
+mod label;
 mod progress;
 mod request;
 pub mod sheets;
@@ -14,6 +15,7 @@ pub mod trace;
 mod words;
 
 pub use finish::title_of_overview;
+pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
 pub use request::{Fit, Request};
 pub use texts::Text;
@@ -69,14 +71,18 @@ pub fn convert_with_words<'p>(
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
     let written = Written::new(words, plan);
-    let Marks { figure, overview, shares, layout, is_flat, texts, mut notes } =
+    let Marks { mut figure, overview, shares, layout, is_flat, texts, mut notes } =
         draw(picture.into(), request, &|size| written.layout(size, request), watch)?;
-    let braille = written.on(&layout);
-    notes.extend(written.left_out(&layout));
-    notes.extend(written.notes);
-    let (page, overview) = run(watch, Stage::Page, || match &layout.medium {
-        Medium::Print(_) => Ok((assemble(figure, overview, shares, braille, &layout, request)?, None)),
-        Medium::Dots(medium) => dots::assemble(figure, overview, shares, braille, (&layout, medium), request),
+    if words.own_texts {
+        notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
+    }
+    let (page, overview) = run(watch, Stage::Page, || {
+        let (braille, of_words) = written.on(&layout, &mut figure, &texts, words, plan);
+        notes.extend(of_words);
+        match &layout.medium {
+            Medium::Print(_) => Ok((assemble(figure, overview, shares, braille, &layout, request)?, None)),
+            Medium::Dots(medium) => dots::assemble(figure, overview, shares, braille, (&layout, medium), request),
+        }
     })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
@@ -104,7 +110,7 @@ fn assemble(
     let overview = overview.map(|(place, lines)| Overview { place, frame: around(place), lines });
     let parts = Parts {
         title: request.title.to_owned(),
-        description: page::describe(&figure, overview.as_ref(), shares),
+        description: page::describe(&figure, overview.as_ref(), shares) + &page::describe_labels(&braille),
         origin: origin(request, figure.source, &braille),
         frame: around(figure.place),
         orientation_mark: layout.mark.clone(),

@@ -19,7 +19,7 @@ use crate::page::spread::Grid;
 use crate::picture::Picture;
 use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
-use crate::pipeline::{self, Drawing, Request, Words};
+use crate::pipeline::{self, Drawing, Request};
 use crate::profile::{Plan, Profile};
 use crate::{Error, calibration};
 
@@ -41,8 +41,7 @@ use crate::{Error, calibration};
 /// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
     let drawing = with_request(options, options.name(), |request| {
-        let words = Words { title: options.own_title(), language: options.own_language() };
-        pipeline::convert_with_words(picture.into(), &words, request, &mut |event| options.tell(event))
+        pipeline::convert_with_words(picture.into(), &options.words(), request, &mut |event| options.tell(event))
     })?;
     let page = options.with_words(drawing.page, options.own_title());
     let of_overview = options.own_title().map(pipeline::title_of_overview);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::fonts::Fonts;
 use crate::page::Page;
-use crate::pipeline::{Event, Fit};
+use crate::pipeline::{Event, Fit, Label, Words};
 use crate::profile::Profile;
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -33,6 +33,8 @@ pub struct Options {
     title: Option<String>,
     description: Option<String>,
     language: Option<String>,
+    labels: Vec<Label>,
+    label_texts: bool,
     pub(super) fit: Fit,
     pub(super) limits: Limits,
     pub(super) fonts: Fonts,
@@ -56,6 +58,8 @@ impl Options {
             title: None,
             description: None,
             language: None,
+            labels: Vec::new(),
+            label_texts: false,
             fit: Fit::default(),
             limits: Limits::default(),
             fonts: Fonts::none(),
@@ -89,6 +93,22 @@ impl Options {
     /// Default: `en`, which is the language of the description that is made if none is given.
     pub fn language(mut self, tag: impl Into<String>) -> Self {
         self.language = Some(tag.into());
+        self
+    }
+
+    /// Labels in braille, each beside its point of the picture: apart from lines and from one another, with a
+    /// leader line where they lie further away, abbreviated where there is no room for more. The page tells
+    /// what has no room in [`Note::LabelsLeftOut`](crate::Note::LabelsLeftOut). They are in the language of
+    /// the title. Default: none.
+    pub fn labels(mut self, labels: Vec<Label>) -> Self {
+        self.labels = labels;
+        self
+    }
+
+    /// Makes the texts of an SVG drawing or a page of PDF labels in braille, where they stand. Default: false, they are
+    /// left out.
+    pub fn label_texts(mut self, label: bool) -> Self {
+        self.label_texts = label;
         self
     }
 
@@ -203,20 +223,29 @@ impl Options {
         self.title.as_deref()
     }
 
-    pub(super) fn own_language(&self) -> Option<&str> {
-        self.language.as_deref()
+    /// What is written in braille.
+    pub(super) fn words(&self) -> Words<'_> {
+        Words {
+            title: self.own_title(),
+            language: self.language.as_deref(),
+            labels: &self.labels,
+            own_texts: self.label_texts,
+        }
     }
 }
 
 impl fmt::Debug for Options {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { profile, picture_name, title, description, language, fit, limits, fonts, .. } = self;
+        let Self { profile, picture_name, title, description, language, labels, label_texts, .. } = self;
+        let Self { fit, limits, fonts, .. } = self;
         f.debug_struct("Options")
             .field("profile", &profile.name)
             .field("picture_name", picture_name)
             .field("title", title)
             .field("description", description)
             .field("language", language)
+            .field("labels", labels)
+            .field("label_texts", label_texts)
             .field("fit", fit)
             .field("limits", limits)
             .field("fonts", fonts)

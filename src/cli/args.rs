@@ -4,6 +4,7 @@ mod calibrate;
 mod embossing;
 mod feel;
 mod fitting;
+mod labels;
 mod pages;
 mod quality;
 mod shared;
@@ -21,6 +22,7 @@ pub(super) use self::calibrate::Calibrate;
 pub(super) use self::embossing::Embossing;
 pub(super) use self::feel::Feel;
 pub(super) use self::fitting::Fitting;
+pub(super) use self::labels::Labels;
 pub(super) use self::pages::Pages;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
@@ -85,6 +87,8 @@ Examples:
         draws a part of the picture, 120 mm wide
   tactograph convert worksheet.pdf --page 1-2
         makes worksheet-1.svg and worksheet-2.svg of the first two pages of a document
+  tactograph convert chart.svg --title Rainfall --labels texts -o chart.pdf
+        writes the title and the texts of a drawing in braille
   tactograph convert coffee.png --sheets 2x2 -o large.pdf
         spreads the picture over two by two sheets, and the overview on another
   tactograph convert coffee.png --outlines --set page.orientation=landscape
@@ -195,15 +199,18 @@ pub(super) struct Convert {
     #[arg(long, value_name = "TEXT", value_parser = words)]
     alt: Option<String>,
 
-    /// Language of --title and --alt, such as de or fr-CA
+    /// Language of --title, --alt and --labels, such as de or fr-CA
     ///
-    /// With it a screen reader speaks them well, and the braille code of --title is that of the language.
+    /// With it a screen reader speaks them well, and braille is written in the code of the language.
     ///
     /// The description that is made without --alt is in English, and is marked as English.
     ///
     /// [default: en]
     #[arg(long, value_name = "TAG", value_parser = language, hide_short_help = true)]
     lang: Option<String>,
+
+    #[command(flatten)]
+    pub(super) labels: Labels,
 
     #[command(flatten)]
     pub(super) shared: Shared,
@@ -225,9 +232,9 @@ impl Convert {
 
     /// Everything that is wrong with `--title`, `--alt` and `--lang`.
     pub(super) fn faults_of_words(&self) -> Vec<String> {
-        let no_words = self.lang.is_some() && self.title.is_none() && self.alt.is_none();
+        let no_words = self.lang.is_some() && self.title.is_none() && self.alt.is_none() && !self.labels.are_given();
         let language = no_words.then(|| {
-            "--lang is the language of --title and --alt, and neither is given; give one, or leave --lang out"
+            "--lang is the language of --title, --alt and --labels, and none is given; give one, or leave --lang out"
                 .to_owned()
         });
         language.into_iter().chain(self.words_for_many()).collect()
@@ -235,7 +242,8 @@ impl Convert {
 
     /// What is wrong if one picture's words are given to several.
     fn words_for_many(&self) -> Option<String> {
-        let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some())];
+        let labels = self.labels.is_for_one_picture();
+        let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some()), ("--labels", labels)];
         let (count, what) = match (self.pictures.len(), self.shared.page.map_or(1, |pages| pages.numbers().count())) {
             (1, pages) => (pages, " pages"),
             (pictures, _) => (pictures, ""),

@@ -12,6 +12,10 @@ use super::report::Exit;
 pub(super) fn run(args: &Convert) -> Exit {
     let (chosen, mut faults) = args.writing.choose(args.output.as_deref());
     faults.extend(args.faults_of_words());
+    let labels = args.labels.read().unwrap_or_else(|more| {
+        faults.extend(more);
+        Default::default()
+    });
     let order = Order {
         product: Product::Page(chosen.format),
         pictures: &args.pictures,
@@ -27,7 +31,7 @@ pub(super) fn run(args: &Convert) -> Exit {
         },
     };
     batch::run(&order, |picture, options, timings| {
-        let options = args.add_to(options.clone());
+        let options = labels.add_to(args.add_to(options.clone()));
         let (pages, notes): (Vec<Page>, _) = if args.fitting.is_for_several_sheets(options.profile()) {
             let drawn = convert_to_sheets(picture, args.fitting.sheets, &options)?;
             (drawn.pages, drawn.notes)

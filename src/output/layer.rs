@@ -38,6 +38,7 @@ impl Layer {
             Self::Overview => "Overview".into(),
             Self::Labels => "Labels".into(),
             Self::Braille(TextRole::Title) => "Braille title".into(),
+            Self::Braille(TextRole::Label) => "Braille labels".into(),
         }
     }
 }

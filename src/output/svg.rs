@@ -14,6 +14,7 @@
 //!   g#overview  data-box > g > path
 //!   g#labels (one path a size of dots)
 //!   g#braille-title > g  aria-label (the text)  data-braille (its lines in Unicode braille) > path
+//!   g#braille-labels > the same; a label that leads to what it names has > g > path (stroke-width in mm)
 //! ```
 //!
 //! Every group with an id is an Inkscape layer; other editors show groups. A layer that would be empty is left out.
@@ -88,12 +89,16 @@ fn braille_layers(page: &Page) -> Vec<Group> {
 
 /// One text: a person who listens hears what fingers read.
 fn braille(text: &BrailleText) -> Group {
-    Group::new()
+    let group = Group::new()
         .set("role", "img")
         .set("xml:lang", plain(&text.language))
-        .set("aria-label", plain(&text.text))
-        .set("data-braille", text.lines.join(" "))
-        .add(dots(&text.dots))
+        .set("aria-label", plain(&text.spoken()))
+        .set("data-braille", text.lines.join(" "));
+    let group = group.add(dots(&text.dots));
+    match &text.leader {
+        Some(leader) => group.add(with_strokes(Group::new()).add(stroke(leader))),
+        None => group,
+    }
 }
 
 /// The title, with its language where that is not the one of generated titles.

@@ -32,6 +32,7 @@ fn check(parts: &Parts) -> Result<(), Error> {
     frames.into_iter().try_for_each(|dots| sheet.dots("a dot of a frame", dots))?;
     parts.labels.iter().try_for_each(|dots| sheet.dots("a dot of a label", dots))?;
     parts.braille.iter().try_for_each(|text| sheet.dots("a dot of braille", &text.dots))?;
+    parts.braille.iter().filter_map(|text| text.leader.as_ref()).try_for_each(|run| sheet.run("a leader line", run))?;
     let mut lines = parts.figure.lines.iter().chain(overview.flat_map(|overview| &overview.lines));
     lines.try_for_each(|line| sheet.line(line))?;
     let mut marks = parts.orientation_mark.iter().chain(&parts.registration);

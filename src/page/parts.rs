@@ -91,10 +91,14 @@ pub struct BrailleText {
     pub text: String,
     /// The language of the text (BCP 47).
     pub language: String,
+    /// What stands in place of the text, if it is abbreviated.
+    pub abbreviation: Option<String>,
     /// Its lines, in Unicode braille.
     pub lines: Vec<String>,
     /// The dots of all lines.
     pub dots: Dots,
+    /// The line that leads from a label to what it names, where that lies further away.
+    pub leader: Option<Run>,
 }
 
 /// What a text is on a page.
@@ -102,6 +106,8 @@ pub struct BrailleText {
 pub enum TextRole {
     /// The title.
     Title,
+    /// A label in the figure.
+    Label,
 }
 
 /// The main picture.
@@ -128,14 +134,25 @@ pub struct Overview {
     pub lines: Vec<Line>,
 }
 
+impl BrailleText {
+    /// What it says, for those who listen: of an abbreviation, what it stands for as well.
+    pub fn spoken(&self) -> String {
+        match &self.abbreviation {
+            Some(short) => format!("{short}: {}", self.text),
+            None => self.text.clone(),
+        }
+    }
+}
+
 impl TextRole {
     /// All of them, in the order of a page's layers.
-    pub const ALL: [Self; 1] = [Self::Title];
+    pub const ALL: [Self; 2] = [Self::Title, Self::Label];
 
     /// Its name, such as "braille title".
     pub fn name(self) -> &'static str {
         match self {
             Self::Title => "braille title",
+            Self::Label => "braille label",
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::fmt::{Display, Formatter, Result};
 
 use super::medium::{DotMedium, Medium};
-use super::parts::{Class, Dots, Figure, Line, Overview, Page, Pen, Run, Shape};
+use super::parts::{BrailleText, Class, Dots, Figure, Line, Overview, Page, Pen, Run, Shape, TextRole};
 use crate::devices::DotArea;
 
 /// A description for people who do not see the page: its size, how many contours, the share of each colour (in the
@@ -21,6 +21,13 @@ pub fn describe(figure: &Figure, overview: Option<&Overview>, shares: Option<[f3
         text += &format!(" Below it an overview of lines only, {width} by {height} millimetres, {count}.");
     }
     text
+}
+
+/// What is written in braille in the figure, as a sentence; nothing where there is nothing.
+pub fn describe_labels(braille: &[BrailleText]) -> String {
+    let labels: Vec<String> =
+        braille.iter().filter(|text| text.role == TextRole::Label).map(BrailleText::spoken).collect();
+    if labels.is_empty() { String::new() } else { format!(" Labels in braille: {}.", labels.join("; ")) }
 }
 
 fn contours(count: usize) -> String {
@@ -92,7 +99,11 @@ impl Display for Page {
         self.labels.iter().try_for_each(|label| write_dots(f, "label", label))?;
         self.braille.iter().try_for_each(|text| {
             writeln!(f, "{} {}", text.role.name(), text.lines.join(" "))?;
-            write_dots(f, "braille", &text.dots)
+            write_dots(f, "braille", &text.dots)?;
+            text.leader.iter().try_for_each(|run| {
+                write!(f, "leader line")?;
+                write_run(f, run)
+            })
         })
     }
 }

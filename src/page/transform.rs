@@ -18,6 +18,7 @@ impl Parts {
         }
         self.orientation_mark.iter_mut().for_each(|run| narrow_run(run, swell));
         // No key says how wide ticks are, so no plan is refused for them.
+        self.braille.iter_mut().filter_map(|text| text.leader.as_mut()).for_each(|run| narrow_run(run, swell));
         self.registration.iter_mut().for_each(|run| narrow_run(run, swell.min(run.width - LEAST_TICK)));
         narrow_dots(&mut self.frame, swell);
         narrow_lines(&mut self.figure.lines, swell);
@@ -71,7 +72,8 @@ impl Page {
             Medium::Dots(dots) => dots.area.bounds().min.x + dots.area.bounds().max.x,
         };
         let parts = &mut self.parts;
-        let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration);
+        let leaders = parts.braille.iter_mut().filter_map(|text| text.leader.as_mut());
+        let runs = parts.orientation_mark.iter_mut().chain(&mut parts.registration).chain(leaders);
         runs.for_each(|run| mirror_run(run, width));
         let braille = parts.braille.iter_mut().map(|text| &mut text.dots);
         parts.labels.iter_mut().chain(braille).for_each(|dots| mirror_dots(dots, width));

@@ -7,7 +7,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
-use crate::page::{self, BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, Texture, frame};
+use crate::page::{self, BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, TextRole, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -57,10 +57,11 @@ pub(super) fn assemble(
             let own = Figure { place, source, textures: Vec::new(), lines };
             let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
             let title = title_of_overview(request.title);
-            finished(parts((title, description), own, braille.clone(), (layout, medium), request), request)
+            let title_only = braille.iter().filter(|text| text.role == TextRole::Title).cloned().collect();
+            finished(parts((title, description), own, title_only, (layout, medium), request), request)
         })
         .transpose()?;
-    let mut description = page::describe(&figure, None, shares);
+    let mut description = page::describe(&figure, None, shares) + &page::describe_labels(&braille);
     if overview.is_some() {
         description += " An overview of lines only follows on the next sheet.";
     }

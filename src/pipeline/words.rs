@@ -1,13 +1,17 @@
 //! What is written on a page in braille.
 
+use super::label::Label;
 use super::request::Request;
-use crate::braille::{Braille, Code};
+use super::texts::Text;
+use crate::braille::{Braille, CellSize, Code, Lacking, Table};
+use crate::dots;
+use crate::labels::{self, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Dots, LANGUAGE, TextRole};
+use crate::page::{BrailleText, Dots, Figure, LANGUAGE, Medium, Run, TextRole};
 use crate::profile::Plan;
-use crate::units::Size;
+use crate::units::{MmPoint, MmRect, Size};
 use crate::{Error, Note};
 
 /// What the maker of a page wants to be written on it.
@@ -17,15 +21,25 @@ pub struct Words<'a> {
     pub title: Option<&'a str>,
     /// The language of the words (BCP 47); without it they are English.
     pub language: Option<&'a str>,
+    /// Labels in the figure.
+    pub labels: &'a [Label],
+    /// Whether the texts of a drawing are labels too.
+    pub own_texts: bool,
 }
+
+/// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
+const CLEARANCE: f32 = 3.0;
+/// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
+const STEP: f32 = 1.0;
 
 /// The words of a page in braille.
 #[derive(Debug, Default)]
 pub(super) struct Written {
     title: Option<Title>,
     language: String,
+    table: Option<Table>,
     /// What could not be written.
-    pub(super) notes: Vec<Note>,
+    notes: Vec<Note>,
 }
 
 #[derive(Debug)]
@@ -41,21 +55,21 @@ impl Written {
         let settings = &plan.profile().braille;
         let language = words.language.unwrap_or(LANGUAGE);
         let mut written = Self { language: language.to_owned(), ..Self::default() };
-        let Some(text) = words.title.filter(|_| settings.on) else { return written };
+        let is_any = words.title.is_some() || !words.labels.is_empty() || words.own_texts;
+        if !settings.on || !is_any {
+            return written;
+        }
         let Some(table) = settings.code.or_else(|| Code::of_language(language)).and_then(Code::table) else {
             written.notes.push(Note::NoBrailleCode(language.to_owned()));
             return written;
         };
-        let braille = table.translate(text);
-        if !braille.lacking.is_empty() {
-            let lacking = braille.lacking.iter().map(|lacking| (lacking.character, lacking.at)).collect();
-            written.notes.push(Note::NotInBraille { text: text.to_owned(), lacking });
+        if let Some(text) = words.title {
+            let braille = table.translate(text);
+            written.notes.extend(not_written(text, &braille.lacking));
+            let title = |params| Title { text: text.to_owned(), braille: braille.clone(), params };
+            written.title = HeadingParams::of(&braille, settings.cell, settings.align).map(title);
         }
-        written.title = HeadingParams::of(&braille, settings.cell, settings.align).map(|params| Title {
-            text: text.to_owned(),
-            braille,
-            params,
-        });
+        written.table = Some(table);
         written
     }
 
@@ -71,25 +85,121 @@ impl Written {
         }
     }
 
-    /// The words where they stand on the sheet.
-    pub(super) fn on(&self, layout: &Layout) -> Vec<BrailleText> {
-        let (Some(title), Some(heading)) = (&self.title, &layout.heading) else { return Vec::new() };
-        let unicode = |line: Vec<u8>| Braille { cells: line, ..Braille::default() }.unicode();
-        let diameter = CellGrid::of(&layout.medium, title.params.cell).diameter;
-        vec![BrailleText {
+    /// The words where they stand on the sheet, and what the maker should know of them. Textures of the figure
+    /// make room for labels.
+    pub(super) fn on(
+        &self,
+        layout: &Layout,
+        figure: &mut Figure,
+        texts: &[Text],
+        words: &Words<'_>,
+        plan: &Plan,
+    ) -> (Vec<BrailleText>, Vec<Note>) {
+        let mut notes = self.notes.clone();
+        let cell = plan.profile().braille.cell;
+        let title = self.title(layout, cell);
+        if let (Some(title), None) = (&self.title, &title) {
+            notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
+        }
+        let (wanted, mut left_out) = wanted(texts, words, figure);
+        let Some(table) = &self.table else {
+            left_out.extend(wanted.into_iter().map(|label| label.text));
+            notes.extend((!left_out.is_empty()).then_some(Note::LabelsLeftOut(left_out)));
+            return (title.into_iter().collect(), notes);
+        };
+        let cells = CellGrid::of(&layout.medium, cell);
+        let params = params(layout, plan);
+        let placed = labels::place(&wanted, table, figure, &cells, &params);
+        labels::make_room(figure, &placed, &params);
+        let missing = |&of: &usize| placed.iter().all(|label| label.of != of);
+        left_out.extend((0..wanted.len()).filter(missing).map(|of| wanted[of].text.clone()));
+        let mut abbreviated = Vec::new();
+        for label in &placed {
+            let text = &wanted[label.of].text;
+            match &label.abbreviation {
+                None => notes.extend(not_written(text, &label.lacking)),
+                Some(short) if !abbreviated.iter().any(|(known, _)| known == short) => {
+                    abbreviated.push((short.clone(), text.clone()));
+                }
+                Some(_) => {}
+            }
+        }
+        notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
+        notes.extend((!left_out.is_empty()).then_some(Note::LabelsLeftOut(left_out)));
+        let labels = placed.iter().map(|label| self.label(label, &wanted[label.of].text, &cells, layout, plan));
+        (title.into_iter().chain(labels).collect(), notes)
+    }
+
+    fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {
+        let (title, heading) = self.title.as_ref().zip(layout.heading)?;
+        let diameter = CellGrid::of(&layout.medium, cell).diameter;
+        Some(BrailleText {
             role: TextRole::Title,
             text: title.text.clone(),
             language: self.language.clone(),
-            lines: heading.lines(&title.braille).into_iter().map(unicode).collect(),
+            abbreviation: None,
+            lines: unicode(&heading.lines(&title.braille)),
             dots: Dots { diameter, at: heading.dots(&title.braille, &layout.medium) },
-        }]
+            leader: None,
+        })
     }
 
-    /// What is told of words that have no room.
-    pub(super) fn left_out(&self, layout: &Layout) -> Option<Note> {
-        self.title
-            .as_ref()
-            .filter(|_| layout.heading.is_none())
-            .map(|title| Note::NoRoomForTitle { cells: title.braille.cells.len() })
+    fn label(&self, label: &Placed, text: &str, cells: &CellGrid<'_>, layout: &Layout, plan: &Plan) -> BrailleText {
+        BrailleText {
+            role: TextRole::Label,
+            text: text.to_owned(),
+            language: self.language.clone(),
+            abbreviation: label.abbreviation.clone(),
+            lines: unicode(&label.lines),
+            dots: Dots { diameter: cells.diameter, at: cells.dots(&label.lines, label.place.min) },
+            leader: label.leader.map(|ends| leader(ends, layout, plan)),
+        }
     }
+}
+
+/// The labels that are wanted, and the texts of those that lie outside of the picture.
+fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, Vec<String>) {
+    let (mut wanted, mut outside) = (Vec::new(), Vec::new());
+    for label in words.labels {
+        match label.on(figure.place, figure.source) {
+            Some(at) => wanted.push(Wanted { text: label.text.clone(), anchor: MmRect::new(at, at) }),
+            None => outside.push(label.text.clone()),
+        }
+    }
+    let own = texts.iter().filter(|text| words.own_texts && !text.hidden);
+    wanted.extend(own.map(|text| Wanted { text: text.string.clone(), anchor: text.place }));
+    (wanted, outside)
+}
+
+/// Labels may lie in the figure, and on paper beside it, as far as the frame leaves its clearance. On a grid the
+/// frame is some columns from the outermost of the figure, which may lie a step within it.
+fn params(layout: &Layout, plan: &Plan) -> Params {
+    let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
+    let (step, area) = match &layout.medium {
+        Medium::Print(_) => (STEP, layout.figure.inflate(beside, beside)),
+        Medium::Dots(dots) => {
+            let radius = 0.5 * dots.diameter();
+            let reach = dots.area.bounds().inflate(radius, radius);
+            (dots.pitch, layout.figure.intersection_unchecked(&reach))
+        }
+    };
+    Params { area, clearance: CLEARANCE, step }
+}
+
+/// A leader line: as thin as lines can be.
+fn leader(ends: [MmPoint; 2], layout: &Layout, plan: &Plan) -> Run {
+    match &layout.medium {
+        Medium::Print(_) => Run::stroke(plan.lines().width_min, ends.to_vec()),
+        Medium::Dots(medium) => dots::mark(&ends, &medium.area, &plan.dots(medium)),
+    }
+}
+
+fn unicode(lines: &[Vec<u8>]) -> Vec<String> {
+    lines.iter().map(|line| Braille { cells: line.clone(), ..Braille::default() }.unicode()).collect()
+}
+
+/// What is told of characters that the code has no cells for.
+fn not_written(text: &str, lacking: &[Lacking]) -> Option<Note> {
+    let characters = lacking.iter().map(|lacking| (lacking.character, lacking.at)).collect();
+    (!lacking.is_empty()).then(|| Note::NotInBraille { text: text.to_owned(), lacking: characters })
 }

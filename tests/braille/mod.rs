@@ -1,5 +1,6 @@
 //! Words in braille: the codes against liblouis, and pages read back dot by dot.
 
 mod codes;
+mod labels;
 mod reading;
 mod title;

@@ -80,6 +80,7 @@ fn prepared() -> Place {
         place.put(&format!("samples/{name}"), &bytes);
     }
     place.put("my.toml", b"inherits = \"our-school.toml\"\n[lines]\nwidth_max = 1.2\n");
+    place.put("labels.csv", b"20%,35%,tree\n50%,35%,roof\n");
     place.put("our-school.toml", b"inherits = \"swell-a4\"\n");
     let run = place.run(&["convert", "coffee.png", "-q", "-o", "coffee.svg"]);
     assert_eq!(run.code, 0, "{}", run.err);

@@ -32,6 +32,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("dots", &["units", "geom", "raster", "classes", "lines", "textures", "devices"]),
     // No raster: a page has no pixels.
     ("page", &["units", "geom", "braille", "edges", "classes", "lines", "textures", "devices"]),
+    // Words of the figure, beside its lines.
+    ("labels", &["units", "geom", "braille", "page"]),
     // Contours as data, back in the pixels of the source.
     ("contours", &["units", "geom", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
@@ -50,7 +52,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         "pipeline",
         &[
             "units", "geom", "braille", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page",
-            "contours", "touch", "profile", "picture",
+            "labels", "contours", "touch", "profile", "picture",
         ],
     ),
     // The face: profiles checked, the pipeline run, pages handed to their writers.

@@ -143,6 +143,7 @@ pub fn dots(page: &Page) -> Vec<(MmPoint, Height)> {
     page.figure.lines.iter().flat_map(|line| &line.runs).for_each(|piece| all(&piece.points, run(piece)));
     let labels = |dots: &Dots| dots.at.clone();
     let braille = page.braille.iter().map(|text| &text.dots);
+    page.braille.iter().filter_map(|text| text.leader.as_ref()).for_each(|leader| all(&leader.points, run(leader)));
     page.labels.iter().chain(braille).for_each(|dots| all(&labels(dots), Height::High));
     out
 }

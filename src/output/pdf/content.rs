@@ -179,11 +179,12 @@ impl Writer<'_> {
 
     /// Words in braille, which a screen reader reads as text.
     fn braille(&mut self, text: &BrailleText) {
-        let words = plain(&text.text);
+        let words = plain(&text.spoken());
         let mut content = self.content.begin_marked_content_with_properties(Name(b"Span"));
         content.properties().actual_text(TextStr(&words));
         drop(content);
         self.dots(&text.dots);
+        text.leader.iter().for_each(|run| self.run(run));
         self.content.end_marked_content();
     }
 

@@ -1,0 +1,77 @@
+//! `--labels`: what is written in braille in the figure.
+
+use std::path::Path;
+
+use clap::Args;
+use tactograph::{Label, Options};
+
+use crate::cli::input;
+
+/// Largest list of labels, bytes: some hundred times what a page has room for.
+const MOST_BYTES: u64 = 1 << 20;
+/// The word for the texts of the drawing itself.
+const TEXTS: &str = "texts";
+
+/// Labels in braille.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Labels {
+    /// Labels in braille: a file with x, y and a text in each row, or "texts" for those of a drawing
+    ///
+    /// The file has rows such as 30%,45%,apple: how far from the left and from the top of the picture (or of the part
+    /// that --crop takes), in percent or in pixels, and what the label says. With the word texts in place of a
+    /// file, the texts of an SVG drawing or a page of PDF become labels where they stand.
+    ///
+    /// Each label is put beside its point, 3 mm from lines; textures make room. Where it has to lie further
+    /// away, a thin line leads to its point; where there is no room for all of it, it is abbreviated, and you
+    /// are told.
+    #[arg(long, value_name = "FILE.csv|texts", hide_short_help = true)]
+    labels: Option<String>,
+}
+
+/// What is to be written.
+#[derive(Debug, Clone, Default)]
+pub(in crate::cli) struct Given {
+    labels: Vec<Label>,
+    texts: bool,
+}
+
+impl Labels {
+    /// Whether a file is given, whose points are those of one picture.
+    pub(in crate::cli) fn is_for_one_picture(&self) -> bool {
+        self.labels.as_deref().is_some_and(|labels| labels != TEXTS)
+    }
+
+    /// Whether there are any.
+    pub(in crate::cli) fn are_given(&self) -> bool {
+        self.labels.is_some()
+    }
+
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, each with its line.
+    pub(in crate::cli) fn read(&self) -> Result<Given, Vec<String>> {
+        match self.labels.as_deref() {
+            None => Ok(Given::default()),
+            Some(TEXTS) => Ok(Given { texts: true, ..Given::default() }),
+            Some(path) => {
+                let of_file = |what: String| vec![format!("--labels {path}: {what}")];
+                let bytes = input::read(Path::new(path), MOST_BYTES, "this is too large for a list of labels")
+                    .map_err(|error| of_file(format!("{error:#}")))?;
+                let text = String::from_utf8(bytes)
+                    .map_err(|_| of_file("this is not text in UTF-8; save it as CSV in UTF-8".to_owned()))?;
+                let labels = Label::from_csv(&text).map_err(|faults| {
+                    faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect::<Vec<_>>()
+                })?;
+                Ok(Given { labels, texts: false })
+            }
+        }
+    }
+}
+
+impl Given {
+    /// Puts the labels into the options of the library.
+    pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
+        options.labels(self.labels.clone()).label_texts(self.texts)
+    }
+}

@@ -1,0 +1,166 @@
+//! Places where a label could lie, the best first.
+
+use super::forms::Form;
+use super::placed::{Wanted, to_box};
+use super::room::Room;
+use crate::geom::segment_distance;
+use crate::page::cells::CellGrid;
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// How labels are placed, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    /// Where they may lie.
+    pub area: MmRect,
+    /// Blank to lines and textures.
+    pub clearance: f32,
+    /// Step in which places are looked for; on a grid that of its dots.
+    pub step: f32,
+}
+
+/// A place for a label.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Candidate {
+    /// Which of its forms it has.
+    pub(super) form: usize,
+    /// The box around its dots.
+    pub(super) place: MmRect,
+    pub(super) leader: Option<[MmPoint; 2]>,
+    pub(super) cost: f32,
+}
+
+/// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
+/// beside what they name; chosen by us, because two cells on a line are a fingertip's width apart.
+const NEAR: f32 = 12.0;
+/// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
+const FAR: f32 = 37.5;
+/// Blank between a label and its own leader line, mm.
+const BEFORE_LEADER: f32 = 1.5;
+/// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
+const BESIDE: f32 = 2.0;
+/// A leader line may come near to lines where it ends, over this length, mm.
+const AT_END: f32 = 4.0;
+/// Blank between labels side by side, mm: a blank cell, or they are read as one.
+const ASIDE: f32 = 6.0;
+/// Blank between labels one above the other, mm: as between lines of braille.
+const ABOVE: f32 = 3.5;
+/// What a leader line costs: the millimetres that another place may lie further away.
+const LEADER: f32 = 10.0;
+/// What a leader line across other lines costs: more than an abbreviation.
+const ACROSS: f32 = 2000.0;
+/// Least distance to what a leader line leads to, mm: a shorter one is felt as a dot.
+const SHORTEST_LEADER: f32 = 6.0;
+/// What a glyph costs that has to go.
+const GLYPH: f32 = 0.3;
+/// Most places that are kept for a form, and how far apart they are, mm: enough to choose from, and not all in one
+/// spot.
+const MOST: usize = 48;
+const APART: f32 = 4.0;
+
+impl Candidate {
+    /// Whether two labels cannot both be there.
+    pub(super) fn conflicts(&self, other: &Self) -> bool {
+        let near = self.place.inflate(ASIDE, ABOVE).intersects(&other.place);
+        let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
+            leader.is_some_and(|[a, b]| {
+                let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
+                let corners = [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from);
+                let to_side = |i: usize| segment_distance((a, b), (corners[i], corners[(i + 1) % 4]));
+                place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < ABOVE)
+            })
+        };
+        let leaders = || match (self.leader, other.leader) {
+            (Some([a, b]), Some([c, d])) => segment_distance((a, b), (c, d)) < BEFORE_LEADER,
+            _ => false,
+        };
+        near || over(self.leader, other.place) || over(other.leader, self.place) || leaders()
+    }
+}
+
+/// Places for a label in its forms.
+pub(super) fn of(label: &Wanted, forms: &[Form], room: &Room, cells: &CellGrid<'_>, params: &Params) -> Vec<Candidate> {
+    let mut candidates: Vec<Candidate> = forms
+        .iter()
+        .enumerate()
+        .flat_map(|(number, form)| apart(of_form(label, (number, form), room, cells, params)))
+        .collect();
+    candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    candidates
+}
+
+/// All free places of a form within reach.
+fn of_form(
+    label: &Wanted,
+    (number, form): (usize, &Form),
+    room: &Room,
+    cells: &CellGrid<'_>,
+    params: &Params,
+) -> Vec<Candidate> {
+    let longest = form.lines.iter().map(Vec::len).max().unwrap_or(0);
+    let size = cells.extent(longest, form.lines.len());
+    let anchor = label.anchor.center();
+    // steps from the place in the middle of the anchor, so that it is among them
+    let middle = anchor - size * 0.5;
+    let steps = |half: f32| (((half + FAR) / params.step).ceil()) as i32;
+    let (across, down) = (steps(0.5 * size.x), steps(0.5 * size.y));
+    let mut found = Vec::new();
+    for y in -down..=down {
+        for x in -across..=across {
+            let corner = middle + MmVector::new(x as f32, y as f32) * params.step;
+            let place = cells.snapped(MmRect::new(corner, corner + size));
+            if room.is_free(place) {
+                found.extend(candidate(label, number, form, place, room, params));
+            }
+        }
+    }
+    found
+}
+
+fn candidate(
+    label: &Wanted,
+    number: usize,
+    form: &Form,
+    place: MmRect,
+    room: &Room,
+    params: &Params,
+) -> Option<Candidate> {
+    let anchor = label.anchor.center();
+    let gap = to_box(anchor, place);
+    let is_point = label.anchor.is_empty();
+    if gap > FAR || is_point && gap < BESIDE {
+        return None;
+    }
+    let from = anchor.clamp(place.min, place.max);
+    // a label on the other side of a line names what is there, unless a line leads across
+    let is_parted = room.is_parted(from, anchor, AT_END);
+    let leader = if gap > NEAR || is_parted {
+        let begin = from + (anchor - from).normalize() * BEFORE_LEADER;
+        let is_clear = is_parted || room.is_free_way(begin, anchor, AT_END);
+        (is_clear && gap > SHORTEST_LEADER).then_some(Some([begin, anchor]))?
+    } else {
+        None
+    };
+    // beside a point; in place of a text
+    let distance =
+        if is_point { gap + 0.1 * (place.center() - anchor).length() } else { (place.center() - anchor).length() };
+    let glyphs = room.glyphs(place.inflate(params.clearance, params.clearance)) as f32;
+    let leader_cost = match leader {
+        _ if is_parted => ACROSS,
+        Some(_) => LEADER,
+        None => 0.0,
+    };
+    Some(Candidate { form: number, place, leader, cost: form.cost + distance + GLYPH * glyphs + leader_cost })
+}
+
+/// The best of the places, some way apart.
+fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {
+    all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let mut kept: Vec<Candidate> = Vec::new();
+    for candidate in all {
+        let is_new = |other: &Candidate| (other.place.min - candidate.place.min).length() >= APART;
+        if kept.len() < MOST && kept.iter().all(is_new) {
+            kept.push(candidate);
+        }
+    }
+    kept
+}

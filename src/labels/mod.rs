@@ -1,0 +1,64 @@
+//! Labels in braille: each beside what it names, apart from lines and from one another.
+//!
+//! ```text
+//! wanted -> forms (one line, two, abbreviated) -> candidates (free places near the anchor) -> choose -> placed
+//! ```
+//!
+//! Labels are horizontal, as fingers read them, and 3 mm from lines; textures make room for them. One that has to lie
+//! further away than 12 mm has a leader line. What has no room in full is abbreviated.
+
+mod abbreviate;
+mod candidates;
+mod choose;
+mod forms;
+mod placed;
+mod room;
+
+pub use candidates::Params;
+pub use choose::{Choice, choose};
+pub use placed::{Placed, Wanted};
+
+use crate::braille::Table;
+use crate::page::Figure;
+use crate::page::cells::CellGrid;
+use candidates::Candidate;
+use room::Room;
+
+/// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
+pub const MOST: usize = 300;
+
+/// Labels that have a place, in the order in which they were wanted. Those that are missing have no room.
+pub fn place(wanted: &[Wanted], table: &Table, figure: &Figure, cells: &CellGrid<'_>, params: &Params) -> Vec<Placed> {
+    let wanted = &wanted[..wanted.len().min(MOST)];
+    let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
+    let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
+    let forms = forms::of(&texts, table);
+    let candidates: Vec<Vec<Candidate>> =
+        wanted.iter().zip(&forms).map(|(label, forms)| candidates::of(label, forms, &room, cells, params)).collect();
+    let costs: Vec<Vec<f32>> =
+        candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
+    let chosen = choose(&costs, &|a, b| candidates[a.label][a.candidate].conflicts(&candidates[b.label][b.candidate]));
+    let placed = chosen.into_iter().enumerate().filter_map(|(of, chosen)| {
+        let candidate = &candidates[of][chosen?];
+        let form = &forms[of][candidate.form];
+        Some(Placed {
+            of,
+            place: candidate.place,
+            lines: form.lines.clone(),
+            lacking: form.lacking.clone(),
+            abbreviation: form.abbreviation.clone(),
+            leader: candidate.leader,
+        })
+    });
+    placed.collect()
+}
+
+/// Takes the glyphs out of a figure that labels and their leader lines need blank.
+pub fn make_room(figure: &mut Figure, placed: &[Placed], params: &Params) {
+    for texture in &mut figure.textures {
+        texture
+            .glyphs
+            .retain(|glyph| placed.iter().all(|label| label.distance(glyph.at) - glyph.radius() >= params.clearance));
+    }
+    figure.textures.retain(|texture| !texture.glyphs.is_empty());
+}

@@ -1,0 +1,44 @@
+//! What is wanted of labels, and what becomes of them.
+
+use crate::braille::Lacking;
+use crate::geom::nearest_on_segment;
+use crate::units::{MmPoint, MmRect};
+
+/// A label that is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// What it says.
+    pub text: String,
+    /// What it names: a point as an empty box, or the box of a text that it stands for.
+    pub anchor: MmRect,
+}
+
+/// A label that has a place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// Which of the wanted ones it is, from 0.
+    pub of: usize,
+    /// The box around its dots.
+    pub place: MmRect,
+    /// Its cells.
+    pub lines: Vec<Vec<u8>>,
+    /// What its code has no cells for.
+    pub lacking: Vec<Lacking>,
+    /// What it says in place of its text, if it is abbreviated.
+    pub abbreviation: Option<String>,
+    /// The line that leads from it to its anchor, if it lies far away.
+    pub leader: Option<[MmPoint; 2]>,
+}
+
+impl Placed {
+    /// Distance from its box or leader line, mm; 0 inside.
+    pub fn distance(&self, at: MmPoint) -> f32 {
+        let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
+        to_box(at, self.place).min(to_leader)
+    }
+}
+
+/// Distance of a point from a box; 0 inside.
+pub(super) fn to_box(at: MmPoint, place: MmRect) -> f32 {
+    (at - at.clamp(place.min, place.max)).length()
+}

@@ -1,0 +1,126 @@
+//! Labels as the maker of a page gives them: where on the picture, and what they say.
+
+use crate::units::{MmPoint, MmRect, Size};
+
+/// A label at a point of the picture, or of the part of it that is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Label {
+    /// How far from the left.
+    pub x: Position,
+    /// How far from the top.
+    pub y: Position,
+    /// What it says.
+    pub text: String,
+}
+
+/// A place along a side of the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Position {
+    /// Share of the side, 0 to 100.
+    Percent(f32),
+    /// Pixels of the picture.
+    Pixels(f32),
+}
+
+impl Position {
+    /// From "30%" or "412.5".
+    fn of(text: &str) -> Option<Self> {
+        let (number, position): (&str, fn(f32) -> Self) = match text.strip_suffix('%') {
+            Some(number) => (number.trim_end(), Self::Percent),
+            None => (text, Self::Pixels),
+        };
+        number.parse().ok().filter(|number: &f32| number.is_finite()).map(position)
+    }
+
+    /// Share of the side, 0 to 1 within the picture.
+    fn share(self, pixels: u32) -> f32 {
+        match self {
+            Self::Percent(percent) => 0.01 * percent,
+            Self::Pixels(at) => at / pixels as f32,
+        }
+    }
+}
+
+impl Label {
+    /// Labels from text with one in a row: x, y and what it says, parted by commas, semicolons or tabs. Empty
+    /// rows and a first row of headings (`x,y,text`) are passed over; a text may stand in quotation marks,
+    /// with two for one.
+    ///
+    /// # Errors
+    /// Everything that is wrong, each with its line.
+    pub fn from_csv(text: &str) -> Result<Vec<Self>, Vec<String>> {
+        let (mut labels, mut faults) = (Vec::new(), Vec::new());
+        let rows = (1..).zip(text.trim_start_matches('\u{feff}').lines()).filter(|(_, row)| !row.trim().is_empty());
+        for (i, (line, row)) in rows.enumerate() {
+            let is_heading = i == 0 && row.trim_start().trim_start_matches('"').starts_with(['x', 'X']);
+            match Self::of_row(row) {
+                Ok(label) => labels.push(label),
+                Err(_) if is_heading => {}
+                Err(what) => faults.push(format!("line {line}: {what}")),
+            }
+        }
+        if faults.is_empty() { Ok(labels) } else { Err(faults) }
+    }
+
+    fn of_row(row: &str) -> Result<Self, String> {
+        let parting = row.chars().find(|letter| [',', ';', '\t'].contains(letter));
+        let mut parts = parting.into_iter().flat_map(|parting| row.splitn(3, parting)).map(str::trim);
+        let (Some(x), Some(y), Some(text)) = (parts.next(), parts.next(), parts.next()) else {
+            return Err("write x, y and the text, such as 30%,45%,apple".to_owned());
+        };
+        let position = |text: &str, name: char| {
+            Position::of(text.trim_matches('"')).ok_or_else(|| {
+                let text: String = text.chars().take(20).collect();
+                format!("{name} must be a number of pixels or a percentage such as 30%, not \"{text}\"")
+            })
+        };
+        let (x, y) = (position(x, 'x')?, position(y, 'y')?);
+        let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+        let text = quoted.map_or_else(|| text.to_owned(), |text| text.replace("\"\"", "\""));
+        if text.trim().is_empty() {
+            return Err("the text is empty".to_owned());
+        }
+        Ok(Self { x, y, text })
+    }
+
+    /// Where it belongs on the sheet, for a picture of this size that is drawn there; `None` outside of the picture.
+    pub(super) fn on(&self, place: MmRect, source: Size) -> Option<MmPoint> {
+        let (x, y) = (self.x.share(source.width), self.y.share(source.height));
+        let inside = (0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y);
+        inside.then(|| MmPoint::new(place.min.x + x * place.width(), place.min.y + y * place.height()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_labels() {
+        let text = "\u{feff}x,y,text\r\n10%,20 %,apple\n\n 412.5 ; 7;\"a \"\"big\"\", red pear\"\n5\t6\tplum, ripe\n";
+        let labels = Label::from_csv(text).expect("labels");
+        let label = |x, y, text: &str| Label { x, y, text: text.to_owned() };
+        let expected = [
+            label(Position::Percent(10.0), Position::Percent(20.0), "apple"),
+            label(Position::Pixels(412.5), Position::Pixels(7.0), "a \"big\", red pear"),
+            label(Position::Pixels(5.0), Position::Pixels(6.0), "plum, ripe"),
+        ];
+        assert_eq!(labels, expected);
+    }
+
+    #[test]
+    fn every_fault_has_its_line() {
+        let faults = Label::from_csv("10%,20%,a\nx,2,b\n1,2\n1,NaN,c\n1,2, \n").expect_err("faults");
+        let at_line: Vec<&str> = faults.iter().filter_map(|fault| fault.split(':').next()).collect();
+        assert_eq!(at_line, ["line 2", "line 3", "line 4", "line 5"], "{faults:?}");
+        assert_eq!(faults[0], "line 2: x must be a number of pixels or a percentage such as 30%, not \"x\"");
+    }
+
+    #[test]
+    fn positions_are_shares_of_the_figure() {
+        let place = MmRect::new(MmPoint::new(10.0, 20.0), MmPoint::new(110.0, 70.0));
+        let at = |x, y| Label { x, y, text: "a".into() }.on(place, Size::new(400, 200));
+        assert_eq!(at(Position::Percent(50.0), Position::Pixels(100.0)), Some(MmPoint::new(60.0, 45.0)));
+        assert_eq!(at(Position::Percent(101.0), Position::Pixels(100.0)), None);
+    }
+}

@@ -1,0 +1,198 @@
+//! Labels in braille on pages: every one reads as its code has it, keeps its distance, and none is lost without a word.
+
+use super::reading;
+use crate::common::samples;
+use tactograph::internals::braille::{CellSize, Code};
+use tactograph::internals::geom::nearest_on_segment;
+use tactograph::internals::page::cells::CellGrid;
+use tactograph::{
+    BrailleText, Drawing, Fonts, Label, MmPoint, MmRect, MmVector, Note, Options, Pen, Position, Profile, TextRole,
+    convert,
+};
+
+/// Blank that labels keep to lines and textures, mm.
+const CLEARANCE: f32 = 3.0;
+
+fn options(profile: &str) -> Options {
+    Options::new(Profile::named(profile).expect("it is built in")).fonts(Fonts::system())
+}
+
+fn labels_of(drawing: &Drawing) -> Vec<&BrailleText> {
+    drawing.page.braille.iter().filter(|text| text.role == TextRole::Label).collect()
+}
+
+/// The box around a label's dots.
+fn place(label: &BrailleText) -> MmRect {
+    let radius = 0.5 * label.dots.diameter;
+    MmRect::from_points(&label.dots.at).inflate(radius, radius)
+}
+
+fn distance_to(place: MmRect, at: MmPoint) -> f32 {
+    (at - at.clamp(place.min, place.max)).length()
+}
+
+/// Everything that a label owes: its cells, and its distances.
+fn check(drawing: &Drawing, name: &str) {
+    let page = &drawing.page;
+    let table = Code::of_language("en").and_then(Code::table).expect("a table");
+    let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+    let labels = labels_of(drawing);
+    for (number, label) in labels.iter().enumerate() {
+        let lines = reading::lines(&label.dots.at, size);
+        let shown = label.abbreviation.as_ref().unwrap_or(&label.text);
+        // a line that ends with a hyphen goes on without a blank
+        let joined = lines.iter().fold(String::new(), |text, line| match text.chars().last() {
+            None | Some('⠤') => text + line,
+            Some(_) => text + "\u{2800}" + line,
+        });
+        assert_eq!(joined, table.translate(shown).unicode(), "{name}: {shown}");
+        assert_eq!(lines, label.lines, "{name}: {shown}");
+
+        let place = place(label);
+        for run in page.figure.lines.iter().flat_map(|line| &line.runs) {
+            let path: Vec<MmPoint> = run.polyline().path().copied().collect();
+            let to_stroke = |pair: &[MmPoint]| {
+                // corners of the label against the line, and ends of the line against the label
+                let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
+                let corners = [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from);
+                let to_corner = |at: &MmPoint| nearest_on_segment(*at, pair[0], pair[1]).0;
+                let of_corners = corners.iter().map(to_corner).fold(f32::INFINITY, f32::min);
+                of_corners.min(distance_to(place, pair[0])).min(distance_to(place, pair[1]))
+            };
+            let near = match run.pen {
+                Pen::Stroke => path.windows(2).map(to_stroke).fold(f32::INFINITY, f32::min),
+                Pen::Dots(_) => path.iter().map(|&at| distance_to(place, at)).fold(f32::INFINITY, f32::min),
+            };
+            assert!(near - 0.5 * run.width >= CLEARANCE - 0.01, "{name}: {shown} lies {near} mm from a line");
+        }
+        for glyph in page.figure.textures.iter().flat_map(|texture| &texture.glyphs) {
+            let near = distance_to(place, glyph.at) - glyph.radius();
+            assert!(near >= CLEARANCE - 0.01, "{name}: {shown} lies {near} mm from a glyph");
+        }
+        for dot in &page.frame.at {
+            let near = distance_to(place, *dot) - 0.5 * page.frame.diameter;
+            assert!(near >= CLEARANCE - 0.01, "{name}: {shown} lies {near} mm from the frame");
+        }
+        for other in &labels[..number] {
+            // a blank cell between two in a row, the distance of lines between two in a column
+            let near = self::place(other).inflate(5.9, 3.4).intersects(&place);
+            assert!(!near, "{name}: {shown} and {} are read as one", other.text);
+        }
+    }
+}
+
+/// Every text of a drawing is on its page, in full or abbreviated, or told; on paper and on dots.
+#[test]
+fn texts_of_drawings_are_labels() {
+    for (sample, profile, least) in [
+        ("chart.svg", "swell-a4", 9),
+        ("chart.svg", "swell-a3", 9),
+        ("chart.svg", "viewplus-columbia", 9),
+        ("chart.svg", "index-basic-d", 8),
+        ("chart.svg", "braillerap", 8),
+        ("chart.svg", "pins-120x60", 7),
+        ("worksheet.pdf", "swell-a4", 9),
+        ("worksheet.pdf", "viewplus-columbia", 9),
+    ] {
+        let name = format!("{sample} {profile}");
+        let drawing = convert(&samples::read(sample), &options(profile).label_texts(true)).expect("a page");
+        check(&drawing, &name);
+        let labels = labels_of(&drawing);
+        assert!(labels.len() >= least, "{name}: {} of {} texts", labels.len(), drawing.texts.len());
+        let left_out = drawing.notes.iter().find_map(|note| match note {
+            Note::LabelsLeftOut(texts) => Some(texts.clone()),
+            _ => None,
+        });
+        let left_out = left_out.unwrap_or_default();
+        assert_eq!(labels.len() + left_out.len(), drawing.texts.len(), "{name}: {left_out:?}");
+        assert!(!drawing.notes.iter().any(|note| matches!(note, Note::TextsLeftOut(_))), "{name}");
+        for label in &labels {
+            assert!(drawing.page.description.contains(&label.spoken()), "{name}: {}", label.text);
+            let is_told = drawing.notes.iter().any(|note| match note {
+                Note::Abbreviated(all) => {
+                    all.iter().any(|(short, text)| Some(short) == label.abbreviation.as_ref() && *text == label.text)
+                }
+                _ => false,
+            });
+            assert_eq!(label.abbreviation.is_some(), is_told, "{name}: {}", label.text);
+        }
+    }
+}
+
+fn at(x: f32, y: f32, text: &str) -> Label {
+    Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() }
+}
+
+/// Labels lie beside their points, on the same side of lines; a leader line leads to those further away.
+#[test]
+fn labels_lie_beside_what_they_name() {
+    let wanted = [
+        (22.0, 12.0, "cloud"),
+        (20.0, 35.0, "tree"),
+        (50.0, 35.0, "roof"),
+        (86.0, 22.0, "sun"),
+        (50.0, 87.0, "pond"),
+        (50.0, 65.0, "wall"),
+        (80.0, 60.0, "fir tree"),
+    ];
+    let labels = wanted.map(|(x, y, text)| at(x, y, text)).to_vec();
+    for profile in ["swell-a4", "swell-a3", "viewplus-columbia", "index-basic-d"] {
+        let drawing =
+            convert(&samples::read("landscape.svg"), &options(profile).labels(labels.clone())).expect("a page");
+        check(&drawing, profile);
+        let place = drawing.page.figure.place;
+        let found = labels_of(&drawing);
+        assert!(found.len() >= 6, "{profile}: {:?}", drawing.notes);
+        for label in found {
+            let (x, y, _) = wanted.iter().find(|(_, _, text)| *text == label.text).expect("a wanted one");
+            let anchor = place.min + MmVector::new(0.01 * x * place.width(), 0.01 * y * place.height());
+            let gap = distance_to(self::place(label), anchor);
+            assert!(gap <= 38.0, "{profile}: {} lies {gap} mm away", label.text);
+            assert!(gap <= 12.5 || label.leader.is_some(), "{profile}: {} has no leader line", label.text);
+            if let Some(leader) = &label.leader {
+                let ends = [leader.points.first(), leader.points.last()].into_iter().flatten();
+                let to_anchor = ends.map(|end| (*end - anchor).length()).fold(f32::INFINITY, f32::min);
+                assert!(to_anchor < 2.0, "{profile}: the leader line of {} ends elsewhere", label.text);
+            }
+        }
+    }
+}
+
+/// Labels outside of the picture, without room or without a code are told.
+#[test]
+fn labels_that_are_not_there_are_told() {
+    let left_out = |drawing: &Drawing| {
+        drawing.notes.iter().find_map(|note| match note {
+            Note::LabelsLeftOut(texts) => Some(texts.clone()),
+            _ => None,
+        })
+    };
+    let picture = samples::read("bars.svg");
+    let labels = vec![at(120.0, 50.0, "outside"), at(50.0, 50.0, "in")];
+    let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
+    assert_eq!(left_out(&drawing), Some(vec!["outside".to_owned()]));
+    assert_eq!(labels_of(&drawing).len(), 1);
+    let drawing = convert(&picture, &options("swell-a4").labels(labels).language("ja")).expect("a page");
+    assert_eq!(left_out(&drawing).map(|texts| texts.len()), Some(2));
+    assert!(drawing.notes.contains(&Note::NoBrailleCode("ja".into())));
+    // far more than there is room for: those that are there keep their distances
+    let many: Vec<Label> = (0..200).map(|i| at((i % 20) as f32 * 5.0, (i / 20) as f32 * 10.0, "many words")).collect();
+    let drawing = convert(&picture, &options("swell-a4").labels(many)).expect("a page");
+    check(&drawing, "many");
+    let there = labels_of(&drawing).len();
+    assert_eq!(there + left_out(&drawing).map_or(0, |texts| texts.len()), 200);
+    assert!(there >= 40, "{there} labels");
+}
+
+/// The same page with labels, whatever the number of threads, and mirrored as a whole.
+#[test]
+fn labels_are_the_same_every_time_and_in_the_mirror() {
+    let picture = samples::read("chart.svg");
+    let page = || convert(&picture, &options("swell-a4").label_texts(true)).expect("a page").page;
+    assert_eq!(page().to_svg(), page().to_svg());
+    let mirrored = convert(&picture, &options("swell-a4").label_texts(true).mirrored(true)).expect("a page").page;
+    for (label, other) in page().braille.iter().zip(&mirrored.braille) {
+        let flipped: Vec<MmPoint> = label.dots.at.iter().map(|at| MmPoint::new(210.0 - at.x, at.y)).collect();
+        assert!(flipped.iter().zip(&other.dots.at).all(|(a, b)| (*a - *b).length() < 1e-3), "{}", label.text);
+    }
+}
