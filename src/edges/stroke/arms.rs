@@ -14,6 +14,14 @@ const BENT: f32 = -0.5;
 /// An arm with a free end that is no longer than this, px, beyond the stroke's own half width, is a spur that thinning
 /// left.
 const SPUR: f32 = 3.0;
+/// ... with the half width counted so often, as the spur may lead into a corner of the stroke's end.
+const CORNER: f32 = 1.5;
+/// To the tip of a corner it is this many half widths of the stroke over the sine of half its angle, at most.
+const TIP: f32 = 1.3;
+/// ... of which the least that counts is that of a corner of 15 degrees.
+const SHARPEST: f32 = 0.13;
+/// A spur leads to the tip if the cosine between it and the outer half of the angle is at least this (37 degrees).
+const TO_TIP: f32 = 0.8;
 
 /// A line of pixels, which may lead through junctions.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,19 +41,16 @@ struct Arm {
 
 /// The lines of a skeleton, pixel by pixel.
 pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
-    let is_spur = |path: &Path| match path.nodes {
-        [Some(node), None] | [None, Some(node)] => path.points.len() as f32 <= SPUR + nodes[node].depth,
+    let all_arms = arms(&paths, nodes);
+    let is_spur = |number: usize| match paths[number].nodes {
+        [Some(node), None] | [None, Some(node)] => {
+            paths[number].points.len() as f32 <= longest_spur(number, &all_arms[node], nodes[node].depth)
+        }
         _ => false,
     };
-    let paths: Vec<Path> = paths.into_iter().filter(|path| !is_spur(path)).collect();
-    let mut arms_of: Vec<Vec<Arm>> = vec![Vec::new(); nodes.len()];
-    for (number, path) in paths.iter().enumerate() {
-        for at_start in [true, false] {
-            if let Some(node) = path.nodes[usize::from(!at_start)] {
-                arms_of[node].push(Arm { path: number, at_start, heading: heading(path, at_start, nodes[node].at) });
-            }
-        }
-    }
+    let spurs: Vec<bool> = (0..paths.len()).map(is_spur).collect();
+    let paths: Vec<Path> = paths.into_iter().zip(spurs).filter(|(_, is_spur)| !is_spur).map(|(path, _)| path).collect();
+    let arms_of = arms(&paths, nodes);
     // partner[path][end]: the end that goes on, and through which junction
     let mut partner: Vec<[Option<(usize, bool, usize)>; 2]> = vec![[None; 2]; paths.len()];
     for (node, arms) in arms_of.iter().enumerate() {
@@ -56,6 +61,32 @@ pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
     }
     let lone = |node: usize| arms_of[node].len() < 2;
     strung(&paths, &partner, nodes, &lone)
+}
+
+/// The arms of every junction.
+fn arms(paths: &[Path], nodes: &[Node]) -> Vec<Vec<Arm>> {
+    let mut arms = vec![Vec::new(); nodes.len()];
+    for (number, path) in paths.iter().enumerate() {
+        for at_start in [true, false] {
+            if let Some(node) = path.nodes[usize::from(!at_start)] {
+                arms[node].push(Arm { path: number, at_start, heading: heading(path, at_start, nodes[node].at) });
+            }
+        }
+    }
+    arms
+}
+
+/// How long the free path of this number may be to be a spur of its junction, px. From the inside of a sharp corner a
+/// spur leads to its tip, away from both sides: the sharper the corner, the farther.
+fn longest_spur(path: usize, arms: &[Arm], depth: f32) -> f32 {
+    let own = arms.iter().find(|arm| arm.path == path);
+    let others: Vec<&Arm> = arms.iter().filter(|arm| arm.path != path).collect();
+    let to_side = SPUR + CORNER * depth;
+    let (Some(own), [a, b]) = (own, &others[..]) else { return to_side };
+    let half_sine = 0.5 * (a.heading - b.heading).length();
+    let to_tip = -(a.heading + b.heading);
+    let is_tip = own.heading.dot(to_tip) >= TO_TIP * to_tip.length();
+    if is_tip { to_side.max(SPUR + TIP * depth / half_sine.max(SHARPEST)) } else { to_side }
 }
 
 /// The direction in which an arm leaves its junction.

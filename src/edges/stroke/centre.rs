@@ -38,7 +38,11 @@ const OF_STEP: f32 = 0.7;
 const OUTSIDE: f32 = 2.0;
 /// The direction of an end is taken over the width of the stroke and this much more, px.
 const ENDING: f32 = 3.0;
-/// Of a free end half the width of the stroke and this much more, px, is where thinning left it.
+/// How far vertices lie from the middle by chance, px.
+const OFF: f32 = 0.2;
+/// Of a free end so many widths of the stroke, and this much more, px, are where thinning left them: on the way into a
+/// corner of its end.
+const UNSURE_WIDTHS: f32 = 0.8;
 const UNSURE: f32 = 1.5;
 /// A line along the border of the picture, nearer to it than this, px, is the border.
 const BORDER: f32 = 2.0;
@@ -75,7 +79,7 @@ pub(super) fn stroke(
     extend_ends(&mut line, free, residue, width);
     let contrasts: Vec<f32> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_stroke = line.length() >= LONG * width
-        && width <= super::WIDEST * params.widest_stroke
+        && width <= (super::WIDEST * params.widest_stroke).min(2.0 * radius as f32)
         && median(contrasts.iter().copied()) >= params.low
         && contrasts.iter().any(|contrast| *contrast >= params.high)
         && !is_border(&line, residue);
@@ -87,8 +91,8 @@ pub(super) fn stroke(
         at,
         strength,
         contrast: [0.0; 3],
-        blur: (0.5 * width).max(1.0),
-        position_sigma: 0.05,
+        blur: 0.5 * width + UNSURE,
+        position_sigma: OFF,
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
     corner::sharpen(&mut contour);
@@ -116,7 +120,7 @@ fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polylin
 /// Thinning shortens ends and leads them into a corner of the stroke, so the last half width is made anew.
 fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, width: f32) {
     let along = median(line.vertices.iter().map(|&at| interpolated(residue, at)));
-    let unsure = 0.5 * width + UNSURE;
+    let unsure = UNSURE_WIDTHS * width + UNSURE;
     // the end, then the start
     for is_free in [free[1], free[0]] {
         if is_free && line.length() > 4.0 * unsure {

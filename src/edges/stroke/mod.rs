@@ -89,9 +89,10 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
     strokes
 }
 
-/// Half sides of the squares for strokes of up to a width, px: each twice the one before.
+/// Half sides of the squares for strokes of up to a width, px: each twice the one before. A square has to be wider by 1 px
+/// than the strokes that it finds whole: a slanted one as wide as it is found in parts.
 fn radii(widest: f32) -> impl Iterator<Item = usize> {
-    let most = (0.5 * widest).ceil() as usize;
+    let most = (0.5 * widest).ceil() as usize + 1;
     let doubled = std::iter::successors(Some(SMALLEST_RADIUS), |radius| Some(2 * radius));
     doubled.take_while(move |radius| *radius < most).chain([most.max(SMALLEST_RADIUS)])
 }

@@ -21,6 +21,9 @@ pub(super) struct Node {
     pub(super) depth: f32,
 }
 
+/// A path that comes back to the junction it began at has at least so many pixels.
+const LOOP: usize = 12;
+
 /// The eight neighbours of a pixel in order round it, beginning above it.
 const AROUND: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1)];
 
@@ -219,8 +222,8 @@ impl Walk<'_> {
             // neighbours that share a side come first
             let order = [0, 2, 4, 6, 1, 3, 5, 7].map(|k| self.mask.neighbour(here, k));
             let node = order.iter().find_map(|&cell| self.node_of[cell]);
-            // beside its own junction it goes on as long as it can
-            if node.is_some() && node != start {
+            // beside the junction that it comes from it goes on
+            if node.is_some() && (node != start || cells.len() >= LOOP) {
                 return (cells, node);
             }
             let next = order
@@ -265,6 +268,26 @@ mod tests {
         let (paths, nodes) = skeleton(&[".........", ".#######.", ".#.....#.", ".#.....#.", ".#######.", "........."]);
         assert!(nodes.is_empty(), "{nodes:?}");
         assert!(matches!(&paths[..], [ring] if ring.closed && ring.points.len() >= 14), "{paths:?}");
+    }
+
+    #[test]
+    fn a_loop_comes_back_to_its_junction_and_leaves_what_hangs_on_it() {
+        let rows = [
+            "....#....",
+            "....#....",
+            "....#....",
+            "...#.#...",
+            "..#...#..",
+            ".#.....#.",
+            ".#.....#.",
+            ".#######.",
+            ".........",
+        ];
+        let (paths, nodes) = skeleton(&rows);
+        assert_eq!(nodes.len(), 1, "{nodes:?}");
+        let mut at_node: Vec<usize> = paths.iter().map(|path| path.nodes.iter().flatten().count()).collect();
+        at_node.sort_unstable();
+        assert_eq!(at_node, [1, 2], "a loop and what hangs on it: {paths:?}");
     }
 
     #[test]

@@ -127,8 +127,8 @@ mod tests {
             let turned: Vec<_> = (0..3).map(|k| triangle[(start + k) % 3]).collect();
             assert_eq!(first_return(&turned, true), None, "begun at {start}");
         }
-        // 15 degrees are too few
-        assert!(first_return(&[(10.0, 50.0), (40.0, 50.0), (11.02, 42.24)], false).is_some());
+        // 12 degrees are too few
+        assert!(first_return(&[(10.0, 50.0), (40.0, 50.0), (10.66, 43.76)], false).is_some());
         // nor is a hairpin a corner that has the same distance after the same way
         assert!(first_return(&[(10.0, 10.0), (22.0, 10.0), (22.0, 14.0), (10.0, 14.0)], false).is_some());
     }
