@@ -5,9 +5,9 @@ use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
 use crate::units::MmPoint;
 
-/// The way along a corner of 17 degrees is at most this many times the distance between its sides: 1 / sin 8.5. Sharper
-/// ones are felt as one line.
-const SHARPEST: f32 = 6.8;
+/// The way along a corner of 20 degrees is at most this many times the distance between its sides: 1 / sin 10. Sharper
+/// ones are felt as one line, and in photographs they are the wobble of a contour.
+const SHARPEST: f32 = 5.8;
 /// ... and this much longer, mm, where the tip is rounded.
 const ROUNDED: f32 = 1.5;
 /// The sides are straight if the way over the tip is at least this share of the way along the line. Strokes with a

@@ -16,9 +16,9 @@ const APPROACH: f32 = 1.7;
 /// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
 const BEND_LEAST: f32 = 2.0;
-/// ... or, of a corner with straight sides, down to 16 degrees: 1 / sin 8 = 7.2. Straight are sides if the way over the tip is
+/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the way over the tip is
 /// nearly as long as the line.
-const CORNER: f32 = 7.2;
+const CORNER: f32 = 6.1;
 const STRAIGHT: f32 = 0.92;
 /// Numbers of the page have two digits after the point, and some are added up.
 const ROUNDING: f32 = 0.01;
