@@ -50,6 +50,8 @@ pub enum Note {
         /// Where in the figure most of them are, in words.
         place: &'static str,
     },
+    /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
+    ShapesNotInOverview(usize),
     /// There is nothing on the page but its frame.
     EmptyPage,
     /// The dots of the page are those of text cells, which stand apart.
@@ -130,6 +132,12 @@ impl std::fmt::Display for Note {
                 "{millimetres} mm of contours, {percent} percent, were left out, most of them {place}: they lie too \
                  close to others for fingers, or are too short; a larger figure, on larger paper if there is any, or \
                  only a part of the picture keeps more of them"
+            ),
+            Self::ShapesNotInOverview(count) => write!(
+                f,
+                "the overview leaves out {count} closed {}, as there is no room in it to draw {} whole",
+                if *count == 1 { "shape" } else { "shapes" },
+                if *count == 1 { "it" } else { "them" },
             ),
             Self::TooBlack { percent, most } => write!(
                 f,

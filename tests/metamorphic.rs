@@ -37,6 +37,7 @@ const LINES: lines::Params = lines::Params {
     smoothing: 0.6,
     tolerance: 0.05,
     detail: 0.5,
+    whole_rings: false,
 };
 
 const CLASSES: classes::Params = classes::Params {

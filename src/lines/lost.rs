@@ -13,6 +13,8 @@ pub struct Lost {
     pub lost: f32,
     /// Where in the figure most of that is: one of nine parts, row by row from the top left.
     pub place: usize,
+    /// How many rings are not drawn as such.
+    pub rings: usize,
 }
 
 /// Names of the parts of a figure.
@@ -51,15 +53,17 @@ impl Lost {
 pub(super) struct Tally {
     area: MmRect,
     lengths: [f32; 9],
+    rings: usize,
 }
 
 impl Tally {
     pub(super) fn new(area: MmRect) -> Self {
-        Self { area, lengths: [0.0; 9] }
+        Self { area, lengths: [0.0; 9], rings: 0 }
     }
 
     /// Adds the length of a line.
     pub(super) fn add(&mut self, line: &Polyline<Vertex>) {
+        self.rings += usize::from(line.closed);
         for (a, b) in line.segments() {
             self.lengths[self.part(a.at.lerp(b.at, 0.5))] += (b.at - a.at).length();
         }
@@ -69,8 +73,10 @@ impl Tally {
     pub(super) fn lost(&self, kept: &Self) -> Lost {
         let missing: [f32; 9] = std::array::from_fn(|i| self.lengths[i] - kept.lengths[i]);
         let place = (0..9).fold(0, |best, i| if missing[i] > missing[best] { i } else { best });
+        let kept_rings = kept.rings;
         let (wanted, kept) = (self.lengths.iter().sum::<f32>(), kept.lengths.iter().sum::<f32>());
-        Lost { wanted, lost: (wanted - kept).max(0.0), place }
+        let rings = self.rings.saturating_sub(kept_rings);
+        Lost { wanted, lost: (wanted - kept).max(0.0), place, rings }
     }
 
     fn part(&self, at: MmPoint) -> usize {

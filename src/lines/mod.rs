@@ -47,11 +47,16 @@ pub struct Lines {
 /// Draws the contours in `area`, the part of the sheet where `transform` puts the picture.
 pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Params) -> Lines {
     let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
-    polylines.retain(|polyline| polyline.weighted_length(params.full_strength) >= CRUMB * params.min_length);
+    let mut wanted = Tally::new(area);
+    let is_crumb =
+        |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
+    if edges.of_drawing() {
+        polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| wanted.add(polyline));
+    }
+    polylines.retain(|polyline| !is_crumb(polyline));
     let polylines = centreline::merge(polylines, area, params);
     // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
     let mut polylines = join::join(polylines, params.join_gap);
-    let mut wanted = Tally::new(area);
     if edges.of_drawing() {
         let is_short = |polyline: &&Polyline<Vertex>| polyline.length() < params.min_length;
         polylines.iter().filter(is_short).for_each(|polyline| wanted.add(polyline));

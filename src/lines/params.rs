@@ -24,6 +24,8 @@ pub struct Params {
     /// How many of the lines are drawn, 0..=1: from the longest, strongest, closed and smooth ones only to all. Those
     /// drawn at one detail are drawn, the same, at every higher one.
     pub detail: f32,
+    /// Whether a ring that has no room as a whole is left out, and not opened or drawn in parts.
+    pub whole_rings: bool,
 }
 
 /// The longest way from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
@@ -48,7 +50,15 @@ impl Params {
         smoothing: 0.6,
         tolerance: 0.05,
         detail: 1.0,
+        whole_rings: false,
     };
+
+    /// The same for the overview of a drawing, which is felt for its shapes: each whole or not at all, and lines no
+    /// wider than needed, so that more of them have room.
+    #[must_use]
+    pub fn of_overview(self) -> Self {
+        Self { width_max: 0.5 * (self.width_min + self.width_max), whole_rings: true, ..self }
+    }
 
     /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm: what lies
     /// nearer to a line than this may be too near.

@@ -67,7 +67,7 @@ pub(super) fn draw(
     let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, watch);
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
-    let (drawn, (overview, classes)) = in_parallel(
+    let (drawn, ((overview, small), classes)) = in_parallel(
         has_lines,
         watch,
         |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
@@ -78,6 +78,7 @@ pub(super) fn draw(
     );
     request.go_on()?;
     notes.extend(left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     let lines = drawn.lines;
     drop(edges);
     drop(picture.raster);
@@ -190,27 +191,29 @@ pub(super) fn left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) ->
 }
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
-/// fewer.
+/// fewer. Of a drawing, each ring is drawn whole or not at all; also returns how many are not.
 pub(super) fn draw_overview(
     edges: Option<&Edges>,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> Option<(MmRect, Vec<Line>)> {
+) -> (Option<(MmRect, Vec<Line>)>, usize) {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
             let frame = PageTransform::new(edges.size, place);
-            let lines = run(watch, Stage::Overview, || {
-                let drawn = lines::draw(edges, &frame, place, &plan.lines());
-                dots::of_overview(drawn.lines, place, layout, plan)
+            let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
+            let (lines, Lost { rings, .. }) = run(watch, Stage::Overview, || {
+                let drawn = lines::draw(edges, &frame, place, &params);
+                (dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
             });
-            return (!lines.is_empty()).then_some((place, lines));
+            let left_out = if params.whole_rings { rings } else { 0 };
+            return ((!lines.is_empty()).then_some((place, lines)), left_out);
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Overview, reason));
-    None
+    (None, 0)
 }
 
 pub(super) fn sort_colours(

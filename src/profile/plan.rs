@@ -132,6 +132,7 @@ impl Plan {
             smoothing: lines.smoothing,
             tolerance: lines.tolerance,
             detail: lines.detail,
+            whole_rings: false,
         }
     }
 

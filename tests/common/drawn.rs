@@ -13,4 +13,5 @@ pub(crate) const LINES: lines::Params = lines::Params {
     smoothing: 0.6,
     tolerance: 0.05,
     detail: 0.5,
+    whole_rings: false,
 };

@@ -60,7 +60,9 @@ pub(super) fn clear(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Par
     let mut own = Nearby::new(area, params.max_spacing());
     let mut cleared: Vec<Cleared> = Vec::new();
     while let Some((polyline, cuts)) = queue.pop() {
+        let is_ring = polyline.closed;
         match judge(polyline, &drawn, &mut own) {
+            Verdict::Open(_) | Verdict::Split(_) if is_ring && params.whole_rings => {}
             Verdict::Draw(line) => cleared.push(draw(line, &mut drawn)),
             Verdict::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, &mut drawn, &mut own));
@@ -182,6 +184,21 @@ mod tests {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
         let mut own = Nearby::new(area, Params::TEST.max_spacing());
         judge(polyline(points, closed), &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
+    }
+
+    #[test]
+    fn a_ring_without_room_is_opened_or_left_out_as_a_whole() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let square = |low: f32, high: f32| polyline(&[(low, low), (high, low), (high, high), (low, high)], true);
+        // on one side the inner one comes too near to the outer one
+        let inner = polyline(&[(12.0, 30.0), (60.0, 30.0), (60.0, 60.0), (12.0, 60.0)], true);
+        let cleared = |whole_rings: bool| {
+            let params = Params { whole_rings, ..Params::TEST };
+            let all = clear(vec![square(10.0, 90.0), inner.clone()], area, &params);
+            all.iter().map(|line| line.polyline.closed).collect::<Vec<_>>()
+        };
+        assert_eq!(cleared(false), [true, false]);
+        assert_eq!(cleared(true), [true]);
     }
 
     #[test]
