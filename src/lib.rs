@@ -134,7 +134,7 @@ pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
 pub use page::spread::Grid as SheetGrid;
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
-pub use pipeline::{Event, Label, Position, Stage};
+pub use pipeline::{Event, Key as KeySheets, Label, Position, Stage};
 pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, built_in, is_path};
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;

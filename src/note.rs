@@ -35,6 +35,8 @@ pub enum Note {
     Abbreviated(Vec<(String, String)>),
     /// Labels that are not on the page: there is no room for them, or they lie outside of the picture.
     LabelsLeftOut(Vec<String>),
+    /// A picture that is spread over several sheets has no words in braille but the numbers of its sheets.
+    NoWordsOnSheets,
     /// No contour was found that is strong and long enough.
     NoLines,
     /// Nothing was found to trace.
@@ -116,6 +118,9 @@ impl std::fmt::Display for Note {
                     listed(texts)
                 )
             }
+            Self::NoWordsOnSheets => f.write_str(
+                "title and labels are not written in braille on a picture that is spread over several sheets",
+            ),
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
                  and edges.low, or give a brighter picture or one with less around it",

@@ -6,6 +6,7 @@ pub mod colours;
 mod dots;
 mod draw;
 mod finish;
+mod key;
 mod label;
 mod progress;
 mod request;
@@ -14,7 +15,8 @@ mod texts;
 pub mod trace;
 mod words;
 
-pub use finish::title_of_overview;
+pub use finish::{title_of_key, title_of_overview};
+pub use key::Key;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
 pub use request::{Fit, Request};
@@ -41,6 +43,8 @@ pub struct Drawing {
     pub page: Page,
     /// Of a page of dots, the overview, which follows on a sheet of its own.
     pub overview: Option<Page>,
+    /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
+    pub key: Vec<Page>,
     /// Texts of an SVG drawing, which are not drawn unless asked for, in the order in which they are painted.
     pub texts: Vec<Text>,
     /// Remarks, in the order of the stages.
@@ -76,13 +80,18 @@ pub fn convert_with_words<'p>(
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
-    let (page, overview) = run(watch, Stage::Page, || {
+    let (page, overview, key) = run(watch, Stage::Page, || {
         let (braille, of_words) = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
-        match &layout.medium {
+        let key = match written.key(words, &braille, &figure) {
+            Some(entries) => key::sheets(&entries, &layout, figure.source, request)?,
+            None => Vec::new(),
+        };
+        let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, shares, braille, &layout, request)?, None)),
             Medium::Dots(medium) => dots::assemble(figure, overview, shares, braille, (&layout, medium), request),
-        }
+        }?;
+        Ok::<_, Error>((page, overview, key))
     })?;
     if page.is_empty() {
         notes.push(Note::EmptyPage);
@@ -93,7 +102,7 @@ pub fn convert_with_words<'p>(
         Medium::Print(print) => notes.extend(too_black(page.black_share(), print)),
         Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
     }
-    Ok(Drawing { page, overview, texts, notes })
+    Ok(Drawing { page, overview, key, texts, notes })
 }
 
 /// Puts all marks on the sheet.

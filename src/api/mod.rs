@@ -21,7 +21,7 @@ use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
 use crate::pipeline::{self, Drawing, Request};
 use crate::profile::{Plan, Profile};
-use crate::{Error, calibration};
+use crate::{Error, Note, calibration};
 
 /// Makes the page of a picture. The same picture and options give the same page, however many threads there are.
 ///
@@ -46,7 +46,9 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
     let page = options.with_words(drawing.page, options.own_title());
     let of_overview = options.own_title().map(pipeline::title_of_overview);
     let overview = drawing.overview.map(|page| page.called(of_overview.as_deref(), None, None));
-    Ok(Drawing { page, overview, ..drawing })
+    let of_key = options.own_title().map(pipeline::title_of_key);
+    let key = drawing.key.into_iter().map(|page| page.called(of_key.as_deref(), None, None)).collect();
+    Ok(Drawing { page, overview, key, ..drawing })
 }
 
 /// Makes the pages of a picture that is spread over several sheets, laid side by side: the overview on a sheet of its
@@ -65,7 +67,9 @@ pub fn convert_to_sheets<'p>(
     })?;
     // The maker's words are about the picture, which all sheets show together.
     let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();
-    Ok(Sheets { pages, ..drawn })
+    let mut notes = drawn.notes;
+    notes.extend((options.profile.braille.on && options.words().are_any()).then_some(Note::NoWordsOnSheets));
+    Ok(Sheets { pages, notes })
 }
 
 /// Finds the contours of a picture, as data: for programs that go on with them. Of the options title, description,

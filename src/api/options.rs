@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::fonts::Fonts;
 use crate::page::Page;
-use crate::pipeline::{Event, Fit, Label, Words};
+use crate::pipeline::{Event, Fit, Key, Label, Words};
 use crate::profile::Profile;
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -35,6 +35,7 @@ pub struct Options {
     language: Option<String>,
     labels: Vec<Label>,
     label_texts: bool,
+    key: Key,
     pub(super) fit: Fit,
     pub(super) limits: Limits,
     pub(super) fonts: Fonts,
@@ -60,6 +61,7 @@ impl Options {
             language: None,
             labels: Vec::new(),
             label_texts: false,
+            key: Key::default(),
             fit: Fit::default(),
             limits: Limits::default(),
             fonts: Fonts::none(),
@@ -109,6 +111,13 @@ impl Options {
     /// left out.
     pub fn label_texts(mut self, label: bool) -> Self {
         self.label_texts = label;
+        self
+    }
+
+    /// When there is a key, which follows on sheets of its own in [`Drawing::key`](crate::Drawing::key): the
+    /// colours that occur with their textures, and abbreviations. Default: where labels are abbreviated.
+    pub fn key(mut self, key: Key) -> Self {
+        self.key = key;
         self
     }
 
@@ -230,13 +239,14 @@ impl Options {
             language: self.language.as_deref(),
             labels: &self.labels,
             own_texts: self.label_texts,
+            key: self.key,
         }
     }
 }
 
 impl fmt::Debug for Options {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { profile, picture_name, title, description, language, labels, label_texts, .. } = self;
+        let Self { profile, picture_name, title, description, language, labels, label_texts, key, .. } = self;
         let Self { fit, limits, fonts, .. } = self;
         f.debug_struct("Options")
             .field("profile", &profile.name)
@@ -246,6 +256,7 @@ impl fmt::Debug for Options {
             .field("language", language)
             .field("labels", labels)
             .field("label_texts", label_texts)
+            .field("key", key)
             .field("fit", fit)
             .field("limits", limits)
             .field("fonts", fonts)

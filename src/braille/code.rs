@@ -58,6 +58,8 @@ mod tests {
             let table = parse::table(code.text).unwrap_or_else(|fault| panic!("{}: {fault}", code.language));
             let alphabet = ('a'..='z').all(|letter| table.letters.contains_key(&letter));
             assert!(alphabet && !table.name.is_empty(), "{}", code.language);
+            let words = ["key", "blue", "green", "yellow", "red", "grey"];
+            assert!(words.iter().all(|&word| table.words.contains_key(word)), "{}", code.language);
             for (sign, rules) in &table.signs {
                 let is_general = rules.last().is_some_and(|rule| (rule.left, rule.right) == ('*', '*'));
                 assert!(is_general, "{}: {sign}", code.language);

@@ -5,6 +5,7 @@
 //!
 //! ```text
 //! name Unified English Braille
+//! word key Key                         a word of the key, in the language
 //! number 3456                          digits follow
 //! digits 245 1 12 14 145 15 124 1245 125 24    of 0 to 9
 //! group 5                              between groups of three digits
@@ -48,6 +49,9 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
     let capitals = |table: &mut Table, put: &dyn Fn(&mut Capitals)| put(table.capitals.get_or_insert_default());
     match word {
         "name" => rest.clone_into(&mut table.name),
+        "word" => {
+            table.words.insert(part(0)?.to_owned(), part(1)?.to_owned());
+        }
         "number" => table.number = cells(part(0)?)?,
         "digits" => table.digits = parts.iter().map(|dots| cell(dots)).collect::<Result<_, _>>()?,
         "group" => table.group = Some(cells(part(0)?)?),

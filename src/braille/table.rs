@@ -17,11 +17,21 @@ pub struct Table {
     pub(super) letter_after_number: Option<AfterNumber>,
     /// None for codes that do not write capitals.
     pub(super) capitals: Option<Capitals>,
+    /// Words of the key in the language of the code, by their English names.
+    pub(super) words: BTreeMap<String, String>,
     pub(super) letters: BTreeMap<char, Vec<u8>>,
     /// Signs of one or more characters, the rules of each in their order.
     pub(super) signs: BTreeMap<String, Vec<Rule>>,
     /// Length of the longest sign, in characters.
     pub(super) longest: usize,
+}
+
+impl Table {
+    /// A word of the key, by its English name, in the language of the code: `key` and the names of colours. Where there
+    /// is none it is the English one.
+    pub fn word<'a>(&'a self, name: &'a str) -> &'a str {
+        self.words.get(name).map_or(name, String::as_str)
+    }
 }
 
 /// A sign before letters that follow digits.

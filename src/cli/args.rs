@@ -121,7 +121,7 @@ pub(super) enum Command {
     /// Makes pages of pictures
     #[command(long_about = CONVERT_LONG_ABOUT, after_long_help = CONVERT_AFTER_LONG_HELP)]
     #[command(after_help = "Examples, formats, ranges and exit codes: tactograph convert --help")]
-    Convert(Convert),
+    Convert(Box<Convert>),
     /// Writes the contours of pictures as data (JSON)
     #[command(long_about = trace::LONG_ABOUT, after_long_help = trace::AFTER_LONG_HELP)]
     #[command(after_help = "Format, unit, examples and exit codes: tactograph trace --help")]

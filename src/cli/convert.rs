@@ -37,7 +37,7 @@ pub(super) fn run(args: &Convert) -> Exit {
             (drawn.pages, drawn.notes)
         } else {
             let drawing = convert(picture, &options)?;
-            ([drawing.page].into_iter().chain(drawing.overview).collect(), drawing.notes)
+            ([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), drawing.notes)
         };
         let title = options.document_title();
         let files = timings.step("write", || match (&pages[..], chosen.format) {

@@ -1,7 +1,8 @@
 //! Which of its places each label takes, so that as many as possible have one.
 //!
 //! Greedy, in several orders; then a search that moves labels out of the way of one that
-//! has none, and others out of theirs; then each to its best place that is free. On small cases it is held against all possibilities.
+//! has none, and others out of theirs; then each to its best place that is free. On small cases it is held against
+//! all possibilities.
 
 /// A label in one of its places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -39,6 +39,7 @@ impl Layer {
             Self::Labels => "Labels".into(),
             Self::Braille(TextRole::Title) => "Braille title".into(),
             Self::Braille(TextRole::Label) => "Braille labels".into(),
+            Self::Braille(TextRole::Key) => "Braille key".into(),
         }
     }
 }

@@ -14,6 +14,7 @@
 //!   g#overview  data-box > g > path
 //!   g#labels (one path a size of dots)
 //!   g#braille-title > g  aria-label (the text)  data-braille (its lines in Unicode braille) > path
+//!   g#braille-key > the same, on the sheets of a key
 //!   g#braille-labels > the same; a label that leads to what it names has > g > path (stroke-width in mm)
 //! ```
 //!

@@ -108,6 +108,8 @@ pub enum TextRole {
     Title,
     /// A label in the figure.
     Label,
+    /// A part of the key.
+    Key,
 }
 
 /// The main picture.
@@ -146,13 +148,14 @@ impl BrailleText {
 
 impl TextRole {
     /// All of them, in the order of a page's layers.
-    pub const ALL: [Self; 2] = [Self::Title, Self::Label];
+    pub const ALL: [Self; 3] = [Self::Title, Self::Label, Self::Key];
 
     /// Its name, such as "braille title".
     pub fn name(self) -> &'static str {
         match self {
             Self::Title => "braille title",
             Self::Label => "braille label",
+            Self::Key => "braille key",
         }
     }
 }

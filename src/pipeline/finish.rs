@@ -40,6 +40,11 @@ pub(super) fn origin(request: &Request<'_>, source: Size, braille: &[BrailleText
     origin
 }
 
+/// What the key of a page is called, which has sheets to itself.
+pub fn title_of_key(title: &str) -> String {
+    format!("{title}, key")
+}
+
 /// What the overview of a page is called, which has a sheet to itself.
 pub fn title_of_overview(title: &str) -> String {
     format!("{title}, overview")

@@ -1,5 +1,6 @@
 //! What is written on a page in braille.
 
+use super::key::{Entries, Key};
 use super::label::Label;
 use super::request::Request;
 use super::texts::Text;
@@ -9,7 +10,7 @@ use crate::labels::{self, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Dots, Figure, LANGUAGE, Medium, Run, TextRole};
+use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Run, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
 use crate::{Error, Note};
@@ -25,6 +26,15 @@ pub struct Words<'a> {
     pub labels: &'a [Label],
     /// Whether the texts of a drawing are labels too.
     pub own_texts: bool,
+    /// When there is a key.
+    pub key: Key,
+}
+
+impl Words<'_> {
+    /// Whether anything is to be written.
+    pub fn are_any(&self) -> bool {
+        self.title.is_some() || !self.labels.is_empty() || self.own_texts || self.key == Key::Always
+    }
 }
 
 /// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
@@ -55,8 +65,7 @@ impl Written {
         let settings = &plan.profile().braille;
         let language = words.language.unwrap_or(LANGUAGE);
         let mut written = Self { language: language.to_owned(), ..Self::default() };
-        let is_any = words.title.is_some() || !words.labels.is_empty() || words.own_texts;
-        if !settings.on || !is_any {
+        if !settings.on || !words.are_any() {
             return written;
         }
         let Some(table) = settings.code.or_else(|| Code::of_language(language)).and_then(Code::table) else {
@@ -128,6 +137,33 @@ impl Written {
         notes.extend((!left_out.is_empty()).then_some(Note::LabelsLeftOut(left_out)));
         let labels = placed.iter().map(|label| self.label(label, &wanted[label.of].text, &cells, layout, plan));
         (title.into_iter().chain(labels).collect(), notes)
+    }
+
+    /// What the key of a page says that has these words; none where there is no key.
+    pub(super) fn key<'a>(
+        &'a self,
+        words: &Words<'_>,
+        braille: &[BrailleText],
+        figure: &Figure,
+    ) -> Option<Entries<'a>> {
+        let mut abbreviations: Vec<(String, String)> = Vec::new();
+        for text in braille {
+            if let Some(short) = &text.abbreviation
+                && !abbreviations.iter().any(|(known, _)| known == short)
+            {
+                abbreviations.push((short.clone(), text.text.clone()));
+            }
+        }
+        let is_wanted = match words.key {
+            Key::Auto => !abbreviations.is_empty(),
+            Key::Always => true,
+            Key::Never => false,
+        };
+        let table = self.table.as_ref().filter(|_| is_wanted)?;
+        let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
+        let classes = Class::ALL.into_iter().filter(occurs).collect();
+        let title = self.title.as_ref().map(|title| title.text.as_str());
+        Some(Entries { table, language: &self.language, title, classes, abbreviations })
     }
 
     fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {

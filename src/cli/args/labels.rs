@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use clap::Args;
-use tactograph::{Label, Options};
+use clap::{Args, ValueEnum};
+use tactograph::{KeySheets, Label, Options};
 
 use crate::cli::input;
 
@@ -26,6 +26,25 @@ pub(in crate::cli) struct Labels {
     /// are told.
     #[arg(long, value_name = "FILE.csv|texts", hide_short_help = true)]
     labels: Option<String>,
+
+    /// When a key follows on a sheet of its own, in braille: auto, always or never
+    ///
+    /// It has the colours that occur, each as a patch of its texture with its name, and what abbreviations
+    /// stand for. With auto there is one where labels are abbreviated.
+    #[arg(long, value_name = "WHEN", value_enum, default_value_t = When::Auto, hide_short_help = true)]
+    key: When,
+}
+
+/// When there is a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(in crate::cli) enum When {
+    /// Where labels are abbreviated.
+    #[default]
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
 }
 
 /// What is to be written.
@@ -33,6 +52,7 @@ pub(in crate::cli) struct Labels {
 pub(in crate::cli) struct Given {
     labels: Vec<Label>,
     texts: bool,
+    key: When,
 }
 
 impl Labels {
@@ -43,7 +63,7 @@ impl Labels {
 
     /// Whether there are any.
     pub(in crate::cli) fn are_given(&self) -> bool {
-        self.labels.is_some()
+        self.labels.is_some() || self.key == When::Always
     }
 
     /// Reads the file.
@@ -52,8 +72,8 @@ impl Labels {
     /// Everything that is wrong with it, each with its line.
     pub(in crate::cli) fn read(&self) -> Result<Given, Vec<String>> {
         match self.labels.as_deref() {
-            None => Ok(Given::default()),
-            Some(TEXTS) => Ok(Given { texts: true, ..Given::default() }),
+            None => Ok(Given { key: self.key, ..Given::default() }),
+            Some(TEXTS) => Ok(Given { texts: true, key: self.key, ..Given::default() }),
             Some(path) => {
                 let of_file = |what: String| vec![format!("--labels {path}: {what}")];
                 let bytes = input::read(Path::new(path), MOST_BYTES, "this is too large for a list of labels")
@@ -63,7 +83,7 @@ impl Labels {
                 let labels = Label::from_csv(&text).map_err(|faults| {
                     faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect::<Vec<_>>()
                 })?;
-                Ok(Given { labels, texts: false })
+                Ok(Given { labels, texts: false, key: self.key })
             }
         }
     }
@@ -72,6 +92,11 @@ impl Labels {
 impl Given {
     /// Puts the labels into the options of the library.
     pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
-        options.labels(self.labels.clone()).label_texts(self.texts)
+        let key = match self.key {
+            When::Auto => KeySheets::Auto,
+            When::Always => KeySheets::Always,
+            When::Never => KeySheets::Never,
+        };
+        options.labels(self.labels.clone()).label_texts(self.texts).key(key)
     }
 }

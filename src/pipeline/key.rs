@@ -1,0 +1,223 @@
+//! The key: a sheet of its own with the colours that occur, each as a patch of its texture, and with abbreviations.
+//!
+//! ```text
+//!  ⠠⠅⠑⠽⠒ title
+//!  +--------+
+//!  | / / /  |  green        the texture as the figure has it, and its name
+//!  +--------+
+//!  ju  Jun                  abbreviations, in the order of the page
+//! ```
+
+use super::finish::{finished, origin, title_of_key};
+use super::request::Request;
+use crate::Error;
+use crate::braille::{Braille, Table, wrap};
+use crate::classes::{Class, Classes, Region};
+use crate::dots;
+use crate::lines::{Line, Run};
+use crate::page::cells::CellGrid;
+use crate::page::layout::Layout;
+use crate::page::{BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, TextRole, Texture};
+use crate::profile::Plan;
+use crate::raster::plane::Plane;
+use crate::textures;
+use crate::units::{MmPoint, MmRect, MmVector, Size};
+
+/// When there is a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Key {
+    /// Where labels are abbreviated.
+    #[default]
+    Auto,
+    /// Always, as long as there is anything to tell.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// Width and height of a patch, mm: what is within its outermost rows is more than the 20 x 12 mm that a texture
+/// needs to be told, also where its rows lie 5 mm apart.
+const PATCH: [f32; 2] = [32.0, 24.0];
+/// Blank between a patch and its name, and between a patch and the next, mm.
+const BESIDE: f32 = 8.0;
+/// HSL lightness of the colours of patches: that of a full colour.
+const LIGHTNESS: f32 = 0.5;
+/// Side of the squares in which the patches of a page of dots are given to its textures, mm.
+const SQUARE: f32 = 0.5;
+/// Blank cells between an abbreviation and its text.
+const BETWEEN: usize = 2;
+
+/// What a key says.
+#[derive(Debug)]
+pub(super) struct Entries<'a> {
+    pub(super) table: &'a Table,
+    pub(super) language: &'a str,
+    /// The title of the page.
+    pub(super) title: Option<&'a str>,
+    pub(super) classes: Vec<Class>,
+    /// Abbreviations and what they stand for.
+    pub(super) abbreviations: Vec<(String, String)>,
+}
+
+/// One thing on a sheet of the key.
+struct Item {
+    patch: Option<Class>,
+    text: String,
+    lines: Vec<Vec<u8>>,
+}
+
+/// The sheets of a key; none where there is nothing to tell.
+pub(super) fn sheets(
+    entries: &Entries<'_>,
+    layout: &Layout,
+    source: Size,
+    request: &Request<'_>,
+) -> Result<Vec<Page>, Error> {
+    if entries.classes.is_empty() && entries.abbreviations.is_empty() {
+        return Ok(Vec::new());
+    }
+    let plan = request.plan;
+    let cells = CellGrid::of(&layout.medium, plan.profile().braille.cell);
+    let area = area(layout, plan);
+    let width = cells.cells_in(area.width());
+    let items = items(entries, width, cells.cells_in(area.width() - PATCH[0] - BESIDE));
+    let mut sheets: Vec<Vec<(MmPoint, &Item)>> = vec![Vec::new()];
+    let mut top = area.min.y;
+    for (number, item) in items.iter().enumerate() {
+        let of_text = cells.extent(1, item.lines.len()).y;
+        let height = item.patch.map_or(of_text, |_| of_text.max(PATCH[1]));
+        if top + height > area.max.y && sheets.last().is_some_and(|sheet| !sheet.is_empty()) {
+            sheets.push(Vec::new());
+            top = area.min.y;
+        }
+        if let Some(sheet) = sheets.last_mut() {
+            sheet.push((MmPoint::new(area.min.x, top), item));
+        }
+        // lines of one list stand as lines of braille do; everything else is set apart
+        let is_list = number > 0 && item.patch.is_none();
+        let blank = if is_list { cells.size().line - cells.extent(1, 1).y } else { BESIDE };
+        top += height + blank;
+    }
+    sheets.iter().map(|sheet| page(sheet, entries, (area, &cells), layout, source, request)).collect()
+}
+
+/// Where marks can be.
+fn area(layout: &Layout, plan: &Plan) -> MmRect {
+    let margin = plan.profile().page.margin;
+    let reach = match &layout.medium {
+        Medium::Print(_) => MmRect::new(MmPoint::zero(), layout.sheet.into()),
+        Medium::Dots(dots) => {
+            let radius = 0.5 * dots.diameter();
+            dots.area.bounds().inflate(radius, radius)
+        }
+    };
+    reach.inflate(-margin, -margin)
+}
+
+fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> Vec<Item> {
+    let table = entries.table;
+    let word = |name: &str| table.word(name).to_owned();
+    let heading = match entries.title {
+        Some(title) => format!("{}: {title}", word("key")),
+        None => word("key"),
+    };
+    let lines = |text: &str, width: usize| wrap(&table.translate(text), width).lines;
+    let mut items = vec![Item { patch: None, lines: lines(&heading, width), text: heading }];
+    items.extend(entries.classes.iter().map(|&class| {
+        let text = word(class.name());
+        Item { patch: Some(class), lines: lines(&text, beside_patch), text }
+    }));
+    items.extend(entries.abbreviations.iter().map(|(short, text)| {
+        let mut first = table.translate(short).cells;
+        first.resize(first.len() + BETWEEN, 0);
+        // what does not fit into the first line goes on below its text
+        let indent = first.len();
+        let rest = lines(text, width.saturating_sub(indent).max(1));
+        let lines = rest.into_iter().enumerate().map(|(i, line)| {
+            let before = if i == 0 { first.clone() } else { vec![0; indent] };
+            [before, line].concat()
+        });
+        Item { patch: None, lines: lines.collect(), text: format!("{short}: {text}") }
+    }));
+    items
+}
+
+fn page(
+    items: &[(MmPoint, &Item)],
+    entries: &Entries<'_>,
+    (area, cells): (MmRect, &CellGrid<'_>),
+    layout: &Layout,
+    source: Size,
+    request: &Request<'_>,
+) -> Result<Page, Error> {
+    let (mut textures, mut braille) = (Vec::new(), Vec::new());
+    for &(corner, item) in items {
+        let place = item.patch.map(|_| MmRect::new(corner, corner + MmVector::from(PATCH)));
+        if let (Some(class), Some(place)) = (item.patch, place) {
+            textures.extend(patch(class, place, &layout.medium, request.plan));
+        }
+        let beside = place.map_or(MmVector::zero(), |place| {
+            let down = 0.5 * (place.height() - cells.extent(1, item.lines.len()).y);
+            MmVector::new(place.width() + BESIDE, down.max(0.0))
+        });
+        braille.push(BrailleText {
+            role: TextRole::Key,
+            text: item.text.clone(),
+            language: entries.language.to_owned(),
+            abbreviation: None,
+            lines: item
+                .lines
+                .iter()
+                .map(|line| Braille { cells: line.clone(), ..Braille::default() }.unicode())
+                .collect(),
+            dots: Dots { diameter: cells.diameter, at: cells.dots(&item.lines, corner + beside) },
+            leader: None,
+        });
+    }
+    let said: Vec<&str> = items.iter().map(|(_, item)| item.text.as_str()).collect();
+    let figure = Figure { place: area, source, textures, lines: Vec::new() };
+    let parts = Parts {
+        title: title_of_key(request.title),
+        description: format!("Key, in braille: {}.", said.join("; ")),
+        origin: origin(request, source, &braille),
+        braille,
+        medium: layout.medium.clone(),
+        ..Parts::of(layout.sheet, figure)
+    };
+    finished(parts, request)
+}
+
+/// A patch of the texture that stands for a class.
+fn patch(class: Class, place: MmRect, medium: &Medium, plan: &Plan) -> Vec<Texture> {
+    match medium {
+        Medium::Print(_) => vec![textures::sample(class, LIGHTNESS, 1.0, place, &plan.textures())],
+        Medium::Dots(medium) => pressed(class, place, medium, plan),
+    }
+}
+
+/// A patch of dots: what the figure has for an area of this class beside lines, as textures are dense there.
+fn pressed(class: Class, place: MmRect, medium: &DotMedium, plan: &Plan) -> Vec<Texture> {
+    let params = plan.dot_textures(medium);
+    let size = Size::new((place.width() / SQUARE) as u32, (place.height() / SQUARE) as u32);
+    let count = size.width * size.height;
+    let grey = (255.0 * LIGHTNESS) as u8;
+    let classes = Classes {
+        size,
+        region: vec![Some(0); count as usize],
+        regions: vec![Region { class, colour: [grey; 3], cells: count }],
+        lightness: Plane::filled(size, LIGHTNESS),
+        fringe: Vec::new(),
+    };
+    // lines all around that are not drawn, too far away to take any dots
+    let away = (params.line_gap + 1) as f32 * params.pitch + params.pitch;
+    let around = place.inflate(away, away);
+    let corners = [
+        around.min,
+        MmPoint::new(around.max.x, around.min.y),
+        around.max,
+        MmPoint::new(around.min.x, around.max.y),
+        around.min,
+    ];
+    let line = Line { strength: 0.0, runs: vec![Run::stroke(params.diameter, corners.to_vec())] };
+    dots::textures::fill(&classes, place, &[line], &medium.area, &params)
+}

@@ -1,0 +1,111 @@
+//! The key: everything that is abbreviated or coloured on a page is explained on the sheets that follow.
+
+use super::reading;
+use crate::common::samples;
+use std::collections::BTreeSet;
+use tactograph::internals::braille::{CellSize, Code, Table};
+use tactograph::internals::page::cells::CellGrid;
+use tactograph::{
+    Class, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Options, Page, Position, Profile, TextRole, convert,
+};
+
+fn options(profile: &str, key: KeySheets) -> Options {
+    Options::new(Profile::named(profile).expect("it is built in")).title("Trees").fonts(Fonts::system()).key(key)
+}
+
+fn table(language: &str) -> Table {
+    Code::of_language(language).and_then(Code::table).expect("a table")
+}
+
+/// All texts of the key, as fingers read them.
+fn read(key: &[Page], table: &Table) -> Vec<String> {
+    let mut texts = Vec::new();
+    for page in key {
+        let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+        for text in &page.braille {
+            assert_eq!(text.role, TextRole::Key);
+            let lines = reading::lines(&text.dots.at, size);
+            // where a line begins is not read, and lines below an abbreviation are indented
+            let written: Vec<&str> = text.lines.iter().map(|line| line.trim_start_matches('\u{2800}')).collect();
+            assert_eq!(lines, written, "{}", text.text);
+            let said = lines.join("\u{2800}");
+            let plain = table.translate(&text.text.replacen(": ", "  ", 1)).unicode();
+            let with_colon = table.translate(&text.text).unicode();
+            let squeezed = said.replace("\u{2800}\u{2800}", "\u{2800}");
+            assert!(squeezed == plain || said == with_colon, "{}: {said}", text.text);
+            texts.push(text.text.clone());
+        }
+    }
+    texts
+}
+
+fn classes(page: &Page) -> BTreeSet<Class> {
+    page.figure.textures.iter().map(|texture| texture.class).collect()
+}
+
+/// Patches are as large as a texture needs, hold the figure's sign, and stand apart from one another and from words.
+fn check_patches(drawing: &Drawing, name: &str) {
+    let in_key: BTreeSet<Class> = drawing.key.iter().flat_map(classes).collect();
+    assert_eq!(in_key, classes(&drawing.page), "{name}");
+    for page in &drawing.key {
+        let mut places: Vec<MmRect> = Vec::new();
+        for texture in &page.figure.textures {
+            let place = MmRect::from_points(texture.glyphs.iter().map(|glyph| glyph.at));
+            assert!(place.width() >= 20.0 && place.height() >= 11.0, "{name}: {} {place:?}", texture.class.name());
+            let in_figure = drawing.page.figure.textures.iter().find(|other| other.class == texture.class);
+            assert_eq!(in_figure.map(|other| other.sign), Some(texture.sign), "{name}");
+            places.push(place);
+        }
+        places.extend(page.braille.iter().map(|text| MmRect::from_points(&text.dots.at)));
+        for (number, place) in places.iter().enumerate() {
+            let near = |other: &&MmRect| other.inflate(1.5, 1.5).intersects(&place.inflate(1.0, 1.0));
+            assert_eq!(places[..number].iter().find(near), None, "{name}: {place:?}");
+        }
+    }
+}
+
+#[test]
+fn colours_and_abbreviations_are_explained_on_every_device() {
+    let at = |x, y, text: &str| Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() };
+    let labels = vec![at(80.0, 60.0, "fir tree"), at(50.0, 87.0, "pond"), at(20.0, 42.0, "a very broad oak tree")];
+    for profile in ["swell-a4", "viewplus-columbia", "index-basic-d", "braillerap", "pins-120x60"] {
+        let options = options(profile, KeySheets::Always).labels(labels.clone());
+        let drawing = convert(&samples::read("landscape.svg"), &options).expect("a page");
+        let said = read(&drawing.key, &table("en"));
+        assert_eq!(said.first().map(String::as_str), Some("Key: Trees"), "{profile}");
+        for class in classes(&drawing.page) {
+            assert!(said.iter().any(|text| text == class.name()), "{profile}: {}", class.name());
+        }
+        let abbreviated: Vec<_> = drawing.page.braille.iter().filter(|text| text.abbreviation.is_some()).collect();
+        assert!(!abbreviated.is_empty(), "{profile}: nothing is abbreviated");
+        for label in abbreviated {
+            assert!(said.contains(&label.spoken()), "{profile}: {}", label.text);
+        }
+        check_patches(&drawing, profile);
+    }
+}
+
+#[test]
+fn a_key_is_there_when_it_is_wanted() {
+    let picture = samples::read("landscape.svg");
+    let of = |key, labels: Vec<Label>| {
+        convert(&picture, &options("swell-a4", key).labels(labels).language("de")).expect("a page").key
+    };
+    let tight = || {
+        let at = |x, text: &str| Label { x: Position::Percent(x), y: Position::Percent(60.0), text: text.to_owned() };
+        vec![at(80.0, "ein sehr großer Tannenbaum"), at(81.0, "Zweig")]
+    };
+    assert!(of(KeySheets::Auto, Vec::new()).is_empty());
+    assert!(of(KeySheets::Never, tight()).is_empty());
+    assert_eq!(of(KeySheets::Auto, tight()).len(), 1);
+    let always = of(KeySheets::Always, Vec::new());
+    let said = read(&always, &table("de"));
+    assert_eq!(said[0], "Legende: Trees");
+    assert!(
+        ["blau", "grün", "gelb", "rot", "grau"].iter().all(|name| said.iter().any(|text| text == name)),
+        "{said:?}"
+    );
+    assert!(always[0].title.ends_with("key") && always[0].description.contains("grün"));
+    let corner = always[0].braille[0].dots.at.iter().fold(MmPoint::splat(f32::MAX), |corner, at| corner.min(*at));
+    assert!(corner.x >= 10.0 && corner.y >= 10.0, "it keeps the margin: {corner:?}");
+}
