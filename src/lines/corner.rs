@@ -1,5 +1,5 @@
-//! Sharp corners: the tips of triangles, leaves and arrows. Beside a tip the two sides of it are near one another, and yet
-//! they are neither the two sides of a stroke nor a line that comes back to itself.
+//! Sharp corners: the tips of triangles, leaves and arrows. Beside a tip the two sides of it are near one another, and
+//! yet they are neither the two sides of a stroke nor a line that comes back to itself.
 
 use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;

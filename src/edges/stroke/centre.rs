@@ -17,6 +17,8 @@ pub(in crate::edges) struct Stroke {
     pub(in crate::edges) width: f32,
 }
 
+/// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
+pub(super) const WIDEST: f32 = 0.5;
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
 /// left.
 const SMOOTHING: [f32; 3] = [1.5, 1.0, 1.0];
@@ -79,7 +81,7 @@ pub(super) fn stroke(
     extend_ends(&mut line, free, residue, width);
     let contrasts: Vec<f32> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_stroke = line.length() >= LONG * width
-        && width <= (super::WIDEST * params.widest_stroke).min(2.0 * radius as f32)
+        && width <= (WIDEST * params.widest_stroke).min(2.0 * radius as f32)
         && median(contrasts.iter().copied()) >= params.low
         && contrasts.iter().any(|contrast| *contrast >= params.high)
         && !is_border(&line, residue);

@@ -21,6 +21,7 @@ use pulp::Arch;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 pub(super) use self::centre::Stroke;
+use self::centre::WIDEST;
 use self::residue::{Polarity, residue, square_max};
 use self::skeleton::{Mask, Node, Path};
 use super::lab;
@@ -30,8 +31,6 @@ use crate::raster::Raster;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
-/// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
-const WIDEST: f32 = 0.5;
 /// A picture with more noise than this standard deviation of a pixel, in units of strength, is taken for a photograph.
 const NOISY: f32 = 1.0;
 /// Two neighbouring pixels that differ by no more than this, in units of strength, are flat: a code value and a half.
@@ -89,8 +88,8 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
     strokes
 }
 
-/// Half sides of the squares for strokes of up to a width, px: each twice the one before. A square has to be wider by 1 px
-/// than the strokes that it finds whole: a slanted one as wide as it is found in parts.
+/// Half sides of the squares for strokes of up to a width, px: each twice the one before. A square has to be wider by
+/// 1 px than the strokes that it finds whole: a slanted one as wide as it is found in parts.
 fn radii(widest: f32) -> impl Iterator<Item = usize> {
     let most = (0.5 * widest).ceil() as usize + 1;
     let doubled = std::iter::successors(Some(SMALLEST_RADIUS), |radius| Some(2 * radius));

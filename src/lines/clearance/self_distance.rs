@@ -11,8 +11,8 @@ use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
 
 /// A line that comes back to itself is its own rival where the length along it is more than the distance across by this
-/// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5), nor is a sharper
-/// one with straight sides.
+/// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5), nor is a
+/// sharper one with straight sides.
 const BEND: f32 = 3.5;
 const BEND_LEAST: f32 = 1.5;
 
