@@ -26,6 +26,13 @@ pub enum Note {
         /// Each character, and which of the text's it is, from 1.
         lacking: Vec<(char, usize)>,
     },
+    /// A text that the translator that was given could not write, so it is left out.
+    NotTranslated {
+        /// The text.
+        text: String,
+        /// What the translator says.
+        why: String,
+    },
     /// The title is not written in braille, as there is no room for it above the figure.
     NoRoomForTitle {
         /// How many cells it has.
@@ -100,6 +107,7 @@ impl std::fmt::Display for Note {
                 let more = lacking.len() - shown;
                 if more > 0 { write!(f, " and {more} more") } else { Ok(()) }
             }
+            Self::NotTranslated { text, why } => write!(f, "\"{}\" is not written in braille: {why}", short(text)),
             Self::NoRoomForTitle { cells } => write!(
                 f,
                 "the title is not written in braille: its {cells} cells have no room above the figure, where three \

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::fonts::Fonts;
+use crate::braille::Translate;
 use crate::page::Page;
 use crate::pipeline::{Event, Fit, Key, Label, Words};
 use crate::profile::Profile;
@@ -36,6 +37,7 @@ pub struct Options {
     labels: Vec<Label>,
     label_texts: bool,
     key: Key,
+    translate: Option<Arc<Translate>>,
     pub(super) fit: Fit,
     pub(super) limits: Limits,
     pub(super) fonts: Fonts,
@@ -62,6 +64,7 @@ impl Options {
             labels: Vec::new(),
             label_texts: false,
             key: Key::default(),
+            translate: None,
             fit: Fit::default(),
             limits: Limits::default(),
             fonts: Fonts::none(),
@@ -118,6 +121,15 @@ impl Options {
     /// colours that occur with their textures, and abbreviations. Default: where labels are abbreviated.
     pub fn key(mut self, key: Key) -> Self {
         self.key = key;
+        self
+    }
+
+    /// Writes all words in braille, in place of the tables that come with the crate: for contracted braille,
+    /// say. Gets a text and gives its cells, a byte each (bit 0 is dot 1, bit 5 dot 6, 0 a blank), or says why
+    /// it cannot; such a text is left out and told. Is called from the thread that converts. Default: the
+    /// table of the language.
+    pub fn translator(mut self, translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static) -> Self {
+        self.translate = Some(Arc::new(translate));
         self
     }
 
@@ -240,6 +252,7 @@ impl Options {
             labels: &self.labels,
             own_texts: self.label_texts,
             key: self.key,
+            translate: self.translate.as_deref(),
         }
     }
 }

@@ -13,10 +13,12 @@ mod neighbours;
 mod parse;
 mod table;
 mod translate;
+mod translator;
 mod wrap;
 
 pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
 pub use code::Code;
 pub use table::Table;
 pub use translate::{Braille, Lacking};
+pub use translator::{Translate, Translator};
 pub use wrap::{Wrapped, wrap};

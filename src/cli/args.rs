@@ -230,6 +230,11 @@ impl Convert {
         self.fitting.add_to(options)
     }
 
+    /// The language of the words.
+    pub(super) fn language(&self) -> &str {
+        self.lang.as_deref().unwrap_or("en")
+    }
+
     /// Everything that is wrong with `--title`, `--alt` and `--lang`.
     pub(super) fn faults_of_words(&self) -> Vec<String> {
         let no_words = self.lang.is_some() && self.title.is_none() && self.alt.is_none() && !self.labels.are_given();

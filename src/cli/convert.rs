@@ -5,6 +5,7 @@ use tactograph::{Error, Page, convert, convert_to_sheets, write_dots, write_pdf}
 use super::args::{Chosen, Convert};
 use super::batch::{self, Made, Order};
 use super::dots;
+use super::louis;
 use super::product::{DrawingFormat, Format, Product};
 use super::report::Exit;
 
@@ -16,6 +17,11 @@ pub(super) fn run(args: &Convert) -> Exit {
         faults.extend(more);
         Default::default()
     });
+    let table = args
+        .labels
+        .braille_table
+        .as_deref()
+        .and_then(|name| louis::table(name, args.language()).map_err(|fault| faults.push(fault)).ok());
     let order = Order {
         product: Product::Page(chosen.format),
         pictures: &args.pictures,
@@ -32,6 +38,10 @@ pub(super) fn run(args: &Convert) -> Exit {
     };
     batch::run(&order, |picture, options, timings| {
         let options = labels.add_to(args.add_to(options.clone()));
+        let options = table.iter().fold(options, |options, table| {
+            let table = table.clone();
+            options.translator(move |text| louis::translate(&table, text))
+        });
         let (pages, notes): (Vec<Page>, _) = if args.fitting.is_for_several_sheets(options.profile()) {
             let drawn = convert_to_sheets(picture, args.fitting.sheets, &options)?;
             (drawn.pages, drawn.notes)

@@ -7,6 +7,7 @@ mod convert;
 mod dots;
 mod feel;
 mod input;
+mod louis;
 mod output;
 mod panics;
 mod places;

@@ -1,7 +1,7 @@
 //! In which forms a label can be written.
 
 use super::abbreviate;
-use crate::braille::{Lacking, Table, wrap};
+use crate::braille::{Lacking, Translator, wrap};
 
 /// One form of a label.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,11 +21,11 @@ const SECOND_LINE: f32 = 3.0;
 /// What an abbreviation costs: more than any place within reach.
 const ABBREVIATED: f32 = 1000.0;
 
-/// The forms of each text; none of a text that the code cannot write at all.
-pub(super) fn of(texts: &[&str], table: &Table) -> Vec<Vec<Form>> {
+/// The forms of each text; none of a text that cannot be written at all.
+pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Vec<Form>> {
     let short = abbreviate::all(texts);
     let of_text = |(text, short): (&&str, Option<String>)| {
-        let braille = table.translate(text);
+        let braille = translator.translate(text).unwrap_or_default();
         let length = braille.cells.len();
         let form = |lines, abbreviation, cost| Form { lines, lacking: braille.lacking.clone(), abbreviation, cost };
         let mut forms = Vec::new();
@@ -38,8 +38,8 @@ pub(super) fn of(texts: &[&str], table: &Table) -> Vec<Vec<Form>> {
             forms.extend(narrow.map(|two| form(two.lines, None, SECOND_LINE)));
         }
         forms.extend(short.and_then(|short| {
-            let cells = table.translate(&short).cells;
-            (cells.len() < length).then(|| form(vec![cells], Some(short), ABBREVIATED))
+            let cells = translator.translate(&short).unwrap_or_default().cells;
+            (!cells.is_empty() && cells.len() < length).then(|| form(vec![cells], Some(short), ABBREVIATED))
         }));
         forms
     };

@@ -18,7 +18,7 @@ pub use candidates::Params;
 pub use choose::{Choice, choose};
 pub use placed::{Placed, Wanted};
 
-use crate::braille::Table;
+use crate::braille::Translator;
 use crate::page::Figure;
 use crate::page::cells::CellGrid;
 use candidates::Candidate;
@@ -28,11 +28,17 @@ use room::Room;
 pub const MOST: usize = 300;
 
 /// Labels that have a place, in the order in which they were wanted. Those that are missing have no room.
-pub fn place(wanted: &[Wanted], table: &Table, figure: &Figure, cells: &CellGrid<'_>, params: &Params) -> Vec<Placed> {
+pub fn place(
+    wanted: &[Wanted],
+    translator: &Translator<'_>,
+    figure: &Figure,
+    cells: &CellGrid<'_>,
+    params: &Params,
+) -> Vec<Placed> {
     let wanted = &wanted[..wanted.len().min(MOST)];
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let forms = forms::of(&texts, table);
+    let forms = forms::of(&texts, translator);
     let candidates: Vec<Vec<Candidate>> =
         wanted.iter().zip(&forms).map(|(label, forms)| candidates::of(label, forms, &room, cells, params)).collect();
     let costs: Vec<Vec<f32>> =

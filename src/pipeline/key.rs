@@ -11,7 +11,7 @@
 use super::finish::{finished, origin, title_of_key};
 use super::request::Request;
 use crate::Error;
-use crate::braille::{Braille, Table, wrap};
+use crate::braille::{Braille, Translator, wrap};
 use crate::classes::{Class, Classes, Region};
 use crate::dots;
 use crate::lines::{Line, Run};
@@ -50,7 +50,7 @@ const BETWEEN: usize = 2;
 /// What a key says.
 #[derive(Debug)]
 pub(super) struct Entries<'a> {
-    pub(super) table: &'a Table,
+    pub(super) translator: &'a Translator<'a>,
     pub(super) language: &'a str,
     /// The title of the page.
     pub(super) title: Option<&'a str>,
@@ -115,20 +115,21 @@ fn area(layout: &Layout, plan: &Plan) -> MmRect {
 }
 
 fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> Vec<Item> {
-    let table = entries.table;
-    let word = |name: &str| table.word(name).to_owned();
+    let translator = entries.translator;
+    let translated = |text: &str| translator.translate(text).unwrap_or_default();
+    let word = |name: &str| translator.word(name).to_owned();
     let heading = match entries.title {
         Some(title) => format!("{}: {title}", word("key")),
         None => word("key"),
     };
-    let lines = |text: &str, width: usize| wrap(&table.translate(text), width).lines;
+    let lines = |text: &str, width: usize| wrap(&translated(text), width).lines;
     let mut items = vec![Item { patch: None, lines: lines(&heading, width), text: heading }];
     items.extend(entries.classes.iter().map(|&class| {
         let text = word(class.name());
         Item { patch: Some(class), lines: lines(&text, beside_patch), text }
     }));
     items.extend(entries.abbreviations.iter().map(|(short, text)| {
-        let mut first = table.translate(short).cells;
+        let mut first = translated(short).cells;
         first.resize(first.len() + BETWEEN, 0);
         // what does not fit into the first line goes on below its text
         let indent = first.len();

@@ -4,7 +4,7 @@ use super::key::{Entries, Key};
 use super::label::Label;
 use super::request::Request;
 use super::texts::Text;
-use crate::braille::{Braille, CellSize, Code, Lacking, Table};
+use crate::braille::{Braille, CellSize, Code, Lacking, Translate, Translator};
 use crate::dots;
 use crate::labels::{self, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
@@ -16,7 +16,7 @@ use crate::units::{MmPoint, MmRect, Size};
 use crate::{Error, Note};
 
 /// What the maker of a page wants to be written on it.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Clone, Copy, Default)]
 pub struct Words<'a> {
     /// The title; none if the maker gave none: a file's name is no title.
     pub title: Option<&'a str>,
@@ -28,6 +28,8 @@ pub struct Words<'a> {
     pub own_texts: bool,
     /// When there is a key.
     pub key: Key,
+    /// What writes the words, if not the table of their code.
+    pub translate: Option<&'a Translate>,
 }
 
 impl Words<'_> {
@@ -44,10 +46,10 @@ const STEP: f32 = 1.0;
 
 /// The words of a page in braille.
 #[derive(Debug, Default)]
-pub(super) struct Written {
+pub(super) struct Written<'a> {
     title: Option<Title>,
     language: String,
-    table: Option<Table>,
+    translator: Option<Translator<'a>>,
     /// What could not be written.
     notes: Vec<Note>,
 }
@@ -59,26 +61,30 @@ struct Title {
     params: HeadingParams,
 }
 
-impl Written {
+impl<'a> Written<'a> {
     /// The words in the code that the profile names, or that of their language.
-    pub(super) fn new(words: &Words<'_>, plan: &Plan) -> Self {
+    pub(super) fn new(words: &Words<'a>, plan: &Plan) -> Self {
         let settings = &plan.profile().braille;
         let language = words.language.unwrap_or(LANGUAGE);
         let mut written = Self { language: language.to_owned(), ..Self::default() };
         if !settings.on || !words.are_any() {
             return written;
         }
-        let Some(table) = settings.code.or_else(|| Code::of_language(language)).and_then(Code::table) else {
+        let table = settings.code.or_else(|| Code::of_language(language)).and_then(Code::table);
+        let Some(translator) = Translator::new(table, words.translate) else {
             written.notes.push(Note::NoBrailleCode(language.to_owned()));
             return written;
         };
         if let Some(text) = words.title {
-            let braille = table.translate(text);
+            let braille = translator.translate(text).unwrap_or_else(|why| {
+                written.notes.push(Note::NotTranslated { text: text.to_owned(), why });
+                Braille::default()
+            });
             written.notes.extend(not_written(text, &braille.lacking));
             let title = |params| Title { text: text.to_owned(), braille: braille.clone(), params };
             written.title = HeadingParams::of(&braille, settings.cell, settings.align).map(title);
         }
-        written.table = Some(table);
+        written.translator = Some(translator);
         written
     }
 
@@ -111,14 +117,14 @@ impl Written {
             notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
         }
         let (wanted, mut left_out) = wanted(texts, words, figure);
-        let Some(table) = &self.table else {
+        let Some(translator) = &self.translator else {
             left_out.extend(wanted.into_iter().map(|label| label.text));
             notes.extend((!left_out.is_empty()).then_some(Note::LabelsLeftOut(left_out)));
             return (title.into_iter().collect(), notes);
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let params = params(layout, plan);
-        let placed = labels::place(&wanted, table, figure, &cells, &params);
+        let placed = labels::place(&wanted, translator, figure, &cells, &params);
         labels::make_room(figure, &placed, &params);
         let missing = |&of: &usize| placed.iter().all(|label| label.of != of);
         left_out.extend((0..wanted.len()).filter(missing).map(|of| wanted[of].text.clone()));
@@ -140,12 +146,12 @@ impl Written {
     }
 
     /// What the key of a page says that has these words; none where there is no key.
-    pub(super) fn key<'a>(
-        &'a self,
+    pub(super) fn key<'e>(
+        &'e self,
         words: &Words<'_>,
         braille: &[BrailleText],
         figure: &Figure,
-    ) -> Option<Entries<'a>> {
+    ) -> Option<Entries<'e>> {
         let mut abbreviations: Vec<(String, String)> = Vec::new();
         for text in braille {
             if let Some(short) = &text.abbreviation
@@ -159,11 +165,11 @@ impl Written {
             Key::Always => true,
             Key::Never => false,
         };
-        let table = self.table.as_ref().filter(|_| is_wanted)?;
+        let translator = self.translator.as_ref().filter(|_| is_wanted)?;
         let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
         let classes = Class::ALL.into_iter().filter(occurs).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
-        Some(Entries { table, language: &self.language, title, classes, abbreviations })
+        Some(Entries { translator, language: &self.language, title, classes, abbreviations })
     }
 
     fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {

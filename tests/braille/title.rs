@@ -163,3 +163,25 @@ fn a_width_that_leaves_no_room_for_a_title_stays() {
     let drawing = convert(&picture, &tall().title(TITLE)).expect("a page");
     assert!(drawing.page.figure.place.width() < most && drawing.page.braille.len() == 1);
 }
+
+/// Another translator in place of the tables, such as one for contracted braille; what it cannot write is told.
+#[test]
+fn another_translator_writes_all_words() {
+    let options = |text: &str| {
+        let of_length = |text: &str| match text.len() {
+            0..=9 => Ok(vec![0b11_1111; text.len()]),
+            10 => Ok(vec![0b1100_0000]),
+            _ => Err("too many letters".to_owned()),
+        };
+        Options::new(Profile::named("swell-a4").expect("built in")).title(text).language("ja").translator(of_length)
+    };
+    let picture = samples::read("bars.svg");
+    let page = convert(&picture, &options(" two\nwords ")).expect("a page").page;
+    assert_eq!(read(&page, CellSize::MARBURG), ["⠿".repeat(9)]);
+    for (text, why) in [("eleven keys", "too many letters"), ("ten keys !", "cells of eight dots")] {
+        let drawing = convert(&picture, &options(text)).expect("a page");
+        assert!(drawing.page.braille.is_empty());
+        let note = Note::NotTranslated { text: text.into(), why: why.into() };
+        assert!(drawing.notes.contains(&note), "{:?}", drawing.notes);
+    }
+}

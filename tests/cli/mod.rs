@@ -7,6 +7,7 @@ mod dots;
 mod feel;
 mod fitting;
 mod formats;
+mod louis;
 mod newcomers;
 mod pages;
 mod pictures;

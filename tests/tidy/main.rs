@@ -58,7 +58,19 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // The face: profiles checked, the pipeline run, pages handed to their writers.
     (
         "api",
-        &["units", "raster", "contours", "output", "page", "touch", "profile", "calibration", "pipeline", "picture"],
+        &[
+            "units",
+            "braille",
+            "raster",
+            "contours",
+            "output",
+            "page",
+            "touch",
+            "profile",
+            "calibration",
+            "pipeline",
+            "picture",
+        ],
     ),
 ];
 /// What any module may use.

@@ -33,6 +33,14 @@ pub(in crate::cli) struct Labels {
     /// stand for. With auto there is one where labels are abbreviated.
     #[arg(long, value_name = "WHEN", value_enum, default_value_t = When::Auto, hide_short_help = true)]
     key: When,
+
+    /// Writes braille by a table of an installed liblouis; "contracted" takes that of the language
+    ///
+    /// For contracted braille (grade 2) in German, English, French, Portuguese, Spanish or Swedish, or with
+    /// any table such as da-dk-g26.ctb. Needs the program lou_translate of liblouis. Without it, braille is
+    /// uncontracted.
+    #[arg(long, value_name = "TABLE|contracted", hide_short_help = true)]
+    pub(in crate::cli) braille_table: Option<String>,
 }
 
 /// When there is a key.
@@ -63,7 +71,7 @@ impl Labels {
 
     /// Whether there are any.
     pub(in crate::cli) fn are_given(&self) -> bool {
-        self.labels.is_some() || self.key == When::Always
+        self.labels.is_some() || self.key == When::Always || self.braille_table.is_some()
     }
 
     /// Reads the file.

@@ -1,0 +1,50 @@
+//! Text to cells by the table of a code, or by another translator, such as one for contracted braille.
+
+use super::table::Table;
+use super::translate::Braille;
+
+/// Gives the cells of a text (bit 0 is dot 1, 0 is a blank), or says why it cannot.
+pub type Translate = dyn Fn(&str) -> Result<Vec<u8>, String> + Send + Sync;
+
+/// What texts are written with.
+pub struct Translator<'a> {
+    table: Option<Table>,
+    other: Option<&'a Translate>,
+}
+
+impl<'a> Translator<'a> {
+    /// The other translator, if there is one, else the table; `None` without either.
+    pub fn new(table: Option<Table>, other: Option<&'a Translate>) -> Option<Self> {
+        (table.is_some() || other.is_some()).then_some(Self { table, other })
+    }
+
+    /// A text in braille.
+    ///
+    /// # Errors
+    /// What the other translator says; tables write what they can, and tell the rest.
+    pub fn translate(&self, text: &str) -> Result<Braille, String> {
+        match (self.other, &self.table) {
+            (Some(other), _) => {
+                let plain = text.split_whitespace().collect::<Vec<_>>().join(" ");
+                // a cell of eight dots has no place on a page
+                let cells = other(&plain)?;
+                let has_six = cells.iter().all(|cell| *cell < 64);
+                if has_six { Ok(Braille { cells, ..Braille::default() }) } else { Err("cells of eight dots".into()) }
+            }
+            (None, Some(table)) => Ok(table.translate(text)),
+            (None, None) => Ok(Braille::default()),
+        }
+    }
+
+    /// A word of the key, by its English name, in the language of the code.
+    pub fn word<'w>(&'w self, name: &'w str) -> &'w str {
+        self.table.as_ref().map_or(name, |table| table.word(name))
+    }
+}
+
+impl std::fmt::Debug for Translator<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let table = self.table.as_ref().map(|table| &table.name);
+        f.debug_struct("Translator").field("table", &table).field("other", &self.other.is_some()).finish()
+    }
+}

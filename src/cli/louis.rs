@@ -1,0 +1,127 @@
+//! Braille by an installed liblouis, for contracted braille: its program `lou_translate`, run for each text.
+//!
+//! It exits with 0 whatever happens: a table that is missing is told on standard error only, and a character that
+//! the table lacks is written as its number in braille. So nothing may stand on standard error, there must be as
+//! many lines as were asked for, and each sign is looked at by itself.
+
+use std::collections::BTreeSet;
+use std::io::{ErrorKind, Write};
+use std::process::{Command, Stdio};
+
+/// The program of liblouis.
+const PROGRAM: &str = "lou_translate";
+
+/// Contracted braille of a language, as liblouis calls its tables.
+const CONTRACTED: &[(&str, &str)] = &[
+    ("de", "de-g2.ctb"),
+    ("en", "en-ueb-g2.ctb"),
+    ("es", "es-g2.ctb"),
+    ("fr", "fr-bfu-g2.ctb"),
+    ("pt", "pt-pt-g2.ctb"),
+    ("sv", "sv-g2.ctb"),
+];
+/// Longest text, bytes: more than any page has room for, and less than a pipe holds.
+const LONGEST: usize = 4000;
+/// The word for these tables.
+const BY_LANGUAGE: &str = "contracted";
+
+/// The table of this name; `contracted` is that of the language.
+///
+/// # Errors
+/// In one line, if there is no such table, or liblouis is not installed.
+pub(super) fn table(name: &str, language: &str) -> Result<String, String> {
+    let primary = language.split('-').next().unwrap_or(language);
+    let known = CONTRACTED.iter().find(|(own, _)| own.eq_ignore_ascii_case(primary)).map(|(_, table)| *table);
+    let table = match name {
+        BY_LANGUAGE => known.ok_or_else(|| {
+            let languages: Vec<&str> = CONTRACTED.iter().map(|(language, _)| *language).collect();
+            format!(
+                "--braille-table contracted: there is none known for the language {primary}, only for {}; name a table \
+                 of liblouis",
+                languages.join(", ")
+            )
+        })?,
+        name => name,
+    };
+    let is_name = !table.starts_with('-') && table.chars().all(|c| c.is_ascii_alphanumeric() || "._-/".contains(c));
+    if !is_name {
+        return Err(format!("--braille-table {table}: name a table of liblouis, such as en-ueb-g2.ctb"));
+    }
+    match lines(table, &["a".to_owned()]) {
+        Ok(_) => Ok(table.to_owned()),
+        Err(why) => Err(format!("--braille-table {table}: {why}")),
+    }
+}
+
+/// The cells of a text.
+///
+/// # Errors
+/// If the table lacks a character of it, or liblouis fails.
+pub(super) fn translate(table: &str, text: &str) -> Result<Vec<u8>, String> {
+    if text.len() > LONGEST {
+        return Err("the text is too long".to_owned());
+    }
+    let signs: BTreeSet<char> = text.chars().filter(|c| !c.is_ascii_alphanumeric() && *c != ' ').collect();
+    let asked = std::iter::once(text.to_owned()).chain(signs.iter().map(char::to_string));
+    let written = lines(table, &asked.collect::<Vec<_>>())?;
+    if let Some((sign, _)) = signs.iter().zip(&written[1..]).find(|(_, cells)| is_number(cells)) {
+        return Err(format!("the table {table} has no cells for {sign:?}"));
+    }
+    let cell = |c: char| u8::try_from(u32::from(c).wrapping_sub(0x2800)).map_err(|_| format!("{c:?} is no braille"));
+    written[0].chars().map(cell).collect()
+}
+
+/// Whether the cells of a sign are those of its number, such as '\x65e5' in quotation marks: at least eight, the first
+/// and the last the same; or with dots that only the table's backslash has.
+fn is_number(cells: &str) -> bool {
+    let cells: Vec<char> = cells.chars().collect();
+    let of_eight_dots = cells.iter().any(|&cell| u32::from(cell) >= 0x2840);
+    of_eight_dots || cells.len() >= 8 && cells.first() == cells.last()
+}
+
+/// What liblouis makes of lines of text, in Unicode braille.
+fn lines(table: &str, asked: &[String]) -> Result<Vec<String>, String> {
+    let tables = format!("unicode.dis,{table}");
+    let run = Command::new(PROGRAM)
+        .args(["--forward", &tables])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
+    let mut run = run.map_err(|error| match error.kind() {
+        ErrorKind::NotFound => {
+            format!("there is no program {PROGRAM}; install liblouis (liblouis-bin), or leave this out")
+        }
+        _ => format!("{PROGRAM} cannot be run: {error}"),
+    })?;
+    let text: String = asked.iter().map(|line| line.replace('\\', "\\\\") + "\n").collect();
+    if let Some(mut input) = run.stdin.take() {
+        input.write_all(text.as_bytes()).map_err(|error| format!("{PROGRAM} does not read: {error}"))?;
+    }
+    let done = run.wait_with_output().map_err(|error| format!("{PROGRAM} fails: {error}"))?;
+    let told = String::from_utf8_lossy(&done.stderr);
+    if let Some(line) = told.lines().next() {
+        return Err(format!("{PROGRAM} says: {}", line.trim()));
+    }
+    let written = String::from_utf8(done.stdout).map_err(|_| format!("{PROGRAM} writes no text"))?;
+    let written: Vec<String> = written.lines().map(str::to_owned).collect();
+    if written.len() == asked.len() { Ok(written) } else { Err(format!("{PROGRAM} gives another number of lines")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_tables_are_checked_before_they_are_run() {
+        for name in ["-x", "a,b", "$(x)", "a b"] {
+            let refused = table(name, "en").expect_err("no name");
+            assert!(refused.contains("name a table of liblouis"), "{refused}");
+        }
+        let refused = table("contracted", "cs").expect_err("no table");
+        assert!(
+            refused.starts_with("--braille-table contracted: there is none known for the language cs"),
+            "{refused}"
+        );
+    }
+}

@@ -1,0 +1,71 @@
+//! `--braille-table`: contracted braille by an installed liblouis. Where it is not installed, that is one clear line.
+
+use super::common::*;
+
+const PICTURE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90\" height=\"60\">\
+    <rect x=\"20\" y=\"15\" width=\"50\" height=\"30\" fill=\"#c00\"/></svg>";
+
+fn place() -> Place {
+    let place = Place::new();
+    place.put("red.svg", PICTURE.as_bytes());
+    place
+}
+
+fn is_installed() -> bool {
+    std::process::Command::new("lou_translate").arg("--version").output().is_ok()
+}
+
+/// Contracted where liblouis is there; else a fault that names what is missing, and no page.
+#[test]
+fn a_title_is_contracted_by_liblouis() {
+    let place = place();
+    let title = ["convert", "red.svg", "-o", "page.svg", "--title", "The great house"];
+    let run = place.run(&[&title[..], &["--braille-table", "contracted"]].concat());
+    if is_installed() {
+        assert_eq!(run.code, 0, "{}", run.err);
+        let page = place.text("page.svg");
+        assert!(page.contains("data-braille=\"⠠⠮⠀⠛⠗⠞⠀⠓⠳⠎⠑\""), "the title is not contracted");
+        assert!(page.contains("aria-label=\"The great house\""));
+        // what the table lacks is told, and not drawn as its number
+        let run = place.run(&[
+            "convert",
+            "red.svg",
+            "-o",
+            "b.svg",
+            "--title",
+            "a \u{65e5}",
+            "--braille-table",
+            "en-ueb-g2.ctb",
+        ]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(
+            run.err.contains("is not written in braille: the table en-ueb-g2.ctb has no cells for '\u{65e5}'"),
+            "{}",
+            run.err
+        );
+        assert!(!place.text("b.svg").contains("braille-title"));
+        let run = place.run(&[&title[..], &["--braille-table", "no-such.ctb", "--force"]].concat());
+        assert_eq!(run.code, 2, "{}", run.err);
+        assert!(
+            run.err.contains("--braille-table no-such.ctb: lou_translate says: Cannot resolve table"),
+            "{}",
+            run.err
+        );
+    } else {
+        assert_eq!(run.code, 2, "{}", run.err);
+        assert!(run.err.contains("there is no program lou_translate; install liblouis"), "{}", run.err);
+    }
+}
+
+#[test]
+fn a_language_without_a_contracted_table_is_told() {
+    let place = place();
+    let run = place.run(&["convert", "red.svg", "--title", "Dům", "--lang", "cs", "--braille-table", "contracted"]);
+    assert_eq!(run.code, 2, "{}", run.err);
+    assert!(
+        run.err.contains("there is none known for the language cs, only for de, en, es, fr, pt, sv"),
+        "{}",
+        run.err
+    );
+    assert!(!place.names().iter().any(|name| name == "red.page.svg"));
+}
