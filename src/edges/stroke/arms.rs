@@ -39,6 +39,14 @@ struct Arm {
     heading: PxVector,
 }
 
+/// The end of a path that goes on with another one, and the junction between.
+#[derive(Debug, Clone, Copy)]
+struct Partner {
+    path: usize,
+    at_start: bool,
+    node: usize,
+}
+
 /// The lines of a skeleton, pixel by pixel.
 pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
     let all_arms = arms(&paths, nodes);
@@ -51,12 +59,12 @@ pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
     let spurs: Vec<bool> = (0..paths.len()).map(is_spur).collect();
     let paths: Vec<Path> = paths.into_iter().zip(spurs).filter(|(_, is_spur)| !is_spur).map(|(path, _)| path).collect();
     let arms_of = arms(&paths, nodes);
-    // partner[path][end]: the end that goes on, and through which junction
-    let mut partner: Vec<[Option<(usize, bool, usize)>; 2]> = vec![[None; 2]; paths.len()];
+    // for the start and the end of each path
+    let mut partner: Vec<[Option<Partner>; 2]> = vec![[None; 2]; paths.len()];
     for (node, arms) in arms_of.iter().enumerate() {
         for (a, b) in pairs(arms) {
-            partner[a.path][usize::from(!a.at_start)] = Some((b.path, b.at_start, node));
-            partner[b.path][usize::from(!b.at_start)] = Some((a.path, a.at_start, node));
+            partner[a.path][usize::from(!a.at_start)] = Some(Partner { path: b.path, at_start: b.at_start, node });
+            partner[b.path][usize::from(!b.at_start)] = Some(Partner { path: a.path, at_start: a.at_start, node });
         }
     }
     let lone = |node: usize| arms_of[node].len() < 2;
@@ -126,7 +134,7 @@ fn pairs(arms: &[Arm]) -> Vec<(Arm, Arm)> {
 /// The lines along paths and their partners.
 fn strung(
     paths: &[Path],
-    partner: &[[Option<(usize, bool, usize)>; 2]],
+    partner: &[[Option<Partner>; 2]],
     nodes: &[Node],
     lone: &dyn Fn(usize) -> bool,
 ) -> Vec<Strand> {
@@ -151,11 +159,11 @@ fn strung(
                 false => points.extend(paths[here].points.iter().rev()),
             }
             match partner[here][usize::from(from_start)] {
-                Some((next, next_at_start, node)) if !used[next] => {
-                    points.push(nodes[node].at);
-                    (here, from_start) = (next, next_at_start);
+                Some(next) if !used[next.path] => {
+                    points.push(nodes[next.node].at);
+                    (here, from_start) = (next.path, next.at_start);
                 }
-                Some((next, ..)) => {
+                Some(Partner { path: next, .. }) => {
                     let end = node_at(&paths[here], !from_start);
                     points.extend(end.map(|node| nodes[node].at));
                     break (next == path, end);

@@ -90,7 +90,7 @@ impl Mask {
         let ring = self.ring(cell);
         let [n, _, e, _, s, _, w, _] = ring;
         let count = ring.iter().filter(|set| **set).count();
-        let sides = if second { !(n && e && w) && !(n && s && w) } else { !(n && e && s) && !(e && s && w) };
+        let sides = if second { !(n && w && (e || s)) } else { !(e && s && (n || w)) };
         (2..=6).contains(&count) && transitions(ring) == 1 && sides
     }
 
