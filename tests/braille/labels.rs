@@ -91,11 +91,20 @@ fn texts_of_drawings_are_labels() {
         ("chart.svg", "index-basic-d", 8),
         ("chart.svg", "braillerap", 8),
         ("chart.svg", "pins-120x60", 7),
+        ("map.svg", "swell-a4", 6),
+        ("map.svg", "viewplus-columbia", 6),
+        ("cell.svg", "swell-a4", 5),
+        ("cell.svg", "viewplus-columbia", 5),
         ("worksheet.pdf", "swell-a4", 9),
         ("worksheet.pdf", "viewplus-columbia", 9),
     ] {
         let name = format!("{sample} {profile}");
         let drawing = convert(&samples::read(sample), &options(profile).label_texts(true)).expect("a page");
+        if drawing.texts.is_empty() {
+            // a machine without fonts shows no text of an SVG, and says so
+            assert!(drawing.notes.iter().any(|note| matches!(note, Note::LeftOut(_))), "{name}: {:?}", drawing.notes);
+            continue;
+        }
         check(&drawing, &name);
         let labels = labels_of(&drawing);
         assert!(labels.len() >= least, "{name}: {} of {} texts", labels.len(), drawing.texts.len());
