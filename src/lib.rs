@@ -121,6 +121,7 @@ mod picture;
 mod pipeline;
 mod profile;
 mod raster;
+mod regions;
 mod textures;
 mod touch;
 mod units;
@@ -210,6 +211,9 @@ pub mod internals {
     }
     pub mod raster {
         pub use crate::raster::*;
+    }
+    pub mod regions {
+        pub use crate::regions::*;
     }
     pub mod textures {
         pub use crate::textures::*;

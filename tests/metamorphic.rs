@@ -6,9 +6,11 @@ use crate::common::samples;
 use tactograph::internals::classes::{self, Class};
 use tactograph::internals::edges::{self, Edges};
 use tactograph::internals::error::Error;
+use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::regions;
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
 /// Working pixels of the test pictures: enough for every kind of edge, few enough to be quick.
@@ -231,6 +233,34 @@ fn lines_follow_every_flip_and_turn() {
             assert!(lost <= 0.01 && new <= 0.01, "{name} {}: {lost} of the lines are lost, {new} new", change.name);
         }
     }
+}
+
+#[test]
+fn outlines_of_regions_follow_every_flip_and_turn() {
+    let params =
+        regions::Params { most: 8, least_gain: 0.2, most_near: 0.3, spacing: 4.7, narrowest: 4.7, smoothing: 0.6 };
+    let mut looked_at = 0;
+    for (name, raster) in pictures() {
+        let outlines = |raster: &Raster| -> Vec<(f32, f32)> {
+            let (transform, _) = sheet(raster.size());
+            let tree = edges::find_with_regions(raster, &EDGES).regions;
+            let traces = tree.map(|tree| tree.outlines(transform.mm_per_px(), &params)).unwrap_or_default();
+            let points = |trace: &regions::Trace| {
+                let vertices = trace.vertices.iter().map(|point| point.at).collect();
+                Polyline { vertices, closed: trace.closed }.resampled(0.5).vertices
+            };
+            traces.iter().flat_map(points).map(|at| (at.x, at.y)).collect()
+        };
+        let before = outlines(&raster);
+        looked_at += usize::from(!before.is_empty());
+        for change in &CHANGES {
+            let expected: Vec<_> = before.iter().map(|&at| change.place(raster.size(), at)).collect();
+            let found = outlines(&change.raster(&raster));
+            let (lost, new) = (unmatched(&expected, &found, 1.0), unmatched(&found, &expected, 1.0));
+            assert!(lost <= 0.01 && new <= 0.01, "{name} {}: {lost} of the outlines are lost, {new} new", change.name);
+        }
+    }
+    assert!(looked_at >= 4, "photographs have regions");
 }
 
 #[test]

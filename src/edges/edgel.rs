@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::geom::polyline::{Located, Polyline, PolylineRef};
+use crate::regions::Tree;
 use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// An edge element: a point of a contour.
@@ -57,12 +58,14 @@ pub struct Edges {
     pub edgels: Vec<Edgel>,
     /// Which edgels form which chain.
     pub chains: Vec<ChainRange>,
+    /// The regions between contours, where they were asked for.
+    pub regions: Option<Tree>,
 }
 
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self { size, edgels: Vec::new(), chains: Vec::new() }
+        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None }
     }
 
     /// Appends an edge that was found in the pixels.

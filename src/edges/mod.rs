@@ -6,6 +6,7 @@
 //!                 `-> side_statistics (colours on both sides) ----v                  |
 //!                                  edge_stopping (filter) -> strength                |
 //!   Edges <- junction <- corner <- refine <- bridge <---------- hysteresis <- step_height <- chain
+//!                                                 grouping (regions, where asked for) <------'
 //! ```
 //!
 //! All colour planes exist for a few rows only. From `maxima` on there are points, and the time grows with their
@@ -25,6 +26,7 @@ mod drawing;
 mod edge_stopping;
 mod edgel;
 mod gradient;
+mod grouping;
 mod hysteresis;
 mod junction;
 mod lab;
@@ -53,6 +55,15 @@ use crate::units::Size;
 
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
+    find_contours(raster, params, false)
+}
+
+/// Finds the contours of a picture and, unless it is a drawing, the regions between them.
+pub fn find_with_regions(raster: &Raster, params: &Params) -> Edges {
+    find_contours(raster, params, true)
+}
+
+fn find_contours(raster: &Raster, params: &Params, with_regions: bool) -> Edges {
     let size = raster.size();
     let noise = Noise::of(raster);
     let params = &noise.adapted(params);
@@ -73,6 +84,7 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
     let chains = chain::link(&points, size, params.min_length);
     step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
     let sides = &sides.finish(&points, &chains, noise.height_sigma(params.sigma));
+    let tree = (with_regions && !drawn).then(|| grouping::tree(raster, &points, &chains, sides, params));
     let selection = Selection { points: &points, raster, sides, noise: noise.pixel, params };
     let mut contours = bridge::join(selection.contours(&chains), params.sigma);
     contours.par_iter_mut().for_each(|contour| {
@@ -88,6 +100,7 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
         let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
         edges.push_as(ChainKind { exact: false, drawn, stroke }, contour.vertices.iter().map(edgel), contour.closed);
     }
+    edges.regions = tree;
     edges
 }
 

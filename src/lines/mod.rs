@@ -14,6 +14,7 @@ mod join;
 mod junction;
 mod line;
 mod lost;
+mod outlines;
 mod params;
 mod saliency;
 mod vertex;
@@ -26,9 +27,11 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRef
 use vertex::Vertex;
 
 use lost::Tally;
+use outlines::Rank;
 
 pub use line::{Height, Line, Pen, Run};
 pub use lost::Lost;
+pub use outlines::Outlines;
 pub use params::Params;
 
 use crate::edges::{ChainRange, Edges};
@@ -46,6 +49,17 @@ pub struct Lines {
 
 /// Draws the contours in `area`, the part of the sheet where `transform` puts the picture.
 pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Params) -> Lines {
+    draw_with(edges, &Outlines::default(), transform, area, params)
+}
+
+/// [`draw`] with outlines of regions.
+pub fn draw_with(
+    edges: &Edges,
+    outlines: &Outlines,
+    transform: &PageTransform,
+    area: MmRect,
+    params: &Params,
+) -> Lines {
     let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
     let mut wanted = Tally::new(area);
     let is_crumb =
@@ -63,12 +77,30 @@ pub fn draw(edges: &Edges, transform: &PageTransform, area: MmRect, params: &Par
     }
     polylines.retain(|polyline| polyline.length() >= params.min_length);
     polylines.iter_mut().for_each(Polyline::fill);
+    let first_outline = polylines.len();
+    polylines.extend(outlines.on_the_sheet(transform, params));
     junction::extend(&mut polylines, area, params.join_gap);
     polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
 
     let saliencies: Vec<f32> = polylines.par_iter().map(|polyline| saliency::saliency(polyline, params)).collect();
     let all = polylines.clone();
-    let cleared = clearance::clear(polylines, area, params);
+    let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+        _ if first_outline == polylines.len() => Rank::Ordinary,
+        _ if number < first_outline => Rank::of(line),
+        _ => Rank::Outline,
+    };
+    let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
+    let mut cleared = clearance::clear(polylines.into_iter().zip(ranks).collect(), area, params);
+    if let Some((most, length)) = outlines.others
+        && cleared.iter().any(|line| line.rank == Rank::Outline)
+    {
+        let mut count = 0;
+        cleared.retain(|line| {
+            let is_outline = line.rank == Rank::Outline;
+            count += usize::from(!is_outline && line.polyline.length() >= length);
+            is_outline || (count <= most && line.polyline.length() >= length)
+        });
+    }
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
     all.iter().zip(&saliencies).filter(|(_, of)| **of >= least).for_each(|(polyline, _)| wanted.add(polyline));

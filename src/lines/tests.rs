@@ -1,6 +1,7 @@
 //! What simplification may not do, on lines that wander at random: leave the tolerance, or let lines cross that did
 //! not.
 
+use super::outlines::Rank;
 use super::vertex::{SPACING, Vertex};
 use super::*;
 use crate::geom::{crossing, nearest_on_segment};
@@ -42,7 +43,7 @@ fn cleared(seed: u32) -> Vec<clearance::Cleared> {
     let mut polylines = wandering(seed);
     junction::extend(&mut polylines, area, PARAMS.join_gap);
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
-    clearance::clear(polylines, area, &PARAMS)
+    clear(polylines, area)
 }
 
 type Path = Vec<MmPoint>;
@@ -73,6 +74,12 @@ fn own_crossings(line: &Path) -> usize {
     let later =
         |(i, s): (usize, &(MmPoint, MmPoint))| segments[i + 1..].iter().filter(|t| crossing(*s, **t).is_some()).count();
     segments.iter().enumerate().map(later).sum()
+}
+
+/// Clears lines of which none is an outline.
+fn clear(polylines: Vec<Polyline<Vertex>>, area: MmRect) -> Vec<clearance::Cleared> {
+    let ordinary = polylines.into_iter().map(|polyline| (polyline, Rank::Ordinary));
+    clearance::clear(ordinary.collect(), area, &PARAMS)
 }
 
 #[test]
@@ -123,7 +130,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     let mut polylines = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(40.0, 20.0), at(60.0, 75.0))];
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
     let area = MmRect::new(MmPoint::zero(), at(100.0, 100.0));
-    let lines = clearance::clear(polylines.clone(), area, &PARAMS);
+    let lines = clear(polylines.clone(), area);
     assert_eq!(lines.len(), 2);
     assert!(
         lines.iter().zip(&polylines).all(|(line, polyline)| (line.polyline.length() - polyline.length()).abs() < 0.1)
@@ -131,7 +138,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     // the same two at 20 degrees: nearer than a finger can tell apart for 25 mm
     let mut flat = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(20.0, 40.0), at(75.0, 60.0))];
     flat.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
-    let lines = clearance::clear(flat, area, &PARAMS);
+    let lines = clear(flat, area);
     assert!((lines[0].polyline.length() - 80.0).abs() < 0.1 && lines.len() == 3, "{} lines", lines.len());
     assert!(lines[1..].iter().all(|line| line.polyline.length() < 25.0));
 }

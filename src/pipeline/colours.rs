@@ -29,7 +29,8 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let options = request.decoding(&working_size);
     let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
     let layout = fit.layout(picture.source.size, plan)?;
-    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), picture.raster.is_flat(), &layout, plan, watch);
+    let is_flat = picture.raster.is_flat();
+    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, false, watch);
     let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
     Ok(Sorted { classes, place: layout.figure })
 }

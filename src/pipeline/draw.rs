@@ -6,7 +6,7 @@ use super::request::{Fit, Request};
 use super::texts::{Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
-use crate::lines::{self, Line, Lines, Lost};
+use crate::lines::{self, Line, Lines, Lost, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, Medium, Texture};
 use crate::picture::Picture;
@@ -29,6 +29,10 @@ const CROWDED: f32 = 0.35;
 const LEAST_TOLD: f32 = 3.0;
 /// On a grid of dots lines are longer or shorter by about this share, which is no loss.
 const LEAST_TOLD_OF_DOTS: f32 = 0.05;
+
+/// How many lines an overview has beside outlines, and the least length of each, mm.
+const OTHERS: usize = 8;
+const OTHERS_LENGTH: f32 = 8.0;
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct Marks {
@@ -64,7 +68,7 @@ pub(super) fn draw(
 
     let is_flat = picture.raster.is_flat();
     request.go_on()?;
-    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, watch);
+    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, true, watch);
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     let (drawn, ((overview, small), classes)) = in_parallel(
@@ -131,9 +135,15 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
 }
 
 /// The contours of a picture: those of a vector drawing from its own geometry.
-pub(super) fn edges_of(raster: &Raster, drawing: Option<&VectorDrawing>, params: &edges::Params) -> Edges {
+pub(super) fn edges_of(
+    raster: &Raster,
+    drawing: Option<&VectorDrawing>,
+    params: &edges::Params,
+    with_regions: bool,
+) -> Edges {
     match drawing {
         Some(drawing) => edges::find_drawn(raster, drawing, params),
+        None if with_regions => edges::find_with_regions(raster, params),
         None => edges::find(raster, params),
     }
 }
@@ -144,6 +154,7 @@ pub(super) fn find_edges(
     is_flat: bool,
     layout: &Layout,
     plan: &Plan,
+    with_regions: bool,
     watch: &mut Watch<'_>,
 ) -> Option<Edges> {
     let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
@@ -152,7 +163,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
-        return Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &plan.edges(px_per_mm))));
+        return Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &plan.edges(px_per_mm), with_regions)));
     };
     watch(Event::Skip(Stage::Edges, reason));
     None
@@ -164,7 +175,8 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
         Some(edges) if !edges.is_empty() => {
             let frame = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
-                let drawn = lines::draw(edges, &frame, layout.figure, &plan.lines());
+                let outlines = outlines_of(edges, &frame, plan, false);
+                let drawn = lines::draw_with(edges, &outlines, &frame, layout.figure, &plan.lines());
                 dots::pressed(drawn, layout.figure, layout, plan)
             });
         }
@@ -172,6 +184,13 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
     };
     watch(Event::Skip(Stage::Lines, reason));
     Lines::default()
+}
+
+/// The outlines of the most telling regions, for a figure or an overview where `transform` puts it.
+fn outlines_of(edges: &Edges, transform: &PageTransform, plan: &Plan, of_overview: bool) -> Outlines {
+    let Some(tree) = &edges.regions else { return Outlines::default() };
+    let traces = tree.outlines(transform.mm_per_px(), &plan.regions(of_overview));
+    Outlines { traces, others: of_overview.then_some((OTHERS, OTHERS_LENGTH)) }
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
@@ -204,7 +223,8 @@ pub(super) fn draw_overview(
             let frame = PageTransform::new(edges.size, place);
             let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
             let (lines, Lost { rings, .. }) = run(watch, Stage::Overview, || {
-                let drawn = lines::draw(edges, &frame, place, &params);
+                let outlines = outlines_of(edges, &frame, plan, true);
+                let drawn = lines::draw_with(edges, &outlines, &frame, place, &params);
                 (dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
             });
             let left_out = if params.whole_rings { rings } else { 0 };

@@ -151,5 +151,5 @@ fn find_edges(
     if let Some(Thresholds { low, high }) = tracing.thresholds {
         (params.low, params.high) = (low, high);
     }
-    Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &params)))
+    Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &params, tracing.subject == Subject::Lines)))
 }

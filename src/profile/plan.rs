@@ -6,7 +6,7 @@ use crate::Error;
 use crate::devices::Device;
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
-use crate::{classes, dots, edges, lines, textures};
+use crate::{classes, dots, edges, lines, regions, textures};
 
 /// Cells of mean colour, and how far from an edge they are compared, mm. On photographs of 481 pixels, which have 0.4
 /// mm for a pixel on an A4 sheet, 5 and 8 pixels scored best, 2.0 and 3.2 mm. A little less here, which costs about
@@ -25,6 +25,21 @@ const COLOUR_CELL: f32 = 1.0;
 /// sides, or a drawn outline, whose own contours lie at its two edges. From 0.3 to 0.9 mm it is nearly the same
 /// (`tests/colours/stains.rs`).
 const BESIDE: f32 = 0.6;
+
+/// Which regions get outlines.
+struct Shapes {
+    most: usize,
+    least_gain: f32,
+    most_near: f32,
+    /// In distances of two lines, as the next.
+    spacing: f32,
+    narrowest: f32,
+}
+
+/// Numbers that scored best on photographs (`docs/photographs.md`). In an overview two lines are far apart beside the
+/// size of things, and what is a little too near gives way ([`lines`]): to forbid it would leave few shapes.
+const FIGURE_SHAPES: Shapes = Shapes { most: 8, least_gain: 0.2, most_near: 0.3, spacing: 1.0, narrowest: 1.0 };
+const OVERVIEW_SHAPES: Shapes = Shapes { most: 7, least_gain: 0.2, most_near: 0.1, spacing: 0.8, narrowest: 0.7 };
 
 impl Profile {
     /// Distance of dots as the device has it, mm; profiles may be a hundredth off.
@@ -134,6 +149,16 @@ impl Plan {
             detail: lines.detail,
             whole_rings: false,
         }
+    }
+
+    /// Which regions get an outline, in the figure or in the overview.
+    pub fn regions(&self, of_overview: bool) -> regions::Params {
+        let lines = self.lines();
+        let Shapes { most, least_gain, most_near, spacing, narrowest } =
+            if of_overview { OVERVIEW_SHAPES } else { FIGURE_SHAPES };
+        let (distance, smoothing) = (lines.max_spacing(), lines.smoothing);
+        let (spacing, narrowest) = (spacing * distance, narrowest * distance);
+        regions::Params { most, least_gain, most_near, spacing, narrowest, smoothing }
     }
 
     /// How lines become dots, on a page of dots.

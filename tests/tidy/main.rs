@@ -23,9 +23,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("geom", &["units"]),
     ("devices", &["units"]), // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
-    ("edges", &["units", "geom", "raster"]),
+    ("regions", &["units", "geom", "raster"]), // knows traces, not how they are found
+    ("edges", &["units", "geom", "raster", "regions"]),
     ("classes", &["units", "geom", "raster"]),
-    ("lines", &["units", "geom", "raster", "edges"]),
+    ("lines", &["units", "geom", "raster", "regions", "edges"]),
     // Density and the white gap follow the lines.
     ("textures", &["units", "geom", "raster", "classes", "lines"]),
     // The same textures and lines as dots.
@@ -42,8 +43,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "profile",
         &[
-            "units", "geom", "braille", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page",
-            "contours", "output", "touch",
+            "units", "geom", "braille", "raster", "regions", "edges", "classes", "lines", "textures", "devices",
+            "dots", "page", "contours", "output", "touch",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
@@ -51,8 +52,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "pipeline",
         &[
-            "units", "geom", "braille", "raster", "edges", "classes", "lines", "textures", "devices", "dots", "page",
-            "labels", "contours", "touch", "profile", "picture",
+            "units", "geom", "braille", "raster", "regions", "edges", "classes", "lines", "textures", "devices",
+            "dots", "page", "labels", "contours", "touch", "profile", "picture",
         ],
     ),
     // The face: profiles checked, the pipeline run, pages handed to their writers.

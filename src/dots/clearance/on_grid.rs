@@ -57,10 +57,14 @@ fn cells_of(line: &Line, grid: &Grid, [columns, rows]: [[i32; 2]; 2]) -> (Vec<Ce
     let inside = |[x, y]: Cell| [x.clamp(columns[0], columns[1]), y.clamp(rows[0], rows[1])];
     cells.iter_mut().for_each(|cell| *cell = inside(*cell));
     cells.dedup();
-    // ends that have become neighbours on the grid close the line
-    let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
-    let closed = line.closed || ends.is_some_and(|(&first, &last)| distance(first, last) <= 1);
+    let closed = line.closed || ends_touch(&cells);
     (rasterise::thin(cells, closed), closed)
+}
+
+/// Whether the ends of a line have become neighbours on the grid, which closes it.
+fn ends_touch(cells: &[Cell]) -> bool {
+    let ends = cells.first().zip(cells.last()).filter(|_| cells.len() > 2 * LEAST_DOTS);
+    ends.is_some_and(|(&first, &last)| distance(first, last) <= 1)
 }
 
 fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
@@ -71,6 +75,14 @@ fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
 struct Piece {
     cells: Vec<Cell>,
     closed: bool,
+}
+
+impl Piece {
+    /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
+    fn cut_out(cells: Vec<Cell>) -> Self {
+        let closed = ends_touch(&cells);
+        Self { cells: if closed { rasterise::thin(cells, true) } else { cells }, closed }
+    }
 }
 
 /// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
@@ -164,10 +176,7 @@ impl Taken {
             *at += stretch.len() + 1;
             Some(from..from + stretch.len())
         });
-        stretches
-            .filter(|range| !range.is_empty())
-            .map(|range| Piece { cells: cells[range].to_vec(), closed: false })
-            .collect()
+        stretches.filter(|range| !range.is_empty()).map(|range| Piece::cut_out(cells[range].to_vec())).collect()
     }
 
     /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and
@@ -264,5 +273,14 @@ mod tests {
         assert_eq!(alone.second_row(0, &piece, |cell| cell[1] < 1), row(1, 0..0));
         let beside = taken(&[first, vec![[6, 2]]], 1);
         assert_eq!(beside.second_row(0, &piece, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+    }
+
+    #[test]
+    fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
+        let ring =
+            [[7, 5], [6, 6], [5, 7], [5, 8], [5, 9], [4, 9], [3, 9], [2, 8], [2, 7], [3, 6], [4, 6], [5, 6], [6, 5]];
+        let piece = Piece::cut_out(ring.to_vec());
+        assert_eq!((piece.closed, &piece.cells[..]), (true, &ring[2..12]));
+        assert!(!Piece::cut_out(ring[..8].to_vec()).closed);
     }
 }

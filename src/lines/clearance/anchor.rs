@@ -3,6 +3,7 @@
 use super::drawn::{DrawnLines, TOUCH};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
+use crate::lines::outlines::Rank;
 use crate::lines::vertex::Vertex;
 use crate::units::MmPoint;
 
@@ -10,6 +11,7 @@ use crate::units::MmPoint;
 pub(in crate::lines) struct Cleared {
     pub(in crate::lines) polyline: Polyline<Vertex>,
     pub(in crate::lines) saliency: f32,
+    pub(in crate::lines) rank: Rank,
     /// For each vertex whether another line ends there.
     pub(in crate::lines) anchored: Vec<bool>,
 }
@@ -76,7 +78,7 @@ mod tests {
 
     fn cleared(points: &[(f32, f32)], closed: bool) -> Cleared {
         let polyline = polyline(points, closed);
-        Cleared { saliency: 0.0, anchored: vec![false; polyline.vertices.len()], polyline }
+        Cleared { saliency: 0.0, rank: Rank::Ordinary, anchored: vec![false; polyline.vertices.len()], polyline }
     }
 
     #[test]
@@ -95,7 +97,8 @@ mod tests {
         let (bar, mut next) = ([(10.0, 50.0), (50.0, 50.0)], polyline(&[(50.0, 50.0), (90.0, 50.0)], false));
         // a vertex nearer to the end than the two lines have to be
         next.vertices.insert(1, Vertex { at: MmPoint::new(50.03, 50.02), ..next.vertices[0] });
-        let next = Cleared { saliency: 0.0, anchored: vec![false; next.vertices.len()], polyline: next };
+        let next =
+            Cleared { saliency: 0.0, rank: Rank::Ordinary, anchored: vec![false; next.vertices.len()], polyline: next };
         let mut lines = [cleared(&bar, false), next];
         let before: Vec<MmPoint> = lines[1].polyline.vertices.iter().map(|vertex| vertex.at).collect();
         anchor(&mut lines, &drawn(&[&bar, &[(50.0, 50.0), (50.03, 50.02), (90.0, 50.0)]]));

@@ -15,6 +15,8 @@ pub(in crate::lines) const RING_FARTHEST: f32 = 1.6;
 const FADE: f32 = 6.0;
 /// A little more than it must, mm, so that it need not do so again.
 const MORE: f32 = 0.02;
+/// What rounding may put outside of the picture, mm.
+const OUTSIDE: f32 = 0.01;
 /// Away from one line can be towards another: after so many rounds it is cut after all.
 const ROUNDS: usize = 4;
 
@@ -37,7 +39,8 @@ pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> 
             let push = faded(arc, &pushes, &passage);
             vertex.at += push;
             *moved += push;
-            if moved.length() > farthest {
+            // an outline may end on the border of the picture
+            if moved.length() > farthest || !drawn.area.inflate(OUTSIDE, OUTSIDE).contains_inclusive(vertex.at) {
                 return None;
             }
         }

@@ -109,6 +109,8 @@ impl Passage {
 /// The drawn lines.
 pub(super) struct DrawnLines<'a> {
     pub(super) params: &'a Params,
+    /// The part of the sheet that they are on.
+    pub(super) area: MmRect,
     /// All their segments.
     segments: Nearby,
     /// Their ends, as segments without length; `index` is 1 at the end, 0 at the start.
@@ -123,6 +125,7 @@ impl<'a> DrawnLines<'a> {
         let reach = params.max_spacing();
         Self {
             params,
+            area,
             segments: Nearby::new(area, reach),
             tips: Nearby::new(area, reach),
             lines: Vec::new(),

@@ -1,8 +1,8 @@
 //! Clearance: no two lines nearer than a finger can tell apart. Of two rivals the more salient stays, the other is
 //! trimmed where it comes too near. Lines that truly join may meet.
 //!
-//! Lines wait in a queue, the most salient first. Each is judged among the lines that are drawn already ([`Verdict`]):
-//! it is drawn, or what becomes of it goes back into the queue.
+//! Lines wait in a queue, by rank and the most salient first. Each is judged among the lines that are drawn already
+//! ([`Verdict`]): it is drawn, or what becomes of it goes back into the queue.
 
 mod anchor;
 mod displace;
@@ -22,6 +22,7 @@ use self::extend::{Extended, extension};
 use self::queue::Queue;
 use self::self_distance::returns;
 use self::split::{split, without_stubs};
+use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
 use super::vertex::Vertex;
@@ -52,24 +53,24 @@ enum Verdict {
 }
 
 /// Clears lines, the most salient one first; the result is in that order.
-pub(super) fn clear(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Cleared> {
+pub(super) fn clear(polylines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, params: &Params) -> Vec<Cleared> {
     let mut queue = Queue::new(polylines.len(), params);
     // Where a line comes near itself its earlier part stays.
-    polylines.into_iter().for_each(|polyline| queue.push(polyline.stronger_half_first(), 0));
+    polylines.into_iter().for_each(|(polyline, rank)| queue.push(polyline.stronger_half_first(), rank, 0));
     let mut drawn = DrawnLines::new(area, params);
     let mut own = Nearby::new(area, params.max_spacing());
     let mut cleared: Vec<Cleared> = Vec::new();
-    while let Some((polyline, cuts)) = queue.pop() {
+    while let Some((polyline, rank, cuts)) = queue.pop() {
         let is_ring = polyline.closed;
         match judge(polyline, &drawn, &mut own) {
             Verdict::Open(_) | Verdict::Split(_) if is_ring && params.whole_rings => {}
-            Verdict::Draw(line) => cleared.push(draw(line, &mut drawn)),
+            Verdict::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
             Verdict::DrawBody { body, rest } => {
-                cleared.push(draw_body(body, &rest.vertices, &mut drawn, &mut own));
-                queue.push(rest, cuts + 1);
+                cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));
+                queue.push(rest, rank, cuts + 1);
             }
-            Verdict::Shorten(line) | Verdict::Displace(line) | Verdict::Open(line) => queue.push(line, cuts + 1),
-            Verdict::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, cuts + 1)),
+            Verdict::Shorten(line) | Verdict::Displace(line) | Verdict::Open(line) => queue.push(line, rank, cuts + 1),
+            Verdict::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, rank, cuts + 1)),
         }
     }
     anchor::anchor(&mut cleared, &drawn);
@@ -121,14 +122,20 @@ fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>,
 }
 
 /// Draws a line.
-fn draw(mut line: Polyline<Vertex>, drawn: &mut DrawnLines<'_>) -> Cleared {
+fn draw(mut line: Polyline<Vertex>, rank: Rank, drawn: &mut DrawnLines<'_>) -> Cleared {
     drawn.snap(&mut line);
     let number = drawn.begin(&line);
-    finish(line, number, drawn)
+    finish(line, rank, number, drawn)
 }
 
 /// Draws the body of a line that comes back to itself, extended along the rest to what it joins soon, itself perhaps.
-fn draw_body(mut line: Polyline<Vertex>, rest: &[Vertex], drawn: &mut DrawnLines<'_>, own: &mut Nearby) -> Cleared {
+fn draw_body(
+    mut line: Polyline<Vertex>,
+    rest: &[Vertex],
+    rank: Rank,
+    drawn: &mut DrawnLines<'_>,
+    own: &mut Nearby,
+) -> Cleared {
     drawn.snap(&mut line);
     let number = drawn.begin(&line);
     let body = line.vertices.len();
@@ -140,14 +147,14 @@ fn draw_body(mut line: Polyline<Vertex>, rest: &[Vertex], drawn: &mut DrawnLines
             line.vertices.truncate(body);
         }
     }
-    finish(line, number, drawn)
+    finish(line, rank, number, drawn)
 }
 
 /// Lets others join the ends of a line; what was cut off it no longer counts for its saliency.
-fn finish(line: Polyline<Vertex>, number: u32, drawn: &mut DrawnLines<'_>) -> Cleared {
+fn finish(line: Polyline<Vertex>, rank: Rank, number: u32, drawn: &mut DrawnLines<'_>) -> Cleared {
     drawn.finish(&line, number);
     let saliency = saliency(&line, drawn.params);
-    Cleared { saliency, anchored: vec![false; line.vertices.len()], polyline: line }
+    Cleared { saliency, rank, anchored: vec![false; line.vertices.len()], polyline: line }
 }
 
 #[cfg(test)]
@@ -174,7 +181,7 @@ mod tests {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
         let mut drawn = DrawnLines::new(area, &Params::TEST);
         lines.iter().for_each(|points| {
-            draw(polyline(points, false), &mut drawn);
+            draw(polyline(points, false), Rank::Ordinary, &mut drawn);
         });
         drawn
     }
@@ -194,7 +201,8 @@ mod tests {
         let inner = polyline(&[(12.0, 30.0), (60.0, 30.0), (60.0, 60.0), (12.0, 60.0)], true);
         let cleared = |whole_rings: bool| {
             let params = Params { whole_rings, ..Params::TEST };
-            let all = clear(vec![square(10.0, 90.0), inner.clone()], area, &params);
+            let all =
+                clear([square(10.0, 90.0), inner.clone()].map(|ring| (ring, Rank::Ordinary)).to_vec(), area, &params);
             all.iter().map(|line| line.polyline.closed).collect::<Vec<_>>()
         };
         assert_eq!(cleared(false), [true, false]);
@@ -263,5 +271,25 @@ mod tests {
     fn a_body_that_is_too_short_without_the_rest_is_judged_anew() {
         let coil = [(20.0, 60.0), (26.0, 60.0), (26.0, 62.0), (20.0, 62.0), (20.0, 90.0)];
         assert!(!matches!(verdict(&coil, false), Verdict::Draw(_) | Verdict::Open(_)));
+    }
+
+    #[test]
+    fn an_outline_goes_before_a_more_salient_line_and_a_long_stroke_before_both() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let line = |y: f32, x: f32| polyline(&[(10.0, y), (x, y)], false);
+        let clear = |ranks: [Rank; 3]| {
+            let lines = [line(50.0, 90.0), line(52.0, 60.0), line(54.0, 40.0)];
+            let cleared = clear(lines.into_iter().zip(ranks).collect(), area, &Params::TEST);
+            let mut lengths: Vec<(Rank, u32)> =
+                cleared.iter().map(|line| (line.rank, line.polyline.length().round() as u32)).collect();
+            lengths.sort_unstable();
+            lengths
+        };
+        assert_eq!(clear([Rank::Ordinary; 3]), [(Rank::Ordinary, 80)]);
+        let drawn = clear([Rank::Ordinary, Rank::Outline, Rank::Ordinary]);
+        assert_eq!(drawn.last(), Some(&(Rank::Outline, 50)), "the outline is whole");
+        assert!(drawn.iter().all(|line| line.1 < 80), "{drawn:?}");
+        let drawn = clear([Rank::Ordinary, Rank::Outline, Rank::Stroke]);
+        assert_eq!(drawn.last(), Some(&(Rank::Stroke, 30)), "the stroke is whole");
     }
 }

@@ -1,9 +1,10 @@
-//! Lines that wait to be drawn, the most salient first.
+//! Lines that wait to be drawn, by rank and the most salient first.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::geom::polyline::Polyline;
+use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::Vertex;
@@ -12,6 +13,7 @@ use crate::lines::vertex::Vertex;
 const MOST_CUTS: u8 = 8;
 
 struct Candidate {
+    rank: Rank,
     saliency: f32,
     /// When it came: of two that are equally salient, the earlier goes first.
     number: usize,
@@ -21,7 +23,8 @@ struct Candidate {
 
 impl Ord for Candidate {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.saliency.total_cmp(&other.saliency).then(other.number.cmp(&self.number))
+        let by_saliency = self.saliency.total_cmp(&other.saliency).then(other.number.cmp(&self.number));
+        self.rank.cmp(&other.rank).then(by_saliency)
     }
 }
 
@@ -52,18 +55,18 @@ impl<'a> Queue<'a> {
     }
 
     /// Adds a line that was cut so many times, unless it is too short or was cut too often.
-    pub(super) fn push(&mut self, polyline: Polyline<Vertex>, cuts: u8) {
+    pub(super) fn push(&mut self, polyline: Polyline<Vertex>, rank: Rank, cuts: u8) {
         if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || cuts > MOST_CUTS {
             return;
         }
         let saliency = saliency(&polyline, self.params);
-        self.heap.push(Candidate { saliency, number: self.count, cuts, polyline });
+        self.heap.push(Candidate { rank, saliency, number: self.count, cuts, polyline });
         self.count += 1;
     }
 
-    /// The most salient line and how often it was cut.
-    pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, u8)> {
-        self.heap.pop().map(|candidate| (candidate.polyline, candidate.cuts))
+    /// The next line, its rank and how often it was cut.
+    pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, Rank, u8)> {
+        self.heap.pop().map(|candidate| (candidate.polyline, candidate.rank, candidate.cuts))
     }
 }
 
@@ -76,10 +79,13 @@ mod tests {
     fn the_most_salient_comes_first_and_what_is_short_or_often_cut_not_at_all() {
         let mut queue = Queue::new(4, &Params::TEST);
         let lengths = [12.0, 30.0, 7.0, 30.0];
-        lengths.iter().zip(0..).for_each(|(&x, cuts)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), cuts));
-        queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), MOST_CUTS + 1);
+        lengths
+            .iter()
+            .zip(0..)
+            .for_each(|(&x, cuts)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), Rank::Ordinary, cuts));
+        queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), Rank::Ordinary, MOST_CUTS + 1);
         let order: Vec<(u32, u8)> =
-            std::iter::from_fn(|| queue.pop()).map(|(line, cuts)| (line.length().round() as u32, cuts)).collect();
+            std::iter::from_fn(|| queue.pop()).map(|(line, _, cuts)| (line.length().round() as u32, cuts)).collect();
         assert_eq!(order, [(30, 1), (30, 3), (12, 0)]);
     }
 }

@@ -1,0 +1,191 @@
+//! Where basins meet: cracks between two cells, and arcs of all cracks between the same two basins.
+
+use rayon::iter::ParallelIterator;
+use rayon::slice::ParallelSlice;
+
+use super::grid::Grid;
+use super::traces::TraceMap;
+use crate::geom::first_eigenvector;
+use crate::raster::plane::Plane;
+use crate::units::{PxPoint, PxVector};
+
+/// Cracks of an arc within this distance, cells, give a crack's direction.
+const TANGENT_REACH: f32 = 4.0;
+/// How far from a crack the colours of its two sides are looked at, cells.
+const BESIDE: f32 = 5.0;
+/// Steps are counted up to this strength: a stronger one closes a region no better.
+const CLEAR: f32 = 20.0;
+/// Strength from which a crack counts as seen.
+const SEEN: f32 = 5.0;
+
+/// The side between two cells of different basins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Crack {
+    /// The cell on its left or above it; the other is the next one to the right or below.
+    pub(super) cell: u32,
+    /// Whether the cells lie side by side, so that it runs down.
+    pub(super) is_upright: bool,
+    pub(super) strength: f32,
+}
+
+impl Crack {
+    /// Both cells.
+    pub(super) fn cells(&self, grid: Grid) -> [usize; 2] {
+        let cell = self.cell as usize;
+        [cell, cell + if self.is_upright { 1 } else { grid.cells.width as usize }]
+    }
+
+    /// Its middle, in cells.
+    pub(super) fn middle(&self, grid: Grid) -> PxPoint {
+        let width = grid.cells.width;
+        let (x, y) = ((self.cell % width) as f32, (self.cell / width) as f32);
+        if self.is_upright { PxPoint::new(x + 1.0, y + 0.5) } else { PxPoint::new(x + 0.5, y + 1.0) }
+    }
+
+    fn ends(&self, grid: Grid) -> [PxPoint; 2] {
+        let half = if self.is_upright { PxVector::new(0.0, 0.5) } else { PxVector::new(0.5, 0.0) };
+        let middle = self.middle(grid);
+        [middle - half, middle + half]
+    }
+}
+
+/// Sums over cracks.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Sums {
+    /// How many cracks.
+    pub(super) length: f64,
+    pub(super) strength: f64,
+    /// Strengths up to [`CLEAR`].
+    pub(super) clear: f64,
+    /// How many are [`SEEN`].
+    pub(super) seen: f64,
+    /// Colours on both sides (L, 2a, 2b).
+    pub(super) colours: [[f64; 3]; 2],
+}
+
+impl Sums {
+    /// Adds others, with sides exchanged if `turned`.
+    pub(super) fn add(&mut self, other: &Self, turned: bool) {
+        self.add_times(other, turned, 1.0);
+    }
+
+    /// Adds others so many times.
+    pub(super) fn add_times(&mut self, other: &Self, turned: bool, times: f64) {
+        self.length += times * other.length;
+        self.strength += times * other.strength;
+        self.clear += times * other.clear;
+        self.seen += times * other.seen;
+        for side in 0..2 {
+            let from = if turned { 1 - side } else { side };
+            (0..3).for_each(|k| self.colours[side][k] += times * other.colours[from][k]);
+        }
+    }
+
+    /// Mean strength.
+    pub(super) fn mean(&self) -> f64 {
+        self.strength / self.length.max(1.0)
+    }
+
+    /// Mean strength up to [`CLEAR`], as a share of it.
+    pub(super) fn clearness(&self) -> f64 {
+        self.clear / (f64::from(CLEAR) * self.length.max(1.0))
+    }
+}
+
+/// All cracks between two basins.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Arc {
+    /// The basins, the lower number first; so are the sides of the sums.
+    pub(super) ends: [u32; 2],
+    pub(super) sums: Sums,
+    /// Its cracks among all.
+    pub(super) cracks: std::ops::Range<usize>,
+}
+
+/// All cracks, arc by arc, and the arcs in the order of their basins.
+pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plane]) -> (Vec<Crack>, Vec<Arc>) {
+    let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
+    let mut found: Vec<([u32; 2], Crack)> = Vec::new();
+    for cell in 0..basin.len() {
+        let (right, below) = (cell % width + 1 < width, cell / width + 1 < height);
+        for (is_there, next, is_upright) in [(right, cell + 1, true), (below, cell + width, false)] {
+            if is_there && basin[cell] != basin[next] {
+                let ends = [basin[cell].min(basin[next]), basin[cell].max(basin[next])];
+                found.push((ends, Crack { cell: cell as u32, is_upright, strength: 0.0 }));
+            }
+        }
+    }
+    found.sort_by_key(|(ends, crack)| (*ends, crack.cell, crack.is_upright));
+    let measured: Vec<([u32; 2], Vec<Crack>, Sums)> = found
+        .par_chunk_by(|a, b| a.0 == b.0)
+        .map(|of_arc| {
+            let (ends, mut cracks) = (of_arc[0].0, of_arc.iter().map(|(_, crack)| *crack).collect::<Vec<_>>());
+            let sums = measure(&mut cracks, ends, basin, grid, traces, colours);
+            (ends, cracks, sums)
+        })
+        .collect();
+    let (mut cracks, mut arcs) = (Vec::with_capacity(found.len()), Vec::with_capacity(measured.len()));
+    for (ends, of_arc, sums) in measured {
+        let start = cracks.len();
+        cracks.extend(of_arc);
+        arcs.push(Arc { ends, sums, cracks: start..cracks.len() });
+    }
+    (cracks, arcs)
+}
+
+/// Gives the cracks of one arc their strength, and sums up.
+fn measure(
+    cracks: &mut [Crack],
+    ends: [u32; 2],
+    basin: &[u32],
+    grid: Grid,
+    traces: &TraceMap,
+    colours: &[Plane],
+) -> Sums {
+    let mut sums = Sums::default();
+    let tangents: Vec<PxVector> = (0..cracks.len()).map(|i| tangent(cracks, i, grid)).collect();
+    for (crack, tangent) in cracks.iter_mut().zip(tangents) {
+        let middle = crack.middle(grid);
+        let strength = traces.seen(middle, tangent).1;
+        crack.strength = strength;
+        // from the first cell to the second
+        let across = PxVector::new(-tangent.y, tangent.x);
+        let along_axis = if crack.is_upright { across.x } else { across.y };
+        let across = if along_axis < 0.0 { -across } else { across };
+        let first = usize::from(basin[crack.cell as usize] != ends[0]);
+        sums.length += 1.0;
+        sums.strength += f64::from(strength);
+        sums.clear += f64::from(strength.min(CLEAR));
+        sums.seen += f64::from(u8::from(strength >= SEEN));
+        for (side, at) in [(first, middle - across * BESIDE), (1 - first, middle + across * BESIDE)] {
+            for (sum, plane) in sums.colours[side].iter_mut().zip(colours) {
+                *sum += f64::from(plane.at(at.x, at.y));
+            }
+        }
+    }
+    sums
+}
+
+/// The direction of an arc at one of its cracks: the main axis of the cracks near it.
+fn tangent(cracks: &[Crack], i: usize, grid: Grid) -> PxVector {
+    let middle = cracks[i].middle(grid);
+    let (mut count, mut mean) = (0.0, PxVector::zero());
+    let [mut xx, mut xy, mut yy] = [0.0; 3];
+    // cracks come row by row
+    let (width, rows) = (grid.cells.width, TANGENT_REACH as u32 + 1);
+    let row = cracks[i].cell / width;
+    let start = cracks.partition_point(|crack| crack.cell / width + rows < row);
+    for crack in cracks[start..].iter().take_while(|crack| crack.cell / width <= row + rows) {
+        if (crack.middle(grid) - middle).square_length() <= TANGENT_REACH * TANGENT_REACH {
+            for end in crack.ends(grid) {
+                let v = end - middle;
+                (count, mean) = (count + 1.0, mean + v);
+                (xx, xy, yy) = (xx + v.x * v.x, xy + v.x * v.y, yy + v.y * v.y);
+            }
+        }
+    }
+    let mean = mean / count;
+    let own = if cracks[i].is_upright { PxVector::new(0.0, 1.0) } else { PxVector::new(1.0, 0.0) };
+    let [xx, xy, yy] = [xx / count - mean.x * mean.x, xy / count - mean.x * mean.y, yy / count - mean.y * mean.y];
+    first_eigenvector(xx, xy, yy).unwrap_or(own)
+}

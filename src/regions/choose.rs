@@ -1,0 +1,274 @@
+//! Which regions tell most about a picture: those with a clear outline all round, compact, unlike what is beside them,
+//! and large, though not as large as the picture.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::arcs::Crack;
+use super::distance::nearest;
+use super::merge::Node;
+use super::tree::Tree;
+use crate::units::Size;
+
+/// What is asked of the regions that get an outline. Lengths are in millimetres on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    /// At most so many.
+    pub most: usize,
+    /// Each is worth at least this share of the first, 0..=1.
+    pub least_gain: f32,
+    /// Outlines nearer than this disturb one another.
+    pub spacing: f32,
+    /// Most of an outline that may be too near to others, as a share of its length, 0..=1.
+    pub most_near: f32,
+    /// No region, nothing between two, is drawn narrower than this.
+    pub narrowest: f32,
+    /// Sigma of the Gaussian that smooths an outline along itself.
+    pub smoothing: f32,
+}
+
+/// Difference of colour at which contrast is one half.
+const HALF_CONTRAST: f64 = 20.0;
+/// Exponent of the compactness.
+const COMPACT: f64 = 0.75;
+/// Exponent of the area.
+const AREA: f64 = 0.33;
+/// A region of this share of the picture is none, but its ground.
+const GROUND: f64 = 0.7;
+/// ... and from this much less on it counts fully.
+const GROUND_RANGE: f64 = 0.3;
+/// What a region loses that lies along the frame.
+const FRAME: f64 = 0.8;
+/// Cracks run in steps: an outline is shorter than its cracks by about this factor.
+const STEPS: f64 = 0.8;
+/// Least area, mm2, and least area of a region that is not strikingly clear.
+const LEAST_AREA: f64 = 8.0;
+const COMMON_AREA: f64 = 15.0;
+const STRIKING: (f64, f64) = (0.6, 0.7);
+/// An opening by this radius, mm, must keep that share of a region: what is thin is a line, not a region.
+const OPENING: f32 = 1.2;
+const KEPT: f64 = 0.6;
+/// A region whose mean width is so many times the width of what the opening takes away is not looked at.
+const WIDE: f64 = 2.5;
+/// Outlines within this distance are the same, cells.
+const SAME: f32 = 4.0;
+/// Most of an outline that may be the same as those before it, or too near to them.
+const MOST_SAME: f64 = 0.7;
+/// What an outline loses that is as near to others as it may be.
+const NEAR: f64 = 0.7;
+
+/// A region that may be chosen. The best is the greatest; of equal ones the larger.
+struct Candidate {
+    gain: f64,
+    area: f64,
+    node: u32,
+    /// How many were chosen when its gain was computed.
+    round: usize,
+}
+
+impl Ord for Candidate {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.gain.total_cmp(&other.gain).then(self.area.total_cmp(&other.area)).then(other.node.cmp(&self.node))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}
+
+/// The numbers of the most telling regions, the first first. `mm` is the side of a cell on the sheet.
+pub(super) fn choose(tree: &Tree, mm: f32, params: &Params) -> Vec<u32> {
+    let members = Members::of(tree);
+    let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(of, tree.basin.len(), mm), of.area));
+    let mut heap: BinaryHeap<Candidate> = scores
+        .filter(|(_, gain, _)| *gain > 0.0)
+        .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 })
+        .collect();
+    let (mut chosen, mut first, mut near) = (Vec::new(), None, None);
+    let mut is_outline = vec![false; half(tree.grid.cells).len()];
+    while let Some(candidate) = heap.pop() {
+        if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
+            break;
+        }
+        // gains only fall as more is chosen: one that was computed for what is chosen now, and is the best, is the best
+        if candidate.round < chosen.len() {
+            let own = score(&tree.nodes[candidate.node as usize], tree.basin.len(), mm);
+            if let Some(gain) = gain(own, &members.outline(tree, candidate.node), near.as_deref(), tree, mm, params) {
+                heap.push(Candidate { gain, round: chosen.len(), ..candidate });
+            }
+            continue;
+        }
+        if !is_stout(tree, &members, candidate.node, mm) {
+            continue;
+        }
+        first.get_or_insert(candidate.gain);
+        chosen.push(candidate.node);
+        if chosen.len() == params.most {
+            break;
+        }
+        for crack in members.outline(tree, candidate.node) {
+            crack.cells(tree.grid).into_iter().for_each(|cell| is_outline[halved(cell, tree.grid.cells)] = true);
+        }
+        near = nearest(&is_outline, half(tree.grid.cells));
+    }
+    chosen
+}
+
+/// How much a region tells, by itself.
+fn score(node: &Node, cells: usize, mm: f32) -> f64 {
+    let length = STEPS * node.outline.length;
+    let (share, square_mm) = (node.area / cells as f64, node.area * f64::from(mm * mm));
+    if node.outline.length < 1.0 || square_mm < LEAST_AREA {
+        return 0.0;
+    }
+    let clear = node.outline.clearness();
+    let seen = node.outline.seen / node.outline.length;
+    let compact = (2.0 * (std::f64::consts::PI * node.area).sqrt() / (length + node.frame)).min(1.0);
+    let [inside, outside] = node.outline.colours.map(|sum| sum.map(|v| v / node.outline.length));
+    let difference = (0..3).map(|k| inside[k] - outside[k]).map(|d| d * d).sum::<f64>().sqrt();
+    let contrast = difference / (difference + HALF_CONTRAST);
+    if square_mm < COMMON_AREA && !(contrast > STRIKING.0 && clear > STRIKING.1) {
+        return 0.0;
+    }
+    let not_ground = ((GROUND - share) / GROUND_RANGE).clamp(0.0, 1.0);
+    let along_frame = (node.frame / (length + node.frame)).min(0.9);
+    clear
+        * seen
+        * seen
+        * compact.powf(COMPACT)
+        * contrast.sqrt()
+        * share.powf(AREA)
+        * not_ground
+        * (1.0 - FRAME * along_frame)
+}
+
+/// A grid of half as many columns and rows, in which distances of outlines are looked at.
+fn half(cells: Size) -> Size {
+    Size::new(cells.width.div_ceil(2), cells.height.div_ceil(2))
+}
+
+/// The cell of the halved grid in which a cell lies.
+fn halved(cell: usize, cells: Size) -> usize {
+    let width = cells.width as usize;
+    cell / width / 2 * half(cells).width as usize + cell % width / 2
+}
+
+/// What a region adds to those that are chosen; none if its outline is one of theirs or too near to them.
+fn gain(
+    score: f64,
+    outline: &[Crack],
+    near: Option<&[(u32, u32)]>,
+    tree: &Tree,
+    mm: f32,
+    params: &Params,
+) -> Option<f64> {
+    let Some(near) = near else { return Some(score) };
+    let (mut same, mut too_near) = (0.0, 0.0);
+    let (same_square, near_square) = ((0.5 * SAME).powi(2), (0.5 * params.spacing / mm).powi(2));
+    for crack in outline {
+        let square = crack
+            .cells(tree.grid)
+            .map(|cell| near[halved(cell, tree.grid.cells)].1)
+            .into_iter()
+            .min()
+            .unwrap_or(u32::MAX) as f32;
+        same += f64::from(u8::from(square <= same_square));
+        too_near += f64::from(u8::from(square > same_square && square < near_square));
+    }
+    let count = outline.len().max(1) as f64;
+    let (same, too_near) = (same / count, too_near / count);
+    let too_near = too_near / f64::from(params.most_near);
+    (same <= MOST_SAME && too_near <= 1.0).then_some(score * (1.0 - same) * (1.0 - NEAR * too_near))
+}
+
+/// Whether a region is more than a stroke. The frame narrows nothing.
+fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
+    let of = &tree.nodes[node as usize];
+    let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.frame);
+    if mean_width >= WIDE * f64::from(2.0 * OPENING / mm) {
+        return true;
+    }
+    let width = tree.grid.cells.width as usize;
+    let is_in: Vec<bool> = (0..tree.basins as u32).map(|basin| members.has(node, basin)).collect();
+    let (mut columns, mut rows) = ((usize::MAX, 0), (usize::MAX, 0));
+    for (y, row) in tree.basin.chunks_exact(width).enumerate() {
+        let mut inside = (0..width).filter(|&x| is_in[row[x] as usize]);
+        if let Some(first) = inside.next() {
+            columns = (columns.0.min(first), columns.1.max(inside.next_back().unwrap_or(first)));
+            rows = (rows.0.min(y), y);
+        }
+    }
+    if rows.0 > rows.1 {
+        return false;
+    }
+    // with a margin, where there is one
+    let (left, top) = (columns.0.saturating_sub(1), rows.0.saturating_sub(1));
+    let right = (columns.1 + 2).min(width);
+    let bottom = (rows.1 + 2).min(tree.grid.cells.height as usize);
+    let cells = tree.basin[top * width..bottom * width].chunks_exact(width).flat_map(|row| &row[left..right]);
+    let is_outside: Vec<bool> = cells.map(|&basin| !is_in[basin as usize]).collect();
+    let size = Size::new((right - left) as u32, (bottom - top) as u32);
+    let square = (OPENING / mm).powi(2);
+    let Some(to_outside) = nearest(&is_outside, size) else { return true };
+    let is_core: Vec<bool> = to_outside.iter().map(|(_, distance)| *distance as f32 > square).collect();
+    let Some(to_core) = nearest(&is_core, size) else { return false };
+    let kept = to_core.iter().filter(|(_, distance)| *distance as f32 <= square).count();
+    kept as f64 >= KEPT * of.area
+}
+
+/// Which basins each region is made of.
+pub(super) struct Members {
+    /// The place of each basin in an order in which those of every region follow one another.
+    place: Vec<u32>,
+    /// The places of each region.
+    range: Vec<std::ops::Range<u32>>,
+}
+
+impl Members {
+    pub(super) fn of(tree: &Tree) -> Self {
+        let count = tree.nodes.len();
+        let mut is_child = vec![false; count];
+        for [a, b] in tree.nodes.iter().filter_map(|node| node.children) {
+            (is_child[a as usize], is_child[b as usize]) = (true, true);
+        }
+        let mut place = vec![0; count];
+        let mut range = vec![0..0; count];
+        let mut next = 0;
+        let mut todo: Vec<(u32, bool)> =
+            (0..count as u32).filter(|&node| !is_child[node as usize]).map(|node| (node, false)).collect();
+        while let Some((node, is_done)) = todo.pop() {
+            let at = node as usize;
+            match tree.nodes[at].children {
+                None => {
+                    place[at] = next;
+                    range[at] = next..next + 1;
+                    next += 1;
+                }
+                Some([a, b]) if is_done => range[at] = range[b as usize].start..range[a as usize].end,
+                Some([a, b]) => todo.extend([(node, true), (a, false), (b, false)]),
+            }
+        }
+        Self { place, range }
+    }
+
+    /// Whether a basin is in a region.
+    pub(super) fn has(&self, node: u32, basin: u32) -> bool {
+        self.range[node as usize].contains(&self.place[basin as usize])
+    }
+
+    /// The cracks around a region.
+    fn outline(&self, tree: &Tree, node: u32) -> Vec<Crack> {
+        let around = tree.arcs.iter().filter(|arc| self.has(node, arc.ends[0]) != self.has(node, arc.ends[1]));
+        around.flat_map(|arc| tree.cracks[arc.cracks.clone()].iter().copied()).collect()
+    }
+}

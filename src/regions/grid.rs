@@ -1,0 +1,46 @@
+//! The cells that a picture is divided into for its regions.
+
+use crate::units::{PxPoint, Size};
+
+/// Most cells of a picture, for which the distances in this module were chosen (photographs of 481 x 321 pixels); a
+/// larger picture has larger cells, so that time does not grow with it.
+const MOST_CELLS: f64 = 200_000.0;
+
+/// Cells over a picture, corner on corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// Columns and rows of cells.
+    pub cells: Size,
+    /// The picture in pixels.
+    pub picture: Size,
+}
+
+impl Grid {
+    /// The cells of a picture of this size.
+    pub fn new(picture: Size) -> Self {
+        let scale = (MOST_CELLS / picture.area().max(1) as f64).sqrt().min(1.0);
+        let side = |pixels: u32| ((f64::from(pixels) * scale).round() as u32).clamp(1, pixels.max(1));
+        Self { cells: Size::new(side(picture.width), side(picture.height)), picture }
+    }
+
+    /// A place of the picture, in cells.
+    pub(super) fn to_cells(self, at: PxPoint) -> PxPoint {
+        let across = self.cells.width as f32 / self.picture.width as f32;
+        let down = self.cells.height as f32 / self.picture.height as f32;
+        PxPoint::new(at.x * across, at.y * down)
+    }
+
+    /// A place in cells, in the picture.
+    pub(super) fn to_picture(self, at: PxPoint) -> PxPoint {
+        let across = self.picture.width as f32 / self.cells.width as f32;
+        let down = self.picture.height as f32 / self.cells.height as f32;
+        PxPoint::new(at.x * across, at.y * down)
+    }
+
+    /// The number of the cell at a place in cells; none outside.
+    pub(super) fn cell_at(self, at: PxPoint) -> Option<usize> {
+        let inside = |v: f32, end: u32| v >= 0.0 && v < end as f32;
+        (inside(at.x, self.cells.width) && inside(at.y, self.cells.height))
+            .then(|| at.y as usize * self.cells.width as usize + at.x as usize)
+    }
+}

@@ -1,0 +1,203 @@
+//! Basins are merged into regions, those first between which the least is seen.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::arcs::{Arc, Sums};
+
+/// Weight of a difference of colour beside the strength of traces.
+const COLOUR: f64 = 0.15;
+/// A difference of colour counts at most this much.
+const MOST_COLOUR: f64 = 30.0;
+/// Regions of this share of the picture, and smaller ones, merge early: crumbs are no regions.
+const CRUMB: f64 = 0.003;
+/// ... and of this share of it before they merge with larger ones: parts join one another before they join the ground.
+const PART: f64 = 0.02;
+/// How much size counts.
+const POWER: f64 = 0.3;
+
+/// A region: a basin, or two regions merged.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Node {
+    /// In cells.
+    pub(super) area: f64,
+    /// Sum of the colours of its cells.
+    pub(super) colour: [f64; 3],
+    /// Sides of its cells on the picture's frame.
+    pub(super) frame: f64,
+    /// Sums over its outline, frame excepted: its own side first.
+    pub(super) outline: Sums,
+    /// The two regions that it was merged of.
+    pub(super) children: Option<[u32; 2]>,
+}
+
+/// An arc between two regions that are yet to be merged.
+struct Border {
+    ends: [u32; 2],
+    sums: Sums,
+    /// Changes whenever its cost does.
+    version: u32,
+    alive: bool,
+}
+
+struct Candidate {
+    cost: f64,
+    length: f64,
+    border: u32,
+    version: u32,
+}
+
+impl Ord for Candidate {
+    /// The cheapest is the greatest; of equal ones the longest, whatever their numbers.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by_cost = other.cost.total_cmp(&self.cost);
+        by_cost.then(self.length.total_cmp(&other.length)).then(other.border.cmp(&self.border))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}
+
+/// What merging works on.
+struct Merging {
+    nodes: Vec<Node>,
+    /// By node: what size counts beside a larger one, and beside a smaller one.
+    weights: Vec<[f64; 2]>,
+    borders: Vec<Border>,
+    /// By node: its neighbours, ordered, and the borders with them.
+    neighbours: Vec<Vec<(u32, u32)>>,
+    heap: BinaryHeap<Candidate>,
+    cells: f64,
+}
+
+/// All regions, basins first, in the order in which they are merged.
+pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize) -> Vec<Node> {
+    let mut merging = Merging::new(basins, arcs, cells as f64);
+    while let Some(Candidate { border, version, .. }) = merging.heap.pop() {
+        let Border { alive, version: current, .. } = merging.borders[border as usize];
+        if alive && current == version {
+            merging.unite(border);
+        }
+    }
+    merging.nodes
+}
+
+impl Merging {
+    fn new(mut nodes: Vec<Node>, arcs: &[Arc], cells: f64) -> Self {
+        let mut neighbours = vec![Vec::new(); nodes.len()];
+        let mut borders = Vec::with_capacity(arcs.len());
+        for (number, arc) in (0_u32..).zip(arcs) {
+            let [a, b] = arc.ends;
+            neighbours[a as usize].push((b, number));
+            neighbours[b as usize].push((a, number));
+            nodes[a as usize].outline.add(&arc.sums, false);
+            nodes[b as usize].outline.add(&arc.sums, true);
+            let sums = arc.sums;
+            borders.push(Border { ends: arc.ends, sums, version: 0, alive: true });
+        }
+        neighbours.iter_mut().for_each(|list| list.sort_unstable());
+        let weights = nodes.iter().map(|node| weights(node.area, cells)).collect();
+        let mut merging = Self { nodes, weights, borders, neighbours, heap: BinaryHeap::new(), cells };
+        (0..arcs.len() as u32).for_each(|border| merging.put(border));
+        merging
+    }
+
+    /// Adds a border with its cost to the heap.
+    fn put(&mut self, number: u32) {
+        let border = &self.borders[number as usize];
+        let (cost, length) = (self.cost(border), border.sums.length);
+        self.heap.push(Candidate { cost, length, border: number, version: border.version });
+    }
+
+    /// How much is seen between two regions.
+    fn cost(&self, border: &Border) -> f64 {
+        let [a, b] = border.ends.map(|end| end as usize);
+        let difference = colour_difference(&self.nodes[a], &self.nodes[b]);
+        let colour = difference / (1.0 + difference / MOST_COLOUR);
+        let (small, large) = if self.nodes[a].area <= self.nodes[b].area { (a, b) } else { (b, a) };
+        (border.sums.mean() + COLOUR * colour) * self.weights[small][0] * self.weights[large][1]
+    }
+
+    /// Makes one region of the two beside a border.
+    fn unite(&mut self, border: u32) {
+        let [a, b] = self.borders[border as usize].ends;
+        self.borders[border as usize].alive = false;
+        let node = united(&self.nodes[a as usize], &self.nodes[b as usize], &self.borders[border as usize].sums);
+        let number = self.nodes.len() as u32;
+        self.weights.push(weights(node.area, self.cells));
+        self.nodes.push(Node { children: Some([a, b]), ..node });
+        let [of_a, of_b] = [a, b].map(|end| std::mem::take(&mut self.neighbours[end as usize]));
+        let mut merged = Vec::with_capacity(of_a.len() + of_b.len());
+        for (old, list) in [(a, of_a), (b, of_b)] {
+            for (other, of_other) in list {
+                if other == a || other == b {
+                    continue;
+                }
+                let border = &mut self.borders[of_other as usize];
+                border.ends = border.ends.map(|end| if end == old { number } else { end });
+                merged.push((other, of_other));
+            }
+        }
+        merged.sort_unstable();
+        let mut kept: Vec<(u32, u32)> = Vec::with_capacity(merged.len());
+        for (other, of_other) in merged {
+            let list = &mut self.neighbours[other as usize];
+            list.retain(|(end, _)| *end != a && *end != b);
+            match kept.last() {
+                Some(&(before, into)) if before == other => self.join(into, of_other),
+                _ => kept.push((other, of_other)),
+            }
+        }
+        for &(other, border) in &kept {
+            // the new number is the highest of all
+            self.neighbours[other as usize].push((number, border));
+            self.borders[border as usize].version += 1;
+            self.put(border);
+        }
+        self.neighbours.push(kept);
+    }
+
+    /// Makes one of two borders between the same regions.
+    fn join(&mut self, into: u32, from: u32) {
+        let turned = self.borders[into as usize].ends != self.borders[from as usize].ends;
+        let sums = self.borders[from as usize].sums;
+        self.borders[from as usize].alive = false;
+        self.borders[into as usize].sums.add(&sums, turned);
+    }
+}
+
+/// What a region of an area counts beside a larger one, and beside a smaller one.
+fn weights(area: f64, cells: f64) -> [f64; 2] {
+    [CRUMB, PART].map(|share| (area / (area + share * cells)).powf(POWER))
+}
+
+/// Distance of the mean colours of two regions.
+fn colour_difference(a: &Node, b: &Node) -> f64 {
+    (0..3).map(|k| a.colour[k] / a.area - b.colour[k] / b.area).map(|d| d * d).sum::<f64>().sqrt()
+}
+
+/// Two regions as one, without the border between them.
+fn united(a: &Node, b: &Node, between: &Sums) -> Node {
+    let mut outline = a.outline;
+    outline.add(&b.outline, false);
+    outline.add_times(between, false, -1.0);
+    outline.add_times(between, true, -1.0);
+    Node {
+        area: a.area + b.area,
+        colour: std::array::from_fn(|k| a.colour[k] + b.colour[k]),
+        frame: a.frame + b.frame,
+        outline,
+        children: None,
+    }
+}

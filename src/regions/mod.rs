@@ -1,0 +1,28 @@
+//! Regions of a picture as a tree over its traced contours, and the outlines of those that tell most.
+//!
+//! ```text
+//! traces, colours -> landscape -> watershed (basins) -> arcs (what is seen between them) -> merge -> Tree
+//!                                      Tree -> choose (the most telling) -> label_map -> border -> outlines
+//! ```
+//!
+//! A watershed over the contours divides the picture into basins; they are merged, the least visible border first, into
+//! ever larger regions (hierarchy of contours: Arbelaez et al. 2011). Every region that ever was is a candidate for an
+//! outline.
+
+mod arcs;
+mod border;
+mod choose;
+mod distance;
+mod grid;
+mod label_map;
+mod merge;
+mod outline;
+mod trace;
+mod traces;
+mod tree;
+mod watershed;
+
+pub use choose::Params;
+pub use grid::Grid;
+pub use trace::{Trace, TracePoint};
+pub use tree::Tree;

@@ -1,0 +1,157 @@
+//! Outlines of the most telling regions.
+
+use super::border::{Border, borders, corner_at};
+use super::choose::{Params, choose};
+use super::label_map::label_map;
+use super::trace::{Trace, TracePoint};
+use super::tree::Tree;
+
+use crate::geom::polyline::{Polyline, smooth};
+use crate::units::{PxPoint, PxVector, Size};
+
+/// Outlines are smoothed over at least this much, cells: their cracks run in steps.
+const LEAST_SMOOTHING: f32 = 1.2;
+/// The direction of an outline is taken over this many sides of cells before and after a place.
+const SPAN: usize = 3;
+
+impl Tree {
+    /// The outlines of the most telling regions, the first first, for a sheet with so many millimetres for a pixel of
+    /// the picture. Neighbours share one border, which belongs to the first of them; one that is not closed ends on the
+    /// frame or on others. The strength is the mean of what is seen along the line.
+    pub fn outlines(&self, mm_per_px: f32, params: &Params) -> Vec<Trace> {
+        let mm = mm_per_px * self.grid.picture.width as f32 / self.grid.cells.width as f32;
+        let chosen = choose(self, mm, params);
+        let labels = label_map(self, &chosen, mm, params.narrowest);
+        let mut placed = vec![None; (self.grid.cells.width as usize + 1) * (self.grid.cells.height as usize + 1)];
+        let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
+        let all = borders(&labels, chosen.len(), self.grid.cells);
+        all.iter().map(|border| self.trace(border, sigma, &mut placed)).collect()
+    }
+
+    /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.
+    fn trace(&self, border: &Border, sigma: f32, placed: &mut [Option<PxPoint>]) -> Trace {
+        let size = self.grid.cells;
+        let middles = middles(border, size);
+        let count = middles.len();
+        let (mut points, mut sum) = (Vec::with_capacity(count + 2), 0.0);
+        for (i, &middle) in middles.iter().enumerate() {
+            let at = |steps: usize, forwards: bool| match (border.closed, forwards) {
+                (true, true) => middles[(i + steps) % count],
+                (true, false) => middles[(i + count - steps % count) % count],
+                (false, true) => middles[(i + steps).min(count - 1)],
+                (false, false) => middles[i.saturating_sub(steps)],
+            };
+            let heading = (at(SPAN, true) - at(SPAN, false)).try_normalize().unwrap_or(PxVector::new(1.0, 0.0));
+            let (at, strength) = self.traces.seen(middle, heading);
+            points.push(at);
+            sum += strength;
+        }
+        let strength = sum / count.max(1) as f32;
+        if let (false, Some(&first), Some(&last)) = (border.closed, border.corners.first(), border.corners.last()) {
+            let at = |corner: usize| placed[corner].unwrap_or_else(|| corner_at(corner, size));
+            let (first, last) = (at(first), at(last));
+            points.insert(0, first);
+            points.push(last);
+        }
+        let line = Polyline { vertices: points, closed: border.closed };
+        let smoothed = smooth(&line.arc_lengths(), line.closed, sigma, |i| [line.vertices[i].x, line.vertices[i].y]);
+        let points: Vec<PxPoint> = smoothed.into_iter().map(|[x, y]| PxPoint::new(x, y)).collect();
+        let n = points.len();
+        for (i, &corner) in border.corners.iter().enumerate() {
+            // of a ring the corner lies before the middle of the same number, of an open border behind it
+            let (before, after) = if border.closed { ((i + n - 1) % n, i) } else { (i, (i + 1).min(n - 1)) };
+            placed[corner].get_or_insert(points[before].lerp(points[after], 0.5));
+        }
+        let point = |at: PxPoint| TracePoint { at: self.grid.to_picture(at), strength };
+        Polyline { vertices: points.into_iter().map(point).collect(), closed: border.closed }
+    }
+}
+
+/// The middles of the sides along a border.
+fn middles(border: &Border, size: Size) -> Vec<PxPoint> {
+    let corners = &border.corners;
+    let count = if border.closed { corners.len() } else { corners.len().saturating_sub(1) };
+    let middle = |i: usize| corner_at(corners[i], size).lerp(corner_at(corners[(i + 1) % corners.len()], size), 0.5);
+    (0..count).map(middle).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::plane::Plane;
+    use crate::regions::Grid;
+
+    const PARAMS: Params =
+        Params { most: 8, least_gain: 0.1, most_near: 0.3, spacing: 4.0, narrowest: 4.0, smoothing: 0.6 };
+
+    /// A trace through points, a pixel apart.
+    fn trace(points: &[(f32, f32)], closed: bool) -> Trace {
+        let point = |&(x, y): &(f32, f32)| PxPoint::new(x, y);
+        let corners: Vec<PxPoint> = points.iter().map(point).collect();
+        let line = Polyline { vertices: corners, closed }.resampled(1.0);
+        let point = |at| TracePoint { at, strength: 40.0 };
+        Polyline { vertices: line.vertices.into_iter().map(point).collect(), closed }
+    }
+
+    /// The outlines in a picture of 120 x 90 pixels, half a millimetre each, that is light where `is_light`.
+    fn outlines(traces: &[Trace], lightness: impl Fn(f32, f32) -> f32) -> Vec<Trace> {
+        let size = Size::new(120, 90);
+        let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
+        let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
+        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS)
+    }
+
+    fn circle(x: f32, y: f32, radius: f32) -> Trace {
+        let count = (6.0 * radius) as usize;
+        let angle = |i: usize| i as f32 * std::f32::consts::TAU / count as f32;
+        let points: Vec<_> = (0..count).map(|i| (x + radius * angle(i).cos(), y + radius * angle(i).sin())).collect();
+        trace(&points, true)
+    }
+
+    #[test]
+    fn a_disc_has_one_ring_where_its_trace_runs() {
+        let outlines =
+            outlines(&[circle(60.0, 45.0, 20.0)], |x, y| if (x - 60.0).hypot(y - 45.0) < 20.0 { 80.0 } else { 20.0 });
+        let [ring] = &outlines[..] else { panic!("{} outlines", outlines.len()) };
+        assert!(ring.closed && (ring.length() - 125.6).abs() < 3.0, "{}", ring.length());
+        assert!(ring.vertices.iter().all(|v| ((v.at - PxPoint::new(60.0, 45.0)).length() - 20.0).abs() < 1.0));
+        assert!(ring.vertices.iter().all(|v| (v.strength - 38.0).abs() < 3.0), "{:?}", ring.vertices[0]);
+    }
+
+    #[test]
+    fn a_gap_in_the_trace_does_not_open_the_outline() {
+        let whole = circle(60.0, 45.0, 20.0);
+        let broken = Polyline::open(whole.vertices[6..whole.vertices.len() - 6].to_vec());
+        let outlines = outlines(&[broken], |x, y| if (x - 60.0).hypot(y - 45.0) < 20.0 { 60.0 } else { 40.0 });
+        assert!(outlines.iter().any(|outline| outline.closed && outline.length() > 115.0));
+    }
+
+    #[test]
+    fn two_neighbours_share_a_border() {
+        let traces = [
+            trace(&[(20.0, 20.0), (100.0, 20.0), (100.0, 70.0), (20.0, 70.0)], true),
+            trace(&[(60.0, 20.0), (60.0, 70.0)], false),
+        ];
+        let outlines = outlines(&traces, |x, y| match (x, y) {
+            _ if !((20.0..100.0).contains(&x) && (20.0..70.0).contains(&y)) => 50.0,
+            _ if x < 60.0 => 10.0,
+            _ => 95.0,
+        });
+        let length: f32 = outlines.iter().map(Polyline::length).sum();
+        assert!(outlines.len() == 2 && (length - 310.0).abs() < 14.0, "{} with {length} px", outlines.len());
+        let closed: Vec<&Trace> = outlines.iter().filter(|outline| outline.closed).collect();
+        let open: Vec<&Trace> = outlines.iter().filter(|outline| !outline.closed).collect();
+        let ([ring], [rest]) = (&closed[..], &open[..]) else { panic!("a ring and what is left of the other") };
+        for end in [rest.vertices[0].at, rest.vertices[rest.vertices.len() - 1].at] {
+            let near = ring.vertices.iter().map(|v| (v.at - end).length()).fold(f32::MAX, f32::min);
+            assert!(near < 0.6, "an end lies {near} px from the ring");
+        }
+    }
+
+    #[test]
+    fn what_is_as_thin_as_a_stroke_is_no_region() {
+        let traces = [trace(&[(58.0, 5.0), (58.0, 85.0)], false), trace(&[(62.0, 5.0), (62.0, 85.0)], false)];
+        let outlines = outlines(&traces, |x, _| if (58.0..62.0).contains(&x) { 90.0 } else { 20.0 });
+        assert!(outlines.iter().all(|outline| !outline.closed), "{outlines:?}");
+    }
+}

@@ -1,0 +1,91 @@
+//! Traced contours on the grid of cells: where the nearest one runs, how strong, in which direction.
+
+use super::grid::Grid;
+use super::trace::Trace;
+use crate::raster::plane::Plane;
+use crate::units::{PxPoint, PxVector};
+
+/// The strongest point of a trace within a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Passing {
+    /// Where it is, in cells.
+    pub(super) at: PxPoint,
+    pub(super) strength: f32,
+    /// Unit vector along the trace.
+    pub(super) along: PxVector,
+}
+
+/// What passes each cell.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TraceMap {
+    grid: Grid,
+    passing: Vec<Option<Passing>>,
+}
+
+/// The direction of a trace is taken over this many of its points to both sides.
+const SPAN: isize = 2;
+/// Twice the square of the distance, in cells, over which a trace counts less and less for a place.
+const FALL: f32 = 4.5;
+/// How far from a place a trace may pass and still count there, cells.
+pub(super) const REACH: f32 = 2.5;
+
+impl TraceMap {
+    /// The traces, whose points are about a pixel apart and in pixels of the picture.
+    pub(super) fn of(traces: &[Trace], grid: Grid) -> Self {
+        let mut passing: Vec<Option<Passing>> = vec![None; grid.cells.len()];
+        for trace in traces {
+            for (i, point) in trace.vertices.iter().enumerate() {
+                let at = |steps: isize| grid.to_cells(trace.vertices[trace.view().next(i, steps).unwrap_or(i)].at);
+                let Some(along) = (at(SPAN) - at(-SPAN)).try_normalize() else { continue };
+                let at = grid.to_cells(point.at);
+                let Some(cell) = grid.cell_at(at) else { continue };
+                if passing[cell].is_none_or(|other| point.strength > other.strength) {
+                    passing[cell] = Some(Passing { at, strength: point.strength, along });
+                }
+            }
+        }
+        Self { grid, passing }
+    }
+
+    /// Strengths spread over the cells nearest to each trace, so that what lies between two cells counts for both.
+    pub(super) fn strengths(&self) -> Plane {
+        let mut plane = Plane::filled(self.grid.cells, 0.0);
+        for Passing { at, strength, .. } in self.passing.iter().flatten() {
+            let (x, y) = (at.x.floor(), at.y.floor());
+            for (dx, dy) in [-1.0, 0.0, 1.0].into_iter().flat_map(|dy| [-1.0, 0.0, 1.0].map(|dx| (dx, dy))) {
+                let centre = PxPoint::new(x + dx + 0.5, y + dy + 0.5);
+                let share = (1.0 - (centre.x - at.x).abs()).max(0.0) * (1.0 - (centre.y - at.y).abs()).max(0.0);
+                if let Some(cell) = self.grid.cell_at(centre) {
+                    plane.values[cell] = plane.values[cell].max(strength * share);
+                }
+            }
+        }
+        plane
+    }
+
+    /// How strong the trace is that runs along `tangent` at a place, and where that trace is; without one, the place.
+    pub(super) fn seen(&self, at: PxPoint, tangent: PxVector) -> (PxPoint, f32) {
+        let mut best = (at, 0.0);
+        self.around(at, |passing, square| {
+            let strength = passing.strength * (-square / FALL).exp() * passing.along.dot(tangent).abs();
+            if strength > best.1 {
+                best = (passing.at, strength);
+            }
+        });
+        best
+    }
+
+    /// Calls `visit` with all that passes within [`REACH`] of a place and the square of its distance.
+    pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&Passing, f32)) {
+        let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
+        let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
+        for y in range(at.y, height) {
+            for passing in self.passing[y * width..][range(at.x, width)].iter().flatten() {
+                let square = (passing.at - at).square_length();
+                if square <= REACH * REACH {
+                    visit(passing, square);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The tree of regions.
+
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+use super::arcs::{Arc, Crack, Sums, arcs};
+use super::grid::Grid;
+use super::merge::{Node, merge};
+use super::trace::Trace;
+use super::traces::TraceMap;
+use super::watershed::basins;
+use crate::raster::plane::Plane;
+
+/// Scale of the colour gradient, cells.
+const GRADIENT_SCALE: f32 = 1.5;
+/// Scale at which traces become ridges of the landscape, cells.
+const TRACE_SCALE: f32 = 1.2;
+/// Scale at which the landscape is smoothed, cells: what is narrower has no basin of its own.
+const LANDSCAPE_SCALE: f32 = 2.0;
+/// Weights of traces and of the gradient in the landscape.
+const TRACES: f32 = 3.0;
+const GRADIENT: f32 = 0.25 * 3.75;
+
+/// All regions of a picture: basins, and what they are merged to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tree {
+    pub(super) grid: Grid,
+    pub(super) traces: TraceMap,
+    /// The basin of each cell.
+    pub(super) basin: Vec<u32>,
+    /// How many basins there are.
+    pub(super) basins: usize,
+    pub(super) cracks: Vec<Crack>,
+    pub(super) arcs: Vec<Arc>,
+    /// Basins, then merged regions.
+    pub(super) nodes: Vec<Node>,
+}
+
+impl Tree {
+    /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
+    pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid) -> Self {
+        let traces = TraceMap::of(traces, grid);
+        let (basin, count) = basins(&landscape(&traces, colours));
+        let soft: Vec<Plane> = colours.par_iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
+        let (cracks, arcs) = arcs(&basin, grid, &traces, &soft);
+        let nodes = merge(empty_nodes(&basin, count, colours, grid), &arcs, basin.len());
+        Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
+    }
+}
+
+/// High where traces run and colours change, smooth, so that every basin is worth one.
+fn landscape(traces: &TraceMap, colours: &[Plane]) -> Plane {
+    let mut ridges = traces.strengths().blurred(TRACE_SCALE);
+    ridges.values.iter_mut().for_each(|v| *v *= TRACES);
+    let mut squares = vec![0.0_f32; ridges.values.len()];
+    let (width, height) = (ridges.size.width as usize, ridges.size.height as usize);
+    for plane in colours {
+        let soft = plane.clone().blurred(GRADIENT_SCALE);
+        let row = |y: usize| &soft.values[y * width..][..width];
+        for (y, squares) in squares.chunks_exact_mut(width).enumerate() {
+            let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+            for (square, (above, below)) in squares.iter_mut().zip(above.iter().zip(below)) {
+                *square += 0.25 * (below - above) * (below - above);
+            }
+            let ends = [(0, 0, 1.min(width - 1)), (width - 1, width.saturating_sub(2), width - 1)];
+            for (x, left, right) in ends.into_iter().take(width.min(2)) {
+                squares[x] += 0.25 * (here[right] - here[left]).powi(2);
+            }
+            for (square, step) in squares.iter_mut().skip(1).zip(here.windows(3)) {
+                *square += 0.25 * (step[2] - step[0]) * (step[2] - step[0]);
+            }
+        }
+    }
+    ridges.values.iter_mut().zip(&squares).for_each(|(v, square)| *v += GRADIENT * square.sqrt());
+    ridges.blurred(LANDSCAPE_SCALE)
+}
+
+/// Basins with their areas and colours.
+fn empty_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Vec<Node> {
+    let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None };
+    let mut nodes = vec![node; count];
+    let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
+    for (cell, &basin) in basin.iter().enumerate() {
+        let node = &mut nodes[basin as usize];
+        node.area += 1.0;
+        node.colour.iter_mut().zip(colours).for_each(|(sum, plane)| *sum += f64::from(plane.values[cell]));
+        let (x, y) = (cell % width, cell / width);
+        node.frame += f64::from([x == 0, y == 0, x + 1 == width, y + 1 == height].map(u8::from).iter().sum::<u8>());
+    }
+    nodes
+}

@@ -1,0 +1,118 @@
+//! Basins of a landscape: each cell belongs to the minimum that steepest descent reaches from it, over sides of cells,
+//! without cells that stay between basins (drop of water principle: Cousty et al. 2009).
+
+use crate::geom::components::four_neighbours;
+use crate::raster::plane::Plane;
+
+/// The basin of each cell, numbered from 0 in the order of their first cells, and how many there are.
+pub(super) fn basins(landscape: &Plane) -> (Vec<u32>, usize) {
+    let mut down = descents(landscape);
+    cross_plains(landscape, &mut down);
+    let mut basin = vec![u32::MAX; down.len()];
+    let (mut count, mut way) = (0, Vec::new());
+    for start in 0..down.len() {
+        let mut at = start;
+        while basin[at] == u32::MAX && down[at] as usize != at {
+            way.push(at);
+            at = down[at] as usize;
+        }
+        if basin[at] == u32::MAX {
+            basin[at] = count;
+            count += 1;
+        }
+        let number = basin[at];
+        way.drain(..).for_each(|cell| basin[cell] = number);
+    }
+    (basin, count as usize)
+}
+
+/// The lowest neighbour of each cell, or the cell itself where none is lower.
+fn descents(landscape: &Plane) -> Vec<u32> {
+    let heights = &landscape.values;
+    let lowest = |cell: usize| {
+        let mut lowest = cell;
+        for next in four_neighbours(cell, landscape.size) {
+            if heights[next] < heights[lowest] {
+                lowest = next;
+            }
+        }
+        lowest as u32
+    };
+    (0..heights.len()).map(lowest).collect()
+}
+
+/// Leads the cells of plains to the nearest way down, or all to one cell where there is none.
+fn cross_plains(landscape: &Plane, down: &mut [u32]) {
+    let heights = &landscape.values;
+    let is_stuck = |down: &[u32], cell: usize| down[cell] as usize == cell;
+    let level = |a: usize, b: usize| heights[a].total_cmp(&heights[b]).is_eq();
+    // from the rims of plains inwards, level by level
+    let mut front: Vec<usize> = Vec::new();
+    let mut reached: Vec<bool> = (0..down.len()).map(|cell| !is_stuck(down, cell)).collect();
+    for cell in 0..down.len() {
+        if reached[cell] && four_neighbours(cell, landscape.size).any(|next| !reached[next] && level(cell, next)) {
+            front.push(cell);
+        }
+    }
+    while !front.is_empty() {
+        let mut next_front = Vec::new();
+        for &cell in &front {
+            for next in four_neighbours(cell, landscape.size) {
+                if !reached[next] && level(cell, next) {
+                    reached[next] = true;
+                    down[next] = cell as u32;
+                    next_front.push(next);
+                }
+            }
+        }
+        front = next_front;
+    }
+    // what is left are minima of several cells
+    for start in 0..down.len() {
+        if !reached[start] {
+            reached[start] = true;
+            let mut todo = vec![start];
+            while let Some(cell) = todo.pop() {
+                for next in four_neighbours(cell, landscape.size) {
+                    if !reached[next] && level(cell, next) {
+                        reached[next] = true;
+                        down[next] = start as u32;
+                        todo.push(next);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Size;
+
+    /// The basins of a landscape of digits, as letters.
+    fn check(rows: &[&str], expected: &[&str]) {
+        let size = Size::new(rows[0].len() as u32, rows.len() as u32);
+        let values = rows.iter().flat_map(|row| row.bytes()).map(|digit| f32::from(digit - b'0')).collect();
+        let (basins, _) = basins(&Plane { size, values });
+        let letters: Vec<String> = basins
+            .chunks(rows[0].len())
+            .map(|row| row.iter().map(|basin| char::from(b'a' + *basin as u8)).collect())
+            .collect();
+        assert_eq!(letters, expected);
+    }
+
+    #[test]
+    fn each_cell_goes_to_the_minimum_below_it() {
+        check(&["12921", "13921", "12911"], &["aaabb", "aabbb", "aabbb"]);
+        check(&["1239431"], &["aaaabbb"]);
+    }
+
+    #[test]
+    fn a_plain_belongs_to_the_nearest_way_down_and_a_bottom_is_one_basin() {
+        check(&["0555555"], &["aaaaaaa"]);
+        check(&["05555550"], &["aaaabbbb"]);
+        check(&["000", "090", "000"], &["aaa", "aaa", "aaa"]);
+        check(&["3333", "3333"], &["aaaa", "aaaa"]);
+    }
+}
