@@ -188,7 +188,7 @@ pub(super) struct Convert {
     /// the braille out. The file name is never written on a page.
     ///
     /// [default: the picture's file name]
-    #[arg(long, value_name = "TEXT", value_parser = words)]
+    #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]
     title: Option<String>,
 
     /// What is on the page, in your words, for one picture
@@ -196,7 +196,7 @@ pub(super) struct Convert {
     /// Read out by screen readers in place of the picture. Say what one could not guess from the file's name.
     ///
     /// [default: sizes, number of contours and shares of the colours, in English]
-    #[arg(long, value_name = "TEXT", value_parser = words)]
+    #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]
     alt: Option<String>,
 
     /// Language of --title, --alt and --labels, such as de or fr-CA

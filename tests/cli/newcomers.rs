@@ -17,6 +17,14 @@ fn lang_goes_with_a_title_alone() {
 }
 
 #[test]
+fn a_title_may_begin_with_a_minus() {
+    let place = Place::with_picture("a.png");
+    let run = place.run(&["convert", "a.png", "--title", "-5 °C"]);
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.svg\n"));
+    assert!(place.text("a.svg").contains("<title>-5 °C</title>"), "{}", place.text("a.svg"));
+}
+
+#[test]
 fn a_mistyped_folder_of_a_picture_is_not_blamed_on_the_page() {
     let place = Place::with_picture("photos/a.png");
     place.refuses(&["convert", "phtos/a.png"], 1, &["phtos/a.png: there is no such file; check the name"]);
