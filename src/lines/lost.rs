@@ -64,8 +64,16 @@ impl Tally {
     /// Adds the length of a line.
     pub(super) fn add(&mut self, line: &Polyline<Vertex>) {
         self.rings += usize::from(line.closed);
+        self.add_where(line, |_| true);
+    }
+
+    /// Adds the length of those parts of a line for which `counts` is true.
+    pub(super) fn add_where(&mut self, line: &Polyline<Vertex>, counts: impl Fn(MmPoint) -> bool) {
         for (a, b) in line.segments() {
-            self.lengths[self.part(a.at.lerp(b.at, 0.5))] += (b.at - a.at).length();
+            let middle = a.at.lerp(b.at, 0.5);
+            if counts(middle) {
+                self.lengths[self.part(middle)] += (b.at - a.at).length();
+            }
         }
     }
 

@@ -35,8 +35,9 @@ pub use outlines::Outlines;
 pub use params::Params;
 
 use crate::edges::{ChainRange, Edges};
+use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
-use crate::units::{MmRect, PageTransform};
+use crate::units::{MmPoint, MmRect, PageTransform};
 
 /// The lines of a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -103,12 +104,32 @@ pub fn draw_with(
     }
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
-    all.iter().zip(&saliencies).filter(|(_, of)| **of >= least).for_each(|(polyline, _)| wanted.add(polyline));
+    let salient = all[..first_outline].iter().zip(&saliencies).filter(|(_, of)| **of >= least);
+    let contours: Vec<_> = salient.map(|(polyline, _)| polyline).collect();
+    contours.iter().for_each(|polyline| wanted.add(polyline));
     let drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
     let mut kept = Tally::new(area);
-    drawn.iter().for_each(|line| kept.add(&line.polyline));
+    if first_outline == all.len() {
+        drawn.iter().for_each(|line| kept.add(&line.polyline));
+    } else {
+        // an outline stands for the contours along it
+        let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+        let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
+        contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
+    }
     let finish = |line: &clearance::Cleared| weight::finish(&line.polyline, &line.anchored, params);
     Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost: wanted.lost(&kept) }
+}
+
+/// The segments of lines, to be found by their places.
+fn nearby<'a>(lines: impl Iterator<Item = &'a Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
+    let mut segments = Nearby::new(area, params.max_spacing());
+    for (line, polyline) in (0..).zip(lines) {
+        for (index, (a, b)) in (0..).zip(polyline.segments()) {
+            segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
+        }
+    }
+    segments
 }
 
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found
