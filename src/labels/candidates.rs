@@ -35,11 +35,14 @@ const NEAR: f32 = 12.0;
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
 const FAR: f32 = 37.5;
 /// Blank between a label and its own leader line, mm.
-const BEFORE_LEADER: f32 = 1.5;
+const BEFORE_LEADER: f32 = 3.0;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
 const BESIDE: f32 = 2.0;
 /// A leader line may come near to lines where it ends, over this length, mm.
 const AT_END: f32 = 4.0;
+/// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
+/// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
+const ALONG: f32 = 3.0;
 /// Blank between labels side by side, mm: a blank cell, or they are read as one.
 const ASIDE: f32 = 6.0;
 /// Blank between labels one above the other, mm: as between lines of braille.
@@ -141,8 +144,8 @@ fn candidate(
         None
     };
     // beside a point; in place of a text
-    let distance =
-        if is_point { gap + 0.1 * (place.center() - anchor).length() } else { (place.center() - anchor).length() };
+    let away = place.center() - anchor;
+    let distance = if is_point { gap + 0.1 * away.length() } else { (ALONG * away.x).hypot(away.y) };
     let glyphs = room.glyphs(place.inflate(params.clearance, params.clearance)) as f32;
     let leader_cost = match leader {
         _ if is_parted => ACROSS,
