@@ -40,6 +40,8 @@ pub enum Note {
     },
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
     Abbreviated(Vec<(String, String)>),
+    /// The texts of the picture were to be labels, and it has none.
+    NoTexts,
     /// Labels that are not on the page: there is no room for them, or they lie outside of the picture.
     LabelsLeftOut(Vec<String>),
     /// A picture that is spread over several sheets has no words in braille but the numbers of its sheets.
@@ -118,6 +120,10 @@ impl std::fmt::Display for Note {
                     labels.iter().map(|(abbreviation, text)| format!("{abbreviation} = {}", short(text))).collect();
                 write!(f, "abbreviated for want of room: {}", all.join(", "))
             }
+            Self::NoTexts => f.write_str(
+                "there are no texts for labels: only SVG drawings and pages of PDF have texts, in other pictures letters \
+                 are pixels; write a list of labels",
+            ),
             Self::LabelsLeftOut(texts) => {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });
                 write!(

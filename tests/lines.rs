@@ -7,6 +7,7 @@ use tactograph::internals::edges::{self, Edgel, Edges};
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::raster::Raster;
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, PxVector, Size};
+use tactograph::{Note, Options, Picture, Profile, Tracing};
 
 const SIDE: u32 = 300;
 /// Millimetres for a pixel.
@@ -264,4 +265,39 @@ proptest! {
         let near = apart::too_near(&lines, LINES.min_gap);
         prop_assert!(near.is_empty(), "{} places are too near, such as {:?}", near.len(), near.first());
     }
+}
+
+#[test]
+fn shapes_that_touch_are_not_lost_one_after_another() {
+    let ellipses = [(420, 185, 26, 32), (420, 315, 26, 32), (355, 250, 32, 26), (485, 250, 32, 26)];
+    let petals: String =
+        ellipses.iter().map(|(x, y, rx, ry)| format!("<ellipse cx='{x}' cy='{y}' rx='{rx}' ry='{ry}'/>")).collect();
+    let flower = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='840' height='592'><g fill='#d02020' stroke='#000' \
+         stroke-width='3'><circle cx='420' cy='250' r='34' fill='#f0d020'/>{petals}</g></svg>"
+    );
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("overview", "false").expect("a key");
+    for width in (120..=184).step_by(8) {
+        let options = Options::new(profile.clone()).width_mm(width as f32);
+        let drawing = tactograph::convert(flower.as_bytes(), &options).expect("a page");
+        let lost = drawing.notes.iter().find_map(|note| match note {
+            Note::LinesLeftOut { percent, .. } => Some(*percent),
+            _ => None,
+        });
+        assert!(lost.unwrap_or(0) <= 30, "{width} mm wide: {lost:?} percent are left out");
+    }
+}
+
+#[test]
+fn a_stroke_ends_where_the_picture_ends() {
+    let (width, height) = (600, 400);
+    let is_bar = |i: usize| (196..204).contains(&(i / width));
+    let pixels: Vec<u8> =
+        (0..width * height).flat_map(|i| if is_bar(i) { [30, 30, 30, 255] } else { [255; 4] }).collect();
+    let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+    let picture = Picture::rgba8(width as u32, height as u32, &pixels).expect("a picture");
+    let trace = tactograph::trace(picture, &Tracing::contours(), &options).expect("a trace").trace;
+    let mut points = trace.polylines.iter().flat_map(|line| &line.points);
+    assert!(trace.polylines.len() == 1 && points.all(|at| (-0.5..=600.5).contains(&at.x)), "{trace:?}");
 }

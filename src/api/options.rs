@@ -189,7 +189,8 @@ impl Options {
     }
 
     /// Is asked between stages, from any thread, whether the result is still wanted; once it is not, the work ends with
-    /// [`Error::Cancelled`](crate::Error::Cancelled). A stage takes a fraction of a second on a photo of 12 megapixels.
+    /// [`Error::Cancelled`](crate::Error::Cancelled). A stage takes a fraction of a second on a photo of 12 megapixels;
+    /// where many labels look for room, the last one takes longer.
     /// Default: it is always wanted.
     ///
     /// ```

@@ -67,6 +67,11 @@ impl Tally {
         self.add_where(line, |_| true);
     }
 
+    /// Counts the rings among lines.
+    pub(super) fn count_rings<'a>(&mut self, lines: impl Iterator<Item = &'a Polyline<Vertex>>) {
+        self.rings += lines.filter(|line| line.closed).count();
+    }
+
     /// Adds the length of those parts of a line for which `counts` is true.
     pub(super) fn add_where(&mut self, line: &Polyline<Vertex>, counts: impl Fn(MmPoint) -> bool) {
         for (a, b) in line.segments() {

@@ -116,6 +116,7 @@ pub fn draw_with(
         let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
         let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
         contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
+        kept.count_rings(drawn.iter().map(|line| &line.polyline));
     }
     let finish = |line: &clearance::Cleared| weight::finish(&line.polyline, &line.anchored, params);
     Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost: wanted.lost(&kept) }

@@ -116,6 +116,8 @@ impl<'a> Written<'a> {
         if let (Some(title), None) = (&self.title, &title) {
             notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
         }
+        let no_texts = words.own_texts && texts.iter().all(|text| text.hidden);
+        notes.extend(no_texts.then_some(Note::NoTexts));
         let (wanted, mut left_out) = wanted(texts, words, figure);
         let Some(translator) = &self.translator else {
             left_out.extend(wanted.into_iter().map(|label| label.text));

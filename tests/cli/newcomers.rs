@@ -25,6 +25,14 @@ fn a_title_may_begin_with_a_minus() {
 }
 
 #[test]
+fn texts_for_labels_that_are_not_there_are_told() {
+    let place = Place::with_picture("a.png");
+    let run = place.run(&["convert", "a.png", "--labels", "texts"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.err.contains("there are no texts for labels"), "{}", run.err);
+}
+
+#[test]
 fn a_mistyped_folder_of_a_picture_is_not_blamed_on_the_page() {
     let place = Place::with_picture("photos/a.png");
     place.refuses(&["convert", "phtos/a.png"], 1, &["phtos/a.png: there is no such file; check the name"]);

@@ -147,12 +147,18 @@ fn trim_end(line: &mut Polyline<PxPoint>, length: f32) {
     }
 }
 
-/// Goes straight on for at most `most` px, as long as the residue is at least half of `along`.
+/// Goes straight on for at most twice `most` px, as long as that is in the picture and the residue is at least half of
+/// `along`. The direction is that of the last `most` px.
 fn extend_end(line: &mut Polyline<PxPoint>, residue: &Plane, most: f32, along: f32) {
     let Some(&tip) = line.vertices.last() else { return };
     let inner = line.vertices.iter().rev().find(|at| (**at - tip).length() >= most);
     let Some(heading) = inner.and_then(|inner| (tip - *inner).try_normalize()) else { return };
-    let is_stroke = |k: &i32| interpolated(residue, tip + heading * (*k as f32 * STEP)) >= 0.5 * along;
+    let (width, height) = (residue.size.width as f32, residue.size.height as f32);
+    let is_inside = |at: PxPoint| (0.0..=width).contains(&at.x) && (0.0..=height).contains(&at.y);
+    let is_stroke = |k: &i32| {
+        let at = tip + heading * (*k as f32 * STEP);
+        is_inside(at) && interpolated(residue, at) >= 0.5 * along
+    };
     let steps = (1..=(2.0 * most / STEP) as i32).take_while(is_stroke).count() as i32;
     if steps > 0 {
         line.vertices.push(tip + heading * (steps as f32 * STEP));

@@ -221,7 +221,8 @@ impl Walk<'_> {
             let here = cells[cells.len() - 1];
             // neighbours that share a side come first
             let order = [0, 2, 4, 6, 1, 3, 5, 7].map(|k| self.mask.neighbour(here, k));
-            let node = order.iter().find_map(|&cell| self.node_of[cell]);
+            let nodes = || order.iter().filter_map(|&cell| self.node_of[cell]);
+            let node = nodes().find(|&node| Some(node) != start).or_else(|| nodes().next());
             // beside the junction that it comes from it goes on
             if node.is_some() && (node != start || cells.len() >= LOOP) {
                 return (cells, node);

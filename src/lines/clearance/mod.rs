@@ -52,6 +52,10 @@ enum Verdict {
     Split(Vec<Polyline<Vertex>>),
 }
 
+/// What is left of a line is extended to lines that it joins up to this many cuts. Where it comes in at too small an angle
+/// the next cut takes the extension away again, and it would go on like that until the line is given up.
+const EXTENDED_CUTS: u8 = 3;
+
 /// Clears lines, the most salient one first; the result is in that order.
 pub(super) fn clear(polylines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, params: &Params) -> Vec<Cleared> {
     let mut queue = Queue::new(polylines.len(), params);
@@ -62,7 +66,7 @@ pub(super) fn clear(polylines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, para
     let mut cleared: Vec<Cleared> = Vec::new();
     while let Some((polyline, rank, cuts)) = queue.pop() {
         let is_ring = polyline.closed;
-        match judge(polyline, &drawn, &mut own) {
+        match judge(polyline, cuts, &drawn, &mut own) {
             Verdict::Open(_) | Verdict::Split(_) if is_ring && params.whole_rings => {}
             Verdict::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
             Verdict::DrawBody { body, rest } => {
@@ -79,8 +83,9 @@ pub(super) fn clear(polylines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, para
     cleared
 }
 
-/// What is to be done with a line among those that are drawn. `own` is an empty grid, and empty again afterwards.
-fn judge(mut polyline: Polyline<Vertex>, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+/// What is to be done with a line, which was cut so many times, among those that are drawn. `own` is an empty grid, and
+/// empty again afterwards.
+fn judge(mut polyline: Polyline<Vertex>, cuts: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
     if let Some(shorter) = without_stubs(&polyline, drawn) {
@@ -90,7 +95,7 @@ fn judge(mut polyline: Polyline<Vertex>, drawn: &DrawnLines<'_>, own: &mut Nearb
     if states.contains(&State::TooNear) {
         return match displaced(&polyline, drawn) {
             Some(displaced) => Verdict::Displace(displaced),
-            None => Verdict::Split(split(&polyline, &states, drawn)),
+            None => Verdict::Split(split(&polyline, &states, cuts < EXTENDED_CUTS, drawn)),
         };
     }
     match returns(&polyline, drawn.params, own) {
@@ -190,7 +195,7 @@ mod tests {
     fn verdict(points: &[(f32, f32)], closed: bool) -> Verdict {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
         let mut own = Nearby::new(area, Params::TEST.max_spacing());
-        judge(polyline(points, closed), &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
+        judge(polyline(points, closed), 0, &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
     }
 
     #[test]

@@ -14,6 +14,8 @@ const TIP: f32 = 0.01;
 /// A line of which less than this share is left in pieces keeps only the first of them, and a ring none: stubs say
 /// where something was, not what.
 const WHOLE: f32 = 0.5;
+/// ... of a line of a vector drawing less than this: every one is meant, and what is left of a petal is still a petal.
+const WHOLE_DRAWN: f32 = 0.25;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a
 /// blot. None if it has no stubs.
@@ -50,8 +52,14 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     (shorter.length() + TIP < polyline.length()).then_some(shorter)
 }
 
-/// What is left of a line that is too near to others: its parts between, extended to the lines that they join.
-pub(super) fn split(polyline: &Polyline<Vertex>, states: &[State], drawn: &DrawnLines<'_>) -> Vec<Polyline<Vertex>> {
+/// What is left of a line that is too near to others: its parts between, if `extended` with ways to the lines that they
+/// join.
+pub(super) fn split(
+    polyline: &Polyline<Vertex>,
+    states: &[State],
+    extended: bool,
+    drawn: &DrawnLines<'_>,
+) -> Vec<Polyline<Vertex>> {
     let params = drawn.params;
     let length = polyline.length();
     // of a small ring, which is felt as a dot, no part says anything
@@ -62,12 +70,13 @@ pub(super) fn split(polyline: &Polyline<Vertex>, states: &[State], drawn: &Drawn
         Some(start) if polyline.closed => {
             let count = states.len();
             let states: Vec<State> = (0..=count).map(|k| states[(start + k) % count]).collect();
-            pieces(&polyline.opened_at(start).vertices, &states, drawn)
+            pieces(&polyline.opened_at(start).vertices, &states, extended, drawn)
         }
-        _ => pieces(&polyline.vertices, states, drawn),
+        _ => pieces(&polyline.vertices, states, extended, drawn),
     };
     let kept: f32 = pieces.iter().map(Polyline::length).sum();
-    if kept >= WHOLE * length {
+    let is_drawn = polyline.vertices.iter().all(|vertex| vertex.exact);
+    if kept >= if is_drawn { WHOLE_DRAWN } else { WHOLE } * length {
         pieces
     } else if polyline.closed {
         Vec::new()
@@ -76,15 +85,15 @@ pub(super) fn split(polyline: &Polyline<Vertex>, states: &[State], drawn: &Drawn
     }
 }
 
-/// The parts of an open line that are long enough, each extended at both its ends.
-fn pieces(vertices: &[Vertex], states: &[State], drawn: &DrawnLines<'_>) -> Vec<Polyline<Vertex>> {
+/// The parts of an open line that are long enough, each extended at both its ends if `extended`.
+fn pieces(vertices: &[Vertex], states: &[State], extended: bool, drawn: &DrawnLines<'_>) -> Vec<Polyline<Vertex>> {
     let mut pieces = Vec::new();
     for Range { start, end } in clear_stretches(states) {
         let mut piece = vertices[start..end].to_vec();
-        if end < vertices.len() {
+        if extended && end < vertices.len() {
             piece.extend(extension(&piece, &vertices[end..], Extended::Piece, drawn).unwrap_or_default());
         }
-        if start > 0 {
+        if extended && start > 0 {
             piece.reverse();
             let path: Vec<Vertex> = vertices[..start].iter().rev().copied().collect();
             piece.extend(extension(&piece, &path, Extended::Piece, drawn).unwrap_or_default());
@@ -153,7 +162,7 @@ mod tests {
     fn what_is_left_of_a_line_ends_where_it_comes_near() {
         let lines = drawn(&[&[(40.0, 50.0), (60.0, 50.0)]]);
         let whole = polyline(&[(5.0, 52.0), (95.0, 52.0)], false);
-        let pieces = split(&whole, &lines.states(&whole), &lines);
+        let pieces = split(&whole, &lines.states(&whole), true, &lines);
         assert_eq!(pieces.len(), 2);
         assert!(pieces.iter().all(|piece| piece.length() > 28.0 && piece.length() < 35.0));
         assert!(pieces.iter().all(|piece| !lines.states(piece).contains(&State::TooNear)));
@@ -163,9 +172,9 @@ mod tests {
     fn of_a_ring_that_is_mostly_too_near_nothing_is_left() {
         let lines = drawn(&[&[(30.0, 30.0), (70.0, 30.0), (70.0, 70.0), (30.0, 70.0)]]);
         let ring = polyline(&[(33.0, 33.0), (67.0, 33.0), (67.0, 67.0), (33.0, 67.0)], true);
-        assert_eq!(split(&ring, &lines.states(&ring), &lines), []);
+        assert_eq!(split(&ring, &lines.states(&ring), true, &lines), []);
         let dot = polyline(&[(50.0, 31.0), (52.0, 31.0), (52.0, 33.0), (50.0, 33.0)], true);
         assert!(Params::TEST.is_dot(dot.length()));
-        assert_eq!(split(&dot, &lines.states(&dot), &lines), []);
+        assert_eq!(split(&dot, &lines.states(&dot), true, &lines), []);
     }
 }
