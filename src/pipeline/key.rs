@@ -66,6 +66,21 @@ struct Item {
     lines: Vec<Vec<u8>>,
 }
 
+impl Item {
+    /// The item in parts of at most so many lines of braille, as a sheet has room for; its text is that of each.
+    fn over_sheets(self, most: usize) -> Vec<Self> {
+        if self.lines.len() <= most {
+            return vec![self];
+        }
+        let part = |(number, lines): (usize, &[Vec<u8>])| Self {
+            patch: self.patch.filter(|_| number == 0),
+            text: self.text.clone(),
+            lines: lines.to_vec(),
+        };
+        self.lines.chunks(most).enumerate().map(part).collect()
+    }
+}
+
 /// The sheets of a key; none where there is nothing to tell.
 pub(super) fn sheets(
     entries: &Entries<'_>,
@@ -80,7 +95,9 @@ pub(super) fn sheets(
     let cells = CellGrid::of(&layout.medium, plan.profile().braille.cell);
     let area = area(layout, plan);
     let width = cells.cells_in(area.width());
+    let most = (1..).take_while(|&lines| cells.extent(1, lines).y <= area.height()).count().max(1);
     let items = items(entries, width, cells.cells_in(area.width() - PATCH[0] - BESIDE));
+    let items: Vec<Item> = items.into_iter().flat_map(|item| item.over_sheets(most)).collect();
     let mut sheets: Vec<Vec<(MmPoint, &Item)>> = vec![Vec::new()];
     let mut top = area.min.y;
     for (number, item) in items.iter().enumerate() {

@@ -41,9 +41,13 @@ impl Position {
     }
 }
 
+/// What may part the columns of a list of labels.
+const PARTING: [char; 3] = [',', ';', '\t'];
+
 impl Label {
     /// Labels from text with one in a row: x, y and what it says, parted by commas, semicolons or tabs. Empty
-    /// rows and a first row of headings (`x,y,text`) are passed over; a text may stand in quotation marks,
+    /// rows and a first row of headings (`x,y,text`) are passed over. Numbers may have a decimal comma where columns are
+    /// parted by semicolons or tabs; a text may stand in quotation marks,
     /// with two for one.
     ///
     /// # Errors
@@ -62,14 +66,23 @@ impl Label {
         if faults.is_empty() { Ok(labels) } else { Err(faults) }
     }
 
+    /// A row is parted by the first letter that can part it. Where that gives no numbers, it may have been a decimal
+    /// comma, as spreadsheets write it in many countries.
     fn of_row(row: &str) -> Result<Self, String> {
-        let parting = row.chars().find(|letter| [',', ';', '\t'].contains(letter));
-        let mut parts = parting.into_iter().flat_map(|parting| row.splitn(3, parting)).map(str::trim);
+        let first = row.chars().find(|letter| PARTING.contains(letter)).unwrap_or(',');
+        let label = Self::of_parts(row, first);
+        let others = PARTING.into_iter().filter(|parting| *parting != first && *parting != ',');
+        label.or_else(|fault| others.map(|parting| Self::of_parts(row, parting)).find_map(Result::ok).ok_or(fault))
+    }
+
+    fn of_parts(row: &str, parting: char) -> Result<Self, String> {
+        let mut parts = row.splitn(3, parting).map(str::trim);
         let (Some(x), Some(y), Some(text)) = (parts.next(), parts.next(), parts.next()) else {
             return Err("write x, y and the text, such as 30%,45%,apple".to_owned());
         };
         let position = |text: &str, name: char| {
-            Position::of(text.trim_matches('"')).ok_or_else(|| {
+            let number = text.trim_matches('"').replace(',', ".");
+            Position::of(&number).ok_or_else(|| {
                 let text: String = text.chars().take(20).collect();
                 format!("{name} must be a number of pixels or a percentage such as 30%, not \"{text}\"")
             })
@@ -104,6 +117,18 @@ mod tests {
             label(Position::Percent(10.0), Position::Percent(20.0), "apple"),
             label(Position::Pixels(412.5), Position::Pixels(7.0), "a \"big\", red pear"),
             label(Position::Pixels(5.0), Position::Pixels(6.0), "plum, ripe"),
+        ];
+        assert_eq!(labels, expected);
+    }
+
+    #[test]
+    fn numbers_may_have_decimal_commas() {
+        let labels = Label::from_csv("30,5%;40,25;Kiwi\n7\t1,5\tplum\n10%,20%,apple; red\n").expect("labels");
+        let label = |x, y, text: &str| Label { x, y, text: text.to_owned() };
+        let expected = [
+            label(Position::Percent(30.5), Position::Pixels(40.25), "Kiwi"),
+            label(Position::Pixels(7.0), Position::Pixels(1.5), "plum"),
+            label(Position::Percent(10.0), Position::Percent(20.0), "apple; red"),
         ];
         assert_eq!(labels, expected);
     }

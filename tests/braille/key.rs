@@ -109,3 +109,21 @@ fn a_key_is_there_when_it_is_wanted() {
     let corner = always[0].braille[0].dots.at.iter().fold(MmPoint::splat(f32::MAX), |corner, at| corner.min(*at));
     assert!(corner.x >= 10.0 && corner.y >= 10.0, "it keeps the margin: {corner:?}");
 }
+
+#[test]
+fn a_text_longer_than_a_sheet_goes_on_on_the_next() {
+    let text = vec!["kilometre"; 60].join(" ");
+    let label = Label { x: Position::Percent(50.0), y: Position::Percent(50.0), text };
+    for profile in ["monarch", "index-basic-d", "swell-a4"] {
+        let picture = samples::read("landscape.svg");
+        let drawing = convert(&picture, &options(profile, KeySheets::Auto).labels(vec![label.clone()])).expect("pages");
+        let texts: Vec<_> = drawing.key.iter().flat_map(|page| &page.braille).collect();
+        let raised = |line: &String| line.chars().map(|cell| (cell as u32 - 0x2800).count_ones()).sum::<u32>();
+        for text in &texts {
+            let dots: u32 = text.lines.iter().map(raised).sum();
+            assert_eq!(text.dots.at.len(), dots as usize, "{profile}: dots are missing");
+        }
+        let read = texts.iter().flat_map(|text| &text.lines).map(|line| line.matches('⠅').count()).sum::<usize>();
+        assert!(read >= 60, "{profile}: only {read} letters k");
+    }
+}
