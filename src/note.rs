@@ -121,8 +121,8 @@ impl std::fmt::Display for Note {
                 write!(f, "abbreviated for want of room: {}", all.join(", "))
             }
             Self::NoTexts => f.write_str(
-                "there are no texts for labels: only SVG drawings and pages of PDF have texts, in other pictures letters \
-                 are pixels; write a list of labels",
+                "there are no texts for labels: only SVG drawings and pages of PDF have texts, in other pictures \
+                 letters are pixels; write a list of labels",
             ),
             Self::LabelsLeftOut(texts) => {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });

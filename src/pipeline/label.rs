@@ -46,9 +46,8 @@ const PARTING: [char; 3] = [',', ';', '\t'];
 
 impl Label {
     /// Labels from text with one in a row: x, y and what it says, parted by commas, semicolons or tabs. Empty
-    /// rows and a first row of headings (`x,y,text`) are passed over. Numbers may have a decimal comma where columns are
-    /// parted by semicolons or tabs; a text may stand in quotation marks,
-    /// with two for one.
+    /// rows and a first row of headings (`x,y,text`) are passed over. Numbers may have a decimal comma where columns
+    /// are parted by semicolons or tabs; a text may stand in quotation marks, with two for one.
     ///
     /// # Errors
     /// Everything that is wrong, each with its line.

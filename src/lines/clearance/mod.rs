@@ -52,8 +52,8 @@ enum Verdict {
     Split(Vec<Polyline<Vertex>>),
 }
 
-/// What is left of a line is extended to lines that it joins up to this many cuts. Where it comes in at too small an angle
-/// the next cut takes the extension away again, and it would go on like that until the line is given up.
+/// What is left of a line is extended to lines that it joins up to this many cuts. Where it comes in at too small an
+/// angle the next cut takes the extension away again, and it would go on like that until the line is given up.
 const EXTENDED_CUTS: u8 = 3;
 
 /// Clears lines, the most salient one first; the result is in that order.
