@@ -10,7 +10,8 @@
 //! ```
 //!
 //! All colour planes exist for a few rows only. From `maxima` on there are points, and the time grows with their
-//! number.
+//! number. Bitmaps that are drawings are also searched for strokes (`stroke`), with whole planes: each gives a contour
+//! along its middle, and the points at its sides are taken out.
 //!
 //! **Strength is the height of the colour step** in units of lightness, with double weight for the chroma axes of
 //! CIELAB (`lab`), whatever the working resolution and the blur of the edge. Black against white is 100, a step that

@@ -4,7 +4,7 @@ use crate::geom::nearest_on_segment;
 use crate::page::{Line, Pen, Texture};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Side of the squares that the figure is looked at in, mm. Chosen by us: a fifth of the distance that labels keep.
+/// Side of the squares that the figure is looked at in, mm. Chosen by us: a sixth of the distance that labels keep.
 const SQUARE: f32 = 0.5;
 /// From the middle of a square to its corner, mm.
 const CORNER: f32 = 0.354;

@@ -6,6 +6,9 @@
 //!       -> junction (ends extended to lines before them) -> weight (width by strength)
 //!       -> clearance (no two too near) -> detail (the most salient lines) -> simplify -> Lines
 //! ```
+//!
+//! Outlines of regions, where there are any (`outlines`), come in before `junction`, and go before other lines in
+//! `clearance`.
 
 mod centreline;
 mod clearance;
