@@ -199,6 +199,9 @@ pub enum Error {
     /// The page cannot be felt.
     #[error(transparent)]
     NotFelt(#[from] touch::Error),
+    /// What is to be read as a page is none.
+    #[error("this is no page of tactograph: {0}; give the SVG of a page, as convert makes it")]
+    NotAPage(&'static str),
     /// There is no memory left.
     #[error("there is no memory for {what}")]
     NoMemory {

@@ -121,6 +121,7 @@ mod picture;
 mod pipeline;
 mod profile;
 mod raster;
+mod reading;
 mod regions;
 mod textures;
 mod touch;
@@ -211,6 +212,9 @@ pub mod internals {
     }
     pub mod raster {
         pub use crate::raster::*;
+    }
+    pub mod reading {
+        pub use crate::reading::*;
     }
     pub mod regions {
         pub use crate::regions::*;

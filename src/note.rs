@@ -10,6 +10,8 @@ pub enum Note {
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
     LeftOut(String),
+    /// Something on a page that was read is taken otherwise than it looks; says what, where and as what.
+    TakenAs(String),
     /// Of a document only the first page was taken, as no page was asked for.
     FirstPageOnly {
         /// How many pages it has.
@@ -83,6 +85,7 @@ impl std::fmt::Display for Note {
                 write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
             }
             Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
+            Self::TakenAs(what) => f.write_str(what),
             Self::FirstPageOnly { pages } => {
                 write!(f, "this is page 1 of {pages}; ask for another by its number")
             }

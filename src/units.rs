@@ -25,6 +25,9 @@ pub type MmVector = euclid::Vector2D<f32, Mm>;
 /// A rectangle on the sheet, in millimetres.
 pub type MmRect = euclid::Box2D<f32, Mm>;
 
+/// Millimetres of a CSS pixel, in which SVG is computed.
+pub(crate) const MM_PER_CSS_PX: f32 = 25.4 / 96.0;
+
 /// Width and height in whole pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Size {

@@ -84,7 +84,7 @@ are_layers() {
   for id in $(groups_of_page); do
     [ "$(xpath "count(//*[local-name()='g'][@id='$id'])")" = 1 ] || { echo "there is not one #$id"; fault=1; }
   done
-  for id in $(ids "//*[local-name()='g']"); do
+  for id in $(ids "//*[local-name()='g'][not(@data-strength) and not(@data-braille)]"); do
     [ "$(xpath "count(//*[@id='$id'][@*[name()='inkscape:groupmode']='layer'][@*[name()='inkscape:label']!=''])")" = 1 ] ||
       { echo "#$id is no layer with a label"; fault=1; }
   done

@@ -19,6 +19,7 @@ mod pdf;
 mod plans;
 mod png;
 mod profiles;
+mod reading;
 mod scenes;
 mod sheet;
 mod sheets;

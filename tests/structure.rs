@@ -58,11 +58,10 @@ fn pages_have_the_structure_that_others_rely_on() {
         }
         for layer in document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "g"))) {
             let is_layer = layer.attribute((INKSCAPE, "groupmode")) == Some("layer");
-            assert_eq!(
-                layer.attribute("id").is_some(),
-                is_layer,
-                "{name}: groups with an id are layers, others are not"
-            );
+            let is_contour = layer.attribute("data-strength").is_some();
+            assert!(is_layer != is_contour, "{name}: a group is a layer or a contour");
+            let (id, label) = (layer.attribute("id"), layer.attribute((INKSCAPE, "label")));
+            assert!(id.is_some() && label.is_some(), "{name}: a group without a name");
             let white = layer.attribute("id") == Some("figure") && page.is_empty();
             assert!(white || layer.has_children(), "{name}: an empty group");
         }
@@ -70,11 +69,13 @@ fn pages_have_the_structure_that_others_rely_on() {
         if let Some(lines) = by_id(&document, "lines") {
             let contours: Vec<_> = lines.children().filter(Node::is_element).collect();
             assert_eq!(contours.len(), page.figure.lines.len(), "{name}");
-            for contour in contours {
+            for (number, contour) in (1..).zip(contours) {
                 assert!(numbers(contour, "data-strength")[0] > 0.0);
-                assert!(
-                    contour.children().filter(Node::is_element).all(|path| numbers(path, "stroke-width")[0] >= 0.75)
-                );
+                assert_eq!(contour.attribute("id"), Some(format!("line-{number}").as_str()), "{name}");
+                assert_eq!(contour.attribute((INKSCAPE, "label")), Some(format!("line {number}").as_str()), "{name}");
+                let paths: Vec<_> = contour.descendants().filter(|node| node.has_attribute("d")).collect();
+                assert!(!paths.is_empty() && paths.len() == page.figure.lines[number - 1].runs.len(), "{name}");
+                assert!(paths.into_iter().all(|path| numbers(path, "stroke-width")[0] >= 0.75), "{name}");
             }
         }
         let parameter = |key: &str| {

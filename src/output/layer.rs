@@ -4,7 +4,7 @@ use crate::page::{Class, Height, TextRole};
 
 /// A layer. Those with a parent lie in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Layer {
+pub(crate) enum Layer {
     OrientationMark,
     Registration,
     Frame,
@@ -19,13 +19,28 @@ pub(super) enum Layer {
 }
 
 impl Layer {
+    /// All of them.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        let beside =
+            [Self::OrientationMark, Self::Registration, Self::Frame, Self::Figure, Self::Textures, Self::Lines];
+        let below = [Self::OverviewFrame, Self::Overview, Self::Labels];
+        let textures = Class::ALL.map(Self::Texture);
+        beside.into_iter().chain(textures).chain(below).chain(TextRole::ALL.map(Self::Braille))
+    }
+
+    /// The layer of this id or label, whatever its case: some editors keep only one of the two.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        let id = name.trim().to_lowercase().replace([' ', '_'], "-");
+        Self::all().find(|layer| layer.id() == id)
+    }
+
     /// Its id, for programs.
-    pub(super) fn id(self) -> String {
+    pub(crate) fn id(self) -> String {
         self.label().to_lowercase().replace(' ', "-")
     }
 
     /// Its name, for people.
-    pub(super) fn label(self) -> String {
+    pub(crate) fn label(self) -> String {
         match self {
             Self::OrientationMark => "Orientation mark".into(),
             Self::Registration => "Registration".into(),
@@ -53,6 +68,12 @@ pub(super) fn grey(height: Height) -> u8 {
     GREYS[1 + height as usize]
 }
 
+/// The height that is drawn in the nearest grey.
+pub(crate) fn height(grey: u8) -> Height {
+    let off = |height: &Height| self::grey(*height).abs_diff(grey);
+    Height::ALL.into_iter().min_by_key(off).unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +82,9 @@ mod tests {
     fn ids_are_those_that_other_programs_rely_on() {
         let id_and_label = |layer: Layer| (layer.id(), layer.label());
         assert_eq!(id_and_label(Layer::Texture(Class::Blue)), ("texture-blue".into(), "Texture blue".into()));
+        assert!(Layer::all().all(|layer| Layer::named(&layer.id()) == Some(layer)));
+        assert!(Layer::all().all(|layer| Layer::named(&layer.label()) == Some(layer)));
+        assert_eq!(Layer::named("sky"), None);
         assert_eq!(id_and_label(Layer::OverviewFrame), ("overview-frame".into(), "Overview frame".into()));
     }
 }

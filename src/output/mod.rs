@@ -4,7 +4,7 @@ mod dot_files;
 pub mod dots;
 mod format;
 pub mod json;
-mod layer;
+pub(crate) mod layer;
 pub mod pdf;
 pub mod png;
 mod png_file;

@@ -8,17 +8,20 @@
 //!   g#frame
 //!   g#figure  data-box="x y w h" (mm)  data-source="w h" (px)
 //!     g#textures > g#texture-blue ...  data-sign="rhombus 0" (degrees counter-clockwise) or "dot"
-//!       path  id="region-1"  data-class  data-colour="r g b" (0..255)  data-area (mm2)   (one a connected region)
-//!     g#lines > g (one a contour; data-strength) > path (stroke-width in mm)
+//!       path  id="region-1"  label "blue area 1"  data-class  data-colour="r g b" (0..255)  data-area (mm2)
+//!     g#lines > path  id="line-1"  label "line 1"  data-strength  stroke-width (mm)   (one a contour)
 //!   g#overview-frame
-//!   g#overview  data-box > g > path
+//!   g#overview  data-box > path  id="overview-line-1" ...
 //!   g#labels (one path a size of dots)
-//!   g#braille-title > g  aria-label (the text)  data-braille (its lines in Unicode braille) > path
+//!   g#braille-title > g  id="braille-title-1"  aria-label (the text)  data-braille (its lines in Unicode braille)
+//!                        data-abbreviation (what stands for the text, if anything does) > path
 //!   g#braille-key > the same, on the sheets of a key
 //!   g#braille-labels > the same; a label that leads to what it names has > g > path (stroke-width in mm)
 //! ```
 //!
-//! Every group with an id is an Inkscape layer; other editors show groups. A layer that would be empty is left out.
+//! A contour whose width changes along it is a group of paths in place of a path: in an editor it is one object either
+//! way. Layers are those of Inkscape (`inkscape:groupmode`); other editors show groups. A layer that would be empty is
+//! left out. [`reading`](crate::reading) reads all of it back.
 
 use std::fmt::Write;
 
@@ -27,7 +30,7 @@ use svg::{Document, Node};
 
 use super::layer::{Layer, grey};
 use super::seal;
-use super::text::{origin_lines, plain, push_number};
+use super::text::{origin_lines, plain, push_number, written_corners};
 use crate::page::{
     BrailleText, Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, TextRole, Texture,
 };
@@ -83,7 +86,11 @@ fn braille_layers(page: &Page) -> Vec<Group> {
     let of_role = |role: TextRole| {
         let mut texts = page.braille.iter().filter(|text| text.role == role).peekable();
         texts.peek()?;
-        Some(texts.fold(layer(Layer::Braille(role)), |group, text| group.add(braille(text))))
+        let id = Layer::Braille(role).id();
+        let numbered = (1..).zip(texts);
+        Some(numbered.fold(layer(Layer::Braille(role)), |group, (number, text)| {
+            group.add(braille(text).set("id", format!("{id}-{number}")))
+        }))
     };
     TextRole::ALL.into_iter().filter_map(of_role).collect()
 }
@@ -93,8 +100,13 @@ fn braille(text: &BrailleText) -> Group {
     let group = Group::new()
         .set("role", "img")
         .set("xml:lang", plain(&text.language))
+        .set("inkscape:label", plain(&text.text))
         .set("aria-label", plain(&text.spoken()))
         .set("data-braille", text.lines.join(" "));
+    let group = match &text.abbreviation {
+        Some(short) => group.set("data-abbreviation", plain(short)),
+        None => group,
+    };
     let group = group.add(dots(&text.dots));
     match &text.leader {
         Some(leader) => group.add(with_strokes(Group::new()).add(stroke(leader))),
@@ -141,22 +153,28 @@ fn figure(figure: &Figure, of_textures: Height) -> Group {
             let mut paths = numbered().filter(|(_, texture)| texture.class == class).peekable();
             if let Some((_, first)) = paths.peek() {
                 let of_class = layer(Layer::Texture(class)).set("data-sign", first.sign.to_string());
-                textures =
-                    textures.add(paths.fold(of_class, |group, (number, texture)| group.add(region(number, texture))));
+                let in_class = (1..).zip(paths);
+                textures = textures.add(
+                    in_class.fold(of_class, |group, (nth, (number, texture))| group.add(region(number, nth, texture))),
+                );
             }
         }
         group = group.add(textures);
     }
-    if figure.lines.is_empty() { group } else { group.add(lines(with_strokes(layer(Layer::Lines)), &figure.lines)) }
+    if figure.lines.is_empty() {
+        group
+    } else {
+        group.add(lines(with_strokes(layer(Layer::Lines)), "line", &figure.lines))
+    }
 }
 
 /// All glyphs of a region as one object, so that a person can delete, move or change it as a whole; what it stands
-/// for is said beside it.
-fn region(number: usize, texture: &Texture) -> Path {
-    let (name, area) = (texture.class.name(), texture.area.round());
+/// for is said beside it. It is the `nth` of its class.
+fn region(number: usize, nth: usize, texture: &Texture) -> Path {
+    let name = texture.class.name();
     Path::new()
         .set("id", format!("region-{number}"))
-        .set("inkscape:label", format!("Region {number}, {name}, {area} mm2"))
+        .set("inkscape:label", format!("{name} area {nth}"))
         .set("data-class", name)
         .set("data-colour", texture.colour.map(|channel| channel.to_string()).join(" "))
         .set("data-area", self::number(texture.area))
@@ -165,14 +183,23 @@ fn region(number: usize, texture: &Texture) -> Path {
 
 fn overview_layer(overview: &Overview) -> Group {
     let group = layer(Layer::Overview).set("data-box", data_box(overview.place));
-    lines(with_strokes(group), &overview.lines)
+    lines(with_strokes(group), "overview line", &overview.lines)
 }
 
-/// Lines as strokes: an editor can change their width and bend them.
-fn lines(layer: Group, lines: &[Line]) -> Group {
-    lines.iter().fold(layer, |layer, line| {
-        let contour = Group::new().set("data-strength", format!("{:.1}", line.strength));
-        layer.add(line.runs.iter().fold(contour, |contour, run| contour.add(stroke(run))))
+/// Lines as strokes: an editor can change their width and bend them. Each is one object with a name; where its width
+/// changes along it, a group.
+fn lines(layer: Group, name: &str, lines: &[Line]) -> Group {
+    (1..).zip(lines).fold(layer, |layer: Group, (number, line): (usize, &Line)| {
+        let label = format!("{name} {number}");
+        let id = label.replace(' ', "-");
+        let strength = format!("{:.1}", line.strength);
+        match line.runs.as_slice() {
+            [run] => layer.add(stroke(run).set("id", id).set("inkscape:label", label).set("data-strength", strength)),
+            runs => {
+                let group = Group::new().set("id", id).set("inkscape:label", label).set("data-strength", strength);
+                layer.add(runs.iter().fold(group, |group, run| group.add(stroke(run))))
+            }
+        }
     })
 }
 
@@ -231,11 +258,8 @@ fn glyph_path(glyphs: &[Glyph]) -> String {
     let mut d = String::with_capacity(48 * glyphs.len());
     for glyph in glyphs {
         match glyph.shape {
-            Shape::Rhombus { .. } => d.push_str(&line_path(&glyph.corners(), false)),
+            Shape::Rhombus { .. } => d.push_str(&line_path(&written_corners(glyph), true)),
             Shape::Dot { diameter } => push_disc(&mut d, glyph.at, diameter),
-        }
-        if matches!(glyph.shape, Shape::Rhombus { .. }) {
-            d.push('Z');
         }
     }
     d

@@ -1,4 +1,7 @@
-//! Pieces of text that several formats share.
+//! Pieces of text, and numbers, that several formats share.
+
+use crate::page::Glyph;
+use crate::units::{MmPoint, MmVector};
 
 /// Text that XML and other formats may hold: control characters are replaced.
 pub(super) fn plain(text: &str) -> String {
@@ -8,6 +11,19 @@ pub(super) fn plain(text: &str) -> String {
         c => c,
     };
     text.chars().map(allowed).collect()
+}
+
+/// The corners of a rhombus in whole steps of 0.01 mm, opposite ones equally far from its middle: so its middle, its
+/// diagonals and its direction can be read back.
+pub(super) fn written_corners(glyph: &Glyph) -> [MmPoint; 4] {
+    // of a rhombus that lies at 45 degrees both halves of a diagonal are rounded the same way
+    let round = |mm: f32| ((100.0 * mm).abs() + 1e-3).round().copysign(mm) / 100.0;
+    let middle = MmPoint::new(round(glyph.at.x), round(glyph.at.y));
+    let [along, across, ..] = glyph.corners().map(|corner| {
+        let off = corner - glyph.at;
+        MmVector::new(round(off.x), round(off.y))
+    });
+    [middle + along, middle + across, middle - along, middle - across]
 }
 
 /// How a page was made, as lines `name = value`.

@@ -12,7 +12,7 @@ use super::signs::Signs;
 use crate::page::{Class, Sign};
 use crate::raster::decode::checked_document;
 use crate::raster::plane::Plane;
-use crate::units::{MmPoint, MmRect, Size};
+use crate::units::{MM_PER_CSS_PX as MM_PER_PX, MmPoint, MmRect, Size};
 
 /// Id of the figure's group and of its lines.
 const FIGURE: &str = "figure";
@@ -20,9 +20,6 @@ const LINES: &str = "lines";
 
 /// Attribute of a texture's layer: the sign of its class.
 const SIGN: &str = "data-sign";
-
-/// Millimetres of a CSS pixel.
-const MM_PER_PX: f32 = 25.4 / 96.0;
 
 /// Blank around all ink, mm: wider than the blur of the fingertip and of the window, so that the border of a texture
 /// is felt as one.

@@ -86,7 +86,7 @@ fn marks_of_svg(page: &Page) -> Vec<Mark> {
 }
 
 fn mark_of_svg(path: Node<'_, '_>) -> Mark {
-    let groups = path.ancestors().filter(|node| node.has_tag_name((SVG, "g")));
+    let groups = path.ancestors().filter(|node| node.attribute((INKSCAPE, "groupmode")).is_some());
     let mut layers: Vec<String> =
         groups.filter_map(|node| node.attribute((INKSCAPE, "label"))).map(String::from).collect();
     layers.reverse();
@@ -162,7 +162,7 @@ fn layers_have_the_names_of_the_svg_and_lie_in_one_another_alike() {
         let reader = Reader::new(&bytes);
         let text = svg::write(&page);
         let document = Document::parse(&text).expect("XML");
-        let groups = document.descendants().filter(|node| node.has_tag_name((SVG, "g")));
+        let groups = document.descendants().filter(|node| node.attribute((INKSCAPE, "groupmode")).is_some());
         let groups = groups.filter_map(|node| node.attribute((INKSCAPE, "label")));
         let in_file: Vec<String> = reader.with("/Type/OCG").iter().map(|(_, layer)| string_of(layer, "Name")).collect();
         assert_eq!(in_file, groups.collect::<Vec<_>>(), "{}", page.title);
@@ -181,6 +181,7 @@ fn layers_have_the_names_of_the_svg_and_lie_in_one_another_alike() {
 
 fn listed(group: Node<'_, '_>) -> String {
     let groups = group.children().filter(|node| node.has_tag_name((SVG, "g")));
+    let groups = groups.filter(|node| node.attribute((INKSCAPE, "groupmode")).is_some());
     let layers = groups.filter_map(|node| Some((node, node.attribute((INKSCAPE, "label"))?)));
     let told = layers.map(|(node, label)| match listed(node) {
         // Only the figure and its textures can hold layers; a figure without any still has its list.

@@ -39,6 +39,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("contours", &["units", "geom", "edges", "lines"]),
     // Whoever comes after the page reads nothing but the page, or contours.
     ("output", &["units", "geom", "devices", "page", "contours"]),
+    // A page from its SVG, with the layers that the writer gives it.
+    ("reading", &["units", "geom", "raster", "devices", "page", "output"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     (
         "profile",

@@ -8,7 +8,7 @@ use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Name, Settings, TextStr};
 
 use super::super::layer::{Layer, grey};
-use super::super::text::plain;
+use super::super::text::{plain, written_corners};
 use crate::page::{BrailleText, Class, Dots, Glyph, Height, Line, Page, Pen, Run, Shape, TextRole};
 use crate::units::MmPoint;
 
@@ -168,7 +168,7 @@ impl Writer<'_> {
         for glyph in glyphs {
             match glyph.shape {
                 Shape::Rhombus { .. } => {
-                    self.polyline(&glyph.corners());
+                    self.polyline(&written_corners(glyph));
                     self.content.close_path();
                 }
                 Shape::Dot { diameter } => self.disc(glyph.at, diameter),

@@ -1,0 +1,443 @@
+//! A page of what was found drawn.
+
+use resvg::tiny_skia::{Point, Transform};
+use usvg::roxmltree::Node;
+
+use super::document::Elements;
+use super::marks::{Mark, Marks};
+use super::outline::{Outline, clean};
+use super::shapes::{disc, glyph};
+use super::tally::{Tally, What};
+use super::words::{PageWords, language};
+use crate::devices::{Device, DotArea};
+use crate::output::layer::{self, Layer};
+use crate::page::{
+    BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Overview, Page, Palette, Parts, Pen, Print, Run,
+    Shape, Sign, TextRole, Texture,
+};
+use crate::units::{MmPoint, MmRect, MmVector, Size};
+use crate::{Error, Note};
+
+/// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
+const DRAWN: f32 = 100.0;
+/// What is lighter than this is white: nothing is printed.
+const WHITE: u8 = 250;
+/// What is darker than this is black.
+const BLACK: u8 = 16;
+/// Two pieces of a line are one where their ends are this near, mm.
+const JOINED: f32 = 0.05;
+/// A dot this near to one that the device has is that one, mm: coordinates are written in steps of 0.01 mm.
+const SAME: f32 = 0.02;
+/// Area that a glyph stands for where the page does not say, mm2: that of a dense texture of `swell-a4`.
+const GLYPH_AREA: f32 = 11.2;
+/// Pixels for a millimetre of a picture that is not known.
+const PX_PER_MM: f32 = 4.0;
+
+/// The page of these marks.
+///
+/// # Errors
+/// If the device that the page names does not take its sheet, or a number is out of all range.
+pub(super) fn page(
+    marks: Marks<'_>,
+    words: PageWords,
+    elements: &Elements<'_>,
+    sheet: [f32; 2],
+) -> Result<(Page, Vec<Note>), Error> {
+    let Marks { marks, transforms, clipped, pictures, patterned, .. } = marks;
+    let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
+    let medium = medium(&words, sheet)?;
+    let mut builder = Builder::new(&medium, sheet);
+    let mut runs: Vec<(usize, Layer, f32, Vec<Run>)> = Vec::new();
+    for mark in &marks {
+        builder.add(mark, &mut runs);
+    }
+    for (_, layer, strength, of_object) in runs {
+        builder.add_lines(layer, strength, of_object);
+    }
+    let Builder { mut parts, tally, overview, overview_frame, mut regions, .. } = builder;
+    regions.sort_by_key(|(number, _)| *number);
+    parts.figure.textures = regions.into_iter().map(|(_, texture)| texture).collect();
+    parts.figure.place = place(Layer::Figure).unwrap_or_else(|| bounds(&parts.figure, sheet));
+    parts.figure.source = source(elements).unwrap_or_else(|| {
+        let px = |mm: f32| (mm * PX_PER_MM).round().clamp(1.0, 100_000.0) as u32;
+        Size::new(px(parts.figure.place.width()), px(parts.figure.place.height()))
+    });
+    if elements.layer(Layer::Overview).is_some() && !(overview.is_empty() && overview_frame.at.is_empty()) {
+        let place = place(Layer::Overview).unwrap_or(parts.figure.place);
+        parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
+    }
+    let mut notes: Vec<Note> = tally.notes().collect();
+    let texts = elements.texts();
+    notes.extend((!texts.is_empty()).then_some(Note::TextsLeftOut(texts)));
+    let more = [
+        (pictures, "pictures on the page: convert them to lines first"),
+        (clipped, "clip paths, masks and filters: what they cut off is there"),
+        (patterned, "gradients and patterns, which are taken as black"),
+    ];
+    notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(n, what)| Note::LeftOut(format!("{n} {what}"))));
+    parts.title = words.title;
+    parts.language = words.language;
+    parts.description = words.description;
+    parts.description_language = words.description_language;
+    parts.origin = words.origin;
+    parts.medium = medium;
+    Ok((Page::new(parts)?, notes))
+}
+
+/// What the page is made for, as it says itself.
+fn medium(words: &PageWords, sheet: [f32; 2]) -> Result<Medium, Error> {
+    match words.value("dots.device").filter(|id| *id != "none") {
+        None => Ok(Medium::Print(Print {
+            swell: words.number("print.swell").unwrap_or(0.0),
+            max_black: words.number("print.max_black").unwrap_or(0.0).max(0.0),
+        })),
+        Some(id) => {
+            let found = Device::named(id).and_then(|device| {
+                let pitch = device.pitches().find(words.number("dots.pitch")?)?;
+                DotMedium::on(device, pitch, sheet)
+            });
+            found.map(Medium::Dots).ok_or(Error::NotAPage(
+                "it is a page of dots for a device that is not known, or that does not take its sheet",
+            ))
+        }
+    }
+}
+
+/// Where a layer says that its picture lies.
+fn place_of(layer: Layer, elements: &Elements<'_>, transform: Option<&Transform>) -> Option<MmRect> {
+    let node = elements.layer(layer)?;
+    let [x, y, width, height]: [f32; 4] = numbers(node, "data-box")?.try_into().ok()?;
+    let mut corners = [Point::from_xy(x, y), Point::from_xy(x + width, y + height)];
+    if let Some(transform) = transform {
+        transform.map_points(&mut corners);
+    }
+    let [a, b] = corners.map(|p| MmPoint::new(clean(p.x), clean(p.y)));
+    Some(MmRect::new(a.min(b), a.max(b)))
+}
+
+fn numbers(node: Node<'_, '_>, name: &str) -> Option<Vec<f32>> {
+    let all: Result<Vec<f32>, _> = node.attribute(name)?.split_whitespace().map(str::parse).collect();
+    all.ok().filter(|all| all.iter().all(|number| number.is_finite()))
+}
+
+fn source(elements: &Elements<'_>) -> Option<Size> {
+    let text = elements.layer(Layer::Figure)?.attribute("data-source")?;
+    let (width, height) = text.split_once(' ')?;
+    Some(Size::new(width.parse().ok()?, height.parse().ok()?)).filter(|size| size.area() > 0)
+}
+
+/// The box around all lines and glyphs; the sheet if there are none.
+fn bounds(figure: &Figure, [width, height]: [f32; 2]) -> MmRect {
+    let runs = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.iter().copied());
+    let glyphs = figure.textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
+    let points: Vec<MmPoint> = runs.chain(glyphs).collect();
+    if points.is_empty() {
+        MmRect::new(MmPoint::zero(), MmPoint::new(width, height))
+    } else {
+        MmRect::from_points(points)
+    }
+}
+
+struct Builder<'m> {
+    medium: &'m Medium,
+    sheet: [f32; 2],
+    parts: Parts,
+    overview: Vec<Line>,
+    overview_frame: Dots,
+    /// Textures by the number that their id has.
+    regions: Vec<(usize, Texture)>,
+    /// Which text is which object.
+    texts: Vec<usize>,
+    /// Which dots of labels are which object.
+    labels: Vec<usize>,
+    tally: Tally,
+}
+
+impl<'m> Builder<'m> {
+    fn new(medium: &'m Medium, sheet: [f32; 2]) -> Self {
+        let empty = Figure { place: MmRect::zero(), source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
+        Self {
+            medium,
+            sheet,
+            parts: Parts::of(sheet, empty),
+            overview: Vec::new(),
+            overview_frame: Dots::default(),
+            regions: Vec::new(),
+            texts: Vec::new(),
+            labels: Vec::new(),
+            tally: Tally::default(),
+        }
+    }
+
+    /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
+    fn add(&mut self, mark: &Mark<'_>, runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>) {
+        let has_heights = self.medium.has_heights();
+        let first = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+        if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
+            if stroke.shade > BLACK && !has_heights {
+                self.tally.add(What::Shaded, first);
+            }
+            if stroke.is_dashed {
+                self.tally.add(What::Dashed, first);
+            }
+            let of_path = mark.outlines.iter().map(|outline| stroke_run(outline, stroke.width)).collect();
+            self.add_strokes(mark, of_path, runs);
+            return;
+        }
+        let Some(shade) = mark.fill.filter(|shade| *shade < WHITE) else { return };
+        if shade > BLACK && !has_heights {
+            self.tally.add(What::Shaded, first);
+        }
+        if let Some(Layer::Texture(class)) = mark.layer {
+            self.add_glyphs(mark, class);
+            return;
+        }
+        let discs: Option<Vec<(MmPoint, f32)>> = mark.outlines.iter().map(disc).collect();
+        match (discs, mark.layer) {
+            (Some(discs), layer) => self.add_discs(mark, layer, &discs, layer::height(shade), runs),
+            (None, _) => {
+                self.tally.add(What::Outlined, first);
+                let width = self.common_width();
+                let around = mark.outlines.iter().map(|outline| Outline { closed: true, ..outline.clone() });
+                let around = around.map(|outline| stroke_run(&outline, width)).collect();
+                self.collect(mark, Layer::Lines, around, runs);
+            }
+        }
+    }
+
+    /// Width of a line that is drawn where none is given, mm.
+    fn common_width(&self) -> f32 {
+        let widths = self.parts.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.width);
+        widths.fold(1.0, f32::max)
+    }
+
+    fn add_strokes(&mut self, mark: &Mark<'_>, of_path: Vec<Run>, runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>) {
+        let is_text = mark.element.has_attribute("data-braille");
+        match mark.layer {
+            Some(Layer::OrientationMark) if self.parts.orientation_mark.is_none() => {
+                let mut of_path = self.on_sheet(of_path).into_iter();
+                self.parts.orientation_mark = of_path.next();
+                self.parts.registration.extend(of_path);
+            }
+            Some(Layer::Registration) => {
+                let kept = self.on_sheet(of_path);
+                self.parts.registration.extend(kept);
+            }
+            Some(Layer::Braille(role)) if is_text => {
+                let leader = self.on_sheet(of_path).into_iter().next();
+                let index = self.text_of(mark, role);
+                self.parts.braille[index].leader = leader;
+            }
+            Some(layer @ (Layer::Lines | Layer::Overview)) => self.collect(mark, layer, of_path, runs),
+            layer => {
+                if !matches!(layer, Some(Layer::Figure)) {
+                    let at = of_path.first().and_then(|run| run.points.first()).copied();
+                    self.tally.add(What::LineOutside, at);
+                }
+                self.collect(mark, Layer::Lines, of_path, runs);
+            }
+        }
+    }
+
+    /// Keeps the pieces of one object together, in the order in which they are drawn.
+    fn collect(
+        &mut self,
+        mark: &Mark<'_>,
+        layer: Layer,
+        of_path: Vec<Run>,
+        runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>,
+    ) {
+        let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
+        let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
+        match runs.last_mut() {
+            Some((object, _, _, pieces)) if *object == mark.object => pieces.extend(of_path),
+            _ => runs.push((mark.object, layer, strength, of_path)),
+        }
+    }
+
+    /// Runs that end where the next begins are one line.
+    fn add_lines(&mut self, layer: Layer, strength: f32, pieces: Vec<Run>) {
+        let mut lines: Vec<Line> = Vec::new();
+        for run in self.on_sheet(pieces) {
+            let follows = lines.last().and_then(|line| line.runs.last()).is_some_and(|last| {
+                // a heavy line has a second row of dots beside the first
+                if (last.pen, run.pen) != (Pen::Stroke, Pen::Stroke) {
+                    return last.pen != Pen::Stroke && run.pen != Pen::Stroke;
+                }
+                let ends = last.points.last().zip(run.points.first());
+                !last.closed && !run.closed && ends.is_some_and(|(a, b)| (*a - *b).length() <= JOINED)
+            });
+            match lines.last_mut() {
+                Some(line) if follows => line.runs.push(run),
+                _ => lines.push(Line { strength, runs: vec![run] }),
+            }
+        }
+        if layer == Layer::Overview { self.overview.extend(lines) } else { self.parts.figure.lines.extend(lines) }
+    }
+
+    fn add_discs(
+        &mut self,
+        mark: &Mark<'_>,
+        layer: Option<Layer>,
+        discs: &[(MmPoint, f32)],
+        height: Height,
+        runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>,
+    ) {
+        let Some(&(_, diameter)) = discs.first() else { return };
+        let uneven = discs.iter().find(|(_, other)| (other - diameter).abs() > SAME);
+        if let Some((at, _)) = uneven {
+            self.tally.add(What::UnevenDots, Some(*at));
+        }
+        let diameter = self.device_diameter(diameter);
+        let mut at: Vec<MmPoint> = discs.iter().map(|(at, _)| self.device_dot(*at)).collect();
+        let before = at.len();
+        let first = at.first().copied();
+        at.retain_mut(|at| nudged(at, 0.5 * diameter, self.sheet));
+        if at.len() < before {
+            self.tally.add(What::OffSheet, first);
+        }
+        let is_dotted = matches!(self.medium, Medium::Dots(_));
+        let row = |at: Vec<MmPoint>| Run::dots(diameter, at, height);
+        match layer {
+            Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
+            Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
+            Some(Layer::OrientationMark) if is_dotted => self.parts.orientation_mark = Some(row(at)),
+            Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
+                self.collect(mark, layer, vec![row(at)], runs);
+            }
+            Some(Layer::Braille(role)) if mark.element.has_attribute("data-braille") => {
+                let index = self.text_of(mark, role);
+                let text = &mut self.parts.braille[index];
+                if mark.is_direct {
+                    extend(&mut text.dots, diameter, at);
+                } else {
+                    text.leader = Some(row(at));
+                }
+            }
+            layer => {
+                if layer.is_none() {
+                    self.tally.add(What::DotOutside, at.first().copied());
+                }
+                let own = self.labels.last() == Some(&mark.object);
+                match self.parts.labels.last_mut().filter(|dots| own && (dots.diameter - diameter).abs() <= SAME) {
+                    Some(dots) => dots.at.extend(at),
+                    None => {
+                        self.labels.push(mark.object);
+                        self.parts.labels.push(Dots { diameter, at });
+                    }
+                }
+            }
+        }
+    }
+
+    fn add_glyphs(&mut self, mark: &Mark<'_>, class: Class) {
+        let mut glyphs = Vec::with_capacity(mark.outlines.len());
+        for outline in &mark.outlines {
+            let Some(mut glyph) = glyph(outline) else {
+                self.tally.add(What::NoGlyph, outline.points.first().copied());
+                continue;
+            };
+            glyph.at = self.device_dot(glyph.at);
+            if let Shape::Dot { diameter } = &mut glyph.shape {
+                *diameter = self.device_diameter(*diameter);
+            }
+            let radius = glyph.radius();
+            if nudged(&mut glyph.at, radius, self.sheet) {
+                glyphs.push(glyph);
+            } else {
+                self.tally.add(What::OffSheet, Some(glyph.at));
+            }
+        }
+        if glyphs.is_empty() {
+            return;
+        }
+        let element = mark.element;
+        let layer = element.ancestors().find(|node| super::document::layer_of(*node) == Some(Layer::Texture(class)));
+        let sign = layer.and_then(|layer| layer.attribute("data-sign")).and_then(Sign::named);
+        let colour = numbers(element, "data-colour").and_then(|all| <[f32; 3]>::try_from(all).ok());
+        let area = numbers(element, "data-area").and_then(|all| all.first().copied());
+        let number = element.attribute("id").and_then(|id| id.strip_prefix("region-")?.parse().ok());
+        let texture = Texture {
+            class,
+            sign: sign.unwrap_or(Palette::PAPER.sign(class)),
+            colour: colour.map_or([128; 3], |colour| colour.map(|channel| channel.clamp(0.0, 255.0) as u8)),
+            area: area.map_or(GLYPH_AREA * glyphs.len() as f32, |area| clean((area * mark.area_scale).max(0.0))),
+            glyphs,
+        };
+        self.regions.push((number.unwrap_or(usize::MAX), texture));
+    }
+
+    /// The text that an object is; a new one if it was not met yet.
+    fn text_of(&mut self, mark: &Mark<'_>, role: TextRole) -> usize {
+        if let Some(index) = self.texts.iter().position(|object| *object == mark.object) {
+            return index;
+        }
+        let said = |name: &str| mark.element.attribute(name).map(str::to_owned);
+        let (spoken, abbreviation) = (said("aria-label").unwrap_or_default(), said("data-abbreviation"));
+        let prefix = abbreviation.as_ref().map(|short| format!("{short}: ")).unwrap_or_default();
+        let text = spoken.strip_prefix(&prefix).unwrap_or(&spoken).to_owned();
+        let lines = said("data-braille").unwrap_or_default();
+        self.texts.push(mark.object);
+        self.parts.braille.push(BrailleText {
+            role,
+            text,
+            language: language(Some(mark.element)),
+            abbreviation,
+            lines: lines.split(' ').filter(|line| !line.is_empty()).map(str::to_owned).collect(),
+            dots: Dots::default(),
+            leader: None,
+        });
+        self.texts.len() - 1
+    }
+
+    /// Those runs that lie on the sheet.
+    fn on_sheet(&mut self, mut runs: Vec<Run>) -> Vec<Run> {
+        let sheet = self.sheet;
+        let tally = &mut self.tally;
+        runs.retain_mut(|run| {
+            let first = run.points.first().copied();
+            let inside = run.points.iter_mut().all(|at| nudged(at, 0.5 * run.width, sheet));
+            if !inside {
+                tally.add(What::OffSheet, first);
+            }
+            inside && !run.points.is_empty()
+        });
+        runs
+    }
+
+    /// The dot that the device has there; on paper, and where it has none, the place itself.
+    fn device_dot(&self, at: MmPoint) -> MmPoint {
+        let Medium::Dots(DotMedium { area: DotArea::Grid(grid), .. }) = self.medium else { return at };
+        let nearest = grid.nearest(at).and_then(|[column, row]| grid.at(column, row));
+        nearest.filter(|dot| (*dot - at).length() <= SAME).unwrap_or(at)
+    }
+
+    fn device_diameter(&self, diameter: f32) -> f32 {
+        match self.medium {
+            Medium::Dots(dots) if (dots.diameter() - diameter).abs() <= SAME => dots.diameter(),
+            _ => diameter,
+        }
+    }
+}
+
+fn stroke_run(outline: &Outline, width: f32) -> Run {
+    Run { width, points: outline.points.clone(), closed: outline.closed, pen: Pen::Stroke }
+}
+
+fn extend(dots: &mut Dots, diameter: f32, at: Vec<MmPoint>) {
+    if dots.at.is_empty() {
+        dots.diameter = diameter;
+    }
+    dots.at.extend(at);
+}
+
+/// Whether a mark that reaches `radius` mm around a place lies on the sheet; what is off by rounding only is moved.
+fn nudged(at: &mut MmPoint, radius: f32, [width, height]: [f32; 2]) -> bool {
+    let moved = MmPoint::new(at.x.min(width - radius).max(radius), at.y.min(height - radius).max(radius));
+    let off: MmVector = moved - *at;
+    if off.length() > SAME {
+        return false;
+    }
+    *at = moved;
+    at.x - radius >= 0.0 && at.y - radius >= 0.0 && at.x + radius <= width && at.y + radius <= height
+}

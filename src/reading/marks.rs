@@ -1,0 +1,173 @@
+//! All that a page draws, path by path, in millimetres.
+
+use std::collections::HashMap;
+
+use resvg::tiny_skia::Transform;
+use usvg::roxmltree::Node;
+use usvg::{Group, Paint, Tree};
+
+use super::document::{Elements, layer_of};
+use super::outline::{Outline, clean, outlines};
+use crate::Error;
+use crate::output::layer::Layer;
+use crate::units::MM_PER_CSS_PX;
+
+/// Most points of all paths together: a page of ours has 100 000 at most.
+const MOST_POINTS: usize = 5_000_000;
+
+/// A painted path.
+pub(super) struct Mark<'a> {
+    /// The layer in which it lies.
+    pub(super) layer: Option<Layer>,
+    /// Which object it is a part of: a contour, a text, or itself. A clone is another one.
+    pub(super) object: usize,
+    /// The element of that object.
+    pub(super) element: Node<'a, 'a>,
+    /// Whether it lies right in its object, and not in a group of that.
+    pub(super) is_direct: bool,
+    pub(super) outlines: Vec<Outline>,
+    /// Lightness of what fills it, 0 black.
+    pub(super) fill: Option<u8>,
+    pub(super) stroke: Option<Stroke>,
+    /// By how much its area is larger than its element says.
+    pub(super) area_scale: f32,
+}
+
+pub(super) struct Stroke {
+    /// Width, mm.
+    pub(super) width: f32,
+    /// Lightness, 0 black.
+    pub(super) shade: u8,
+    pub(super) is_dashed: bool,
+}
+
+/// Everything that is drawn.
+pub(super) struct Marks<'a> {
+    pub(super) marks: Vec<Mark<'a>>,
+    /// From the units of each layer's element to mm.
+    pub(super) transforms: HashMap<String, Transform>,
+    /// How many groups are cut by a clip path, or changed by a mask or a filter.
+    pub(super) clipped: usize,
+    /// How many pictures lie on the page.
+    pub(super) pictures: usize,
+    /// How many paths have a gradient or a pattern.
+    pub(super) patterned: usize,
+    points: usize,
+    objects: usize,
+}
+
+/// What is known of the groups around a path.
+#[derive(Clone, Copy)]
+struct Around<'a> {
+    layer: Option<Layer>,
+    object: Option<(usize, Node<'a, 'a>)>,
+    /// What a clone shows: usvg leaves its parts no ids.
+    cloned: Option<Node<'a, 'a>>,
+    opacity: f32,
+}
+
+/// All marks of a page.
+///
+/// # Errors
+/// If they have more points than [`MOST_POINTS`].
+pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<Marks<'a>, Error> {
+    let mut marks = Marks {
+        marks: Vec::new(),
+        transforms: HashMap::new(),
+        clipped: 0,
+        pictures: 0,
+        patterned: 0,
+        points: 0,
+        objects: 0,
+    };
+    marks.add_group(tree.root(), Around { layer: None, object: None, cloned: None, opacity: 1.0 }, elements)?;
+    Ok(marks)
+}
+
+/// From CSS pixels to mm.
+fn to_mm(transform: Transform) -> Transform {
+    transform.post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX)
+}
+
+impl<'a> Marks<'a> {
+    fn add_group(&mut self, group: &Group, around: Around<'a>, elements: &Elements<'a>) -> Result<(), Error> {
+        let mut around = Around { opacity: around.opacity * group.opacity().get(), ..around };
+        let changed = group.clip_path().is_some() || group.mask().is_some() || !group.filters().is_empty();
+        self.clipped += usize::from(changed);
+        if let Some(element) = elements.get(group.id()).and_then(|element| elements.shown_by(element)) {
+            if elements.get(group.id()) != Some(element) {
+                around.cloned = Some(element);
+            }
+            if let Some(layer) = layer_of(element) {
+                around = Around { layer: Some(layer), object: None, ..around };
+                self.transforms.entry(layer.id()).or_insert_with(|| to_mm(group.abs_transform()));
+            } else if is_object(element) {
+                around.object = Some((self.next_object(), element));
+            }
+        }
+        for node in group.children() {
+            match node {
+                usvg::Node::Group(group) => self.add_group(group, around, elements)?,
+                usvg::Node::Path(path) => self.add_path(path, around, elements)?,
+                usvg::Node::Image(_) => self.pictures += 1,
+                // without fonts there is none
+                usvg::Node::Text(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn next_object(&mut self) -> usize {
+        self.objects += 1;
+        self.objects
+    }
+
+    fn add_path(&mut self, path: &usvg::Path, around: Around<'a>, elements: &Elements<'a>) -> Result<(), Error> {
+        if !path.is_visible() {
+            return Ok(());
+        }
+        let transform = to_mm(path.abs_transform());
+        let Some(geometry) = path.data().clone().transform(transform) else { return Ok(()) };
+        let outlines = outlines(&geometry);
+        self.points += outlines.iter().map(|outline| outline.points.len()).sum::<usize>();
+        if self.points > MOST_POINTS {
+            return Err(super::document::undecodable(format!("its paths have more than {MOST_POINTS} points")));
+        }
+        // a marker at the end of a line has no id, and no element
+        let own = elements.get(path.id()).or(around.cloned).or(around.object.map(|(_, element)| element));
+        let Some(own) = own else {
+            return Ok(());
+        };
+        let (object, element) = match around.object {
+            Some(object) if !is_object(own) => object,
+            _ => (self.next_object(), own),
+        };
+        let area_scale = (transform.sx * transform.sy - transform.kx * transform.ky).abs();
+        let mut shade = |paint: &Paint, opacity: f32| match paint {
+            Paint::Color(colour) => {
+                let light =
+                    (299 * u32::from(colour.red) + 587 * u32::from(colour.green) + 114 * u32::from(colour.blue)) / 1000;
+                (255.0 - (255.0 - light as f32) * opacity * around.opacity).round() as u8
+            }
+            _ => {
+                self.patterned += 1;
+                0
+            }
+        };
+        let fill = path.fill().map(|fill| shade(fill.paint(), fill.opacity().get()));
+        let stroke = path.stroke().map(|stroke| Stroke {
+            width: clean(stroke.width().get() * area_scale.sqrt()),
+            shade: shade(stroke.paint(), stroke.opacity().get()),
+            is_dashed: stroke.dasharray().is_some(),
+        });
+        let is_direct = own.parent() == Some(element) || own == element;
+        let layer = around.layer;
+        self.marks.push(Mark { layer, object, element, is_direct, outlines, fill, stroke, area_scale });
+        Ok(())
+    }
+}
+
+/// Whether an element stands for one thing on the page: a contour, a region or a text.
+fn is_object(element: Node<'_, '_>) -> bool {
+    ["data-strength", "data-class", "data-braille"].iter().any(|name| element.has_attribute(*name))
+}

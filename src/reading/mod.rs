@@ -1,0 +1,73 @@
+//! A page read back from its SVG, as it was written or as somebody changed it in an editor.
+//!
+//! ```text
+//! bytes -> document (limits, ids) -> usvg -> marks (paths in mm, each with its layer and object) -> build -> Page
+//!                                  `-> words (title, description, origin, braille)
+//! ```
+//!
+//! usvg resolves what an editor may do: transforms, styles, clones, shapes, hidden layers. It knows no attributes of
+//! other programs, so these are looked up in the elements by their ids.
+//!
+//! What is drawn counts, not what was written once: a mark is taken as it is now, of any width and colour, and as
+//! what the layer says in which it lies. What lies in no layer is taken by its kind: a stroke is a line, a disc is a
+//! dot, and any other filled shape a line around it. What is taken otherwise than it looks, or not at all, is told in
+//! a [`Note`].
+
+mod build;
+mod document;
+mod marks;
+mod outline;
+mod shapes;
+mod tally;
+mod words;
+
+use usvg::{ImageHrefResolver, Tree};
+
+use crate::page::Page;
+use crate::units::MM_PER_CSS_PX;
+use crate::{Error, Note};
+use document::Elements;
+
+/// A page that was read.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Reading {
+    /// The page. Its `origin` is what the file says of how it was made.
+    pub page: Page,
+    /// What was taken otherwise than it looks, or left out.
+    pub notes: Vec<Note>,
+}
+
+/// Reads a page from an SVG that [`svg::write`](crate::output::svg::write) wrote, changed by an editor or not.
+/// Marks are as they are drawn: nothing is put right.
+///
+/// A page that nobody changed is read as it was, up to the 0.005 mm to which coordinates are written, and is the same
+/// to the byte when it is written again.
+///
+/// # Errors
+/// [`Error::NotAPage`] if it is no SVG, or none with the layers of a page; [`Error::Undecodable`] if it is over a
+/// limit or broken.
+pub fn read(svg: &[u8]) -> Result<Reading, Error> {
+    let text = document::with_ids(document::text_of(svg)?)?;
+    let document = document::parse(&text)?;
+    let elements = Elements::of(&document);
+    if !elements.has_layer() {
+        return Err(Error::NotAPage("it has none of the layers of a page, such as lines or figure"));
+    }
+    let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
+    let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
+    let tree = Tree::from_xmltree(&document, &options).map_err(|fault| document::undecodable(fault.to_string()))?;
+    let marks = marks::of(&tree, &elements)?;
+    let round = |px: f32| (f64::from(px * MM_PER_CSS_PX) * 1000.0).round() as f32 / 1000.0;
+    let sheet = [round(tree.size().width()), round(tree.size().height())];
+    let words = words::of(&document);
+    let (page, notes) = build::page(marks, words, &elements, sheet)?;
+    Ok(Reading { page, notes })
+}
+
+/// Whether a text is a page of ours: it has the layer of a figure with the place that the writer gives it.
+pub fn is_page(svg: &[u8]) -> bool {
+    let text = std::str::from_utf8(svg).unwrap_or_default();
+    let has = |what: &str| text.contains(what);
+    has("data-box=") && has("id=\"figure\"") && has("data-source=") && has("<svg")
+}

@@ -1,0 +1,67 @@
+//! What is told of a page that was read.
+
+use std::collections::BTreeMap;
+
+use crate::Note;
+use crate::units::MmPoint;
+
+/// What is told when all is read, as counts and the place of the first.
+#[derive(Default)]
+pub(super) struct Tally {
+    told: BTreeMap<What, (usize, Option<MmPoint>)>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum What {
+    LineOutside,
+    DotOutside,
+    Outlined,
+    NoGlyph,
+    OffSheet,
+    Shaded,
+    Dashed,
+    UnevenDots,
+}
+
+impl Tally {
+    pub(super) fn add(&mut self, what: What, at: Option<MmPoint>) {
+        let (count, first) = self.told.entry(what).or_default();
+        *count += 1;
+        *first = first.or(at);
+    }
+
+    pub(super) fn notes(&self) -> impl Iterator<Item = Note> + '_ {
+        self.told.iter().map(|(what, (count, first))| {
+            let n = |one: &str, many: &str| if *count == 1 { format!("1 {one}") } else { format!("{count} {many}") };
+            let at = first.map_or(String::new(), |at| format!(" (the first at {:.0}, {:.0} mm)", at.x, at.y));
+            let left_out = |what: String| Note::LeftOut(what);
+            match what {
+                What::LineOutside => Note::TakenAs(format!(
+                    "{}{at} outside of the layers, taken as lines of the figure",
+                    n("line", "lines")
+                )),
+                What::DotOutside => {
+                    Note::TakenAs(format!("{}{at} outside of the layers, taken as dots", n("disc", "discs")))
+                }
+                What::Outlined => Note::TakenAs(format!(
+                    "{}{at} that stand for no colour, drawn as lines around them",
+                    n("filled shape", "filled shapes")
+                )),
+                What::NoGlyph => left_out(format!(
+                    "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
+                    n("shape", "shapes")
+                )),
+                What::OffSheet => left_out(format!("{}{at} that reach beyond the sheet", n("mark", "marks"))),
+                What::Shaded => Note::TakenAs(format!(
+                    "{}{at} in grey or colour, taken as black: only black rises",
+                    n("mark", "marks")
+                )),
+                What::Dashed => Note::TakenAs(format!("{}{at} with dashes, taken without gaps", n("line", "lines"))),
+                What::UnevenDots => Note::TakenAs(format!(
+                    "{}{at} of other sizes than the others of its group, taken as of one size",
+                    n("dot", "dots")
+                )),
+            }
+        })
+    }
+}
