@@ -202,6 +202,23 @@ pub enum Error {
     /// What is to be read as a page is none.
     #[error("this is no page of tactograph: {0}; give the SVG of a page, as convert makes it")]
     NotAPage(&'static str),
+    /// What is to be converted is a page already.
+    #[error(
+        "this is a page that tactograph made, and no picture; write it in another format or for another device with \
+         tactograph render"
+    )]
+    IsAPage,
+    /// Lines are given that belong to another picture, or another part of it.
+    #[error(
+        "the lines given are of a figure {lines:.2} times as wide as high, and the picture is {picture:.2} times; \
+         give the lines of a page of this picture, and the same part of it"
+    )]
+    OtherShape {
+        /// Width of the figure of the lines by its height.
+        lines: f32,
+        /// The same of the picture.
+        picture: f32,
+    },
     /// There is no memory left.
     #[error("there is no memory for {what}")]
     NoMemory {

@@ -129,7 +129,8 @@ mod units;
 
 // Functions, and what they take.
 pub use api::{
-    Calibration, FeelError, Felt, Fonts, Options, calibrate, convert, convert_to_sheets, feel, trace, write_pdf,
+    Calibration, FeelError, Felt, Fonts, Options, calibrate, convert, convert_to_sheets, feel, profile_of_page, render,
+    trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};

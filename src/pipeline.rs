@@ -2,23 +2,29 @@
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+mod areas;
 pub mod colours;
 mod dots;
 mod draw;
 mod finish;
+mod given;
 mod key;
 mod label;
 mod progress;
+mod redraw;
 mod request;
 pub mod sheets;
 mod texts;
 pub mod trace;
 mod words;
 
+pub use areas::of_page as areas_of;
 pub use finish::{title_of_key, title_of_overview};
+pub use given::{Given, HandLines};
 pub use key::Key;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
+pub use redraw::settle;
 pub use request::{Fit, Request};
 pub use texts::Text;
 pub use words::Words;
@@ -28,6 +34,7 @@ use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{self, BrailleText, Dots, Figure, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
+use crate::profile::Plan;
 use crate::units::MmRect;
 use crate::{Error, Note};
 use draw::{Marks, draw};
@@ -60,23 +67,49 @@ pub fn convert<'p>(
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
-    convert_with_words(picture, &Words::default(), request, watch)
+    convert_with_words(picture, &Words::default(), &Given::default(), request, watch)
 }
 
-/// As [`convert`], with words in braille.
+/// As [`convert`], with words in braille, and with what a person gives beside the picture.
 ///
 /// # Errors
 /// As [`convert`].
 pub fn convert_with_words<'p>(
     picture: impl Into<Picture<'p>>,
     words: &Words<'_>,
+    given: &Given,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Drawing, Error> {
+    let written = Written::new(words, request.plan);
+    let marks = draw(picture.into(), given, request, &|size| written.layout(size, request), watch)?;
+    compose(marks, words, &written, request, watch)
+}
+
+/// Draws a page anew with another profile: lines and areas keep their places in the figure, and everything that hangs
+/// on paper or device is made for the new one. `own` is the profile of the page.
+///
+/// # Errors
+/// As [`convert`].
+pub fn redraw(page: &Page, own: &Plan, request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
+    let labels = redraw::labels(page);
+    let words = redraw::words(page, &labels);
+    let written = Written::new(&words, request.plan);
+    let layout = written.layout(redraw::shape(page), request)?;
+    let marks = redraw::marks(page, own, layout, request, watch)?;
+    compose(marks, &words, &written, request, watch)
+}
+
+/// The page of these marks, with its words.
+fn compose(
+    marks: Marks,
+    words: &Words<'_>,
+    written: &Written<'_>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let written = Written::new(words, plan);
-    let Marks { mut figure, overview, shares, layout, is_flat, texts, mut notes } =
-        draw(picture.into(), request, &|size| written.layout(size, request), watch)?;
+    let Marks { mut figure, overview, shares, layout, is_flat, texts, mut notes } = marks;
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }

@@ -31,7 +31,7 @@ fn sheets_of(
     let request =
         Request { plan: &plan, limits: Default::default(), fonts: &fonts, title: name, fit, cancelled: &|| false };
     let grid: Option<Grid> = (grid != "fewest").then(|| grid.parse().expect("a grid"));
-    convert(&bytes, grid, &request, watch)
+    convert(&bytes, &Default::default(), grid, &request, watch)
 }
 
 #[test]
@@ -60,8 +60,8 @@ fn stands(tick: &&Run) -> bool {
     (tick.points[0].x - tick.points[1].x).abs() < ROUNDING
 }
 
-/// How the second sheet has to be moved so that the ticks of both meet: those at the right of the first and at the left of
-/// the second, or at the bottom and at the top. Gives the way and the middle of the overlap on the first.
+/// How the second sheet has to be moved so that the ticks of both meet: those at the right of the first and at the left
+/// of the second, or at the bottom and at the top. Gives the way and the middle of the overlap on the first.
 fn laid(first: &Page, second: &Page, beside: bool) -> (MmVector, f32) {
     let along = |at: MmPoint| if beside { at.x } else { at.y };
     let ticks = |page: &Page, last: bool| -> Vec<Vec<MmPoint>> {

@@ -5,23 +5,25 @@
 mod feeling;
 mod fonts;
 mod options;
+mod rendering;
 mod writing;
 
 pub use feeling::{Felt, feel};
 pub use fonts::Fonts;
 pub use options::Options;
+pub use rendering::{profile_of_page, render};
 pub use writing::write_pdf;
 
 pub use crate::touch::Error as FeelError;
 
 use crate::page::Page;
 use crate::page::spread::Grid;
-use crate::picture::Picture;
+use crate::picture::{Picture, Source};
 use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
 use crate::pipeline::{self, Drawing, Request};
 use crate::profile::{Plan, Profile};
-use crate::{Error, Note, calibration};
+use crate::{Error, Note, calibration, reading};
 
 /// Makes the page of a picture. The same picture and options give the same page, however many threads there are.
 ///
@@ -40,8 +42,16 @@ use crate::{Error, Note, calibration};
 /// If the profile has faults (all of them at once), the picture cannot be read or is over a limit, or the page has no
 /// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
+    let picture = picture.into();
+    if let Source::File(bytes) = picture.0
+        && reading::is_page(bytes)
+    {
+        return Err(Error::IsAPage);
+    }
     let drawing = with_request(options, options.name(), |request| {
-        pipeline::convert_with_words(picture.into(), &options.words(), request, &mut |event| options.tell(event))
+        pipeline::convert_with_words(picture, &options.words(), &options.given, request, &mut |event| {
+            options.tell(event)
+        })
     })?;
     let page = options.with_words(drawing.page, options.own_title());
     let of_overview = options.own_title().map(pipeline::title_of_overview);
@@ -63,7 +73,7 @@ pub fn convert_to_sheets<'p>(
     options: &Options,
 ) -> Result<Sheets, Error> {
     let drawn = with_request(options, options.document_title(), |request| {
-        sheets::convert(picture.into(), grid, request, &mut |event| options.tell(event))
+        sheets::convert(picture.into(), &options.given, grid, request, &mut |event| options.tell(event))
     })?;
     // The maker's words are about the picture, which all sheets show together.
     let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();

@@ -4,12 +4,14 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::fonts::Fonts;
+use crate::Error;
 use crate::braille::Translate;
 use crate::page::Page;
-use crate::pipeline::{Event, Fit, Key, Label, Words};
-use crate::profile::Profile;
+use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Words};
+use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
+use crate::reading;
 
 /// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a
 /// default that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough
@@ -41,6 +43,7 @@ pub struct Options {
     pub(super) fit: Fit,
     pub(super) limits: Limits,
     pub(super) fonts: Fonts,
+    pub(super) given: Given,
     progress: Option<Arc<Progress>>,
     cancelled: Option<Arc<Cancelled>>,
 }
@@ -68,6 +71,7 @@ impl Options {
             fit: Fit::default(),
             limits: Limits::default(),
             fonts: Fonts::none(),
+            given: Given::default(),
             progress: None,
             cancelled: None,
         }
@@ -169,6 +173,51 @@ impl Options {
         self
     }
 
+    /// Takes the lines of the figure from a page, an SVG that [`Page::to_svg`] wrote and somebody may have changed, or
+    /// from any SVG with a layer (a group) that is called "lines"; or from a picture of lines, black on white and of
+    /// the shape of the part that is drawn, along the middle of its strokes. Colours, textures, overview and frame are
+    /// made around them. All of them are drawn that have room: `lines.detail` counts as 1. The page has to show the
+    /// same part of the picture.
+    ///
+    /// # Errors
+    /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
+    pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
+        if reading::is_svg(lines.as_ref()) {
+            self.given.lines = Some(hand_lines(lines.as_ref())?);
+        } else {
+            self.given.drawn_lines = Some(lines.as_ref().to_vec());
+        }
+        self.profile.set("lines.detail", "1")?;
+        Ok(self)
+    }
+
+    /// Adds the lines of a page, or of a layer "lines" of any SVG, to those that are found. What is found too near to
+    /// them gives way.
+    ///
+    /// # Errors
+    /// As [`Options::lines`].
+    pub fn add_lines(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
+        self.given.added = Some(hand_lines(svg.as_ref())?);
+        Ok(self)
+    }
+
+    /// Takes the areas of textures from a page that somebody changed, in place of the colours of the picture: an
+    /// area that was deleted stays blank, one that was moved to another group of textures has the colour of that.
+    ///
+    /// # Errors
+    /// As [`Options::lines`].
+    pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
+        self.given.areas = Some(pipeline::areas_of(&reading::read(svg.as_ref())?.page));
+        Ok(self)
+    }
+
+    /// Leaves a part of the picture blank, without lines and textures; of the part that is drawn, where there is a
+    /// crop. Can be called several times.
+    pub fn erase(mut self, part: Crop) -> Self {
+        self.given.erased.push(part);
+        self
+    }
+
     /// What decoding the picture may cost. Default: [`Limits::default`].
     pub fn limits(mut self, limits: Limits) -> Self {
         self.limits = limits;
@@ -256,6 +305,12 @@ impl Options {
             translate: self.translate.as_deref(),
         }
     }
+}
+
+/// The lines of a page as its own profile means them.
+fn hand_lines(svg: &[u8]) -> Result<HandLines, Error> {
+    let page = reading::read(svg)?.page;
+    Ok(HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?))
 }
 
 impl fmt::Debug for Options {

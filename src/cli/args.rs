@@ -1,12 +1,14 @@
 //! What may be said on the command line, and the help that teaches it.
 
 mod calibrate;
+mod correcting;
 mod embossing;
 mod feel;
 mod fitting;
 mod labels;
 mod pages;
 mod quality;
+mod render;
 mod shared;
 mod trace;
 mod writing;
@@ -19,11 +21,13 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use tactograph::Options;
 
 pub(super) use self::calibrate::Calibrate;
+pub(super) use self::correcting::{Correcting, Corrections};
 pub(super) use self::embossing::Embossing;
 pub(super) use self::feel::Feel;
 pub(super) use self::fitting::Fitting;
 pub(super) use self::labels::Labels;
 pub(super) use self::pages::Pages;
+pub(super) use self::render::Render;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 pub(super) use self::writing::{Chosen, Writing};
@@ -47,6 +51,7 @@ const AFTER_HELP: &str = "\
 Examples:
   tactograph convert coffee.png             makes coffee.svg beside the picture
   tactograph convert coffee.png -o page.pdf
+  tactograph render coffee.svg -o page.pdf  writes it as a PDF, after it was changed in an editor
   tactograph feel coffee.svg                what a fingertip would feel of it
   tactograph profiles                       which papers there are
 
@@ -89,6 +94,10 @@ Examples:
         makes worksheet-1.svg and worksheet-2.svg of the first two pages of a document
   tactograph convert chart.svg --title Rainfall --labels texts -o chart.pdf
         writes the title and the texts of a drawing in braille
+  tactograph convert coffee.png --lines coffee.svg -o new.svg
+        takes the lines of a page that was corrected in an editor, and makes the rest anew
+  tactograph convert coffee.png --erase 0,0,30%,100% -o less.svg
+        leaves a part of the picture blank
   tactograph convert coffee.png --sheets 2x2 -o large.pdf
         spreads the picture over two by two sheets, and the overview on another
   tactograph convert coffee.png --outlines --set page.orientation=landscape
@@ -122,6 +131,10 @@ pub(super) enum Command {
     #[command(long_about = CONVERT_LONG_ABOUT, after_long_help = CONVERT_AFTER_LONG_HELP)]
     #[command(after_help = "Examples, formats, ranges and exit codes: tactograph convert --help")]
     Convert(Box<Convert>),
+    /// Writes a page that was changed in an editor, or not, in another format or for another device
+    #[command(long_about = render::LONG_ABOUT, after_long_help = render::AFTER_LONG_HELP)]
+    #[command(after_help = "What counts, examples and exit codes: tactograph render --help")]
+    Render(Box<Render>),
     /// Writes the contours of pictures as data (JSON)
     #[command(long_about = trace::LONG_ABOUT, after_long_help = trace::AFTER_LONG_HELP)]
     #[command(after_help = "Format, unit, examples and exit codes: tactograph trace --help")]
@@ -175,6 +188,9 @@ pub(super) struct Convert {
 
     #[command(flatten)]
     pub(super) fitting: Fitting,
+
+    #[command(flatten)]
+    pub(super) correcting: Correcting,
 
     #[command(flatten)]
     pub(super) writing: Writing,
@@ -322,7 +338,7 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command = ["convert", "trace", "calibrate", "feel", "profiles"]
+            let command = ["convert", "render", "trace", "calibrate", "feel", "profiles"]
                 .iter()
                 .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
@@ -354,6 +370,9 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
         }
         (ErrorKind::MissingRequiredArgument, "calibrate", _) if in_one_line(told).contains("--output") => {
             Some("name a file for the sheets, such as -o sheet.pdf".into())
+        }
+        (ErrorKind::MissingRequiredArgument, "render", _) => {
+            Some("name a page to render, and where it goes, such as page.svg -o page.pdf".into())
         }
         (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))

@@ -1,5 +1,7 @@
 //! `tactograph calibrate`: a profile in, sheets of samples out.
 
+use tactograph::Embossing;
+
 use super::args::Calibrate;
 use super::product::{Format, Product};
 use super::report::{Exit, Report};
@@ -11,22 +13,22 @@ pub(super) fn run(args: &Calibrate) -> Exit {
     let report = Report::of_pictures(1, args.quiet);
     let (chosen, mut faults) = args.writing.choose(Some(&args.output));
     let drawing = match chosen.format {
-        Format::Drawing(format) => Some(format),
+        Format::Drawing(_) => true,
         Format::Dots(format) => {
             faults.push(format!(
                 "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or \
                  .png",
                 format.name().to_uppercase()
             ));
-            None
+            false
         }
     };
     faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
     faults.iter().for_each(|what| report.usage(what));
     let changes: Vec<Change> = args.set.iter().map(|set| Change::set(set)).collect();
-    let (profile, format) = match (settings::profile(&args.profile, &changes), drawing) {
-        (Ok(profile), Some(format)) if faults.is_empty() => (profile, format),
-        (profile, _) => {
+    let profile = match settings::profile(&args.profile, &changes) {
+        Ok(profile) if faults.is_empty() && drawing => profile,
+        profile => {
             profile.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
             return Exit::Usage;
         }
@@ -39,7 +41,12 @@ pub(super) fn run(args: &Calibrate) -> Exit {
         }
     };
     profile.unused().iter().for_each(|key| report.note(&key.place, &key.what));
-    match sheets::write(&calibration, (format, chosen), &args.output, args.force) {
+    match sheets::write(
+        (&calibration.title, &calibration.pages),
+        (chosen, Embossing::default()),
+        &args.output,
+        args.force,
+    ) {
         Ok(names) => {
             calibration.pages.iter().for_each(|page| report.done(&page.description));
             let sheets = if names.len() == 1 { output::and_sheets(calibration.pages.len()) } else { String::new() };

@@ -1,8 +1,10 @@
 //! `tactograph convert`: pictures in, pages out.
 
-use tactograph::{Error, Page, convert, convert_to_sheets, write_dots, write_pdf};
+use std::path::Path;
 
-use super::args::{Chosen, Convert};
+use tactograph::{Error, Options, Page, Profile, built_in, convert, convert_to_sheets, write_dots, write_pdf};
+
+use super::args::{Chosen, Convert, Corrections};
 use super::batch::{self, Made, Order};
 use super::dots;
 use super::louis;
@@ -17,6 +19,14 @@ pub(super) fn run(args: &Convert) -> Exit {
         faults.extend(more);
         Default::default()
     });
+    let corrections = args.correcting.read(args.pictures.len()).unwrap_or_else(|more| {
+        faults.extend(more);
+        Corrections::default()
+    });
+    // what is wrong with a file of lines is told before any picture is looked at
+    if let Some((path, error)) = trial(&corrections) {
+        faults.push(format!("{}: {error}", path.display()));
+    }
     let table = args
         .labels
         .braille_table
@@ -38,6 +48,7 @@ pub(super) fn run(args: &Convert) -> Exit {
     };
     batch::run(&order, |picture, options, timings| {
         let options = labels.add_to(args.add_to(options.clone()));
+        let options = corrections.add_to(options).map_err(|(_, error)| error)?;
         let options = table.iter().fold(options, |options, table| {
             let table = table.clone();
             options.translator(move |text| louis::translate(&table, text))
@@ -58,6 +69,12 @@ pub(super) fn run(args: &Convert) -> Exit {
         })?;
         Ok(Made { files, sheets: pages.len(), notes })
     })
+}
+
+/// What is wrong with the files of a person's corrections.
+fn trial(corrections: &Corrections) -> Option<(&Path, Error)> {
+    let profile = Profile::named(built_in()[0].name).ok()?;
+    corrections.add_to(Options::new(profile)).err()
 }
 
 /// The file of one page.

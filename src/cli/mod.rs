@@ -13,6 +13,7 @@ mod panics;
 mod places;
 mod product;
 mod profiles;
+mod render;
 mod report;
 mod settings;
 mod sheets;
@@ -48,6 +49,7 @@ fn command() -> ExitCode {
     };
     let exit = match command {
         Command::Convert(convert) => convert::run(&convert),
+        Command::Render(render) => render::run(&render),
         Command::Trace(trace) => trace::run(&trace),
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
         Command::Feel(feel) => feel::run(&feel),

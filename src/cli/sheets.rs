@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use tactograph::{Calibration, Error, Page, write_pdf};
+use tactograph::{Embossing, Error, Page, write_dots, write_pdf};
 
 use super::args::Chosen;
 use super::output::Existing;
@@ -18,19 +18,19 @@ struct File {
     bytes: Vec<u8>,
 }
 
-/// Writes calibration sheets to the file that the user named, or to as many files as the format takes. Returns the
-/// names.
+/// Writes pages that are called `title` together to the file that the user named, or to as many files as the format
+/// takes. Returns the names.
 ///
 /// # Errors
 /// What is in the way, with the file that it is about. All files are looked at before the first is written.
 pub(super) fn write(
-    calibration: &Calibration,
-    (format, chosen): (DrawingFormat, Chosen),
+    (title, pages): (&str, &[Page]),
+    (chosen, embossing): (Chosen, Embossing),
     to: &Path,
     force: bool,
 ) -> Result<Vec<String>, (String, String)> {
-    let product = Product::Page(Format::Drawing(format));
-    let files = files(&calibration.title, &calibration.pages, (format, chosen), to)?;
+    let product = Product::Page(chosen.format);
+    let files = files(title, pages, (chosen, embossing), to)?;
     let name =
         |file: &File| file.path.as_ref().map_or_else(|| "standard output".into(), |path| path.display().to_string());
     let about = |file: &File, error: anyhow::Error| (name(file), format!("{error:#}"));
@@ -57,28 +57,31 @@ pub(super) fn write(
 fn files(
     title: &str,
     pages: &[Page],
-    (format, chosen): (DrawingFormat, Chosen),
+    (chosen, embossing): (Chosen, Embossing),
     to: &Path,
 ) -> Result<Vec<File>, (String, String)> {
     let path = (!places::is_std(to)).then(|| to.to_path_buf());
-    let one = |bytes| vec![File { path: path.clone(), made_up: false, bytes }];
     let about_target = |error: Error| (to.display().to_string(), error.to_string());
-    let bytes = |page| convert::write(page, format, chosen).map_err(about_target);
-    match (pages, &path) {
-        (_, _) if format == DrawingFormat::Pdf => write_pdf(title, pages).map(one).map_err(about_target),
-        ([page], _) => Ok(one(bytes(page)?)),
-        (_, None) => {
-            let what = format!(
-                "{} sheets do not go into one file of this format; add --format pdf, or name a file",
-                pages.len()
-            );
+    let bytes = match chosen.format {
+        Format::Dots(format) => write_dots(title, pages, format, embossing),
+        Format::Drawing(DrawingFormat::Pdf) => write_pdf(title, pages).map(|file| vec![file]),
+        Format::Drawing(format) => pages.iter().map(|page| convert::write(page, format, chosen)).collect(),
+    };
+    let mut bytes = bytes.map_err(about_target)?;
+    match (bytes.len(), path) {
+        (1, path) => Ok(bytes.drain(..).map(|bytes| File { path: path.clone(), made_up: false, bytes }).collect()),
+        (count, None) => {
+            let what =
+                format!("{count} sheets do not go into one file of this format; add --format pdf, or name a file");
             Err(("standard output".into(), what))
         }
         (_, Some(path)) => {
-            let numbered = pages.iter().enumerate().map(|(index, page)| {
-                Ok(File { path: Some(places::numbered(path, index + 1)), made_up: true, bytes: bytes(page)? })
+            let numbered = (1..).zip(bytes).map(|(number, bytes)| File {
+                path: Some(places::numbered(&path, number)),
+                made_up: true,
+                bytes,
             });
-            numbered.collect()
+            Ok(numbered.collect())
         }
     }
 }

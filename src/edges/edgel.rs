@@ -60,12 +60,16 @@ pub struct Edges {
     pub chains: Vec<ChainRange>,
     /// The regions between contours, where they were asked for.
     pub regions: Option<Tree>,
+    /// Boxes in which nothing is drawn, in shares of the picture: left, top, right, bottom.
+    pub erased: Vec<[f32; 4]>,
+    /// How many of the last chains a person added, and how near to them, px, nothing else is drawn.
+    pub added: Option<(usize, f32)>,
 }
 
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None }
+        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, erased: Vec::new(), added: None }
     }
 
     /// Appends an edge that was found in the pixels.

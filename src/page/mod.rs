@@ -17,4 +17,4 @@ mod transform;
 
 pub use medium::{DotMedium, Medium, MediumParams, Print};
 pub use parts::*;
-pub use text::{describe, describe_labels};
+pub use text::{DESCRIBES, describe, describe_labels};

@@ -7,11 +7,14 @@ use super::medium::{DotMedium, Medium};
 use super::parts::{BrailleText, Class, Dots, Figure, Line, Overview, Page, Pen, Run, Shape, TextRole};
 use crate::devices::DotArea;
 
+/// How a description that is made begins.
+pub const DESCRIBES: &str = "Tactile graphic, ";
+
 /// A description for people who do not see the page: its size, how many contours, the share of each colour (in the
 /// order of [`Class::ALL`], 0..=1, the rest is white).
 pub fn describe(figure: &Figure, overview: Option<&Overview>, shares: Option<[f32; 5]>) -> String {
     let (width, height) = (figure.place.width().round(), figure.place.height().round());
-    let mut text = format!("Tactile graphic, {width} by {height} millimetres, {}.", contours(figure.lines.len()));
+    let mut text = format!("{DESCRIBES}{width} by {height} millimetres, {}.", contours(figure.lines.len()));
     if let Some(shares) = shares {
         text += &colours(shares);
     }

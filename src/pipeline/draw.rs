@@ -1,6 +1,7 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::dots;
+use super::given::{Given, SAME_SHAPE, erase, is_in, with_room};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::request::{Fit, Request};
 use super::texts::{Text, placed};
@@ -50,6 +51,7 @@ pub(super) struct Marks {
 /// Everything but the page: decodes a picture and draws it where `layout_of` its size says.
 pub(super) fn draw(
     picture: Picture<'_>,
+    given: &Given,
     request: &Request<'_>,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
     watch: &mut Watch<'_>,
@@ -68,7 +70,28 @@ pub(super) fn draw(
 
     let is_flat = picture.raster.is_flat();
     request.go_on()?;
-    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, true, watch);
+    let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
+    let mut edges = match (&given.lines, &given.drawn_lines) {
+        (Some(lines), _) => Some(lines.edges(picture.raster.size())?),
+        (None, Some(bytes)) => Some(edges_of_drawn(bytes, picture.raster.size(), request, px_per_mm)?),
+        (None, None) => find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, true, watch),
+    };
+    if let Some(added) = &given.added {
+        let edges = edges.get_or_insert_with(|| Edges::none(picture.raster.size()));
+        added.add_to(edges, plan.lines().max_spacing() * px_per_mm)?;
+    }
+    let least = plan.profile().lines.min_length;
+    let short = given.lines.iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
+    let short: usize = short.sum();
+    if short > 0 {
+        let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
+        let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
+        notes.push(Note::LeftOut(format!("{short} {noun} of those given, as {why}")));
+    }
+    let erased = given.boxes(picture.source.size)?;
+    if let Some(edges) = &mut edges {
+        erase(edges, erased.clone());
+    }
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     let (drawn, ((overview, small), classes)) = in_parallel(
@@ -77,7 +100,12 @@ pub(super) fn draw(
         |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
         |watch| {
             let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
-            (overview, sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch))
+            let mut classes = match &given.areas {
+                Some(areas) => plan.profile().figure.textures.then(|| areas.clone()),
+                None => sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch),
+            };
+            classes.iter_mut().for_each(|classes| blank(classes, &erased));
+            (overview, classes)
         },
     );
     request.go_on()?;
@@ -90,6 +118,37 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, texts, notes })
+}
+
+/// The lines of a picture of lines, as contours of a picture of this size.
+fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f32) -> Result<Edges, Error> {
+    let working_size = |source: Source| {
+        let shape = |size: Size| size.width as f32 / size.height as f32;
+        enough_pixels(source.size)?;
+        let (lines, picture) = (shape(source.size), shape(size));
+        if (lines / picture - 1.0).abs() > SAME_SHAPE {
+            return Err(Error::OtherShape { lines, picture });
+        }
+        Ok(size)
+    };
+    let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
+    let drawn = decode::decode(bytes, &options)?;
+    Ok(edges_of(&drawn.raster, drawn.drawing.as_ref(), &request.plan.edges(px_per_mm), false))
+}
+
+/// Leaves the cells in boxes, in shares of the picture, without a colour.
+fn blank(classes: &mut Classes, boxes: &[[f32; 4]]) {
+    if boxes.is_empty() {
+        return;
+    }
+    let [width, height] = [classes.size.width, classes.size.height].map(|side| side as usize);
+    for (cell, region) in classes.region.iter_mut().enumerate() {
+        let at = [((cell % width) as f32 + 0.5) / width as f32, ((cell / width) as f32 + 0.5) / height as f32];
+        if let Some(number) = region.filter(|_| is_in(at, boxes)) {
+            classes.regions[number as usize].cells -= 1;
+            *region = None;
+        }
+    }
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
@@ -189,7 +248,7 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
 /// The outlines of the most telling regions, for a figure or an overview where `transform` puts it.
 fn outlines_of(edges: &Edges, transform: &PageTransform, plan: &Plan, of_overview: bool) -> Outlines {
     let Some(tree) = &edges.regions else { return Outlines::default() };
-    let traces = tree.outlines(transform.mm_per_px(), &plan.regions(of_overview));
+    let traces = with_room(tree.outlines(transform.mm_per_px(), &plan.regions(of_overview)), edges);
     Outlines { traces, others: of_overview.then_some((OTHERS, OTHERS_LENGTH)) }
 }
 

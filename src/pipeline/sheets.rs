@@ -2,6 +2,7 @@
 
 use super::draw::{Marks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};
+use super::given::Given;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
 use crate::page::layout::{self, Layout};
@@ -29,6 +30,7 @@ pub struct Sheets {
 /// When the picture cannot be read or drawn, the sheets have no room for it, or the page is one of dots; see [`Error`].
 pub fn convert<'p>(
     picture: impl Into<Picture<'p>>,
+    given: &Given,
     grid: Option<Grid>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
@@ -39,7 +41,7 @@ pub fn convert<'p>(
     };
     let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
     let Marks { figure, overview, shares, is_flat, mut notes, .. } =
-        draw(picture.into(), request, &|size| places(size, grid(size)?, print, request), watch)?;
+        draw(picture.into(), given, request, &|size| places(size, grid(size)?, print, request), watch)?;
     let grid = grid(figure.source)?;
     let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, (grid, print), request))?;
     if pages.iter().all(Page::is_empty) {

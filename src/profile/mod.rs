@@ -101,6 +101,25 @@ impl Profile {
         Ok(self.put_text(index, value, place.to_owned())?)
     }
 
+    /// The profile that a page was made with, from how it says that it was made: the profile of its name with every
+    /// value that stands there. What is missing, or of an unknown name, is that of the default profile.
+    pub(crate) fn of_page(origin: &[(String, String)]) -> Result<Self, Error> {
+        let value = |value: &str| value.trim_matches('"').to_owned();
+        let name = origin.iter().find(|(known, _)| known == "profile").map(|(_, name)| value(name));
+        let named = name.as_deref().and_then(|name| Self::named(name).ok());
+        let mut profile = match named {
+            Some(profile) => profile,
+            None => Self::named(built_in()[0].name)?,
+        };
+        let base = profile.clone();
+        for (key, said) in origin {
+            // what an older version wrote may not be there any more
+            let _ = profile.set_from(key, &value(said), "the page");
+        }
+        profile.name = name.unwrap_or(profile.name);
+        Ok(if profile.check().is_ok() { profile } else { base })
+    }
+
     /// Every parameter as (path, value), in the order of [`Profile::keys`]; numbers are the shortest decimals that read
     /// back as the same.
     pub fn parameters(&self) -> Vec<(&'static str, String)> {

@@ -57,7 +57,7 @@ pub(super) fn page(
     let Builder { mut parts, tally, overview, overview_frame, mut regions, .. } = builder;
     regions.sort_by_key(|(number, _)| *number);
     parts.figure.textures = regions.into_iter().map(|(_, texture)| texture).collect();
-    parts.figure.place = place(Layer::Figure).unwrap_or_else(|| bounds(&parts.figure, sheet));
+    parts.figure.place = place(Layer::Figure).unwrap_or_else(|| MmRect::new(MmPoint::zero(), sheet.into()));
     parts.figure.source = source(elements).unwrap_or_else(|| {
         let px = |mm: f32| (mm * PX_PER_MM).round().clamp(1.0, 100_000.0) as u32;
         Size::new(px(parts.figure.place.width()), px(parts.figure.place.height()))
@@ -124,18 +124,6 @@ fn source(elements: &Elements<'_>) -> Option<Size> {
     let text = elements.layer(Layer::Figure)?.attribute("data-source")?;
     let (width, height) = text.split_once(' ')?;
     Some(Size::new(width.parse().ok()?, height.parse().ok()?)).filter(|size| size.area() > 0)
-}
-
-/// The box around all lines and glyphs; the sheet if there are none.
-fn bounds(figure: &Figure, [width, height]: [f32; 2]) -> MmRect {
-    let runs = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.iter().copied());
-    let glyphs = figure.textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
-    let points: Vec<MmPoint> = runs.chain(glyphs).collect();
-    if points.is_empty() {
-        MmRect::new(MmPoint::zero(), MmPoint::new(width, height))
-    } else {
-        MmRect::from_points(points)
-    }
 }
 
 struct Builder<'m> {

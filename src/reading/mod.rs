@@ -65,6 +65,11 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
     Ok(Reading { page, notes })
 }
 
+/// Whether bytes are text in XML, as all pages are.
+pub fn is_svg(bytes: &[u8]) -> bool {
+    document::text_of(bytes).is_ok()
+}
+
 /// Whether a text is a page of ours: it has the layer of a figure with the place that the writer gives it.
 pub fn is_page(svg: &[u8]) -> bool {
     let text = std::str::from_utf8(svg).unwrap_or_default();

@@ -81,6 +81,9 @@ fn prepared() -> Place {
     }
     place.put("my.toml", b"inherits = \"our-school.toml\"\n[lines]\nwidth_max = 1.2\n");
     place.put("labels.csv", b"20%,35%,tree\n50%,35%,roof\n");
+    let own = "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='400'><g id='lines'><path d='M30,30h200' \
+               stroke='#000' fill='none'/></g></svg>";
+    place.put("own.svg", own.as_bytes());
     place.put("our-school.toml", b"inherits = \"swell-a4\"\n");
     let run = place.run(&["convert", "coffee.png", "-q", "-o", "coffee.svg"]);
     assert_eq!(run.code, 0, "{}", run.err);

@@ -13,6 +13,7 @@ mod pages;
 mod pictures;
 mod places;
 mod profiles;
+mod render;
 mod several;
 mod trace;
 mod words;

@@ -1,0 +1,91 @@
+//! Options for what a person corrects.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use tactograph::{Crop, Error, Options};
+
+use crate::cli::input;
+
+/// Options of `tactograph convert` by which a person's decisions count.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Correcting {
+    /// Takes the lines from a page that was changed in an editor, or from a picture of lines
+    ///
+    /// An SVG that "tactograph convert" made of the same part of the same picture, or any SVG with a layer called
+    /// "lines" that covers the picture; or a picture of the same shape, black lines on white, which is followed along
+    /// the middle of its strokes. Textures, overview and frame are made around them. Lines that are too near to others
+    /// are left out, and told.
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
+    lines: Option<PathBuf>,
+
+    /// Adds lines of a page or an SVG with a layer called "lines" to those that are found
+    ///
+    /// What is found too near to them gives way.
+    #[arg(long, value_name = "FILE.svg", conflicts_with = "lines", hide_short_help = true)]
+    add_lines: Option<PathBuf>,
+
+    /// Takes the areas of the textures from a page that was changed in an editor
+    ///
+    /// An area that was deleted stays blank; one that was moved to another group of textures has the colour of that.
+    #[arg(long, value_name = "PAGE.svg", hide_short_help = true)]
+    regions: Option<PathBuf>,
+
+    /// Leaves a part of the picture blank: no lines, no textures; can be given several times
+    ///
+    /// As --crop: where it begins from the left and from the top, its width and its height, in pixels of the part that
+    /// is drawn or in percent.
+    #[arg(long, value_name = "X,Y,W,H", hide_short_help = true)]
+    erase: Vec<Crop>,
+}
+
+/// Longest file of lines, bytes.
+const MOST_BYTES: u64 = 500_000_000;
+
+/// A change of the options, by the contents of a file.
+type Change = fn(Options, &[u8]) -> Result<Options, Error>;
+
+/// Files that were read, each with what it changes.
+#[derive(Default)]
+pub(in crate::cli) struct Corrections(Vec<(PathBuf, Vec<u8>, Change)>, Vec<Crop>);
+
+impl Correcting {
+    /// The files.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, also that they are for one picture.
+    pub(in crate::cli) fn read(&self, pictures: usize) -> Result<Corrections, Vec<String>> {
+        let files: [(&str, &Option<PathBuf>, Change); 3] = [
+            ("--lines", &self.lines, |options, bytes| options.lines(bytes)),
+            ("--add-lines", &self.add_lines, |options, bytes| options.add_lines(bytes)),
+            ("--regions", &self.regions, |options, bytes| options.areas(bytes)),
+        ];
+        let (mut read, mut faults) = (Vec::new(), Vec::new());
+        for (option, path, change) in files {
+            let Some(path) = path else { continue };
+            if pictures > 1 {
+                faults.push(format!(
+                    "{option}: this is of one picture, but there are {pictures}; convert them one by one"
+                ));
+            }
+            match input::read(path, MOST_BYTES, "this is too large; give a page") {
+                Ok(bytes) => read.push((path.clone(), bytes, change)),
+                Err(error) => faults.push(format!("{option} {}: {error:#}", path.display())),
+            }
+        }
+        if faults.is_empty() { Ok(Corrections(read, self.erase.clone())) } else { Err(faults) }
+    }
+}
+
+impl Corrections {
+    /// Puts them into the options of the library.
+    ///
+    /// # Errors
+    /// If a file is no page, with its name.
+    pub(in crate::cli) fn add_to(&self, options: Options) -> Result<Options, (&Path, Error)> {
+        let options = self.1.iter().fold(options, |options, part| options.erase(*part));
+        self.0.iter().try_fold(options, |options, (path, bytes, change)| {
+            change(options, bytes).map_err(|error| (path.as_path(), error))
+        })
+    }
+}

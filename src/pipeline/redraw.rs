@@ -1,0 +1,198 @@
+//! A page that was read, made ready for its own paper or device, or drawn anew for another one.
+
+use super::areas;
+use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out};
+use super::given::HandLines;
+use super::label::{Label, Position};
+use super::progress::Watch;
+use super::request::Request;
+use super::words::Words;
+use crate::classes::Classes;
+use crate::lines::{Line, Pen};
+use crate::page::layout::Layout;
+use crate::page::{BrailleText, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture};
+use crate::profile::Plan;
+use crate::units::{MmPoint, MmRect, Size};
+use crate::{Error, Note, dots, textures};
+
+/// Pixels for a millimetre in which the shape of a figure is said.
+const PX_PER_MM: f32 = 20.0;
+
+/// How far the sign of an area may be turned from that of its class before it is another one, degrees.
+const TURNED: f32 = 15.0;
+
+/// The page as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page of dots as
+/// dots, areas that were moved to another colour with the signs of that. Says what was changed.
+///
+/// # Errors
+/// If a mark is off the sheet then.
+pub fn settle(page: &Page, plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
+    let mut parts = Parts::clone(page);
+    let mut notes = Vec::new();
+    let classes = wrong_signs(page);
+    if !classes.is_empty() {
+        let anew = fill(page, plan);
+        for number in &classes {
+            let texture = &mut parts.figure.textures[*number];
+            let of_area = anew.get(*number).cloned().unwrap_or_default();
+            texture.glyphs = of_area;
+        }
+        parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
+        let (count, noun) = (classes.len(), if classes.len() == 1 { "area has" } else { "areas have" });
+        notes.push(Note::TakenAs(format!("{count} {noun} another colour now, and the texture was drawn anew")));
+    }
+    match &page.medium {
+        Medium::Print(print) => {
+            let swell = print.swell;
+            let params = plan.lines();
+            let range = [params.width_min - swell, params.width_max - swell];
+            let overview = parts.overview.iter_mut().flat_map(|overview| &mut overview.lines);
+            let count =
+                parts.figure.lines.iter_mut().chain(overview).map(|line| snap(line, range)).filter(|s| *s).count();
+            if count > 0 {
+                let noun = if count == 1 { "line is" } else { "lines are" };
+                notes.push(Note::TakenAs(format!(
+                    "{count} {noun} drawn {:.2} to {:.2} mm wide, the range of the profile",
+                    range[0].max(0.0),
+                    range[1]
+                )));
+            }
+        }
+        Medium::Dots(medium) => {
+            let params = plan.dots(medium);
+            let is_stroke = |line: &Line| line.runs.iter().any(|run| run.pen == Pen::Stroke);
+            let (strokes, mut rows): (Vec<Line>, Vec<Line>) = parts.figure.lines.drain(..).partition(is_stroke);
+            if !strokes.is_empty() {
+                let count = strokes.len();
+                let drawn = dots::lines(&strokes, page.figure.place, &medium.area, &params);
+                let noun = if count == 1 { "line" } else { "lines" };
+                notes.push(Note::TakenAs(format!(
+                    "{count} {noun} on a page of dots made dots; {} left out as too short or too near to another",
+                    count.saturating_sub(drawn.len())
+                )));
+                rows.extend(drawn);
+            }
+            parts.figure.lines = rows;
+        }
+    }
+    Ok((Page::new(parts)?, notes))
+}
+
+/// Which textures have signs of another class.
+fn wrong_signs(page: &Page) -> Vec<usize> {
+    let is_wrong = |texture: &Texture| {
+        let wrong = texture.glyphs.iter().filter(|glyph| match (glyph.shape, texture.sign) {
+            (Shape::Rhombus { degrees, .. }, Sign::Rhombus { degrees: sign }) => {
+                let apart = (degrees - sign).rem_euclid(180.0);
+                apart.min(180.0 - apart) > TURNED
+            }
+            (Shape::Dot { .. }, Sign::Dot) => false,
+            _ => true,
+        });
+        2 * wrong.count() > texture.glyphs.len()
+    };
+    match page.medium {
+        Medium::Print(_) => {
+            (0..page.figure.textures.len()).filter(|&number| is_wrong(&page.figure.textures[number])).collect()
+        }
+        // dots look alike
+        Medium::Dots(_) => Vec::new(),
+    }
+}
+
+/// The signs of each area of a printed page, drawn anew.
+fn fill(page: &Page, plan: &Plan) -> Vec<Vec<Glyph>> {
+    let classes = areas::of_page(page);
+    let swell = plan.profile().print.swell;
+    let of_one = |number: usize| {
+        let mut one = classes.clone();
+        one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
+        let drawn = textures::fill(&one, page.figure.place, &page.figure.lines, &plan.textures());
+        let mut glyphs: Vec<_> = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
+        glyphs.iter_mut().for_each(|glyph| glyph.shape = glyph.shape.narrowed(swell));
+        glyphs
+    };
+    (0..page.figure.textures.len()).map(of_one).collect()
+}
+
+/// Brings the widths of a line into a range, mm; tells whether any was outside.
+fn snap(line: &mut Line, [least, most]: [f32; 2]) -> bool {
+    let mut changed = false;
+    for run in line.runs.iter_mut().filter(|run| run.pen == Pen::Stroke) {
+        let width = run.width.clamp(least.max(0.0), most.max(least.max(0.0)));
+        // widths are written in steps of 0.01 mm
+        if (width - run.width).abs() > 0.011 {
+            run.width = width;
+            changed = true;
+        }
+    }
+    changed
+}
+
+/// The shape of a page's figure, as that of a picture.
+pub(super) fn shape(page: &Page) -> Size {
+    let px = |side: f32| (side * PX_PER_MM).round().clamp(1.0, 100_000.0) as u32;
+    Size::new(px(page.figure.place.width()), px(page.figure.place.height()))
+}
+
+/// The words of a page as they would be given.
+pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
+    let title = page.braille.iter().find(|text| text.role == TextRole::Title);
+    Words {
+        title: title.map(|text| text.text.as_str()),
+        language: Some(page.language.as_str()),
+        labels,
+        ..Words::default()
+    }
+}
+
+/// The marks of a page in another layout: lines and areas keep their places in the figure. `own` is the profile of the
+/// page.
+///
+/// # Errors
+/// If the figure has no area.
+pub(super) fn marks(
+    page: &Page,
+    own: &Plan,
+    layout: Layout,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Marks, Error> {
+    let (plan, size) = (request.plan, shape(page));
+    let mut edges = HandLines::of_figure(page, own).edges(size)?;
+    if let MediumParams::Dots { device, .. } = plan.medium()
+        && !device.has_heights()
+    {
+        // a page tells one strength of a whole line: a second row would go all along it
+        let most = 0.99 * plan.profile().dots.heavy_from;
+        edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
+    }
+    let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
+    let drawn = draw_lines(Some(&edges), &layout, plan, watch);
+    let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
+    let mut notes: Vec<Note> = left_out(&drawn, Some(&edges), &layout).into_iter().collect();
+    notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
+    let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
+    let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
+    let shares = classes.as_ref().map(Classes::shares);
+    let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
+    Ok(Marks { figure, overview, shares, layout, is_flat: false, texts: Vec::new(), notes })
+}
+
+/// The labels of a page as they would be given, each at what it names.
+pub(super) fn labels(page: &Page) -> Vec<Label> {
+    let place = page.figure.place;
+    let percent = |at: f32, low: f32, side: f32| Position::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
+    let label = |text: &BrailleText| {
+        let middle = MmRect::from_points(&text.dots.at).center();
+        let ends = text.leader.as_ref().map(|leader| (leader.points.first(), leader.points.last()));
+        let at: MmPoint = match ends {
+            Some((Some(&a), Some(&b))) if (a - middle).length() > (b - middle).length() => a,
+            Some((Some(_), Some(&b))) => b,
+            _ => middle,
+        };
+        let x = percent(at.x, place.min.x, place.width());
+        Label { x, y: percent(at.y, place.min.y, place.height()), text: text.text.clone() }
+    };
+    page.braille.iter().filter(|text| text.role == TextRole::Label).map(label).collect()
+}

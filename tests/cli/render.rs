@@ -1,0 +1,223 @@
+//! Pages in: in other formats, for other devices, and what a person corrected in a rerun.
+
+use crate::cli::common::*;
+use crate::common::samples;
+use tactograph::internals::page::Class;
+use tactograph::{Page, Profile, Run};
+
+/// A folder with a picture and its page.
+fn with_page(profile: &str) -> Place {
+    let place = Place::new();
+    place.put("cup.png", &samples::read("coffee.png"));
+    let run = place.run(&["convert", "cup.png", "--no-overview", "--profile", profile, "-q"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    place
+}
+
+fn read(place: &Place, name: &str) -> Page {
+    let svg = place.text(name);
+    tactograph::internals::reading::read(svg.as_bytes()).expect("it is a page").page
+}
+
+fn done(place: &Place, args: &[&str]) -> String {
+    let run = place.run(args);
+    assert_eq!(run.code, 0, "{args:?}: {}", run.err);
+    run.err
+}
+
+fn runs(page: &Page) -> Vec<&Run> {
+    page.figure.lines.iter().flat_map(|line| &line.runs).collect()
+}
+
+#[test]
+fn a_page_becomes_any_format() {
+    let place = with_page("swell-a4");
+    done(&place, &["render", "cup.svg", "-o", "same.svg"]);
+    assert_eq!(place.text("same.svg"), place.text("cup.svg"));
+    done(&place, &["render", "cup.svg", "-o", "cup.pdf"]);
+    done(&place, &["convert", "cup.png", "--no-overview", "-o", "direct.pdf"]);
+    let file = |name: &str| std::fs::read(place.path(name)).expect("it is there");
+    assert!(file("cup.pdf").starts_with(b"%PDF") && file("cup.pdf").len().abs_diff(file("direct.pdf").len()) < 200);
+    place.refuses(
+        &["render", "cup.svg", "-o", "cup.idx"],
+        2,
+        &["cup.svg: IDX holds dots, and the profile swell-a4 is for printing; take one for dots, such as \
+           --profile index-basic-d"],
+    );
+}
+
+#[test]
+fn dots_are_the_same_after_a_page_of_them_was_read() {
+    let place = with_page("index-basic-d");
+    done(&place, &["render", "cup.svg", "-o", "read.idx"]);
+    done(&place, &["convert", "cup.png", "--no-overview", "--profile", "index-basic-d", "-o", "direct.idx"]);
+    let file = |name: &str| std::fs::read(place.path(name)).expect("it is there");
+    assert_eq!(file("read.idx"), file("direct.idx"));
+}
+
+#[test]
+fn a_printed_page_is_laid_out_anew_for_a_device() {
+    let place = with_page("swell-a4");
+    done(&place, &["render", "cup.svg", "--profile", "index-basic-d", "-o", "dots.idx"]);
+    done(&place, &["render", "cup.svg", "--profile", "index-basic-d", "--set", "overview=false", "-o", "dots.svg"]);
+    let (print, dots) = (read(&place, "cup.svg"), read(&place, "dots.svg"));
+    let direct = {
+        let mut profile = Profile::named("index-basic-d").expect("it is built in");
+        profile.set("overview", "false").expect("there is such a key");
+        tactograph::convert(&samples::read("coffee.png"), &tactograph::Options::new(profile)).expect("a page").page
+    };
+    let (here, there) = (dots.figure.place, direct.figure.place);
+    assert!((here.min - there.min).length() < 0.1 && (here.max - there.max).length() < 0.1, "{here:?} {there:?}");
+    // the same colours, about as much of each
+    let share = |page: &Page, class: Class| {
+        let of = page.figure.textures.iter().filter(|texture| texture.class == class);
+        of.map(|texture| texture.area).sum::<f32>() / page.figure.place.area()
+    };
+    for class in Class::ALL {
+        let (print, dots, direct) = (share(&print, class), share(&dots, class), share(&direct, class));
+        assert!((dots - direct).abs() < 0.1 && (dots - print).abs() < 0.1, "{class:?}: {print} {dots} {direct}");
+    }
+    let is_dot = |run: &Run| run.pen != tactograph::Pen::Stroke;
+    assert!(dots.figure.lines.len() * 2 > direct.figure.lines.len() && runs(&dots).into_iter().all(is_dot));
+}
+
+#[test]
+fn a_page_is_no_picture() {
+    let place = with_page("swell-a4");
+    place.refuses(
+        &["convert", "cup.svg", "-o", "x.pdf"],
+        1,
+        &["cup.svg: this is a page that tactograph made, and no picture; write it in another format or for \
+           another device with tactograph render"],
+    );
+    place.put("plain.svg", DRAWING.as_bytes());
+    let run = place.run(&["render", "plain.svg", "-o", "x.pdf"]);
+    assert!(run.code == 1 && run.err.contains("plain.svg: this is no page of tactograph"), "{}", run.err);
+    assert_eq!(place.run(&["render", "cup.svg"]).code, 2);
+}
+
+#[test]
+fn what_a_person_draws_is_made_fit() {
+    let place = with_page("swell-a4");
+    let drawn = "<path d=\"M30,60h60\" stroke=\"#000\" stroke-width=\"0.2\"/><path d=\"M30,70h60\" stroke=\"#000\" \
+                 stroke-width=\"9\"/></svg>";
+    place.put("edited.svg", place.text("cup.svg").replace("</svg>", drawn).as_bytes());
+    let told = done(&place, &["render", "edited.svg", "-o", "fit.svg"]);
+    assert!(told.contains("2 lines are drawn 0.75 to 1.50 mm wide"), "{told}");
+    let page = read(&place, "fit.svg");
+    let of = |y: f32| runs(&page).into_iter().find(|run| (run.points[0].y - y).abs() < 1e-3).map(|run| run.width);
+    assert_eq!((of(60.0), of(70.0)), (Some(0.75), Some(1.5)));
+}
+
+#[test]
+fn an_area_in_another_group_of_textures_has_its_signs() {
+    let place = with_page("swell-a4");
+    let svg = place.text("cup.svg");
+    let document = roxmltree::Document::parse(&svg).expect("a page is well-formed");
+    let red = document.descendants().find(|node| node.attribute("data-class") == Some("red")).expect("red");
+    let text = &svg[red.range()];
+    let without = svg.replacen(text, "", 1);
+    let group = without.find("id=\"texture-yellow\"").expect("there is yellow");
+    let inside = group + without[group..].find('>').expect("the group begins") + 1;
+    place.put("edited.svg", format!("{}{text}{}", &without[..inside], &without[inside..]).as_bytes());
+    let told = done(&place, &["render", "edited.svg", "-o", "new.svg"]);
+    assert!(told.contains("1 area has another colour now"), "{told}");
+    let (before, after) = (read(&place, "cup.svg"), read(&place, "new.svg"));
+    let glyphs = |page: &Page, class: Class| {
+        page.figure.textures.iter().filter(|texture| texture.class == class).map(|texture| texture.glyphs.len()).sum()
+    };
+    let grown: usize = glyphs(&after, Class::Yellow);
+    assert!(grown > glyphs(&before, Class::Yellow), "the area has signs of yellow");
+    let rerun = ["convert", "cup.png", "--regions", "edited.svg", "--no-overview", "-o", "rerun.svg"];
+    done(&place, &rerun);
+    let rerun = read(&place, "rerun.svg");
+    assert!(glyphs(&rerun, Class::Yellow) > glyphs(&before, Class::Yellow));
+    assert!(glyphs(&rerun, Class::Red) < glyphs(&before, Class::Red));
+}
+
+#[test]
+fn lines_of_a_page_come_again_and_a_deleted_one_stays_away() {
+    let place = with_page("swell-a4");
+    done(&place, &["convert", "cup.png", "--lines", "cup.svg", "--no-overview", "-o", "again.svg"]);
+    let (before, again) = (read(&place, "cup.svg"), read(&place, "again.svg"));
+    let length = |page: &Page| runs(page).into_iter().map(Run::length).sum::<f32>();
+    assert!((length(&again) / length(&before) - 1.0).abs() < 0.02, "{} of {}", length(&again), length(&before));
+    let near = |at: tactograph::MmPoint, page: &Page| {
+        let segments = runs(page).into_iter().flat_map(|run| run.path().zip(run.path().skip(1)).collect::<Vec<_>>());
+        let distance = |(a, b)| tactograph::internals::geom::nearest_on_segment(at, a, b).0;
+        segments.map(distance).fold(f32::MAX, f32::min)
+    };
+    let off = runs(&again).iter().flat_map(|run| &run.points).map(|at| near(*at, &before)).fold(0.0, f32::max);
+    assert!(off < 0.1, "a line lies {off} mm from where it was");
+    // the first line is deleted
+    let hidden = place.text("cup.svg").replacen("id=\"line-1\"", "id=\"line-1\" style=\"display:none\"", 1);
+    place.put("less.svg", hidden.as_bytes());
+    done(&place, &["convert", "cup.png", "--lines", "less.svg", "--no-overview", "-o", "less-again.svg"]);
+    let less = read(&place, "less-again.svg");
+    let first = &before.figure.lines[0].runs[0];
+    let middle = first.points[first.points.len() / 2];
+    assert!(near(middle, &again) < 0.1 && near(middle, &less) > 1.0);
+}
+
+#[test]
+fn lines_of_a_picture_of_lines_run_along_the_middle_of_its_strokes() {
+    let place = Place::new();
+    place.put("cup.png", &samples::read("coffee.png"));
+    let mut rgb = vec![255; 600 * 400 * 3];
+    for y in 196..204 {
+        rgb[3 * (600 * y + 60)..3 * (600 * y + 540)].fill(0);
+    }
+    place.put("lines.png", &png(600, 400, &rgb));
+    done(&place, &["convert", "cup.png", "--lines", "lines.png", "--no-overview", "-o", "page.svg"]);
+    let page = read(&place, "page.svg");
+    let middle = page.figure.place.center().y;
+    assert_eq!(page.figure.lines.len(), 1);
+    assert!(runs(&page).iter().flat_map(|run| &run.points).all(|at| (at.y - middle).abs() < 0.2), "{:?}", runs(&page));
+    assert!((page.figure.lines[0].length() / page.figure.place.width() - 0.8).abs() < 0.02);
+}
+
+#[test]
+fn lines_that_are_added_win() {
+    let place = with_page("swell-a4");
+    let box_of = read(&place, "cup.svg").figure.place;
+    let own = "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='400' viewBox='0 0 600 400'><g id='Lines'>\
+         <path d='M30,210h540' stroke='black' stroke-width='4' fill='none'/></g></svg>";
+    place.put("own.svg", own.as_bytes());
+    done(&place, &["convert", "cup.png", "--add-lines", "own.svg", "--no-overview", "-o", "more.svg"]);
+    let page = read(&place, "more.svg");
+    let y = box_of.min.y + box_of.height() * 210.0 / 400.0;
+    let mine = page
+        .figure
+        .lines
+        .iter()
+        .filter(|line| line.runs.iter().flat_map(|run| &run.points).all(|at| (at.y - y).abs() < 0.1));
+    let length: f32 = mine.map(tactograph::Line::length).sum();
+    assert!((length / box_of.width() - 0.9).abs() < 0.01, "all of it is drawn, not {length} mm");
+    assert!(page.figure.lines.len() > 5, "the others are there as well");
+}
+
+#[test]
+fn what_is_erased_is_blank() {
+    let place = with_page("swell-a4");
+    let erase = ["convert", "cup.png", "--erase", "0,0,50%,100%", "--erase", "90%,0,10%,20%", "--no-overview"];
+    done(&place, &[&erase[..], &["-o", "less.svg"]].concat());
+    let page = read(&place, "less.svg");
+    let place = page.figure.place;
+    let middle = place.center().x;
+    assert!(runs(&page).iter().flat_map(|run| &run.points).all(|at| at.x > middle - 1.0));
+    assert!(page.figure.textures.iter().flat_map(|texture| &texture.glyphs).all(|glyph| glyph.at.x > middle));
+    assert!(!page.figure.lines.is_empty() && !page.figure.textures.is_empty());
+}
+
+#[test]
+fn lines_of_another_shape_and_files_that_are_none_are_refused() {
+    let place = with_page("swell-a4");
+    place.put("tall.png", &png(40, 90, &[200; 40 * 90 * 3]));
+    let run = place.run(&["convert", "tall.png", "--lines", "cup.svg", "-o", "x.svg"]);
+    assert!(run.code == 1 && run.err.contains("times as wide as high"), "{}", run.err);
+    place.put("no.svg", b"<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>");
+    let run = place.run(&["convert", "cup.png", "--lines", "no.svg", "-o", "x.svg"]);
+    assert!(run.code == 2 && run.err.contains("no.svg: this is no page"), "{}", run.err);
+    let run = place.run(&["convert", "cup.png", "tall.png", "--lines", "cup.svg"]);
+    assert!(run.code == 2 && run.err.contains("--lines: this is of one picture"), "{}", run.err);
+}
