@@ -105,6 +105,7 @@
 mod api;
 mod braille;
 mod calibration;
+mod check;
 mod classes;
 mod contours;
 mod devices;
@@ -168,6 +169,9 @@ pub mod internals {
     }
     pub mod calibration {
         pub use crate::calibration::*;
+    }
+    pub mod check {
+        pub use crate::check::*;
     }
     pub mod classes {
         pub use crate::classes::*;

@@ -32,7 +32,7 @@ pub use words::Words;
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
-use crate::page::{self, BrailleText, Dots, Figure, Medium, Overview, Page, Parts, frame};
+use crate::page::{self, BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::units::MmRect;
@@ -109,7 +109,7 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let Marks { mut figure, overview, shares, layout, is_flat, texts, mut notes } = marks;
+    let Marks { mut figure, overview, shares, layout, is_flat, left_out, texts, mut notes } = marks;
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
@@ -121,8 +121,11 @@ fn compose(
             None => Vec::new(),
         };
         let (page, overview) = match &layout.medium {
-            Medium::Print(_) => Ok((assemble(figure, overview, shares, braille, &layout, request)?, None)),
-            Medium::Dots(medium) => dots::assemble(figure, overview, shares, braille, (&layout, medium), request),
+            Medium::Print(_) => Ok((assemble(figure, overview, (shares, left_out), braille, &layout, request)?, None)),
+            Medium::Dots(medium) => {
+                let about = (shares, left_out);
+                dots::assemble(figure, overview, about, braille, (&layout, medium), request)
+            }
         }?;
         Ok::<_, Error>((page, overview, key))
     })?;
@@ -142,7 +145,7 @@ fn compose(
 fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    shares: Option<[f32; 5]>,
+    (shares, left_out): (Option<[f32; 5]>, LeftOut),
     braille: Vec<BrailleText>,
     layout: &Layout,
     request: &Request<'_>,
@@ -153,7 +156,7 @@ fn assemble(
     let parts = Parts {
         title: request.title.to_owned(),
         description: page::describe(&figure, overview.as_ref(), shares) + &page::describe_labels(&braille),
-        origin: origin(request, figure.source, &braille),
+        origin: [origin(request, figure.source, &braille), left_out.to_origin()].concat(),
         frame: around(figure.place),
         orientation_mark: layout.mark.clone(),
         overview,

@@ -3,6 +3,7 @@
 
 mod braille;
 mod calibration;
+mod check;
 #[cfg(feature = "cli")]
 mod cli;
 mod colours;

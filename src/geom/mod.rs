@@ -4,6 +4,7 @@
 pub mod components;
 pub mod link;
 pub mod nearby;
+pub mod ninths;
 pub mod polyline;
 pub mod simplify;
 

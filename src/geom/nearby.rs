@@ -66,7 +66,7 @@ impl<T: Copy, U: Copy> Index<T, U> {
     }
 
     /// Adds an entry that reaches over the box `low`-`high`.
-    fn put_over(&mut self, low: Point2D<f32, U>, high: Point2D<f32, U>, entry: T) {
+    pub fn put_over(&mut self, low: Point2D<f32, U>, high: Point2D<f32, U>, entry: T) {
         let (columns, rows) = self.covered(low, high);
         for row in rows {
             for column in columns.clone() {

@@ -1,6 +1,7 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
 use super::vertex::Vertex;
+use crate::geom::ninths::ninth;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
 
@@ -11,8 +12,8 @@ pub struct Lost {
     pub wanted: f32,
     /// Length of what is not drawn of it, mm.
     pub lost: f32,
-    /// Where in the figure most of that is: one of nine parts, row by row from the top left.
-    pub place: usize,
+    /// The same in each of nine parts of the figure, row by row from the top left.
+    pub by_place: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
 }
@@ -38,13 +39,17 @@ impl Lost {
 
     /// Where most of it is, in words.
     pub fn place_name(&self) -> &'static str {
-        PLACES[self.place.min(PLACES.len() - 1)]
+        PLACES[(0..9).fold(0, |best, i| if self.by_place[i] > self.by_place[best] { i } else { best })]
     }
 
     /// The same if of what is drawn only a share is kept after all.
     #[must_use]
     pub fn keeping(self, share: f32) -> Self {
-        Self { lost: self.wanted - (self.wanted - self.lost) * share, ..self }
+        let lost = self.wanted - (self.wanted - self.lost) * share;
+        let (more, parts) = (lost - self.lost, self.by_place);
+        // where what is dropped now would have been is not known: as what was dropped before
+        let part = |of: f32| if self.lost > 0.0 { of / self.lost } else { 1.0 / 9.0 };
+        Self { lost, by_place: parts.map(|of| of + more * part(of)), ..self }
     }
 }
 
@@ -77,26 +82,18 @@ impl Tally {
         for (a, b) in line.segments() {
             let middle = a.at.lerp(b.at, 0.5);
             if counts(middle) {
-                self.lengths[self.part(middle)] += (b.at - a.at).length();
+                self.lengths[ninth(middle, self.area)] += (b.at - a.at).length();
             }
         }
     }
 
     /// What of this is not in `kept`.
     pub(super) fn lost(&self, kept: &Self) -> Lost {
-        let missing: [f32; 9] = std::array::from_fn(|i| self.lengths[i] - kept.lengths[i]);
-        let place = (0..9).fold(0, |best, i| if missing[i] > missing[best] { i } else { best });
+        let by_place: [f32; 9] = std::array::from_fn(|i| self.lengths[i] - kept.lengths[i]);
         let kept_rings = kept.rings;
         let (wanted, kept) = (self.lengths.iter().sum::<f32>(), kept.lengths.iter().sum::<f32>());
         let rings = self.rings.saturating_sub(kept_rings);
-        Lost { wanted, lost: (wanted - kept).max(0.0), place, rings }
-    }
-
-    fn part(&self, at: MmPoint) -> usize {
-        let third = |at: f32, from: f32, length: f32| {
-            ((3.0 * (at - from) / length.max(f32::MIN_POSITIVE)).max(0.0) as usize).min(2)
-        };
-        3 * third(at.y, self.area.min.y, self.area.height()) + third(at.x, self.area.min.x, self.area.width())
+        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings }
     }
 }
 

@@ -8,6 +8,7 @@ mod dot_layout;
 pub mod frame;
 pub mod heading;
 pub mod layout;
+mod left_out;
 mod medium;
 mod parts;
 mod sheet;
@@ -15,6 +16,7 @@ pub mod spread;
 mod text;
 mod transform;
 
+pub use left_out::LeftOut;
 pub use medium::{DotMedium, Medium, MediumParams, Print};
 pub use parts::*;
 pub use text::{DESCRIBES, describe, describe_labels};

@@ -9,11 +9,11 @@ const LEAST_TICK: f32 = 0.5;
 
 impl Parts {
     /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now
-    /// once they have risen. Labels and braille stay: their dots already have the size to
+    /// once they have risen (of a `swell` below 0, wider). Labels and braille stay: their dots already have the size to
     /// be printed. A mark that is no wider
     /// than `swell` would vanish; a [`Plan`](crate::profile::Plan) has none.
     pub fn narrowed(&mut self, swell: f32) {
-        if swell <= 0.0 {
+        if swell == 0.0 {
             return;
         }
         self.orientation_mark.iter_mut().for_each(|run| narrow_run(run, swell));
@@ -29,6 +29,18 @@ impl Parts {
             narrow_dots(&mut overview.frame, swell);
             narrow_lines(&mut overview.lines, swell);
         }
+    }
+}
+
+impl Page {
+    /// The page with its marks as wide as they are felt, once they have risen by as much as they were narrowed.
+    #[must_use]
+    pub fn risen(&self) -> Self {
+        let mut page = self.clone();
+        if let Medium::Print(print) = page.parts.medium {
+            page.parts.narrowed(-print.swell);
+        }
+        page
     }
 }
 

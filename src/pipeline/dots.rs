@@ -7,7 +7,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
-use crate::page::{self, BrailleText, DotMedium, Dots, Figure, Medium, Page, Parts, TextRole, Texture, frame};
+use crate::page::{self, BrailleText, DotMedium, Dots, Figure, LeftOut, Medium, Page, Parts, TextRole, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -46,7 +46,7 @@ pub(super) fn textures(
 pub(super) fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    shares: Option<[f32; 5]>,
+    (shares, left_out): (Option<[f32; 5]>, LeftOut),
     braille: Vec<BrailleText>,
     (layout, medium): (&Layout, &DotMedium),
     request: &Request<'_>,
@@ -66,7 +66,9 @@ pub(super) fn assemble(
         description += " An overview of lines only follows on the next sheet.";
     }
     let words = (request.title.to_owned(), description);
-    let page = finished(parts(words, figure, braille, (layout, medium), request), request)?;
+    let mut parts = parts(words, figure, braille, (layout, medium), request);
+    parts.origin.extend(left_out.to_origin());
+    let page = finished(parts, request)?;
     Ok((page, overview))
 }
 

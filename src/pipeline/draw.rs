@@ -9,7 +9,7 @@ use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, Lost, Outlines};
 use crate::page::layout::Layout;
-use crate::page::{Figure, Medium, Texture};
+use crate::page::{Figure, LeftOut, Medium, Texture};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
@@ -43,6 +43,8 @@ pub(super) struct Marks {
     pub(super) shares: Option<[f32; 5]>,
     pub(super) layout: Layout,
     pub(super) is_flat: bool,
+    /// Contours that are not drawn.
+    pub(super) left_out: LeftOut,
     /// Texts that are not drawn.
     pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
@@ -109,7 +111,8 @@ pub(super) fn draw(
         },
     );
     request.go_on()?;
-    notes.extend(left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
+    let left_out = left_out(&drawn.lost, small);
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     let lines = drawn.lines;
     drop(edges);
@@ -117,7 +120,16 @@ pub(super) fn draw(
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-    Ok(Marks { figure, overview, shares: classes.as_ref().map(Classes::shares), layout, is_flat, texts, notes })
+    Ok(Marks {
+        figure,
+        overview,
+        shares: classes.as_ref().map(Classes::shares),
+        layout,
+        is_flat,
+        left_out,
+        texts,
+        notes,
+    })
 }
 
 /// The lines of a picture of lines, as contours of a picture of this size.
@@ -253,7 +265,7 @@ fn outlines_of(edges: &Edges, transform: &PageTransform, plan: &Plan, of_overvie
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
-pub(super) fn left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
+pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
     let Lost { wanted, lost, .. } = drawn.lost;
     let share = drawn.lost.share();
     let least = match layout.medium {
@@ -266,6 +278,13 @@ pub(super) fn left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) ->
         percent: (100.0 * share).round() as u32,
         place: drawn.lost.place_name(),
     })
+}
+
+/// What is kept in the page of contours that are not drawn.
+fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
+    let whole = |mm: f32| mm.max(0.0).round() as u32;
+    let by_place = Some(lost.by_place.map(whole));
+    LeftOut { millimetres: whole(lost.lost), of: whole(lost.wanted), by_place, shapes: shapes as u32 }
 }
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave

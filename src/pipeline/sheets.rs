@@ -7,7 +7,7 @@ use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
 use crate::page::layout::{self, Layout};
 use crate::page::spread::{self, Cut, Grid, Spread};
-use crate::page::{self, Dots, Figure, Line, Medium, MediumParams, Page, Parts, Print, frame};
+use crate::page::{self, Dots, Figure, LeftOut, Line, Medium, MediumParams, Page, Parts, Print, frame};
 use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
@@ -40,10 +40,10 @@ pub fn convert<'p>(
         MediumParams::Dots { device, .. } => return Err(Error::OneSheet { device: device.name }),
     };
     let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
-    let Marks { figure, overview, shares, is_flat, mut notes, .. } =
+    let Marks { figure, overview, shares, left_out, is_flat, mut notes, .. } =
         draw(picture.into(), given, request, &|size| places(size, grid(size)?, print, request), watch)?;
     let grid = grid(figure.source)?;
-    let pages = run(watch, Stage::Page, || assemble(&figure, overview, shares, (grid, print), request))?;
+    let pages = run(watch, Stage::Page, || assemble(&figure, overview, (shares, left_out), (grid, print), request))?;
     if pages.iter().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
     } else if request.plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
@@ -101,7 +101,7 @@ fn overview_sheet(size: Size, request: &Request<'_>) -> Layout {
 fn assemble(
     figure: &Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    shares: Option<[f32; 5]>,
+    (shares, left_out): (Option<[f32; 5]>, LeftOut),
     (grid, print): (Grid, Print),
     request: &Request<'_>,
 ) -> Result<Vec<Page>, Error> {
@@ -131,6 +131,8 @@ fn assemble(
         };
         pages.push(finished(parts, request)?);
     }
+    // what is left out of the whole picture, as no sheet knows its own share
+    let left_out = LeftOut { by_place: None, shapes: 0, ..left_out }.to_origin();
     for cut in &cuts {
         let Cut { figure, frame, ticks, label, name } = cut.clone();
         let title = format!("{}, sheet {name}", request.title);
@@ -143,7 +145,8 @@ fn assemble(
             labels: vec![label],
             ..parts(title, description, figure, (grid, print), request)
         };
-        pages.push(finished(parts, request)?);
+        let origin = [parts.origin.clone(), left_out.clone()].concat();
+        pages.push(finished(Parts { origin, ..parts }, request)?);
     }
     Ok(pages)
 }

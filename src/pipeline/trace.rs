@@ -1,6 +1,6 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::draw::{draw_lines, edges_of, enough_pixels, left_out, working_size};
+use super::draw::{draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::progress::{Event, Stage, Watch, run};
 use super::request::{Fit, Request};
 use crate::contours::Trace;
@@ -115,7 +115,7 @@ pub fn trace<'p>(
         Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),
         Some(edges) => {
             let drawn = draw_lines(Some(edges), &layout, plan, watch);
-            notes.extend(left_out(&drawn, Some(edges), &layout));
+            notes.extend(told_left_out(&drawn, Some(edges), &layout));
             let transform = PageTransform::new(edges.size, layout.figure);
             let params = plan.lines();
             let reach = params.max_offset(); // nothing is moved further

@@ -11,6 +11,7 @@ mod fault;
 mod inherit;
 mod keys;
 mod kind;
+mod limits;
 pub mod manual;
 mod nearest;
 mod parse;

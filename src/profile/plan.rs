@@ -166,7 +166,7 @@ impl Plan {
         self.dots_of(medium.device, medium.pitch)
     }
 
-    fn dots_of(&self, device: &Device, pitch: f32) -> dots::Params {
+    pub(super) fn dots_of(&self, device: &Device, pitch: f32) -> dots::Params {
         let Profile { dots, lines, .. } = &self.profile;
         dots::Params {
             pitch,

@@ -43,11 +43,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // A page from its SVG, with the layers that the writer gives it.
     ("reading", &["units", "geom", "raster", "devices", "page", "output"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
+    // Rules over finished marks.
+    ("check", &["units", "geom", "braille", "devices", "page", "touch"]),
     (
         "profile",
         &[
             "units", "geom", "braille", "raster", "regions", "edges", "classes", "lines", "textures", "devices",
-            "dots", "page", "contours", "output", "touch",
+            "dots", "page", "contours", "output", "touch", "check",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.

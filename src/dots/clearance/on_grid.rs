@@ -190,6 +190,18 @@ impl Taken {
             return;
         }
         let skipped = if distances[last] == Some(0) { last + 1 } else { last };
+        // beside the line that it touches it may lie, not beside a third one
+        let within = |cell: Cell, steps: i32| {
+            let near = self.around(cell).filter(move |near| distance(*near, cell) <= steps);
+            near.filter_map(|near| self.lines.get(&near)).copied()
+        };
+        let touched: Vec<usize> = within(cells[last], 1).collect();
+        if cells[skipped.min(near)..near]
+            .iter()
+            .any(|&cell| within(cell, self.gap).any(|other| !touched.contains(&other)))
+        {
+            return;
+        }
         distances[..near].iter_mut().for_each(|distance| *distance = None);
         cells.drain(..skipped);
         distances.drain(..skipped);

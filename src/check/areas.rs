@@ -1,0 +1,129 @@
+//! Textures, sizes of marks, margins, and the page as a whole.
+
+use std::collections::BTreeMap;
+
+use super::finding::Found;
+use super::limits::{Limits, MOST_TEXTURES, MediumLimits};
+use super::marks::{Mark, Outline, Part};
+use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURES};
+use crate::page::{Medium, Page, Shape};
+use crate::units::{MmPoint, MmRect};
+
+/// Numbers of a page have two digits after the point, mm.
+const ROUNDING: f32 = 0.015;
+
+pub(super) fn findings(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+    let mut found = Vec::new();
+    if page.is_empty() {
+        found.push(Found::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
+    }
+    found.extend(too_small(page, limits));
+    found.extend(too_thin(page, marks, limits));
+    found.extend(off_margins(page, marks, limits));
+    found.extend(too_many(page));
+    found
+}
+
+/// Ink as it is printed.
+pub(super) fn black(page: &Page, limits: &Limits) -> Option<Found> {
+    let MediumLimits::Print { max_black, .. } = limits.medium else { return None };
+    let share = page.black_share();
+    let what = || format!("{:.0} % of the figure is black; {:.0} % is the most", 100.0 * share, 100.0 * max_black);
+    (share > max_black).then(|| Found::of_page(BLACK, Some(100.0 * share), what()))
+}
+
+fn too_small<'a>(page: &'a Page, limits: &'a Limits) -> impl Iterator<Item = Found> + 'a {
+    let small = page.figure.textures.iter().enumerate().filter(|(_, texture)| texture.area < limits.texture_area - 0.5);
+    small.filter_map(|(number, texture)| {
+        let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
+        let name = Part::Texture(number as u32).name(page);
+        let (area, least) = (texture.area, limits.texture_area);
+        let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
+        Some(Found::at(TEXTURE_AREA, extent.center(), extent, area, what))
+    })
+}
+
+/// What many marks of one part have in common.
+struct Group {
+    count: usize,
+    worst: f32,
+    at: MmPoint,
+    extent: MmRect,
+}
+
+/// The marks that are worse than `least`, by part.
+fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeMap<Part, Group> {
+    let mut groups: BTreeMap<Part, Group> = BTreeMap::new();
+    for mark in marks {
+        let worst = measure(mark);
+        if worst >= least {
+            continue;
+        }
+        let (at, extent) = (mark.middle, mark.extent());
+        let group = groups.entry(mark.part).or_insert(Group { count: 0, worst, at, extent });
+        group.count += 1;
+        group.extent = group.extent.union(&extent);
+        if worst < group.worst {
+            (group.worst, group.at) = (worst, at);
+        }
+    }
+    groups
+}
+
+fn too_thin(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+    let MediumLimits::Print { glyph, .. } = limits.medium else { return Vec::new() };
+    // lines have a rule of their own
+    let is_line = |part: Part| matches!(part, Part::Line(_) | Part::OverviewLine(_));
+    let thickness = |mark: &Mark| match mark.outline {
+        _ if is_line(mark.part) => f32::MAX,
+        Outline::Stroke { radius, .. } => 2.0 * radius,
+        Outline::Rhombus { corners: [a, b, c, d] } => (c - a).length().min((d - b).length()),
+    };
+    let of = |(part, group): (Part, Group)| {
+        let (count, thinnest) = (group.count, group.worst);
+        let noun = if count == 1 { "1 mark is" } else { &format!("{count} marks are") };
+        let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page));
+        Found::at(GLYPH_SIZE, group.at, group.extent, thinnest, what)
+    };
+    grouped(marks, glyph - ROUNDING, thickness).into_iter().map(of).collect()
+}
+
+fn off_margins(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+    let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(page.sheet[0], page.sheet[1]));
+    let (inner, what) = match &page.medium {
+        Medium::Print(_) => {
+            (sheet.inflate(-limits.margin, -limits.margin), format!("the margin of {} mm", limits.margin))
+        }
+        Medium::Dots(dots) => {
+            let radius = 0.5 * dots.diameter();
+            (dots.area.bounds().inflate(radius, radius), format!("what the {} reaches", dots.device.name))
+        }
+    };
+    // how far within a mark lies; below 0 it reaches out
+    let within = |mark: &Mark| {
+        let MmRect { min, max } = mark.extent();
+        (min.x - inner.min.x).min(min.y - inner.min.y).min(inner.max.x - max.x).min(inner.max.y - max.y)
+    };
+    let of = |(part, group): (Part, Group)| {
+        let out = -group.worst;
+        let what = format!("{} reaches {out:.1} mm beyond {what}", part.name(page));
+        Found::at(MARGIN, group.at, group.extent, limits.margin - out, what)
+    };
+    grouped(marks, -ROUNDING, within).into_iter().map(of).collect()
+}
+
+fn too_many(page: &Page) -> Option<Found> {
+    let direction = |shape: Shape| match shape {
+        Shape::Rhombus { degrees, .. } => Some(degrees.rem_euclid(180.0).round() as u32),
+        Shape::Dot { .. } => None,
+    };
+    let glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
+    let mut signs: Vec<Option<u32>> = glyphs.map(|glyph| direction(glyph.shape)).collect();
+    signs.sort_unstable();
+    signs.dedup();
+    let count = signs.len();
+    let rule: Rule = TEXTURES;
+    (count > MOST_TEXTURES).then(|| {
+        Found::of_page(rule, Some(count as f32), format!("there are {count} textures; {MOST_TEXTURES} are the most"))
+    })
+}

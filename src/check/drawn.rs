@@ -1,0 +1,138 @@
+//! What a page's SVG shows that a page of black marks has not: colours, pictures, letters.
+
+use std::collections::BTreeMap;
+
+use usvg::roxmltree::{Document, Node};
+use usvg::{Group, Paint, Tree};
+
+use super::finding::Found;
+use super::limits::{Limits, MediumLimits};
+use super::rules::{BLACK_ONLY, LETTERS, PICTURE};
+use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
+
+/// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
+const BLACK: u8 = 8;
+const WHITE: u8 = 248;
+/// Most colours that are told one by one.
+const MOST: usize = 6;
+
+/// All that is no black mark.
+pub(super) fn findings(document: &Document<'_>, tree: &Tree, limits: &Limits) -> Vec<Found> {
+    let mut seen = Seen::default();
+    seen.add(tree.root(), 1.0);
+    let mut found = Vec::new();
+    // dots are pressed, whatever their colour is
+    if matches!(limits.medium, MediumLimits::Print { .. }) {
+        found.extend(of_colours(seen.colours));
+    }
+    found.extend(seen.pictures.into_iter().map(|extent| {
+        let what = format!("a picture of pixels, {:.0} x {:.0} mm, lies on the page", extent.width(), extent.height());
+        Found::at(PICTURE, extent.center(), extent, extent.area(), what)
+    }));
+    found.extend(letters(document));
+    found
+}
+
+/// A colour and the box around all that has it.
+type Coloured = BTreeMap<(u8, u8, u8), (usize, MmRect)>;
+
+#[derive(Default)]
+struct Seen {
+    colours: Coloured,
+    pictures: Vec<MmRect>,
+}
+
+impl Seen {
+    fn add(&mut self, group: &Group, opacity: f32) {
+        let opacity = opacity * group.opacity().get();
+        for node in group.children() {
+            match node {
+                usvg::Node::Group(group) => self.add(group, opacity),
+                usvg::Node::Image(image) => self.pictures.push(in_mm(image.abs_bounding_box())),
+                usvg::Node::Path(path) if path.is_visible() => {
+                    let fill = path.fill().map(|fill| (fill.paint(), fill.opacity().get()));
+                    let stroke = path.stroke().map(|stroke| (stroke.paint(), stroke.opacity().get()));
+                    for (paint, own) in fill.into_iter().chain(stroke) {
+                        self.add_paint(paint, own * opacity, in_mm(path.abs_stroke_bounding_box()));
+                    }
+                }
+                usvg::Node::Path(_) | usvg::Node::Text(_) => {}
+            }
+        }
+    }
+
+    fn add_paint(&mut self, paint: &Paint, opacity: f32, extent: MmRect) {
+        let [red, green, blue] = match paint {
+            Paint::Color(colour) => [colour.red, colour.green, colour.blue],
+            _ => [128; 3], // a gradient or a pattern has greys at least
+        };
+        let over_white = |channel: u8| (255.0 - (255.0 - f32::from(channel)) * opacity).round() as u8;
+        let channels = [red, green, blue].map(over_white);
+        if channels.iter().all(|&channel| channel <= BLACK) || channels.iter().all(|&channel| channel >= WHITE) {
+            return;
+        }
+        let [red, green, blue] = channels;
+        let seen = self.colours.entry((red, green, blue)).or_insert((0, extent));
+        *seen = (seen.0 + 1, seen.1.union(&extent));
+    }
+}
+
+fn in_mm(rect: usvg::Rect) -> MmRect {
+    let at = |x: f32, y: f32| MmPoint::new(x * MM_PER_CSS_PX, y * MM_PER_CSS_PX);
+    MmRect::new(at(rect.left(), rect.top()), at(rect.right(), rect.bottom()))
+}
+
+fn of_colours(colours: Coloured) -> Vec<Found> {
+    let mut all: Vec<_> = colours.into_iter().collect();
+    all.sort_by_key(|(colour, (count, _))| (std::cmp::Reverse(*count), *colour));
+    let rest = all.split_off(all.len().min(MOST));
+    let one = |((red, green, blue), (count, extent)): ((u8, u8, u8), (usize, MmRect))| {
+        let marks = if count == 1 { "1 mark is".into() } else { format!("{count} marks are") };
+        let kind = if red.abs_diff(green).max(green.abs_diff(blue)) < 8 { "grey" } else { "coloured" };
+        let what = format!("{marks} {kind} (#{red:02x}{green:02x}{blue:02x}), and only black swells");
+        Found::at(BLACK_ONLY, extent.center(), extent, count as f32, what)
+    };
+    let more: usize = rest.iter().map(|(_, (count, _))| count).sum();
+    let others = (more > 0).then(|| {
+        Found::of_page(BLACK_ONLY, Some(more as f32), format!("{more} marks have {} other colours", rest.len()))
+    });
+    all.into_iter().map(one).chain(others).collect()
+}
+
+/// Texts that are written in letters and shown.
+fn letters(document: &Document<'_>) -> Vec<Found> {
+    let is_text = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "text" && is_shown(node);
+    let found = |node: Node<'_, '_>| {
+        let text: String = node.descendants().filter(Node::is_text).filter_map(|node| node.text()).collect();
+        let text: Vec<&str> = text.split_whitespace().collect();
+        let text: String = text.join(" ").chars().take(40).collect();
+        let what = format!("\"{text}\" is written in letters, which fingers do not read");
+        let at = place(&node, document);
+        let extent = at.map(|at| MmRect::new(at, at));
+        (!text.is_empty()).then_some(Found { rule: LETTERS, what, at, extent, measured: None })
+    };
+    document.descendants().filter(is_text).filter_map(found).collect()
+}
+
+fn is_shown(node: &Node<'_, '_>) -> bool {
+    let hidden = |node: Node<'_, '_>| {
+        let style = node.attribute("style").unwrap_or("").replace(' ', "");
+        node.attribute("display") == Some("none") || style.contains("display:none") || node.tag_name().name() == "defs"
+    };
+    !node.ancestors().any(hidden)
+}
+
+/// Where a text stands, where nothing around it moves it and the drawing is in mm.
+fn place(node: &Node<'_, '_>, document: &Document<'_>) -> Option<MmPoint> {
+    let root = document.root_element();
+    let width = root.attribute("width")?.strip_suffix("mm")?.trim().parse::<f32>().ok()?;
+    let view: Vec<f32> = root.attribute("viewBox")?.split_ascii_whitespace().filter_map(|n| n.parse().ok()).collect();
+    let scale = width / *view.get(2)?;
+    if node.ancestors().any(|around| around.has_attribute("transform")) {
+        return None;
+    }
+    let number = |node: &Node<'_, '_>, name: &str| node.attribute(name)?.split([' ', ',']).next()?.parse::<f32>().ok();
+    let own = [node.clone()].into_iter().chain(node.children().filter(Node::is_element));
+    let (x, y) = own.filter_map(|node| Some((number(&node, "x")?, number(&node, "y")?))).next()?;
+    Some(MmPoint::new((x - view[0]) * scale, (y - *view.get(1)?) * scale))
+}

@@ -1,0 +1,80 @@
+//! Ends of lines that point at one another over a small gap: a contour that seems broken.
+
+use super::finding::Found;
+use super::limits::Limits;
+use super::rules::BROKEN_LINE;
+use super::ways::{Ways, point_at};
+use crate::geom::nearby::{Index, Nearby};
+use crate::geom::{crossing, nearby};
+use crate::units::{Mm, MmPoint, MmRect, MmVector};
+
+/// How far back from its end the direction of a line is taken, mm.
+const BACK: f32 = 3.0;
+/// Two ends point at one another if each does so within 25 degrees.
+const STRAIGHT: f32 = 0.906;
+/// The two ends of one line are looked at if it is longer than so many of the gap.
+const LEAST_LENGTH: f32 = 4.0;
+
+#[derive(Debug, Clone, Copy)]
+struct Tip {
+    at: MmPoint,
+    outwards: MmVector,
+    radius: f32,
+    way: u32,
+}
+
+pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
+    let most = limits.missed_gap();
+    let tips: Vec<Tip> = (0..ways.ways.len()).flat_map(|way| tips(ways, way)).collect();
+    let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
+    let mut near: Index<usize, Mm> = Index::new(area, most);
+    tips.iter().enumerate().for_each(|(number, tip)| near.put_at(tip.at, number));
+    let mut found = Vec::new();
+    for (number, tip) in tips.iter().enumerate() {
+        near.around(tip.at, tip.at, most + 2.0 * tip.radius, |&id| {
+            let other = &tips[id];
+            let blank = (other.at - tip.at).length() - tip.radius - other.radius;
+            let long = tip.way != other.way || ways.ways[tip.way as usize].length > LEAST_LENGTH * blank;
+            if id < number && blank > 0.0 && blank <= most && long && facing(tip, other) {
+                let free = |(a, b): (MmPoint, MmPoint)| crossing((tip.at, other.at), (a, b)).is_none();
+                let mut clear = true;
+                index.around(tip.at.min(other.at), tip.at.max(other.at), 0.0, |segment| {
+                    clear &= free((segment.a, segment.b));
+                });
+                if clear {
+                    found.push(broken(ways, tip, other, blank));
+                }
+            }
+        });
+    }
+    found
+}
+
+fn broken(ways: &Ways, tip: &Tip, other: &Tip, blank: f32) -> Found {
+    let line = |tip: &Tip| ways.ways[tip.way as usize].line + 1;
+    let what = match tip.way == other.way {
+        true => format!("the two ends of line {} are {blank:.1} mm apart: is it closed?", line(tip)),
+        false => format!("lines {} and {} end {blank:.1} mm before one another: are they one?", line(other), line(tip)),
+    };
+    let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));
+    Found::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what)
+}
+
+fn facing(a: &Tip, b: &Tip) -> bool {
+    let Some(way) = (b.at - a.at).try_normalize() else { return false };
+    a.outwards.dot(way) >= STRAIGHT && b.outwards.dot(-way) >= STRAIGHT
+}
+
+fn tips(ways: &Ways, way: usize) -> Vec<Tip> {
+    let (segments, length) = (ways.segments_of(way), ways.ways[way].length);
+    let place = |arc: f32| {
+        let at = segments.partition_point(|segment: &nearby::Segment| segment.arc <= arc).saturating_sub(1);
+        segments.get(at).map(|segment| point_at(segment, arc))
+    };
+    let tip = |(segment, at, arc): (nearby::Segment, MmPoint, f32)| {
+        let back = place(if arc > 0.0 { (length - BACK).max(0.0) } else { BACK.min(length) })?;
+        let outwards = (at - back).try_normalize()?;
+        Some(Tip { at, outwards, radius: segment.half_width, way: way as u32 })
+    };
+    ways.tips(way).into_iter().filter_map(tip).collect()
+}

@@ -1,0 +1,90 @@
+//! What was found: which rule is broken, where, by how much.
+
+use super::rules::{RULES, Rule, Severity};
+use crate::geom::ninths;
+use crate::page::Page;
+use crate::units::{MmPoint, MmRect};
+
+/// A breach of a rule.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Finding {
+    /// The rule.
+    pub rule: Rule,
+    /// What is wrong, in words, with its size.
+    pub what: String,
+    /// Where the worst of it is; none if it is a matter of the whole page.
+    pub at: Option<MmPoint>,
+    /// The same in words, such as "upper left of the figure".
+    pub place: String,
+    /// The box around all of it.
+    pub extent: Option<MmRect>,
+    /// What was measured, in the unit of the rule's number.
+    pub measured: Option<f32>,
+}
+
+/// A finding before its place has words.
+pub(super) struct Found {
+    pub(super) rule: Rule,
+    pub(super) what: String,
+    pub(super) at: Option<MmPoint>,
+    pub(super) extent: Option<MmRect>,
+    pub(super) measured: Option<f32>,
+}
+
+impl Found {
+    /// A breach at one place.
+    pub(super) fn at(rule: Rule, at: MmPoint, extent: MmRect, measured: f32, what: String) -> Self {
+        Self { rule, what, at: Some(at), extent: Some(extent), measured: Some(measured) }
+    }
+
+    /// A breach by the whole page.
+    pub(super) fn of_page(rule: Rule, measured: Option<f32>, what: String) -> Self {
+        Self { rule, what, at: None, extent: None, measured }
+    }
+
+    pub(super) fn placed(self, page: &Page) -> Finding {
+        let Self { rule, what, at, extent, measured } = self;
+        let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));
+        Finding { rule, what, at, place, extent, measured }
+    }
+}
+
+/// Where on a page a point lies, in words.
+fn place_of(at: MmPoint, page: &Page) -> String {
+    let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(page.sheet[0], page.sheet[1]));
+    let within = |place: MmRect| place.contains_inclusive(at);
+    let (area, whole) = match &page.overview {
+        _ if within(page.figure.place) => (page.figure.place, "the figure"),
+        Some(overview) if within(overview.place) => (overview.place, "the overview"),
+        _ => (sheet, "the sheet"),
+    };
+    format!("{} of {whole}", ninths::NAMES[ninths::ninth(at, area)])
+}
+
+/// Errors first, then by rule, then from the top of the sheet down.
+pub(super) fn sorted(mut findings: Vec<Finding>) -> Vec<Finding> {
+    let number = |finding: &Finding| RULES.iter().position(|rule| *rule == finding.rule);
+    let place = |finding: &Finding| finding.at.map_or([0.0; 2], |at| [at.y, at.x]);
+    findings.sort_by(|a, b| {
+        let keys = (a.rule.severity, number(a)).cmp(&(b.rule.severity, number(b)));
+        let [p, q] = [place(a), place(b)];
+        keys.then(p[0].total_cmp(&q[0])).then(p[1].total_cmp(&q[1]))
+    });
+    findings
+}
+
+impl Finding {
+    /// Whether it is an error.
+    pub fn is_error(&self) -> bool {
+        self.rule.severity == Severity::Error
+    }
+}
+
+/// The box around points; none around none.
+pub(super) fn around(points: impl IntoIterator<Item = MmPoint>) -> Option<MmRect> {
+    let mut points = points.into_iter();
+    let first = points.next()?;
+    let (low, high) = points.fold((first, first), |(low, high), at| (low.min(at), high.max(at)));
+    Some(MmRect::new(low, high))
+}

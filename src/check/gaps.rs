@@ -1,0 +1,236 @@
+//! Where strokes come nearer to one another, or to themselves, than fingers can tell apart.
+//!
+//! Strokes have round ends and joins, so the blank between two segments is the distance of their middle lines less half
+//! the width of each: distances are exact. What lies beside a join ([`super::joins`]) does not count. Of one line that
+//! comes back to itself places are compared every [`STEP`] mm, as where a bend ends and a return begins is no sharp
+//! border.
+
+use super::finding::around;
+use super::joins::{self, BEND_LEAST, Join, arrives, free_parts};
+use super::ways::{Way, Ways, nearest, point_at};
+use crate::geom::nearby::Segment;
+use crate::geom::{nearest_on_segment, segment_distance};
+use crate::page::{Line, Pen};
+use crate::units::{MmPoint, MmRect};
+
+/// Places of one line are compared this often, mm.
+const STEP: f32 = 0.25;
+/// Two places of one line with this much way between them, in distances, lie on the two sides of a bend: a corner of 30
+/// degrees has the factor 1 / sin 15 = 3.9.
+const BEND: f32 = 4.0;
+/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the way over
+/// the tip is nearly as long as the line.
+const CORNER: f32 = 6.1;
+const STRAIGHT: f32 = 0.92;
+/// Numbers of a page have two digits after the point, and some are added up, mm.
+const ROUNDING: f32 = 0.01;
+/// Two stretches of one pair of lines with less than this between them are one, mm.
+const ONE: f32 = 2.0;
+
+/// A stretch along which two lines are too near.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Near {
+    /// The two lines; the same for a line too near to itself.
+    pub lines: (usize, usize),
+    /// Least blank between them, mm; negative where they overlap.
+    pub gap: f32,
+    /// Where that is.
+    pub at: MmPoint,
+    /// How far they are too near along the first, mm.
+    pub length: f32,
+    /// The box around the stretch.
+    pub extent: MmRect,
+}
+
+/// A part of a way that is too near.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    ways: (u32, u32),
+    from: f32,
+    to: f32,
+    gap: f32,
+    at: MmPoint,
+    ends: (MmPoint, MmPoint),
+}
+
+/// All places where strokes of these lines are nearer than `least` mm.
+pub fn too_near(lines: &[Line], least: f32) -> Vec<Near> {
+    too_near_joined(lines, least, 0.0, f32::INFINITY)
+}
+
+/// The same of lines that join where one ends within `touch` mm of another, and that are broken where a step from dot
+/// to dot is longer than `step` mm.
+pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32) -> Vec<Near> {
+    let ways = Ways::of(lines, step);
+    let index = ways.index(least + 2.0 * ways.widest());
+    let joins = joins::joins(&ways, &index, least, touch);
+    // the second row of a line of dots belongs to the first
+    let are_rows = |a: &Segment, b: &Segment| {
+        let [a, b] = [a, b].map(|segment| ways.ways[segment.line as usize].line);
+        a == b && lines[a].runs.iter().any(|run| run.pen != Pen::Stroke)
+    };
+    let mut found: Vec<Stretch> = Vec::new();
+    let mut seen = vec![u32::MAX; ways.segments.len()];
+    for (number, segment) in ways.segments.iter().enumerate() {
+        let reach = least + segment.half_width + ways.widest();
+        index.around(segment.a.min(segment.b), segment.a.max(segment.b), reach, |other| {
+            let id = ways.ways[other.line as usize].segments.start + other.index as usize;
+            if id >= number || std::mem::replace(&mut seen[id], number as u32) == number as u32 {
+                return;
+            }
+            let clearance = least + segment.half_width + other.half_width;
+            let distance = segment_distance((segment.a, segment.b), (other.a, other.b));
+            if distance >= clearance - ROUNDING {
+                return;
+            }
+            if are_rows(segment, other) {
+                return;
+            }
+            if other.line == segment.line {
+                let way = &ways.ways[segment.line as usize];
+                returns(&ways, way, &joins[segment.line as usize], (segment, other), clearance, distance, &mut found);
+            } else {
+                between(&ways, &joins, (segment, other), clearance, &mut found);
+            }
+        });
+    }
+    merged(found, &ways)
+}
+
+/// The parts of two segments of two ways that are too near.
+fn between(
+    ways: &Ways,
+    joins: &[Vec<Join>],
+    (segment, other): (&Segment, &Segment),
+    clearance: f32,
+    found: &mut Vec<Stretch>,
+) {
+    let round = |way: u32| Some(&ways.ways[way as usize]).filter(|way| way.closed).map(|way| way.length);
+    let line = |of: &Segment| ways.ways[of.line as usize].line;
+    let parts =
+        |of: &Segment, with: &Segment| free_parts(&joins[of.line as usize], round(of.line), of, line(with), clearance);
+    for own in parts(segment, other) {
+        let (a, b) = (point_at(segment, own.0), point_at(segment, own.1));
+        for theirs in parts(other, segment) {
+            let (c, d) = (point_at(other, theirs.0), point_at(other, theirs.1));
+            let distance = segment_distance((a, b), (c, d));
+            if distance >= clearance - ROUNDING {
+                continue;
+            }
+            let within = within((a, b), (c, d), clearance - ROUNDING);
+            let arc = |share: f32| own.0 + share * (own.1 - own.0);
+            found.push(Stretch {
+                ways: (segment.line, other.line),
+                from: arc(within.from),
+                to: arc(within.to),
+                gap: distance - segment.half_width - other.half_width,
+                at: a.lerp(b, within.nearest),
+                ends: (a.lerp(b, within.from), a.lerp(b, within.to)),
+            });
+        }
+    }
+}
+
+/// Shares of the way from one end of a segment to the other.
+struct Within {
+    from: f32,
+    nearest: f32,
+    to: f32,
+}
+
+/// The part of the segment `a`-`b` that lies within `reach` of another one, which it does somewhere. The distance to a
+/// segment is a convex function along another one, so the part is one piece.
+fn within((a, b): (MmPoint, MmPoint), (c, d): (MmPoint, MmPoint), reach: f32) -> Within {
+    const HALVINGS: u32 = 30;
+    let distance = |share: f32| nearest_on_segment(a.lerp(b, share), c, d).0;
+    let (mut low, mut high) = (0.0_f32, 1.0_f32);
+    for _ in 0..2 * HALVINGS {
+        let (s, t) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if distance(s) <= distance(t) { high = t } else { low = s }
+    }
+    let nearest = 0.5 * (low + high);
+    let border = |outer: f32| {
+        if distance(outer) <= reach {
+            return outer;
+        }
+        let (mut inside, mut outside) = (nearest, outer);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            if distance(middle) <= reach { inside = middle } else { outside = middle }
+        }
+        inside
+    };
+    Within { from: border(0.0), nearest, to: border(1.0) }
+}
+
+/// The places of a segment where its way comes back to an earlier one.
+fn returns(
+    ways: &Ways,
+    way: &Way,
+    joins: &[Join],
+    (segment, other): (&Segment, &Segment),
+    clearance: f32,
+    least: f32,
+    found: &mut Vec<Stretch>,
+) {
+    let (length, others) = ((segment.b - segment.a).length(), (other.b - other.a).length());
+    let farthest = (segment.arc + length - other.arc).abs().max((other.arc + others - segment.arc).abs());
+    if farthest <= BEND * least + BEND_LEAST {
+        return;
+    }
+    let round = way.closed.then_some(way.length);
+    let steps = (length / STEP).ceil().max(1.0);
+    for k in 0..steps as u32 {
+        let middle = (k as f32 + 0.5) / steps;
+        let (here, at) = (segment.arc + middle * length, segment.a.lerp(segment.b, middle));
+        let (distance, point, there) = nearest(other, at);
+        if distance >= clearance - ROUNDING {
+            continue;
+        }
+        let along = way.between(here, there);
+        let bend = along <= BEND * distance + BEND_LEAST
+            || (along <= CORNER * distance + BEND_LEAST && has_corner(ways, way, (here, at), (there, point)));
+        let joined = [here, there].iter().any(|arc| arrives(joins, round, *arc, way.line, clearance));
+        if !bend && !joined {
+            let share = |k: u32| (k as f32 / steps).min(1.0);
+            let ends = (segment.a.lerp(segment.b, share(k)), segment.a.lerp(segment.b, share(k + 1)));
+            let gap = distance - segment.half_width - other.half_width;
+            let (from, to) = (segment.arc + share(k) * length, segment.arc + share(k + 1) * length);
+            found.push(Stretch { ways: (segment.line, segment.line), from, to, gap, at, ends });
+        }
+    }
+}
+
+/// Whether between two of its places a way has but two straight sides of a corner.
+fn has_corner(ways: &Ways, way: &Way, (s, a): (f32, MmPoint), (t, b): (f32, MmPoint)) -> bool {
+    let (from, to) = (s.min(t), s.max(t));
+    let over_start = way.closed && way.length - (to - from) < to - from;
+    let segments = &ways.segments[way.segments.clone()];
+    let tips = segments.iter().filter(|segment| (from..to).contains(&segment.arc) != over_start);
+    let farthest = tips.map(|segment| (segment.a - a).length() + (segment.a - b).length()).fold(0.0, f32::max);
+    farthest >= STRAIGHT * way.between(s, t)
+}
+
+/// One finding for each place where two lines are too near.
+fn merged(mut found: Vec<Stretch>, ways: &Ways) -> Vec<Near> {
+    found.sort_by(|a, b| a.ways.cmp(&b.ways).then(a.from.total_cmp(&b.from)).then(a.to.total_cmp(&b.to)));
+    let mut all: Vec<(Near, (u32, u32), f32)> = Vec::new();
+    for Stretch { ways: pair, from, to, gap, at, ends } in found {
+        match all.last_mut() {
+            Some((near, last, end)) if *last == pair && from - *end <= ONE => {
+                near.length += (to - from.max(*end)).max(0.0);
+                near.extent = around([near.extent.min, near.extent.max, ends.0, ends.1]).unwrap_or(near.extent);
+                if gap < near.gap {
+                    (near.gap, near.at) = (gap, at);
+                }
+                *end = end.max(to);
+            }
+            _ => {
+                let extent = around([ends.0, ends.1]).unwrap_or_else(MmRect::zero);
+                let lines = (ways.ways[pair.0 as usize].line, ways.ways[pair.1 as usize].line);
+                all.push((Near { lines, gap, at, length: to - from, extent }, pair, to));
+            }
+        }
+    }
+    all.into_iter().map(|(near, ..)| near).collect()
+}

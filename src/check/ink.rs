@@ -1,0 +1,184 @@
+//! A drawing that is no page of this program, judged as ink: it is drawn at [`PX_PER_MM`], and what a disc of the least
+//! width does not fit into is too narrow, be it black or white.
+//!
+//! Opening and closing by a disc (Serra 1982), through exact Euclidean distances (Felzenszwalb and Huttenlocher 2012).
+
+use resvg::tiny_skia::{Color, Pixmap, Transform};
+use usvg::Tree;
+
+use super::finding::Found;
+use super::limits::{Limits, MediumLimits};
+use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
+use crate::geom::components::{self, Connectivity};
+use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
+
+/// Pixels for a millimetre.
+const PX_PER_MM: f32 = 8.0;
+/// What pixels may take off a width, mm.
+const BLUR: f32 = 0.2;
+/// Smaller places, in mm^2, are tips of ink, and corners between lines that meet.
+const LEAST_THIN: f32 = 1.0;
+const LEAST_NARROW: f32 = 6.0;
+/// Ink is a block from this width on, mm, and from this area on, mm^2: APH has 1/4 inch as the least symbol.
+const BLOCK: f32 = 6.4;
+const LEAST_BLOCK: f32 = 60.0;
+/// Longest side that is looked at, mm, as of what is felt.
+const LONGEST: f32 = 700.0;
+/// Most places of one rule that are told one by one.
+const MOST: usize = 12;
+
+/// Black pixels.
+struct Ink {
+    size: Size,
+    black: Vec<bool>,
+}
+
+/// What is wrong with a drawing, or nothing if it is too large to be drawn.
+pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<Found> {
+    let Some(ink) = Ink::of(tree) else { return Vec::new() };
+    let (width, gap) = match limits.medium {
+        MediumLimits::Print { line_width, line_gap, .. } => (line_width, line_gap),
+        MediumLimits::Dots { pitch, line_gap, .. } => (0.5 * pitch, line_gap as f32 * pitch),
+    };
+    let mut found = ink.places(LINE_WIDTH, LEAST_THIN, ink.narrow(true, width), |area| {
+        format!("{area:.0} square mm of ink are thinner than {width} mm")
+    });
+    found.extend(ink.places(LINE_GAP, LEAST_NARROW, ink.narrow(false, gap), |area| {
+        format!("{area:.0} square mm of blank between black parts are narrower than {gap} mm")
+    }));
+    let narrow = ink.narrow(true, BLOCK);
+    let block = ink.black.iter().zip(narrow).map(|(black, narrow)| *black && !narrow).collect();
+    found.extend(ink.places(FILLED, LEAST_BLOCK, block, |area| {
+        format!("a block of {area:.0} square mm is all black, of which only the edge is felt")
+    }));
+    if let MediumLimits::Print { max_black, .. } = limits.medium {
+        let share = ink.black.iter().filter(|black| **black).count() as f32 / ink.black.len() as f32;
+        let what = || format!("{:.0} % of the sheet is black; {:.0} % is the most", 100.0 * share, 100.0 * max_black);
+        found.extend((share > max_black).then(|| Found::of_page(BLACK, Some(100.0 * share), what())));
+    }
+    found
+}
+
+impl Ink {
+    fn of(tree: &Tree) -> Option<Self> {
+        let scale = MM_PER_CSS_PX * PX_PER_MM;
+        let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * scale).ceil());
+        if width.max(height) > LONGEST * PX_PER_MM {
+            return None;
+        }
+        let mut canvas = Pixmap::new(width as u32, height as u32)?;
+        canvas.fill(Color::WHITE);
+        resvg::render(tree, Transform::from_scale(scale, scale), &mut canvas.as_mut());
+        let dark = |pixel: &[u8]| pixel[..3].iter().map(|&channel| u32::from(channel)).sum::<u32>() < 3 * 128;
+        let black = canvas.data().chunks_exact(4).map(dark).collect();
+        Some(Self { size: Size::new(width as u32, height as u32), black })
+    }
+
+    /// The black pixels (or the white ones) that no disc of this diameter, mm, covers that is all black (or white).
+    /// Beyond the sheet all is white.
+    fn narrow(&self, black: bool, diameter: f32) -> Vec<bool> {
+        let radius = 0.5 * (diameter - BLUR).max(0.0) * PX_PER_MM;
+        let outside = self.black.iter().map(|pixel| *pixel != black).collect::<Vec<_>>();
+        let inner: Vec<bool> = squares(&outside, self.size).into_iter().map(|d| d > radius * radius).collect();
+        let reach = (radius + 1.0) * (radius + 1.0);
+        let to_inner = squares(&inner, self.size);
+        outside.iter().zip(to_inner).map(|(outside, square)| !outside && square > reach).collect()
+    }
+
+    /// A finding for each connected place that is large enough; of many, the largest and the sum of the others.
+    fn places(&self, rule: Rule, least: f32, marked: Vec<bool>, what: impl Fn(f32) -> String) -> Vec<Found> {
+        let components = components::of_labels(&marked, self.size, Connectivity::Eight);
+        let area = |count: usize| count as f32 / (PX_PER_MM * PX_PER_MM);
+        let mut places: Vec<(f32, MmRect)> = components
+            .iter()
+            .filter(|nodes| marked[nodes[0]] && area(nodes.len()) >= least)
+            .map(|nodes| (area(nodes.len()), self.extent(nodes)))
+            .collect();
+        places.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let rest = places.split_off(places.len().min(MOST));
+        let more = (!rest.is_empty()).then(|| {
+            let area: f32 = rest.iter().map(|place| place.0).sum();
+            let extent = rest.iter().fold(rest[0].1, |all, place| all.union(&place.1));
+            Found::at(rule, extent.center(), extent, area, format!("in {} more places, {}", rest.len(), what(area)))
+        });
+        let told = places.into_iter().map(|(area, extent)| Found::at(rule, extent.center(), extent, area, what(area)));
+        told.chain(more).collect()
+    }
+
+    fn extent(&self, nodes: &[usize]) -> MmRect {
+        let width = self.size.width as usize;
+        let corner = |node: usize, by: f32| {
+            MmPoint::new((node % width) as f32 + by, (node / width) as f32 + by) / PX_PER_MM
+        };
+        let first = MmRect::new(corner(nodes[0], 0.0), corner(nodes[0], 1.0));
+        nodes.iter().fold(first, |all, &node| all.union(&MmRect::new(corner(node, 0.0), corner(node, 1.0))))
+    }
+}
+
+/// The square of the distance of each pixel to the nearest marked one, px^2; very large where there is none.
+fn squares(marked: &[bool], size: Size) -> Vec<f32> {
+    let (width, height) = (size.width as usize, size.height as usize);
+    let far = 4.0 * (width + height) as f32 * (width + height) as f32;
+    let mut plane: Vec<f32> = marked.iter().map(|marked| if *marked { 0.0 } else { far }).collect();
+    let mut line = vec![0.0; width.max(height)];
+    for column in 0..width {
+        (0..height).for_each(|row| line[row] = plane[row * width + column]);
+        for (row, value) in parabolas(&line[..height]).into_iter().enumerate() {
+            plane[row * width + column] = value;
+        }
+    }
+    for row in plane.chunks_exact_mut(width) {
+        let values = parabolas(row);
+        row.copy_from_slice(&values);
+    }
+    plane
+}
+
+/// The lower envelope of parabolas that stand on the values: the least of (x - i)^2 + value(i) at each x.
+fn parabolas(values: &[f32]) -> Vec<f32> {
+    let mut standing: Vec<(usize, f32)> = Vec::with_capacity(values.len()); // and from where each is lowest
+    for (i, value) in values.iter().enumerate() {
+        let height = |at: usize, value: f32| f64::from(value) + (at * at) as f64;
+        loop {
+            let Some(&(last, from)) = standing.last() else {
+                standing.push((i, f32::NEG_INFINITY));
+                break;
+            };
+            let meet = ((height(i, *value) - height(last, values[last])) / (2.0 * (i - last) as f64)) as f32;
+            if meet > from {
+                standing.push((i, meet));
+                break;
+            }
+            standing.pop();
+        }
+    }
+    let mut lowest = 0;
+    let value = |x: usize| {
+        while lowest + 1 < standing.len() && standing[lowest + 1].1 <= x as f32 {
+            lowest += 1;
+        }
+        let (i, _) = standing[lowest];
+        let apart = x as f32 - i as f32;
+        apart * apart + values[i]
+    };
+    (0..values.len()).map(value).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_those_of_a_search() {
+        let size = Size::new(23, 17);
+        let marked: Vec<bool> = (0..size.area()).map(|i| (i * i + 3 * i) % 41 == 0).collect();
+        let found = squares(&marked, size);
+        let place = |i: usize| ((i % 23) as f32, (i / 23) as f32);
+        for (i, square) in found.iter().enumerate() {
+            let (x, y) = place(i);
+            let to = |j: usize| (place(j).0 - x).powi(2) + (place(j).1 - y).powi(2);
+            let least = (0..marked.len()).filter(|&j| marked[j]).map(to).fold(f32::MAX, f32::min);
+            assert!((square - least).abs() < 1e-3, "{i}: {square} in place of {least}");
+        }
+    }
+}

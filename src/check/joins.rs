@@ -1,0 +1,117 @@
+//! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
+
+use super::ways::{Ways, nearest, point_at};
+use crate::geom::crossing;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::units::MmPoint;
+
+/// Where a line joins another it must have come from beyond the clearance within this way, in clearances: at 36 degrees
+/// or steeper.
+const APPROACH: f32 = 1.7;
+/// A line that comes back to itself within this way is bent, not joined, mm.
+pub(super) const BEND_LEAST: f32 = 2.0;
+/// Lines that cross twice are looked at this often between the crossings, mm.
+const STEP: f32 = 0.5;
+
+/// A place of a way where it joins another, or itself.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Join {
+    arc: f32,
+    /// The way that it joins.
+    other: u32,
+    /// The line of that: it is joined as a whole.
+    line: usize,
+}
+
+/// The joins of every way. A line ends on another where their ink touches, or is no farther apart than `touch` mm. Two
+/// lines that cross again before they have been apart only wind round one another: these are no joins.
+pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
+    let of = |number: usize| {
+        let mut found: Vec<Join> = Vec::new();
+        let way = &ways.ways[number];
+        let mut add = |arc: f32, there: f32, other: u32| {
+            let bent = other as usize == number && way.between(arc, there) <= BEND_LEAST;
+            if !bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 1e-3) {
+                found.push(Join { arc, other, line: ways.ways[other as usize].line });
+            }
+        };
+        for segment in ways.segments_of(number) {
+            index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
+                if let Some(at) = crossing((segment.a, segment.b), (other.a, other.b)) {
+                    add(segment.arc + (at - segment.a).length(), nearest(other, at).2, other.line);
+                }
+            });
+        }
+        for (own, tip, arc) in ways.tips(number) {
+            index.around(tip, tip, own.half_width + ways.widest() + touch, |other| {
+                let (distance, _, there) = nearest(other, tip);
+                if distance <= own.half_width + other.half_width + touch {
+                    add(arc, there, other.line);
+                }
+            });
+        }
+        found
+    };
+    let found: Vec<Vec<Join>> = (0..ways.ways.len()).map(of).collect();
+    let winds = |number: usize, join: &Join| {
+        join.other as usize != number
+            && found[number].iter().any(|other| {
+                let (from, to) = (join.arc.min(other.arc), join.arc.max(other.arc));
+                other.other == join.other
+                    && to - from > 1.0
+                    && follows(ways, number, (from, to), join.other, index, least)
+            })
+    };
+    let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
+    found.iter().enumerate().map(kept).collect()
+}
+
+/// Whether a way stays within the least blank of another between two of its places.
+fn follows(ways: &Ways, way: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
+    let segments = ways.segments_of(way);
+    let place = |arc: f32| {
+        let at = segments.partition_point(|segment| segment.arc <= arc).saturating_sub(1);
+        segments.get(at).map(|segment| point_at(segment, arc))
+    };
+    let near = |at: MmPoint| index.nearest(at, least, |segment| segment.line == other).is_some();
+    let steps = ((to - from) / STEP).ceil().max(1.0) as u32;
+    (1..steps).filter_map(|k| place(from + (to - from) * k as f32 / steps as f32)).all(near)
+}
+
+/// Whether a place of a way is on the way to a join with `line`.
+pub(super) fn arrives(joins: &[Join], length: Option<f32>, arc: f32, line: usize, clearance: f32) -> bool {
+    let apart = |join: &Join| {
+        let apart = (join.arc - arc).abs();
+        length.map_or(apart, |length| apart.min(length - apart))
+    };
+    joins.iter().any(|join| join.line == line && apart(join) <= APPROACH * clearance)
+}
+
+/// The parts of a segment, as places along its way, that are not on the way to a join with `line`.
+pub(super) fn free_parts(
+    joins: &[Join],
+    length: Option<f32>,
+    segment: &Segment,
+    line: usize,
+    clearance: f32,
+) -> Vec<(f32, f32)> {
+    let whole = (segment.arc, segment.arc + (segment.b - segment.a).length());
+    let mut parts = vec![whole];
+    let limit = APPROACH * clearance;
+    // of a ring, a join near the beginning is near the end as well
+    let rounds = length.map_or(vec![0.0], |length| vec![-length, 0.0, length]);
+    let mut joined = false;
+    for join in joins.iter().filter(|join| join.line == line) {
+        joined = true;
+        for round in &rounds {
+            let (low, high) = (join.arc + round - limit, join.arc + round + limit);
+            parts = parts
+                .into_iter()
+                .flat_map(|(from, to)| [(from, to.min(low)), (from.max(high), to)])
+                .filter(|(from, to)| to > from)
+                .collect();
+        }
+    }
+    // of a dot on its own there is no part
+    if joined { parts } else { vec![whole] }
+}

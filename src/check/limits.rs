@@ -1,0 +1,70 @@
+//! The numbers that a page is held against: those of its profile, and a few that no profile has.
+
+use crate::braille::CellSize;
+
+/// What a page must keep, in millimetres on the sheet as it is felt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Blank on all four sides.
+    pub margin: f32,
+    /// Least length of a line from tip to tip.
+    pub line_length: f32,
+    /// Least area of a texture, mm^2.
+    pub texture_area: f32,
+    /// Measures of braille cells.
+    pub cell: CellSize,
+    /// What only one kind of page has.
+    pub medium: MediumLimits,
+}
+
+/// What only a printed page must keep, or only one of dots.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MediumLimits {
+    /// Of a printed page, mm.
+    Print {
+        /// Least width of a line.
+        line_width: f32,
+        /// Least blank between two lines.
+        line_gap: f32,
+        /// Least blank between a line and a glyph.
+        texture_gap: f32,
+        /// Least thickness of a glyph or dot.
+        glyph: f32,
+        /// Share of the figure that may be black, 0..=1.
+        max_black: f32,
+    },
+    /// Of a page of dots.
+    Dots {
+        /// Distance of dots, mm.
+        pitch: f32,
+        /// Empty dots between two lines, at least.
+        line_gap: u32,
+        /// Empty dots between a line and a texture, at least.
+        texture_gap: u32,
+    },
+}
+
+/// Most textures that readers keep apart (BANA, as quoted by others).
+pub(super) const MOST_TEXTURES: usize = 5;
+/// Blank around braille, mm: as other programs leave around braille on graphics (MapGen).
+pub(super) const BRAILLE_GAP: f32 = 3.0;
+/// How far a dot of braille may lie from its place in the cell, mm: EN ISO 17351 allows 4 % of 2.5 mm.
+pub(super) const BRAILLE_OFF: f32 = 0.1;
+
+impl Limits {
+    /// Distance of the middles of two lines, at least, mm.
+    pub(super) fn spacing(&self) -> f32 {
+        match self.medium {
+            MediumLimits::Print { line_gap, line_width, .. } => line_gap + line_width,
+            MediumLimits::Dots { pitch, line_gap, .. } => (line_gap + 1) as f32 * pitch,
+        }
+    }
+
+    /// The widest gap in a line that may be missed, mm: twice the least blank between two lines.
+    pub(super) fn missed_gap(&self) -> f32 {
+        match self.medium {
+            MediumLimits::Print { line_gap, .. } => 2.0 * line_gap,
+            MediumLimits::Dots { .. } => 2.0 * self.spacing(),
+        }
+    }
+}

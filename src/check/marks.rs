@@ -1,0 +1,183 @@
+//! All marks of a page as strokes and rhombuses, with the part of the page that each belongs to, and the exact blank
+//! between any two.
+
+use crate::geom::nearby::Index;
+use crate::geom::{nearest_on_segment, segment_distance};
+use crate::page::{BrailleText, Dots, Glyph, Line, Page, Pen, Run, Shape, TextRole};
+use crate::units::{Mm, MmPoint, MmRect};
+
+/// What a mark is a part of; numbers count from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Part {
+    OrientationMark,
+    Tick,
+    Frame,
+    Texture(u32),
+    Line(u32),
+    OverviewFrame,
+    OverviewLine(u32),
+    /// Numbers of samples and sheets.
+    Numbers(u32),
+    Braille(u32),
+    Leader(u32),
+}
+
+/// A stroke with round ends (a dot is one of no length), or a rhombus.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Outline {
+    Stroke { a: MmPoint, b: MmPoint, radius: f32 },
+    Rhombus { corners: [MmPoint; 4] },
+}
+
+/// One mark.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    pub(super) outline: Outline,
+    pub(super) part: Part,
+    /// Its middle and how far it reaches from there, mm.
+    pub(super) middle: MmPoint,
+    pub(super) reach: f32,
+}
+
+impl Mark {
+    pub(super) fn stroke(a: MmPoint, b: MmPoint, radius: f32, part: Part) -> Self {
+        let reach = 0.5 * (b - a).length() + radius;
+        Self { outline: Outline::Stroke { a, b, radius }, part, middle: a.lerp(b, 0.5), reach }
+    }
+
+    fn glyph(glyph: &Glyph, part: Part) -> Self {
+        match glyph.shape {
+            Shape::Dot { diameter } => Self::stroke(glyph.at, glyph.at, 0.5 * diameter, part),
+            Shape::Rhombus { .. } => {
+                let outline = Outline::Rhombus { corners: glyph.corners() };
+                Self { outline, part, middle: glyph.at, reach: glyph.radius() }
+            }
+        }
+    }
+
+    /// The box around it.
+    pub(super) fn extent(&self) -> MmRect {
+        match self.outline {
+            Outline::Stroke { a, b, radius } => MmRect::new(a.min(b), a.max(b)).inflate(radius, radius),
+            Outline::Rhombus { corners: [a, b, c, d] } => MmRect::new(a.min(b).min(c.min(d)), a.max(b).max(c.max(d))),
+        }
+    }
+
+    /// The blank between two marks, mm; 0 or less where they touch.
+    pub(super) fn blank(&self, other: &Self) -> f32 {
+        match (self.outline, other.outline) {
+            (Outline::Stroke { a, b, radius }, Outline::Stroke { a: c, b: d, radius: other }) => {
+                segment_distance((a, b), (c, d)) - radius - other
+            }
+            (Outline::Rhombus { corners }, Outline::Stroke { a, b, radius })
+            | (Outline::Stroke { a, b, radius }, Outline::Rhombus { corners }) => to_segment(&corners, (a, b)) - radius,
+            (Outline::Rhombus { corners }, Outline::Rhombus { corners: other }) => {
+                let sides = (0..4).map(|i| to_segment(&corners, (other[i], other[(i + 1) % 4])));
+                if is_inside(&other, corners[0]) { 0.0 } else { sides.fold(f32::MAX, f32::min) }
+            }
+        }
+    }
+
+    /// Whether the blank between two marks can be less than `least` at all; a quick look.
+    pub(super) fn may_be_within(&self, other: &Self, least: f32) -> bool {
+        let reach = self.reach + other.reach + least;
+        (self.middle - other.middle).square_length() < reach * reach
+    }
+}
+
+/// The distance of a rhombus to a segment; 0 where they touch.
+fn to_segment(corners: &[MmPoint; 4], (a, b): (MmPoint, MmPoint)) -> f32 {
+    if is_inside(corners, a) {
+        return 0.0;
+    }
+    if a == b {
+        let sides = (0..4).map(|i| nearest_on_segment(a, corners[i], corners[(i + 1) % 4]).0);
+        return sides.fold(f32::MAX, f32::min);
+    }
+    let sides = (0..4).map(|i| segment_distance((corners[i], corners[(i + 1) % 4]), (a, b)));
+    sides.fold(f32::MAX, f32::min)
+}
+
+/// Whether a point lies within a rhombus.
+fn is_inside(corners: &[MmPoint; 4], at: MmPoint) -> bool {
+    let side = |i: usize| (corners[(i + 1) % 4] - corners[i]).cross(at - corners[i]);
+    (0..4).all(|i| side(i) >= 0.0) || (0..4).all(|i| side(i) <= 0.0)
+}
+
+/// All marks of a page.
+pub(super) fn marks_of(page: &Page) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    let runs = |marks: &mut Vec<Mark>, run: &Run, part: Part| match run.pen {
+        Pen::Stroke => {
+            let segments = run.polyline().segments();
+            marks.extend(segments.map(|(a, b)| Mark::stroke(*a, *b, 0.5 * run.width, part)));
+        }
+        Pen::Dots(_) => marks.extend(run.points.iter().map(|&at| Mark::stroke(at, at, 0.5 * run.width, part))),
+    };
+    let dots = |marks: &mut Vec<Mark>, dots: &Dots, part: Part| {
+        marks.extend(dots.at.iter().map(|&at| Mark::stroke(at, at, 0.5 * dots.diameter, part)));
+    };
+    let lines = |marks: &mut Vec<Mark>, lines: &[Line], part: fn(u32) -> Part| {
+        for (number, line) in (0..).zip(lines) {
+            line.runs.iter().for_each(|run| runs(marks, run, part(number)));
+        }
+    };
+    page.orientation_mark.iter().for_each(|run| runs(&mut marks, run, Part::OrientationMark));
+    page.registration.iter().for_each(|run| runs(&mut marks, run, Part::Tick));
+    dots(&mut marks, &page.frame, Part::Frame);
+    for (number, texture) in (0..).zip(&page.figure.textures) {
+        marks.extend(texture.glyphs.iter().map(|glyph| Mark::glyph(glyph, Part::Texture(number))));
+    }
+    lines(&mut marks, &page.figure.lines, Part::Line);
+    if let Some(overview) = &page.overview {
+        dots(&mut marks, &overview.frame, Part::OverviewFrame);
+        lines(&mut marks, &overview.lines, Part::OverviewLine);
+    }
+    (0..).zip(&page.labels).for_each(|(number, label)| dots(&mut marks, label, Part::Numbers(number)));
+    for (number, text) in (0..).zip(&page.braille) {
+        dots(&mut marks, &text.dots, Part::Braille(number));
+        text.leader.iter().for_each(|run| runs(&mut marks, run, Part::Leader(number)));
+    }
+    marks
+}
+
+/// Numbers of marks, to be found by place.
+pub(super) fn index(marks: &[Mark], cell: f32) -> Index<u32, Mm> {
+    let area = super::finding::around(marks.iter().map(|mark| mark.middle)).unwrap_or_else(MmRect::zero);
+    let mut index = Index::new(area, cell);
+    for (number, mark) in (0..).zip(marks) {
+        let extent = mark.extent();
+        index.put_over(extent.min, extent.max, number);
+    }
+    index
+}
+
+impl Part {
+    /// What it is called in a message.
+    pub(super) fn name(self, page: &Page) -> String {
+        match self {
+            Self::OrientationMark => "the orientation mark".into(),
+            Self::Tick => "a tick".into(),
+            Self::Frame => "the frame".into(),
+            Self::Texture(number) => {
+                let class = page.figure.textures.get(number as usize).map_or("", |texture| texture.class.name());
+                format!("region {} ({class})", number + 1)
+            }
+            Self::Line(number) => format!("line {}", number + 1),
+            Self::OverviewFrame => "the frame of the overview".into(),
+            Self::OverviewLine(number) => format!("line {} of the overview", number + 1),
+            Self::Numbers(_) => "a number in braille".into(),
+            Self::Braille(number) => page.braille.get(number as usize).map_or_else(String::new, name_of),
+            Self::Leader(number) => {
+                format!("the line that leads from {}", Self::Braille(number).name(page))
+            }
+        }
+    }
+}
+
+fn name_of(text: &BrailleText) -> String {
+    match text.role {
+        TextRole::Title => "the title".into(),
+        TextRole::Label | TextRole::Key => format!("\"{}\"", text.text),
+    }
+}

@@ -1,0 +1,100 @@
+//! Is a page legible? Rules over the finished marks, each with its number, unit and source; what breaks them is told
+//! with its place, its size and what to do.
+//!
+//! ```text
+//! Page -> marks as felt -> strokes (width, length, gaps), spaces (between parts), areas, words, ends, overview
+//!      -> Finding (rule, place, size) -> Checked (sorted)
+//! ```
+//!
+//! A page is judged by its marks alone, whoever made it. Distances are exact: a stroke is what lies within half its
+//! width of its middle line, a rhombus its four corners, a dot its circle.
+
+mod areas;
+mod dotted;
+mod drawn;
+mod ends;
+mod finding;
+mod gaps;
+mod ink;
+mod joins;
+mod left_out;
+mod limits;
+mod marks;
+mod overview;
+mod report;
+mod rules;
+mod spaces;
+mod strokes;
+mod verdict;
+mod ways;
+mod words;
+
+pub use finding::Finding;
+pub use gaps::{Near, too_near};
+pub use limits::{Limits, MediumLimits};
+pub use report::{Checked, rules_as_text};
+pub use rules::{RULES, Rule, Severity};
+pub use verdict::{Textures, Verdict};
+
+use usvg::Tree;
+use usvg::roxmltree::Document;
+
+use crate::page::Page;
+use crate::touch::Report;
+use finding::Found;
+
+/// The SVG of a page, or of any drawing.
+pub struct Drawn<'a> {
+    /// Its elements.
+    pub document: &'a Document<'a>,
+    /// What is drawn.
+    pub tree: &'a Tree,
+}
+
+impl<'a> Drawn<'a> {
+    /// Holds the SVG of a page against the rules, and the page that was read from it.
+    pub fn check(&self, page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
+        let mut found = found(page, limits);
+        found.extend(drawn::findings(self.document, self.tree, limits));
+        checked(found, page, limits, felt)
+    }
+
+    /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
+    pub fn check_as_ink(&self, sheet: &Page, limits: &Limits) -> Checked {
+        let mut found = vec![Found::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
+        found.extend(drawn::findings(self.document, self.tree, limits));
+        found.extend(ink::findings(self.tree, limits));
+        checked(found, sheet, limits, None)
+    }
+}
+
+/// Holds a page against the rules. `felt` is what a fingertip feels of its textures, for the verdict.
+pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
+    checked(found(page, limits), page, limits, felt)
+}
+
+fn checked(found: Vec<Found>, page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
+    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page)).collect());
+    let verdict = Verdict::of(page, &findings, felt);
+    Checked { findings, limits: *limits, verdict }
+}
+
+fn found(page: &Page, limits: &Limits) -> Vec<Found> {
+    let felt = page.risen();
+    let marks = marks::marks_of(&felt);
+    let mut found = areas::findings(&felt, &marks, limits);
+    found.extend(areas::black(page, limits));
+    found.extend(spaces::findings(&felt, &marks, limits));
+    found.extend(strokes::findings(&felt.figure.lines, &|number| format!("line {}", number + 1), &page.medium, limits));
+    if let Some(overview) = &felt.overview {
+        let name = |number: usize| format!("line {} of the overview", number + 1);
+        found.extend(strokes::findings(&overview.lines, &name, &page.medium, limits));
+    }
+    let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
+    let index = ways.index(5.0);
+    found.extend(ends::findings(&ways, &index, limits));
+    found.extend(overview::findings(&felt, &index, limits));
+    found.extend(words::findings(&felt, limits));
+    found.extend(left_out::findings(page));
+    found
+}

@@ -1,0 +1,137 @@
+//! What was found as text that is read aloud, and as data.
+
+use std::fmt;
+
+use serde_json::{Value, json};
+
+use super::finding::Finding;
+use super::limits::Limits;
+use super::rules::{RULES, Rule, Severity};
+use super::verdict::Verdict;
+use crate::units::{MmPoint, MmRect};
+
+/// What was found on a page. Its `Display` has a line for each finding, errors first, and the verdict at the end.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Checked {
+    /// Every breach of a rule: errors first, in the order of the rules, then from the top of the sheet down.
+    pub findings: Vec<Finding>,
+    /// The numbers that the page was held against.
+    pub limits: Limits,
+    /// All of it in one sentence.
+    pub verdict: Verdict,
+}
+
+impl Checked {
+    /// How many errors there are.
+    pub fn errors(&self) -> usize {
+        self.findings.iter().filter(|finding| finding.is_error()).count()
+    }
+
+    /// How many warnings there are.
+    pub fn warnings(&self) -> usize {
+        self.findings.len() - self.errors()
+    }
+
+    /// The same as JSON: `verdict`, and `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the
+    /// sheet's top left), `what`, `measured`, `limit`, `unit`, `remedy`.
+    pub fn to_json(&self) -> String {
+        let finding = |finding: &Finding| {
+            let (limit, unit) = self.number(&finding.rule);
+            json!({
+                "rule": finding.rule.id,
+                "severity": finding.rule.severity.name(),
+                "place": finding.place,
+                "at_mm": finding.at.map(point),
+                "box_mm": finding.extent.map(corners),
+                "what": finding.what,
+                "measured": finding.measured.map(rounded),
+                "limit": limit,
+                "unit": unit,
+                "remedy": finding.rule.remedy,
+            })
+        };
+        let findings: Vec<Value> = self.findings.iter().map(finding).collect();
+        let (errors, warnings) = (self.errors(), self.warnings());
+        let all = json!({
+            "errors": errors,
+            "warnings": warnings,
+            "verdict": self.verdict.to_string(),
+            "findings": findings,
+        });
+        format!("{all:#}\n")
+    }
+
+    /// The same as SARIF 2.1.0 (OASIS), for programs that collect what checkers find. `file` is the page's name. Places
+    /// in mm are properties, as SARIF has none for drawings.
+    pub fn to_sarif(&self, file: &str) -> String {
+        let rule = |rule: &Rule| {
+            let (number, unit) = self.number(rule);
+            json!({
+                "id": rule.id,
+                "shortDescription": { "text": rule.asks },
+                "help": { "text": rule.remedy },
+                "defaultConfiguration": { "level": rule.severity.name() },
+                "properties": { "number": number, "unit": unit, "source": rule.source },
+            })
+        };
+        let result = |finding: &Finding| {
+            json!({
+                "ruleId": finding.rule.id,
+                "level": finding.rule.severity.name(),
+                "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.rule.remedy) },
+                "locations": [{ "physicalLocation": { "artifactLocation": { "uri": file } } }],
+                "properties": { "place": finding.place, "at_mm": finding.at.map(point), "box_mm": finding.extent.map(corners) },
+            })
+        };
+        let rules: Vec<Value> = RULES.iter().map(rule).collect();
+        let results: Vec<Value> = self.findings.iter().map(result).collect();
+        let driver = json!({ "name": "tactograph", "version": env!("CARGO_PKG_VERSION"), "rules": rules });
+        let run = json!({ "tool": { "driver": driver }, "results": results });
+        let schema = "https://json.schemastore.org/sarif-2.1.0.json";
+        format!("{:#}\n", json!({ "$schema": schema, "version": "2.1.0", "runs": [run] }))
+    }
+
+    fn number(&self, rule: &Rule) -> (Option<f64>, Option<&'static str>) {
+        rule.number(&self.limits).map_or((None, None), |(number, unit)| (Some(rounded(number)), Some(unit)))
+    }
+}
+
+fn rounded(value: f32) -> f64 {
+    (f64::from(value) * 100.0).round() / 100.0
+}
+
+fn point(at: MmPoint) -> [f64; 2] {
+    [at.x, at.y].map(rounded)
+}
+
+fn corners(extent: MmRect) -> [f64; 4] {
+    [extent.min.x, extent.min.y, extent.max.x, extent.max.y].map(rounded)
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}: {}", self.rule.severity.name(), self.rule.id, self.place)?;
+        if let Some(at) = self.at {
+            write!(f, ", {:.0} mm from the left and {:.0} mm from the top", at.x, at.y)?;
+        }
+        write!(f, ": {}. What to do: {}.", self.what, self.rule.remedy)
+    }
+}
+
+impl fmt::Display for Checked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.findings.iter().try_for_each(|finding| writeln!(f, "{finding}"))?;
+        writeln!(f, "{}", self.verdict)
+    }
+}
+
+/// The rules as text, one a line, with their numbers for pages of a profile.
+pub fn rules_as_text(limits: &Limits) -> String {
+    let line = |rule: &Rule| {
+        let number = rule.number(limits).map_or_else(String::new, |(number, unit)| format!(" ({number} {unit})"));
+        let severity = if rule.severity == Severity::Error { "error" } else { "warning" };
+        format!("{}, {severity}{number}: {} Source: {}. What to do: {}.\n", rule.id, rule.asks, rule.source, rule.remedy)
+    };
+    RULES.iter().map(line).collect()
+}

@@ -1,0 +1,179 @@
+//! Blank between marks of different parts, and what lies on one another.
+
+use std::collections::BTreeMap;
+
+use super::dotted::empty_between;
+use super::finding::Found;
+use super::limits::{BRAILLE_GAP, Limits, MediumLimits};
+use super::marks::{Mark, Part, index};
+use super::rules::{BRAILLE_CLEAR, OVERLAP, Rule, TEXTURE_GAP};
+use crate::page::{Medium, Page};
+use crate::units::{MmPoint, MmRect};
+
+/// Numbers of a page have two digits after the point, and those of a glyph are added up, mm.
+const ROUNDING: f32 = 0.015;
+
+/// Where dots can be anywhere, rounding to whole empty dots goes this way.
+const HALF_A_DOT: f32 = 0.5;
+
+/// What one part does to another, mark by mark.
+struct Breach {
+    count: usize,
+    blank: f32,
+    at: MmPoint,
+    extent: MmRect,
+    last: u32,
+}
+
+type Breaches = BTreeMap<(Part, Option<Part>), Breach>;
+
+fn note(breaches: &mut Breaches, key: (Part, Option<Part>), number: u32, mark: &Mark, blank: f32) {
+    let extent = mark.extent();
+    let breach =
+        breaches.entry(key).or_insert(Breach { count: 0, blank: f32::MAX, at: mark.middle, extent, last: u32::MAX });
+    breach.count += usize::from(breach.last != number);
+    breach.last = number;
+    breach.extent = breach.extent.union(&extent);
+    if blank < breach.blank {
+        (breach.blank, breach.at) = (blank, mark.middle);
+    }
+}
+
+/// Everything about blank between marks.
+pub(super) fn findings(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+    let cell = match limits.medium {
+        MediumLimits::Print { texture_gap, .. } => texture_gap,
+        MediumLimits::Dots { pitch, .. } => pitch,
+    };
+    let index = index(marks, cell.max(3.0));
+    let (mut textures, mut braille, mut overlaps) = (Breaches::new(), Breaches::new(), Breaches::new());
+    for (number, mark) in (0..).zip(marks) {
+        let extent = mark.extent();
+        let reach = match mark.part {
+            Part::Texture(_) => texture_reach(limits),
+            Part::Braille(_) => BRAILLE_GAP,
+            _ => 0.0,
+        };
+        index.around(extent.min, extent.max, reach, |&id| {
+            let other = &marks[id as usize];
+            if other.part == mark.part && !(matches!(mark.part, Part::Texture(_)) && id < number) {
+                return;
+            }
+            match (mark.part, other.part) {
+                (Part::Texture(_), Part::Line(_)) => {
+                    if let Some(blank) = too_near(mark, other, page, limits) {
+                        note(&mut textures, (mark.part, None), number, mark, blank);
+                    }
+                }
+                (Part::Braille(text), Part::Leader(of)) if text == of => {}
+                (Part::Braille(text), Part::Braille(of)) if of > text => {}
+                (Part::Braille(_), _) => {
+                    if mark.may_be_within(other, BRAILLE_GAP) {
+                        let blank = mark.blank(other);
+                        if blank < BRAILLE_GAP - ROUNDING {
+                            note(&mut braille, (mark.part, Some(other.part)), number, mark, blank);
+                        }
+                    }
+                }
+                _ if id >= number || may_meet(mark.part, other.part) => {}
+                _ => {
+                    if mark.may_be_within(other, 0.0) {
+                        let blank = mark.blank(other);
+                        if blank < -ROUNDING || (blank <= 0.0 && is_rhombus(mark, other)) {
+                            let key = (mark.part.min(other.part), Some(mark.part.max(other.part)));
+                            note(&mut overlaps, key, number, mark, blank);
+                        }
+                    }
+                }
+            }
+        });
+    }
+    let mut found: Vec<Found> = Vec::new();
+    found.extend(textures.into_iter().map(|(key, breach)| of_texture(page, key.0, breach, limits)));
+    found.extend(braille.into_iter().map(|(key, breach)| {
+        let what = format!(
+            "{} is {} from {}; {BRAILLE_GAP} mm of blank is the least",
+            key.0.name(page),
+            millimetres(breach.blank),
+            key.1.map_or_else(String::new, |part| part.name(page))
+        );
+        finding(BRAILLE_CLEAR, breach, what)
+    }));
+    found.extend(overlaps.into_iter().map(|(key, breach)| {
+        let other = key.1.map_or_else(String::new, |part| part.name(page));
+        let what = match key.1 {
+            Some(part) if part == key.0 => {
+                format!("{}: {} of its marks lie on one another", part.name(page), breach.count)
+            }
+            _ => format!("{} lies on {other}, in {}", key.0.name(page), places(breach.count)),
+        };
+        finding(OVERLAP, breach, what)
+    }));
+    found
+}
+
+fn is_rhombus(a: &Mark, b: &Mark) -> bool {
+    [a, b].iter().any(|mark| matches!(mark.outline, super::marks::Outline::Rhombus { .. }))
+}
+
+/// Whether marks of two parts may touch: lines join, and a leader line leads to what it names.
+fn may_meet(a: Part, b: Part) -> bool {
+    matches!(
+        (a, b),
+        (Part::Line(_) | Part::Leader(_), Part::Line(_) | Part::Leader(_))
+            | (Part::OverviewLine(_), Part::OverviewLine(_))
+            | (Part::Line(_), Part::Texture(_))
+            | (_, Part::Braille(_))
+            | (Part::Numbers(_), Part::Numbers(_))
+    )
+}
+
+fn texture_reach(limits: &Limits) -> f32 {
+    match limits.medium {
+        MediumLimits::Print { texture_gap, .. } => texture_gap,
+        MediumLimits::Dots { pitch, texture_gap, .. } => (texture_gap + 1) as f32 * pitch,
+    }
+}
+
+/// The blank between a glyph and a mark of a line, mm, where it is too little.
+fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f32> {
+    let least = match limits.medium {
+        MediumLimits::Print { texture_gap, .. } => texture_gap - ROUNDING,
+        MediumLimits::Dots { pitch, texture_gap, .. } => match &page.medium {
+            Medium::Dots(medium) => {
+                let empty = empty_between(glyph.middle, line.middle, medium);
+                return (empty < texture_gap as f32 - HALF_A_DOT).then(|| glyph.blank(line));
+            }
+            Medium::Print(_) => texture_gap as f32 * pitch,
+        },
+    };
+    if !glyph.may_be_within(line, least) {
+        return None;
+    }
+    Some(glyph.blank(line)).filter(|blank| *blank < least)
+}
+
+fn of_texture(page: &Page, part: Part, breach: Breach, limits: &Limits) -> Found {
+    let least = match limits.medium {
+        MediumLimits::Print { texture_gap, .. } => format!("{texture_gap} mm of blank is the least"),
+        MediumLimits::Dots { texture_gap, .. } => format!("{texture_gap} empty dots are the least"),
+    };
+    let (count, marks) = (breach.count, if breach.count == 1 { "mark lies" } else { "marks lie" });
+    let nearest = millimetres(breach.blank);
+    let what =
+        format!("{}: {count} {marks} too near to a line, the nearest {nearest} from it; {least}", part.name(page));
+    finding(TEXTURE_GAP, breach, what)
+}
+
+fn finding(rule: Rule, breach: Breach, what: String) -> Found {
+    Found::at(rule, breach.at, breach.extent, breach.blank, what)
+}
+
+fn places(count: usize) -> String {
+    if count == 1 { "1 place".into() } else { format!("{count} places") }
+}
+
+/// A blank in words; nothing is as near as it can be.
+pub(super) fn millimetres(blank: f32) -> String {
+    if blank < 0.005 { "0 mm".into() } else { format!("{blank:.1} mm") }
+}

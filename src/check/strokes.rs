@@ -1,0 +1,78 @@
+//! Lines one by one: their width and length, and the blank between them.
+
+use super::dotted;
+use super::finding::{Found, around};
+use super::gaps::{self, Near};
+use super::limits::{Limits, MediumLimits};
+use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
+use super::spaces::millimetres;
+use crate::page::{Line, Medium, Pen, Run};
+use crate::units::{MmPoint, MmRect};
+
+/// Numbers of a page have two digits after the point, mm.
+const ROUNDING: f32 = 0.01;
+
+/// What lines of one picture break; `name` says what a line is called.
+pub(super) fn findings(lines: &[Line], name: &dyn Fn(usize) -> String, medium: &Medium, limits: &Limits) -> Vec<Found> {
+    let mut found = Vec::new();
+    for (number, line) in lines.iter().enumerate() {
+        found.extend(too_thin(line, &name(number), limits));
+        found.extend(too_short(line, &name(number), limits));
+    }
+    let near = match (limits.medium, medium) {
+        (MediumLimits::Print { line_gap, .. }, _) => gaps::too_near(lines, line_gap),
+        (MediumLimits::Dots { line_gap, .. }, Medium::Dots(dots)) => dotted::too_near(lines, line_gap, dots),
+        (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
+            gaps::too_near(lines, line_gap as f32 * pitch)
+        }
+    };
+    found.extend(near.iter().map(|near| too_near(near, name, limits)));
+    found
+}
+
+fn too_near(near: &Near, name: &dyn Fn(usize) -> String, limits: &Limits) -> Found {
+    let Near { lines: (a, b), gap, at, length, extent } = *near;
+    let (apart, least) = match limits.medium {
+        MediumLimits::Print { line_gap, .. } => (millimetres(gap), format!("{line_gap} mm is the least")),
+        MediumLimits::Dots { line_gap, .. } => (format!("{gap:.0} empty dots"), format!("{line_gap} are the least")),
+    };
+    let along = format!("along {:.0} mm", length.max(1.0));
+    let what = match a == b {
+        true => format!("{} comes back to itself and is {apart} from itself {along}; {least}", name(a)),
+        false => format!("{} and {} are {apart} apart {along}; {least}", name(a.min(b)), name(a.max(b))),
+    };
+    Found::at(LINE_GAP, at, extent, gap, what)
+}
+
+fn points(line: &Line) -> impl Iterator<Item = MmPoint> + '_ {
+    line.runs.iter().flat_map(|run| run.points.iter().copied())
+}
+
+fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
+    let MediumLimits::Print { line_width, .. } = limits.medium else { return None };
+    let is_thin = |run: &&Run| run.pen == Pen::Stroke && run.width < line_width - ROUNDING;
+    let thinnest = line.runs.iter().filter(is_thin).min_by(|a, b| a.width.total_cmp(&b.width))?;
+    let length: f32 = line.runs.iter().filter(is_thin).map(Run::length).sum();
+    let at = thinnest.points.get(thinnest.points.len() / 2).copied()?;
+    let extent = around(line.runs.iter().filter(is_thin).flat_map(|run| run.points.iter().copied()))?;
+    let what = format!("{name} is {:.2} mm wide along {length:.0} mm; {line_width} mm is the least", thinnest.width);
+    Some(Found::at(LINE_WIDTH, at, extent, thinnest.width, what))
+}
+
+fn too_short(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
+    // a dot stands for half a pitch to both sides
+    let tips = match limits.medium {
+        MediumLimits::Print { .. } => line.runs.first().map_or(0.0, |run| run.width),
+        MediumLimits::Dots { pitch, .. } => pitch,
+    };
+    let strokes = line.runs.iter().filter(|run| run.pen == Pen::Stroke).map(Run::length).sum::<f32>();
+    // of dots, the second row of a broad line is no length of its own
+    let dots = line.runs.iter().filter(|run| run.pen != Pen::Stroke).map(Run::length).fold(0.0, f32::max);
+    let length = strokes.max(dots) + tips;
+    if length >= limits.line_length - ROUNDING {
+        return None;
+    }
+    let extent = around(points(line)).unwrap_or_else(MmRect::zero);
+    let what = format!("{name} is {length:.1} mm long; {} mm is the least", limits.line_length);
+    Some(Found::at(LINE_LENGTH, points(line).next()?, extent, length, what))
+}

@@ -1,0 +1,105 @@
+//! One sentence on a page, weighted by area: how much of the figure is faulty, and how much of its textures a fingertip
+//! reads.
+
+use std::fmt;
+
+use super::finding::Finding;
+use crate::page::Page;
+use crate::touch::Report;
+use crate::units::MmPoint;
+
+/// Side of the squares in which faulty area is counted, mm: a third of a fingertip.
+const SQUARE: f32 = 5.0;
+
+/// What is said of a page as a whole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Verdict {
+    /// How many errors there are.
+    pub errors: usize,
+    /// How many warnings there are.
+    pub warnings: usize,
+    /// Share of the figure in which there is an error, 0..=1.
+    pub faulty: f32,
+    /// What a fingertip feels of the textures, if there are any and they were felt.
+    pub textures: Option<Textures>,
+}
+
+/// What a fingertip feels of a page's textures, in shares 0..=1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Textures {
+    /// Of the figure, how much has a texture.
+    pub of_figure: f32,
+    /// Of the textured area, how much was judged; the rest lies too near to lines and borders.
+    pub judged: f32,
+    /// Of what was judged, how much is read right.
+    pub right: f32,
+}
+
+impl Verdict {
+    /// The verdict on a page with these findings.
+    pub(super) fn of(page: &Page, findings: &[Finding], felt: Option<&Report>) -> Self {
+        let errors = findings.iter().filter(|finding| finding.is_error()).count();
+        let area = page.figure.place.area().max(f32::MIN_POSITIVE);
+        let textures = felt.map(Report::total).filter(|total| total.textured() > 0.0).map(|total| Textures {
+            of_figure: (total.textured() / area).min(1.0),
+            judged: total.judged() / total.textured(),
+            right: total.right_of_judged(),
+        });
+        Self { errors, warnings: findings.len() - errors, faulty: faulty(page, findings), textures }
+    }
+}
+
+/// Share of the squares of the figure that an error's box reaches into.
+fn faulty(page: &Page, findings: &[Finding]) -> f32 {
+    let place = page.figure.place;
+    let count = |mm: f32| (mm / SQUARE).ceil().max(1.0) as usize;
+    let (columns, rows) = (count(place.width()), count(place.height()));
+    let mut squares = vec![false; columns * rows];
+    for extent in findings.iter().filter(|finding| finding.is_error()).filter_map(|finding| finding.extent) {
+        let index = |at: MmPoint| [(at.x - place.min.x) / SQUARE, (at.y - place.min.y) / SQUARE];
+        let (low, high) = (index(extent.min), index(extent.max));
+        if high[0] < 0.0 || high[1] < 0.0 {
+            continue;
+        }
+        for row in (low[1].max(0.0) as usize)..=(high[1] as usize).min(rows - 1) {
+            for column in (low[0].max(0.0) as usize)..=(high[0] as usize).min(columns - 1) {
+                squares[row * columns + column] = true;
+            }
+        }
+    }
+    squares.iter().filter(|square| **square).count() as f32 / squares.len() as f32
+}
+
+/// "1 error", "2 errors".
+fn counted(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+}
+
+/// A share in whole percent; nothing is written as 0 or 100 that is not.
+fn percent(share: f32) -> String {
+    match 100.0 * share {
+        p if p > 0.0 && p < 0.5 => "under 1 %".into(),
+        p if (99.5..100.0).contains(&p) => "over 99 %".into(),
+        p => format!("{p:.0} %"),
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { errors, warnings, faulty, textures } = *self;
+        write!(f, "Verdict: {}", counted(errors, "error"))?;
+        if errors > 0 {
+            write!(f, " in {} of the figure's area", percent(faulty))?;
+        }
+        write!(f, ", {}", counted(warnings, "warning"))?;
+        if let Some(Textures { of_figure, judged, right }) = textures {
+            let not = percent(1.0 - judged);
+            write!(f, "; textures cover {} of the figure, of which {not} lie too near to lines and ", percent(of_figure))?;
+            write!(f, "borders to be judged, and of the other {} a fingertip of 1 mm reads ", percent(judged))?;
+            write!(f, "{} right", percent(right))?;
+        }
+        f.write_str(".")
+    }
+}

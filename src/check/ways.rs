@@ -1,0 +1,141 @@
+//! Lines as ways: what a finger follows in one go, with the length along it at each of its segments.
+
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
+use crate::page::{Line, Pen, Run};
+use crate::units::{MmPoint, MmRect};
+
+/// Runs whose ends are this near go on in one another, mm: numbers of a page have two digits after the point.
+const SAME: f32 = 0.02;
+
+/// Joined strokes of one line, in order.
+#[derive(Debug)]
+pub(super) struct Way {
+    /// Its segments in the list of all of them.
+    pub(super) segments: std::ops::Range<usize>,
+    /// Length, mm.
+    pub(super) length: f32,
+    /// Whether its end is its beginning.
+    pub(super) closed: bool,
+    /// The line it is a part of.
+    pub(super) line: usize,
+}
+
+/// All strokes of a list of lines. The `line` of a segment is the number of its way.
+#[derive(Debug, Default)]
+pub(super) struct Ways {
+    pub(super) ways: Vec<Way>,
+    pub(super) segments: Vec<Segment>,
+}
+
+impl Ways {
+    /// The ways of all strokes; each row of dots is one along the middles of its dots, as far as no step is longer than
+    /// `step` mm.
+    pub(super) fn of(lines: &[Line], step: f32) -> Self {
+        let mut all = Self::default();
+        for (line, of) in lines.iter().enumerate() {
+            let mut last: Option<MmPoint> = None;
+            for run in of.runs.iter().filter(|run| !run.points.is_empty()) {
+                let is_stroke = run.pen == Pen::Stroke;
+                let goes_on = is_stroke && last.is_some_and(|last| (last - run.points[0]).length() <= SAME);
+                if !goes_on {
+                    all.begin(line);
+                }
+                if is_stroke {
+                    all.add(run);
+                } else {
+                    all.add_row(run, line, step);
+                }
+                last = run.path().last();
+            }
+        }
+        for way in &mut all.ways {
+            let segments = &all.segments[way.segments.clone()];
+            way.closed = match (segments.first(), segments.last()) {
+                (Some(first), Some(last)) => segments.len() > 2 && (first.a - last.b).length() <= SAME,
+                _ => false,
+            };
+        }
+        all
+    }
+
+    fn begin(&mut self, line: usize) {
+        let from = self.segments.len();
+        self.ways.push(Way { segments: from..from, length: 0.0, closed: false, line });
+    }
+
+    fn add_row(&mut self, run: &Run, line: usize, step: f32) {
+        let rows = run.points.chunk_by(|a, b| (*b - *a).length() <= step);
+        for (number, points) in rows.enumerate() {
+            if number > 0 {
+                self.begin(line);
+            }
+            self.add(&Run { points: points.to_vec(), closed: false, ..*run });
+        }
+    }
+
+    fn add(&mut self, run: &Run) {
+        let number = self.ways.len().saturating_sub(1) as u32;
+        let Some(way) = self.ways.last_mut() else { return };
+        let mut push = |a: MmPoint, b: MmPoint| {
+            let index = (self.segments.len() - way.segments.start) as u32;
+            self.segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number, index, arc: way.length });
+            way.length += (b - a).length();
+            way.segments.end = self.segments.len();
+        };
+        match run.points[..] {
+            [only] => push(only, only),
+            _ => run.polyline().segments().for_each(|(a, b)| push(*a, *b)),
+        }
+    }
+
+    /// The segments of a way.
+    pub(super) fn segments_of(&self, way: usize) -> &[Segment] {
+        &self.segments[self.ways[way].segments.clone()]
+    }
+
+    /// Half the width of the widest stroke, mm.
+    pub(super) fn widest(&self) -> f32 {
+        self.segments.iter().map(|segment| segment.half_width).fold(0.0, f32::max)
+    }
+
+    /// The segments, to be found by place.
+    pub(super) fn index(&self, reach: f32) -> Nearby {
+        let points = self.segments.iter().flat_map(|segment| [segment.a, segment.b]);
+        let area = super::finding::around(points).unwrap_or_else(MmRect::zero);
+        let mut index = Nearby::new(area, reach);
+        self.segments.iter().for_each(|segment| index.insert(*segment));
+        index
+    }
+
+    /// The ends of a way, with their places along it; a ring has none.
+    pub(super) fn tips(&self, way: usize) -> Vec<(Segment, MmPoint, f32)> {
+        let segments = self.segments_of(way);
+        match (segments.first(), segments.last()) {
+            (Some(first), Some(last)) if !self.ways[way].closed => {
+                vec![(*first, first.a, 0.0), (*last, last.b, self.ways[way].length)]
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+impl Way {
+    /// The length along it between two of its places, the shorter way round a ring.
+    pub(super) fn between(&self, s: f32, t: f32) -> f32 {
+        let apart = (s - t).abs();
+        if self.closed { apart.min(self.length - apart) } else { apart }
+    }
+}
+
+/// The place along a way of the point of a segment that is nearest to `at`, and the distance.
+pub(super) fn nearest(segment: &Segment, at: MmPoint) -> (f32, MmPoint, f32) {
+    let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
+    (distance, point, segment.arc + (point - segment.a).length())
+}
+
+/// The point of a segment at a place along its way.
+pub(super) fn point_at(segment: &Segment, arc: f32) -> MmPoint {
+    let length = (segment.b - segment.a).length();
+    if length > 0.0 { segment.a.lerp(segment.b, ((arc - segment.arc) / length).clamp(0.0, 1.0)) } else { segment.a }
+}
