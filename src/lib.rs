@@ -130,8 +130,8 @@ mod units;
 
 // Functions, and what they take.
 pub use api::{
-    Calibration, FeelError, Felt, Fonts, Options, calibrate, convert, convert_to_sheets, feel, profile_of_page, render,
-    trace, write_pdf,
+    Calibration, FeelError, Felt, Fonts, Options, calibrate, check, check_marked, convert, convert_to_sheets, feel,
+    profile_of_page, render, rules, trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
@@ -143,6 +143,7 @@ pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, bu
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;
 // What they give.
+pub use check::{Checked, Finding, Rule, Severity, Textures as FeltTextures, Verdict};
 pub use contours::{Polyline, Trace};
 pub use devices::{Device, DotArea, Family, Grid as DotGrid, Paper, Pitches};
 pub use error::Error;

@@ -2,12 +2,14 @@
 //!
 //! Everything is done below, in the pipeline and the writers; here profiles are checked and options handed on.
 
+mod checking;
 mod feeling;
 mod fonts;
 mod options;
 mod rendering;
 mod writing;
 
+pub use checking::{check, check_marked, rules};
 pub use feeling::{Felt, feel};
 pub use fonts::Fonts;
 pub use options::Options;

@@ -7,6 +7,7 @@ use usvg::{Group, Paint, Tree};
 
 use super::finding::Found;
 use super::limits::{Limits, MediumLimits};
+use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, LETTERS, PICTURE};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
@@ -25,10 +26,7 @@ pub(super) fn findings(document: &Document<'_>, tree: &Tree, limits: &Limits) ->
     if matches!(limits.medium, MediumLimits::Print { .. }) {
         found.extend(of_colours(seen.colours));
     }
-    found.extend(seen.pictures.into_iter().map(|extent| {
-        let what = format!("a picture of pixels, {:.0} x {:.0} mm, lies on the page", extent.width(), extent.height());
-        Found::at(PICTURE, extent.center(), extent, extent.area(), what)
-    }));
+    found.extend(pictures(document));
     found.extend(letters(document));
     found
 }
@@ -39,16 +37,17 @@ type Coloured = BTreeMap<(u8, u8, u8), (usize, MmRect)>;
 #[derive(Default)]
 struct Seen {
     colours: Coloured,
-    pictures: Vec<MmRect>,
 }
 
 impl Seen {
     fn add(&mut self, group: &Group, opacity: f32) {
+        if group.id() == LAYER {
+            return;
+        }
         let opacity = opacity * group.opacity().get();
         for node in group.children() {
             match node {
                 usvg::Node::Group(group) => self.add(group, opacity),
-                usvg::Node::Image(image) => self.pictures.push(in_mm(image.abs_bounding_box())),
                 usvg::Node::Path(path) if path.is_visible() => {
                     let fill = path.fill().map(|fill| (fill.paint(), fill.opacity().get()));
                     let stroke = path.stroke().map(|stroke| (stroke.paint(), stroke.opacity().get()));
@@ -56,7 +55,8 @@ impl Seen {
                         self.add_paint(paint, own * opacity, in_mm(path.abs_stroke_bounding_box()));
                     }
                 }
-                usvg::Node::Path(_) | usvg::Node::Text(_) => {}
+                // letters and pictures are told by their elements
+                usvg::Node::Path(_) | usvg::Node::Text(_) | usvg::Node::Image(_) => {}
             }
         }
     }
@@ -97,6 +97,16 @@ fn of_colours(colours: Coloured) -> Vec<Found> {
         Found::of_page(BLACK_ONLY, Some(more as f32), format!("{more} marks have {} other colours", rest.len()))
     });
     all.into_iter().map(one).chain(others).collect()
+}
+
+/// Pictures of pixels that are shown.
+fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = Found> + 'd {
+    let is_picture = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "image" && is_shown(node);
+    document.descendants().filter(is_picture).map(|node| {
+        let at = place(&node, document);
+        let extent = at.map(|at| MmRect::new(at, at));
+        Found { rule: PICTURE, what: "a picture of pixels lies on the page".into(), at, extent, measured: None }
+    })
 }
 
 /// Texts that are written in letters and shown.

@@ -53,8 +53,12 @@ pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Foun
 fn broken(ways: &Ways, tip: &Tip, other: &Tip, blank: f32) -> Found {
     let line = |tip: &Tip| ways.ways[tip.way as usize].line + 1;
     let what = match tip.way == other.way {
-        true => format!("the two ends of line {} are {blank:.1} mm apart: is it closed?", line(tip)),
-        false => format!("lines {} and {} end {blank:.1} mm before one another: are they one?", line(other), line(tip)),
+        true => format!("the two ends of line {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
+        false => format!(
+            "lines {} and {} end {blank:.1} mm before one another, so that they may be one or two",
+            line(other),
+            line(tip)
+        ),
     };
     let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));
     Found::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what)

@@ -7,7 +7,7 @@
 
 use super::finding::around;
 use super::joins::{self, BEND_LEAST, Join, arrives, free_parts};
-use super::ways::{Way, Ways, nearest, point_at};
+use super::ways::{Way, Ways, may_be_near, nearest, point_at};
 use crate::geom::nearby::Segment;
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::page::{Line, Pen};
@@ -22,8 +22,8 @@ const BEND: f32 = 4.0;
 /// the tip is nearly as long as the line.
 const CORNER: f32 = 6.1;
 const STRAIGHT: f32 = 0.92;
-/// Numbers of a page have two digits after the point, and some are added up, mm.
-const ROUNDING: f32 = 0.01;
+/// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
+const ROUNDING: f32 = 0.015;
 /// Two stretches of one pair of lines with less than this between them are one, mm.
 const ONE: f32 = 2.0;
 
@@ -62,7 +62,8 @@ pub fn too_near(lines: &[Line], least: f32) -> Vec<Near> {
 /// to dot is longer than `step` mm.
 pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32) -> Vec<Near> {
     let ways = Ways::of(lines, step);
-    let index = ways.index(least + 2.0 * ways.widest());
+    let widest = ways.widest();
+    let index = ways.index(least + 2.0 * widest);
     let joins = joins::joins(&ways, &index, least, touch);
     // the second row of a line of dots belongs to the first
     let are_rows = |a: &Segment, b: &Segment| {
@@ -72,13 +73,16 @@ pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32)
     let mut found: Vec<Stretch> = Vec::new();
     let mut seen = vec![u32::MAX; ways.segments.len()];
     for (number, segment) in ways.segments.iter().enumerate() {
-        let reach = least + segment.half_width + ways.widest();
+        let reach = least + segment.half_width + widest;
         index.around(segment.a.min(segment.b), segment.a.max(segment.b), reach, |other| {
             let id = ways.ways[other.line as usize].segments.start + other.index as usize;
-            if id >= number || std::mem::replace(&mut seen[id], number as u32) == number as u32 {
+            let clearance = least + segment.half_width + other.half_width;
+            if id >= number || !may_be_near(segment, other, clearance) || is_next(segment, other) {
                 return;
             }
-            let clearance = least + segment.half_width + other.half_width;
+            if std::mem::replace(&mut seen[id], number as u32) == number as u32 {
+                return;
+            }
             let distance = segment_distance((segment.a, segment.b), (other.a, other.b));
             if distance >= clearance - ROUNDING {
                 return;
@@ -95,6 +99,11 @@ pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32)
         });
     }
     merged(found, &ways)
+}
+
+/// Whether two segments of one way lie so near one another along it that they cannot be a return.
+fn is_next(segment: &Segment, other: &Segment) -> bool {
+    segment.line == other.line && segment.arc - other.arc <= BEND_LEAST - (segment.b - segment.a).length()
 }
 
 /// The parts of two segments of two ways that are too near.

@@ -107,9 +107,8 @@ impl Ink {
 
     fn extent(&self, nodes: &[usize]) -> MmRect {
         let width = self.size.width as usize;
-        let corner = |node: usize, by: f32| {
-            MmPoint::new((node % width) as f32 + by, (node / width) as f32 + by) / PX_PER_MM
-        };
+        let corner =
+            |node: usize, by: f32| MmPoint::new((node % width) as f32 + by, (node / width) as f32 + by) / PX_PER_MM;
         let first = MmRect::new(corner(nodes[0], 0.0), corner(nodes[0], 1.0));
         nodes.iter().fold(first, |all, &node| all.union(&MmRect::new(corner(node, 0.0), corner(node, 1.0))))
     }

@@ -1,6 +1,6 @@
 //! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
 
-use super::ways::{Ways, nearest, point_at};
+use super::ways::{Ways, may_be_near, nearest, point_at};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::units::MmPoint;
@@ -26,6 +26,7 @@ pub(super) struct Join {
 /// The joins of every way. A line ends on another where their ink touches, or is no farther apart than `touch` mm. Two
 /// lines that cross again before they have been apart only wind round one another: these are no joins.
 pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
+    let widest = ways.widest();
     let of = |number: usize| {
         let mut found: Vec<Join> = Vec::new();
         let way = &ways.ways[number];
@@ -37,13 +38,16 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
         };
         for segment in ways.segments_of(number) {
             index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
+                if !may_be_near(segment, other, 0.0) {
+                    return;
+                }
                 if let Some(at) = crossing((segment.a, segment.b), (other.a, other.b)) {
                     add(segment.arc + (at - segment.a).length(), nearest(other, at).2, other.line);
                 }
             });
         }
         for (own, tip, arc) in ways.tips(number) {
-            index.around(tip, tip, own.half_width + ways.widest() + touch, |other| {
+            index.around(tip, tip, own.half_width + widest + touch, |other| {
                 let (distance, _, there) = nearest(other, tip);
                 if distance <= own.half_width + other.half_width + touch {
                     add(arc, there, other.line);

@@ -19,6 +19,7 @@ mod ink;
 mod joins;
 mod left_out;
 mod limits;
+mod mark;
 mod marks;
 mod overview;
 mod report;
@@ -32,6 +33,7 @@ mod words;
 pub use finding::Finding;
 pub use gaps::{Near, too_near};
 pub use limits::{Limits, MediumLimits};
+pub use mark::{LAYER, marked};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use verdict::{Textures, Verdict};
@@ -44,6 +46,7 @@ use crate::touch::Report;
 use finding::Found;
 
 /// The SVG of a page, or of any drawing.
+#[derive(Debug)]
 pub struct Drawn<'a> {
     /// Its elements.
     pub document: &'a Document<'a>,
@@ -76,7 +79,7 @@ pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
 fn checked(found: Vec<Found>, page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
     let findings = finding::sorted(found.into_iter().map(|found| found.placed(page)).collect());
     let verdict = Verdict::of(page, &findings, felt);
-    Checked { findings, limits: *limits, verdict }
+    Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
 
 fn found(page: &Page, limits: &Limits) -> Vec<Found> {

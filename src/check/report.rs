@@ -8,6 +8,7 @@ use super::finding::Finding;
 use super::limits::Limits;
 use super::rules::{RULES, Rule, Severity};
 use super::verdict::Verdict;
+use crate::Note;
 use crate::units::{MmPoint, MmRect};
 
 /// What was found on a page. Its `Display` has a line for each finding, errors first, and the verdict at the end.
@@ -20,6 +21,8 @@ pub struct Checked {
     pub limits: Limits,
     /// All of it in one sentence.
     pub verdict: Verdict,
+    /// What of the page was taken otherwise than it looks, or left out, when it was read.
+    pub notes: Vec<Note>,
 }
 
 impl Checked {
@@ -131,7 +134,10 @@ pub fn rules_as_text(limits: &Limits) -> String {
     let line = |rule: &Rule| {
         let number = rule.number(limits).map_or_else(String::new, |(number, unit)| format!(" ({number} {unit})"));
         let severity = if rule.severity == Severity::Error { "error" } else { "warning" };
-        format!("{}, {severity}{number}: {} Source: {}. What to do: {}.\n", rule.id, rule.asks, rule.source, rule.remedy)
+        format!(
+            "{}, {severity}{number}: {} Source: {}. What to do: {}.\n",
+            rule.id, rule.asks, rule.source, rule.remedy
+        )
     };
     RULES.iter().map(line).collect()
 }

@@ -90,15 +90,19 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { errors, warnings, faulty, textures } = *self;
         write!(f, "Verdict: {}", counted(errors, "error"))?;
-        if errors > 0 {
+        if faulty > 0.0 {
             write!(f, " in {} of the figure's area", percent(faulty))?;
         }
         write!(f, ", {}", counted(warnings, "warning"))?;
         if let Some(Textures { of_figure, judged, right }) = textures {
-            let not = percent(1.0 - judged);
-            write!(f, "; textures cover {} of the figure, of which {not} lie too near to lines and ", percent(of_figure))?;
-            write!(f, "borders to be judged, and of the other {} a fingertip of 1 mm reads ", percent(judged))?;
-            write!(f, "{} right", percent(right))?;
+            write!(f, "; textures cover {} of the figure", percent(of_figure))?;
+            if judged > 0.0 {
+                let not = percent(1.0 - judged);
+                write!(f, ", of which {not} lie too near to lines and borders to be judged, and of the other ")?;
+                write!(f, "{} a fingertip of 1 mm reads {} right", percent(judged), percent(right))?;
+            } else {
+                f.write_str(", all of them too near to lines and borders to be judged")?;
+            }
         }
         f.write_str(".")
     }

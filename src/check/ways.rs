@@ -139,3 +139,9 @@ pub(super) fn point_at(segment: &Segment, arc: f32) -> MmPoint {
     let length = (segment.b - segment.a).length();
     if length > 0.0 { segment.a.lerp(segment.b, ((arc - segment.arc) / length).clamp(0.0, 1.0)) } else { segment.a }
 }
+
+/// Whether two segments may come within `reach` of one another: a quick look at their boxes.
+pub(super) fn may_be_near(a: &Segment, b: &Segment, reach: f32) -> bool {
+    let apart = |a: f32, b: f32, c: f32, d: f32| a.min(b) - c.max(d) > reach || c.min(d) - a.max(b) > reach;
+    !apart(a.a.x, a.b.x, b.a.x, b.b.x) && !apart(a.a.y, a.b.y, b.a.y, b.b.y)
+}

@@ -5,7 +5,7 @@ use super::limits::{BRAILLE_OFF, Limits};
 use super::rules::BRAILLE_CELL;
 use crate::page::cells::CellGrid;
 use crate::page::{BrailleText, Page};
-use crate::units::{MmPoint, MmRect, MmVector};
+use crate::units::{MmPoint, MmVector};
 
 /// The first sign of Unicode braille; the others follow it by their dots.
 const BLANK: u32 = 0x2800;
@@ -16,19 +16,20 @@ pub(super) fn findings(page: &Page, limits: &Limits) -> Vec<Found> {
     let of = |(number, text): (usize, &BrailleText)| {
         let name = super::marks::Part::Braille(number as u32).name(page);
         let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| cells(line)).collect();
-        let wanted: Vec<MmPoint> = (0..)
+        let wanted: Vec<Vec<MmPoint>> = (0..)
             .zip(&lines)
-            .flat_map(|(number, cells): (u32, _)| {
+            .map(|(number, cells): (u32, _)| {
                 let down = MmVector::new(0.0, number as f32 * size.line);
-                size.dots(cells, 0.0).into_iter().map(move |at| at + down)
+                size.dots(cells, 0.0).into_iter().map(|at| at + down).collect()
             })
             .collect();
+        let count = wanted.iter().map(Vec::len).sum::<usize>();
         let extent = around(text.dots.at.iter().copied())?;
-        if wanted.is_empty() {
+        if count == 0 {
             return None;
         }
-        if wanted.len() != text.dots.at.len() {
-            let (have, need) = (text.dots.at.len(), wanted.len());
+        if count != text.dots.at.len() {
+            let (have, need) = (text.dots.at.len(), count);
             let what = format!("{name} has {have} dots, and its cells have {need}");
             return Some(Found::at(BRAILLE_CELL, extent.center(), extent, 0.0, what));
         }
@@ -50,14 +51,24 @@ fn cells(line: &str) -> Vec<u8> {
     line.chars().map(|c| u8::try_from((c as u32).saturating_sub(BLANK)).unwrap_or(0)).collect()
 }
 
-/// Which dot lies farthest from where it should, and how far, if the two sets are laid on one another as well as moving
-/// alone can do.
-fn farthest_off(dots: &[MmPoint], wanted: &[MmPoint]) -> (MmPoint, f32) {
-    let middle = |points: &[MmPoint]| around(points.iter().copied()).unwrap_or_else(MmRect::zero).center();
-    let moved = middle(dots) - middle(wanted);
-    let off = |at: &MmPoint| {
-        let nearest = wanted.iter().map(|want| (*want + moved - *at).length()).fold(f32::MAX, f32::min);
-        (*at, nearest)
+/// Which dot lies farthest from where it should, and how far. Each line may begin anywhere, as titles stand in the
+/// middle, but all of them lie as far apart as lines do.
+fn farthest_off(dots: &[MmPoint], wanted: &[Vec<MmPoint>]) -> (MmPoint, f32) {
+    let low = |points: &mut dyn Iterator<Item = f32>| points.fold(f32::MAX, f32::min);
+    let down = low(&mut dots.iter().map(|at| at.y)) - low(&mut wanted.iter().flatten().map(|at| at.y));
+    let line_of = |at: &MmPoint| {
+        let off = |line: &&Vec<MmPoint>| line.iter().map(|want| (want.y + down - at.y).abs()).fold(f32::MAX, f32::min);
+        wanted.iter().enumerate().min_by(|a, b| off(&a.1).total_cmp(&off(&b.1))).map_or(0, |(number, _)| number)
     };
-    dots.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((MmPoint::zero(), 0.0))
+    let mut of_lines: Vec<Vec<MmPoint>> = vec![Vec::new(); wanted.len()];
+    dots.iter().for_each(|at| of_lines[line_of(at)].push(*at));
+    let off = |(have, want): (&Vec<MmPoint>, &Vec<MmPoint>)| {
+        let right = low(&mut have.iter().map(|at| at.x)) - low(&mut want.iter().map(|at| at.x));
+        let moved = MmVector::new(right, down);
+        let to_nearest =
+            |at: &MmPoint| (*at, want.iter().map(|want| (*want + moved - *at).length()).fold(f32::MAX, f32::min));
+        have.iter().map(to_nearest).collect::<Vec<_>>()
+    };
+    let all = of_lines.iter().zip(wanted).flat_map(off);
+    all.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((MmPoint::zero(), 0.0))
 }

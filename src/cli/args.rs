@@ -1,6 +1,7 @@
 //! What may be said on the command line, and the help that teaches it.
 
 mod calibrate;
+mod check;
 mod correcting;
 mod embossing;
 mod feel;
@@ -21,6 +22,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use tactograph::Options;
 
 pub(super) use self::calibrate::Calibrate;
+pub(super) use self::check::{Check, CheckFormat};
 pub(super) use self::correcting::{Correcting, Corrections};
 pub(super) use self::embossing::Embossing;
 pub(super) use self::feel::Feel;
@@ -52,6 +54,7 @@ Examples:
   tactograph convert coffee.png             makes coffee.svg beside the picture
   tactograph convert coffee.png -o page.pdf
   tactograph render coffee.svg -o page.pdf  writes it as a PDF, after it was changed in an editor
+  tactograph check coffee.svg               what fingers could not read of it
   tactograph feel coffee.svg                what a fingertip would feel of it
   tactograph profiles                       which papers there are
 
@@ -143,6 +146,10 @@ pub(super) enum Command {
     #[command(long_about = calibrate::LONG_ABOUT, after_long_help = calibrate::AFTER_LONG_HELP)]
     #[command(after_help = "What is on it, examples and exit codes: tactograph calibrate --help")]
     Calibrate(Calibrate),
+    /// Tells whether fingers can read a page: every fault, where it is, and what to do
+    #[command(long_about = check::LONG_ABOUT, after_long_help = check::AFTER_LONG_HELP)]
+    #[command(after_help = "Examples and exit codes: tactograph check --help")]
+    Check(Check),
     /// Tells what a fingertip would feel of a page's textures
     #[command(long_about = feel::LONG_ABOUT, after_long_help = feel::AFTER_LONG_HELP)]
     #[command(after_help = "What the report says, examples and exit codes: tactograph feel --help")]
@@ -338,7 +345,7 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command = ["convert", "render", "trace", "calibrate", "feel", "profiles"]
+            let command = ["convert", "render", "trace", "calibrate", "check", "feel", "profiles"]
                 .iter()
                 .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
@@ -374,6 +381,7 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
         (ErrorKind::MissingRequiredArgument, "render", _) => {
             Some("name a page to render, and where it goes, such as page.svg -o page.pdf".into())
         }
+        (ErrorKind::MissingRequiredArgument, "check", _) => Some("name a page to check".into()),
         (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
             if !name.starts_with('-') =>

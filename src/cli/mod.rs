@@ -3,6 +3,7 @@
 mod args;
 mod batch;
 mod calibrate;
+mod check;
 mod convert;
 mod dots;
 mod feel;
@@ -52,6 +53,7 @@ fn command() -> ExitCode {
         Command::Render(render) => render::run(&render),
         Command::Trace(trace) => trace::run(&trace),
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
+        Command::Check(check) => check::run(&check),
         Command::Feel(feel) => feel::run(&feel),
         Command::Profiles(profiles) => match profiles.command {
             None => profiles::list(&Report::plain()),

@@ -15,6 +15,9 @@ use crate::units::MM_PER_CSS_PX;
 /// Most points of all paths together: a page of ours has 100 000 at most.
 const MOST_POINTS: usize = 5_000_000;
 
+/// Id of the layer in which a check marks what it found, which is no part of the page.
+const FINDINGS: &str = "findings";
+
 /// A painted path.
 pub(super) struct Mark<'a> {
     /// The layer in which it lies.
@@ -91,6 +94,9 @@ fn to_mm(transform: Transform) -> Transform {
 
 impl<'a> Marks<'a> {
     fn add_group(&mut self, group: &Group, around: Around<'a>, elements: &Elements<'a>) -> Result<(), Error> {
+        if group.id() == FINDINGS {
+            return Ok(());
+        }
         let mut around = Around { opacity: around.opacity * group.opacity().get(), ..around };
         let changed = group.clip_path().is_some() || group.mask().is_some() || !group.filters().is_empty();
         self.clipped += usize::from(changed);

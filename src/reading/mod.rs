@@ -70,6 +70,12 @@ pub fn is_svg(bytes: &[u8]) -> bool {
     document::text_of(bytes).is_ok()
 }
 
+/// Whether bytes are an SVG that can be read, be it a page or not.
+pub fn is_drawing(bytes: &[u8]) -> bool {
+    let is_root = |document: &usvg::roxmltree::Document<'_>| document.root_element().tag_name().name() == "svg";
+    document::text_of(bytes).and_then(document::parse).is_ok_and(|document| is_root(&document))
+}
+
 /// Whether a text is a page of ours: it has the layer of a figure with the place that the writer gives it.
 pub fn is_page(svg: &[u8]) -> bool {
     let text = std::str::from_utf8(svg).unwrap_or_default();

@@ -76,7 +76,7 @@ proptest! {
                 prop_assume!(blank > 0.01);
                 let near = found.iter().filter(|near| near.lines == (i, j) || near.lines == (j, i));
                 let least = near.map(|near| near.gap).fold(f32::MAX, f32::min);
-                if blank < f64::from(LEAST) - 0.011 {
+                if blank < f64::from(LEAST) - 0.016 {
                     prop_assert!((f64::from(least) - blank).abs() < 1e-3, "{least} in place of {blank}");
                 } else if blank >= f64::from(LEAST) {
                     prop_assert!(least > 1e6, "lines {i} and {j} are {blank} mm apart, not {least}");
@@ -99,7 +99,7 @@ fn a_stretch_has_its_length_and_its_place() {
     let near = found[0];
     assert!((near.gap - 2.0).abs() < 1e-4, "{near:?}");
     // 1.2 mm further down at 45 degrees
-    assert!((near.length - (40.0 + 1.19 * std::f32::consts::SQRT_2)).abs() < 0.05, "{near:?}");
+    assert!((near.length - (40.0 + 1.185 * std::f32::consts::SQRT_2)).abs() < 0.05, "{near:?}");
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! Pages are held against the rules: those of this program pass, others are found faulty.
 
 mod exact;
+mod faults;
 mod own;

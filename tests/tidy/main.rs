@@ -72,6 +72,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "output",
             "page",
             "touch",
+            "reading",
+            "check",
             "profile",
             "calibration",
             "pipeline",

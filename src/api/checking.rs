@@ -1,0 +1,90 @@
+//! Whether a page is legible.
+
+use usvg::{ImageHrefResolver, Tree};
+
+use super::feeling::feel;
+use crate::Error;
+use crate::check::{self, Checked, Drawn};
+use crate::page::{Figure, Page, Parts};
+use crate::profile::{Plan, Profile};
+use crate::raster::decode::checked_document;
+use crate::reading;
+use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
+
+/// Fingertip by which textures are judged, mm.
+const FINGER: f32 = 1.0;
+
+/// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`] writes it or as somebody changed
+/// it in an editor. Its numbers are those of `profile` or, without one, of the profile that the page says it was made
+/// with. A drawing that has no layers of a page is judged as ink.
+///
+/// ```
+/// use tactograph::{Options, Profile};
+///
+/// let options = Options::new(Profile::named("swell-a4")?);
+/// let page = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page;
+/// let checked = tactograph::check(page.to_svg(), None)?;
+/// assert_eq!(checked.errors(), 0, "{checked}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`Error::NotAPage`] or [`Error::Undecodable`] if it is no SVG that can be read, [`Error::Profile`] if the profile has
+/// faults.
+pub fn check(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Checked, Error> {
+    Ok(check_marked(page, profile)?.0)
+}
+
+/// As [`check`], and the page with a layer on top, `findings`, in which a box is drawn around each finding.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<(Checked, String), Error> {
+    let bytes = page.as_ref();
+    let read = match reading::read(bytes) {
+        Ok(read) => Some(read),
+        Err(why @ Error::NotAPage(_)) if !reading::is_drawing(bytes) => return Err(why),
+        Err(Error::NotAPage(_)) => None,
+        Err(other) => return Err(other),
+    };
+    let undecodable = |why: String| Error::Undecodable { format: "SVG", why: why.replace(['\n', '\r'], " ") };
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let document = checked_document(text).map_err(undecodable)?;
+    let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
+    let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
+    let tree = Tree::from_xmltree(&document, &options).map_err(|fault| undecodable(fault.to_string()))?;
+    let drawn = Drawn { document: &document, tree: &tree };
+    let limits = |page: &Page| match profile {
+        Some(profile) => Ok::<_, Error>(Plan::new(profile)?.limits()),
+        None => Ok(Plan::new(&Profile::of_page(page)?)?.limits()),
+    };
+    let empty = || {
+        let corner = MmPoint::new(tree.size().width(), tree.size().height()) * MM_PER_CSS_PX;
+        let place = MmRect::new(MmPoint::zero(), corner);
+        let figure = Figure { place, source: Size::new(1, 1), textures: Vec::new(), lines: Vec::new() };
+        Page::new(Parts::of([corner.x, corner.y], figure))
+    };
+    let checked = match read {
+        Some(read) => {
+            let limits = limits(&read.page)?;
+            let felt = feel(bytes, FINGER).ok();
+            let felt = felt.as_ref().map(super::Felt::report);
+            Checked { notes: read.notes, ..drawn.check(&read.page, &limits, felt) }
+        }
+        None => {
+            let sheet = empty()?;
+            drawn.check_as_ink(&sheet, &limits(&sheet)?)
+        }
+    };
+    let marked = check::marked(&document, &checked);
+    Ok((checked, marked))
+}
+
+/// The rules that pages are held against, one a line, with their numbers for pages of a profile.
+///
+/// # Errors
+/// [`Error::Profile`] if the profile has faults.
+pub fn rules(profile: &Profile) -> Result<String, Error> {
+    Ok(check::rules_as_text(&Plan::new(profile)?.limits()))
+}

@@ -1,0 +1,86 @@
+//! `tactograph check`: a page in, what fingers could not read of it out.
+
+use std::path::Path;
+
+use tactograph::{Checked, Profile, built_in, check_marked, rules};
+
+use super::args::{Check, CheckFormat};
+use super::report::{Exit, Report};
+use super::{input, output, places, settings};
+
+/// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
+const MOST_BYTES: u64 = 100_000_000;
+
+/// Checks one page, or lists the rules.
+pub(super) fn run(args: &Check) -> Exit {
+    let report = Report::plain();
+    let profile = match args.profile.as_deref().map(|name| settings::profile(name, &[])).transpose() {
+        Ok(profile) => profile,
+        Err(faults) => {
+            faults.iter().for_each(|fault| report.error(&fault.place, &fault.what));
+            return Exit::Usage;
+        }
+    };
+    let Some(page) = &args.page else { return list(profile, &report) };
+    if let Some(path) = &args.mark {
+        let is_svg = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"));
+        if !is_svg || places::is_std(path) || path == page {
+            report.usage(&format!("--mark {}: give the name of another .svg file than the page", path.display()));
+            return Exit::Usage;
+        }
+    }
+    let name = places::picture_name(page);
+    match checked(page, profile.as_ref()) {
+        Ok((checked, marked)) => tell(args, &name, &checked, &marked, &report),
+        Err(error) => {
+            report.error(&name, &format!("{error:#}"));
+            Exit::Failed
+        }
+    }
+}
+
+fn list(profile: Option<Profile>, report: &Report) -> Exit {
+    let profile = profile.map_or_else(|| Profile::named(built_in()[0].name), Ok);
+    match profile.and_then(|profile| rules(&profile)) {
+        Ok(text) => written(&text, "rules", Exit::Done, report),
+        Err(error) => {
+            report.usage(&error.to_string());
+            Exit::Usage
+        }
+    }
+}
+
+fn checked(page: &Path, profile: Option<&Profile>) -> anyhow::Result<(Checked, String)> {
+    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
+    let bytes = input::read(page, MOST_BYTES, &too_long)?;
+    Ok(check_marked(bytes, profile)?)
+}
+
+fn tell(args: &Check, name: &str, checked: &Checked, marked: &str, report: &Report) -> Exit {
+    checked.notes.iter().for_each(|note| report.note(name, &note.to_string()));
+    let text = match args.format {
+        CheckFormat::Text => checked.to_string(),
+        CheckFormat::Json => checked.to_json(),
+        CheckFormat::Sarif => checked.to_sarif(name),
+    };
+    let faulty = checked.errors() > 0 || (args.strict && checked.warnings() > 0);
+    let exit = written(&text, "report", if faulty { Exit::Failed } else { Exit::Done }, report);
+    if let Some(path) = &args.mark {
+        if let Err(error) = output::to_file(path, marked.as_bytes(), "marked page") {
+            report.error(&path.display().to_string(), &format!("{error:#}"));
+            return Exit::Failed;
+        }
+        report.done(&format!("{name}: wrote {}", path.display()));
+    }
+    exit
+}
+
+fn written(text: &str, what: &str, exit: Exit, report: &Report) -> Exit {
+    match output::to_stdout(text.as_bytes(), what) {
+        Ok(()) => exit,
+        Err(error) => {
+            report.error("standard output", &format!("{error:#}"));
+            Exit::Failed
+        }
+    }
+}

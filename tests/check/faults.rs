@@ -1,0 +1,129 @@
+//! Faults are found, each by its rule and in its place: on pages that somebody changed, and on drawings from elsewhere.
+
+use crate::common::page;
+use tactograph::{Checked, check};
+
+/// The page of a sample as its maker left it, with one thing changed.
+fn changed(sample: &str, change: impl Fn(String) -> String) -> Checked {
+    let svg = page::of_sample(sample, "swell-a4").page.to_svg();
+    let with = change(svg.clone());
+    assert_ne!(svg, with, "nothing was changed");
+    check(with, None).expect("it can be read")
+}
+
+fn has(checked: &Checked, rule: &str, words: &str) -> bool {
+    checked.findings.iter().any(|finding| finding.rule.id == rule && finding.to_string().contains(words))
+}
+
+/// Adds elements to the layer of lines.
+fn with_lines(svg: String, added: &str) -> String {
+    let (before, after) = svg.split_once("id=\"lines\"").expect("there are lines");
+    let (open, rest) = after.split_once('>').expect("the layer begins");
+    format!("{before}id=\"lines\"{open}>{added}{rest}")
+}
+
+#[test]
+fn a_page_as_it_was_written_passes() {
+    for (sample, profile) in [
+        ("coffee.png", "swell-a4"),
+        ("chart.svg", "swell-letter"),
+        ("landscape.svg", "swell-a3"),
+        ("coffee.png", "index-basic-d"),
+        ("map.svg", "monarch"),
+    ] {
+        let svg = page::of_sample(sample, profile).page.to_svg();
+        let checked = check(svg, None).expect("it can be read");
+        assert_eq!(checked.errors(), 0, "{sample} {profile}: {checked}");
+    }
+}
+
+#[test]
+fn lines_drawn_by_hand_are_held_against_the_rules() {
+    let near = "<path d=\"M60,250 L120,250\" stroke-width=\"1\"/><path d=\"M60,252 L120,252\" stroke-width=\"1\"/>";
+    let checked = changed("bars.svg", |svg| with_lines(svg, near));
+    assert!(has(&checked, "line-gap", "1.0 mm apart along 60 mm; 3.2 mm is the least"), "{checked}");
+    let thin = "<path d=\"M60,250 L120,250\" stroke-width=\"0.2\"/>";
+    assert!(has(&changed("bars.svg", |svg| with_lines(svg, thin)), "line-width", "0.20 mm wide"));
+    let short = "<path d=\"M60,250 L63,250\" stroke-width=\"1\"/>";
+    assert!(has(&changed("bars.svg", |svg| with_lines(svg, short)), "line-length", "4.0 mm long; 8 mm"));
+    let out = "<path d=\"M60,292 L120,292\" stroke-width=\"1\"/>";
+    assert!(has(&changed("bars.svg", |svg| with_lines(svg, out)), "margin", "5.5 mm beyond the margin of 10 mm"));
+}
+
+#[test]
+fn colours_and_letters_are_found() {
+    let grey = changed("bars.svg", |svg| svg.replacen("stroke=\"#000000\"", "stroke=\"#777777\"", 1));
+    assert!(has(&grey, "black-only", "#777777"), "{grey}");
+    let print = changed("bars.svg", |svg| svg.replace("</svg>", "<text x=\"30\" y=\"40\">Rain</text></svg>"));
+    assert!(has(&print, "letters", "\"Rain\" is written in letters"), "{print}");
+    assert!(print.findings.iter().any(|finding| finding.rule.id == "letters" && finding.at.is_some()));
+}
+
+/// A tracing as other programs make it: filled shapes with holes, in one path.
+const TRACING: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"180mm\" height=\"120mm\" viewBox=\"0 0 1800 1200\">\
+    <g transform=\"translate(0,1200) scale(1,-1)\" fill=\"#000000\" stroke=\"none\">\
+    <path d=\"M100 100 C 300 900 900 1100 1400 700 L 1400 704 C 900 1104 300 904 96 102 Z \
+    M500 300l300 0l0 300l-300 0z M820 300l200 0l0 300l-200 0z\"/>\
+    <path fill=\"#336699\" d=\"M1100 300l300 0l0 200l-300 0z\"/></g></svg>";
+
+#[test]
+fn a_tracing_of_another_program_is_found_faulty() {
+    let checked = check(TRACING, None).expect("it is an SVG");
+    for (rule, words) in [
+        ("layers", "no page of tactograph"),
+        ("line-width", "thinner than 0.75 mm"),
+        ("line-gap", "narrower than 3.2 mm"),
+        ("filled", "all black"),
+        ("black-only", "#336699"),
+    ] {
+        assert!(has(&checked, rule, words), "{rule}: {checked}");
+    }
+    // 20 units, which are 2 mm, lie between the two squares, whose lower edges are 30 mm from the bottom
+    let gap = checked.findings.iter().find(|finding| finding.rule.id == "line-gap").expect("found above");
+    let at = gap.at.expect("it has a place");
+    assert!((at.x - 81.0).abs() < 0.5 && (at.y - 75.0).abs() < 0.5, "{at:?}");
+    assert_eq!(gap.place, "middle of the figure");
+}
+
+#[test]
+fn what_is_no_drawing_is_refused() {
+    for bytes in [&b"%PDF-1.7"[..], b"\x89PNG\r\n\x1a\n", b"", b"<html/>", b"<svg"] {
+        assert!(check(bytes, None).is_err(), "{bytes:?}");
+    }
+}
+
+#[test]
+fn the_verdict_is_weighted_by_area_and_says_what_was_not_judged() {
+    let checked = check(page::of_sample("coffee.png", "swell-a4").page.to_svg(), None).expect("it can be read");
+    let textures = checked.verdict.textures.expect("it has textures");
+    assert!(textures.judged < 0.5 && textures.right > 0.9, "{textures:?}");
+    let told = checked.verdict.to_string();
+    let not = format!("{:.0} % lie too near to lines and borders to be judged", 100.0 * (1.0 - textures.judged));
+    assert!(told.contains(&not), "{told}");
+}
+
+#[test]
+fn findings_are_data_too() {
+    let checked = check(TRACING, None).expect("it is an SVG");
+    let json: serde_json::Value = serde_json::from_str(&checked.to_json()).expect("JSON");
+    assert_eq!(json["errors"].as_u64(), Some(checked.errors() as u64));
+    let finding = &json["findings"][0];
+    assert!(finding["rule"].is_string() && finding["place"].is_string() && finding["remedy"].is_string(), "{finding}");
+    let sarif: serde_json::Value = serde_json::from_str(&checked.to_sarif("page.svg")).expect("JSON");
+    let run = &sarif["runs"][0];
+    assert_eq!(run["results"].as_array().map(Vec::len), Some(checked.findings.len()));
+    let rules = run["tool"]["driver"]["rules"].as_array().expect("rules");
+    let known = |result: &serde_json::Value| rules.iter().any(|rule| rule["id"] == result["ruleId"]);
+    assert!(run["results"].as_array().expect("results").iter().all(known));
+}
+
+/// A marked page reads as the page without its marks.
+#[test]
+fn a_marked_page_is_the_page() {
+    let near = "<path d=\"M60,250 L120,250\" stroke-width=\"1\"/><path d=\"M60,252 L120,252\" stroke-width=\"1\"/>";
+    let svg = with_lines(page::of_sample("bars.svg", "swell-a4").page.to_svg(), near);
+    let (checked, marked) = tactograph::check_marked(&svg, None).expect("it can be read");
+    assert!(marked.contains("id=\"findings\"") && marked.matches("<rect").count() > svg.matches("<rect").count());
+    let again = check(marked, None).expect("it can be read");
+    assert_eq!(again.findings, checked.findings);
+}

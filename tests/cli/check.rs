@@ -1,0 +1,63 @@
+//! `tactograph check`: what it says, and how it ends.
+
+use crate::cli::common::*;
+
+fn with_page() -> Place {
+    let place = Place::new();
+    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
+                   <rect width=\"300\" height=\"200\" fill=\"#fff\"/><rect width=\"150\" height=\"200\" fill=\"#24c\"/></svg>";
+    place.put("sea.svg", drawing.as_bytes());
+    let run = place.run(&["convert", "sea.svg", "-o", "page.svg", "-q"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let page = place.text("page.svg");
+    place.put("thin.svg", page.replace("stroke-width=\"1.5\"", "stroke-width=\"0.15\"").as_bytes());
+    place
+}
+
+#[test]
+fn a_page_without_errors_ends_with_0_and_one_with_errors_with_1() {
+    let place = with_page();
+    let run = place.run(&["check", "page.svg"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.lines().last().is_some_and(|line| line.starts_with("Verdict: 0 errors")), "{}", run.out);
+    let run = place.run(&["check", "thin.svg"]);
+    assert_eq!(run.code, 1, "{}", run.err);
+    assert!(run.out.starts_with("error line-width: "), "{}", run.out);
+    assert!(run.out.contains(" mm from the left and ") && run.out.contains("What to do: "), "{}", run.out);
+}
+
+#[test]
+fn findings_are_drawn_where_it_is_asked_for_and_a_page_comes_from_standard_input_too() {
+    let place = with_page();
+    let run = place.run(&["check", "thin.svg", "--mark", "marked.svg", "--format", "json"]);
+    assert_eq!((run.code, run.err.as_str()), (1, "thin.svg: wrote marked.svg\n"));
+    assert!(run.out.starts_with('{') && place.text("marked.svg").contains("id=\"findings\""), "{}", run.out);
+    let run = place.run_with_input(&["check", "-", "--format", "sarif"], place.text("page.svg").as_bytes());
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("\"version\": \"2.1.0\""), "{}", run.out);
+}
+
+#[test]
+fn rules_are_listed_with_the_numbers_of_a_profile() {
+    let place = Place::new();
+    let run = place.run(&["check", "--rules"]);
+    assert!(run.code == 0 && run.out.contains("line-gap, error (3.2 mm): "), "{}", run.out);
+    let run = place.run(&["check", "--rules", "--profile", "index-basic-d"]);
+    assert!(run.code == 0 && run.out.contains("line-gap, error (2 dots): "), "{}", run.out);
+}
+
+#[test]
+fn what_cannot_be_checked_is_refused_in_one_line() {
+    let place = with_page();
+    for (args, code) in [
+        (&["check", "missing.svg"][..], 1),
+        (&["check"], 2),
+        (&["check", "page.svg", "--profile", "nothing"], 2),
+        (&["check", "page.svg", "--mark", "page.svg"], 2),
+        (&["check", "page.svg", "--format", "xml"], 2),
+    ] {
+        let run = place.run(args);
+        assert_eq!((run.code, run.err.lines().count()), (code, 1), "{args:?}: {}", run.err);
+        assert!(run.out.is_empty(), "{args:?}: {}", run.out);
+    }
+}
