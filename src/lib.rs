@@ -105,7 +105,6 @@
 mod api;
 mod braille;
 mod calibration;
-mod check;
 mod classes;
 mod contours;
 mod devices;
@@ -114,6 +113,7 @@ mod edges;
 mod error;
 mod geom;
 mod labels;
+mod legibility;
 mod lines;
 mod note;
 mod output;
@@ -143,10 +143,10 @@ pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, bu
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;
 // What they give.
-pub use check::{Checked, Finding, Rule, Severity, Textures as FeltTextures, Verdict};
 pub use contours::{Polyline, Trace};
 pub use devices::{Device, DotArea, Family, Grid as DotGrid, Paper, Pitches};
 pub use error::Error;
+pub use legibility::{Checked, Finding, Rule, Severity, Textures as FeltTextures, Verdict};
 pub use note::Note;
 pub use page::{
     BrailleText, Class, DotMedium, Dots, Figure, Glyph, Height, Line, Medium, Overview, Page, Parts, Pen, Print, Run,
@@ -172,7 +172,7 @@ pub mod internals {
         pub use crate::calibration::*;
     }
     pub mod check {
-        pub use crate::check::*;
+        pub use crate::legibility::*;
     }
     pub mod classes {
         pub use crate::classes::*;
@@ -197,6 +197,9 @@ pub mod internals {
     }
     pub mod labels {
         pub use crate::labels::*;
+    }
+    pub mod legibility {
+        pub use crate::legibility::*;
     }
     pub mod lines {
         pub use crate::lines::*;

@@ -4,7 +4,7 @@ use usvg::{ImageHrefResolver, Tree};
 
 use super::feeling::feel;
 use crate::Error;
-use crate::check::{self, Checked, Drawn};
+use crate::legibility::{self, Checked, Drawn};
 use crate::page::{Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::checked_document;
@@ -14,9 +14,9 @@ use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 /// Fingertip by which textures are judged, mm.
 const FINGER: f32 = 1.0;
 
-/// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`] writes it or as somebody changed
-/// it in an editor. Its numbers are those of `profile` or, without one, of the profile that the page says it was made
-/// with. A drawing that has no layers of a page is judged as ink.
+/// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`] writes it or as somebody
+/// changed it in an editor. Its numbers are those of `profile` or, without one, of the profile that the page says it was
+/// made with. A drawing that has no layers of a page is judged as ink.
 ///
 /// ```
 /// use tactograph::{Options, Profile};
@@ -29,8 +29,8 @@ const FINGER: f32 = 1.0;
 /// ```
 ///
 /// # Errors
-/// [`Error::NotAPage`] or [`Error::Undecodable`] if it is no SVG that can be read, [`Error::Profile`] if the profile has
-/// faults.
+/// [`Error::NotAPage`] or [`Error::Undecodable`] if it is no SVG that can be read, [`Error::Profile`] if the profile
+/// has faults.
 pub fn check(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Checked, Error> {
     Ok(check_marked(page, profile)?.0)
 }
@@ -77,7 +77,7 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
             drawn.check_as_ink(&sheet, &limits(&sheet)?)
         }
     };
-    let marked = check::marked(&document, &checked);
+    let marked = legibility::marked(&document, &checked);
     Ok((checked, marked))
 }
 
@@ -86,5 +86,5 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
 /// # Errors
 /// [`Error::Profile`] if the profile has faults.
 pub fn rules(profile: &Profile) -> Result<String, Error> {
-    Ok(check::rules_as_text(&Plan::new(profile)?.limits()))
+    Ok(legibility::rules_as_text(&Plan::new(profile)?.limits()))
 }

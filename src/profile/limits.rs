@@ -3,7 +3,7 @@
 use super::keys::Profile;
 use super::plan::Plan;
 use super::{built_in, keys};
-use crate::check::{Limits, MediumLimits};
+use crate::legibility::{Limits, MediumLimits};
 use crate::page::{MediumParams, Page};
 
 /// The entry of a page's origin that names its profile.

@@ -1,7 +1,7 @@
 //! Distances are exact: held against a search of all pairs in f64 on random pages.
 
 use proptest::prelude::*;
-use tactograph::internals::check::too_near;
+use tactograph::internals::legibility::too_near;
 use tactograph::internals::page::{Line, Run};
 use tactograph::internals::units::MmPoint;
 

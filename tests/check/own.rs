@@ -2,7 +2,7 @@
 
 use crate::common::{page, samples};
 use tactograph::Page;
-use tactograph::internals::check::check;
+use tactograph::internals::legibility::check;
 use tactograph::internals::profile::{Plan, Profile, built_in};
 
 /// The errors of a page that was made with a profile.

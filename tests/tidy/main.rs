@@ -44,12 +44,26 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("reading", &["units", "geom", "raster", "devices", "page", "output"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     // Rules over finished marks.
-    ("check", &["units", "geom", "braille", "devices", "page", "touch"]),
+    ("legibility", &["units", "geom", "braille", "devices", "page", "touch"]),
     (
         "profile",
         &[
-            "units", "geom", "braille", "raster", "regions", "edges", "classes", "lines", "textures", "devices",
-            "dots", "page", "contours", "output", "touch", "check",
+            "units",
+            "geom",
+            "braille",
+            "raster",
+            "regions",
+            "edges",
+            "classes",
+            "lines",
+            "textures",
+            "devices",
+            "dots",
+            "page",
+            "contours",
+            "output",
+            "touch",
+            "legibility",
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
@@ -73,7 +87,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "page",
             "touch",
             "reading",
-            "check",
+            "legibility",
             "profile",
             "calibration",
             "pipeline",

@@ -11,9 +11,9 @@ It looks at the page as it is drawn, so it can also be asked about a page that y
 lengths, areas, sizes, margins, braille, colours and ink are held against the numbers of the page's own profile, or of \
 the one that --profile names. A drawing of another program has no layers, so all of it is judged as ink.
 
-Each finding is one line: error or warning, the rule, the place in words and in mm from the left and the top of the \
-sheet, what is wrong, and what to do. Errors come first. The last line is the verdict: how much of the figure is faulty, \
-and how much of its textures a model of a fingertip reads, and how much of them it could not judge.";
+Each finding is one line: error or warning, the rule, the place in words and in mm from the left and the top of \
+the sheet, what is wrong, and what to do. Errors come first. The last line is the verdict: how much of the figure is \
+faulty, and how much of its textures a model of a fingertip reads, and how much of them it could not judge.";
 
 pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:

@@ -5,9 +5,11 @@
 //! cargo run -p tactograph-tools --bin checking
 //! ```
 
+#![allow(clippy::print_stdout, reason = "this is a program")]
+
 use std::time::Instant;
 
-use tactograph::internals::check::{check, too_near};
+use tactograph::internals::legibility::{check, too_near};
 use tactograph::internals::page::{Class, Figure, Glyph, Line, Page, Parts, Run, Shape, Sign, Texture};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::units::{MmPoint, MmRect, MmVector, Size};

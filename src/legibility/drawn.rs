@@ -142,7 +142,7 @@ fn place(node: &Node<'_, '_>, document: &Document<'_>) -> Option<MmPoint> {
         return None;
     }
     let number = |node: &Node<'_, '_>, name: &str| node.attribute(name)?.split([' ', ',']).next()?.parse::<f32>().ok();
-    let own = [node.clone()].into_iter().chain(node.children().filter(Node::is_element));
+    let own = [*node].into_iter().chain(node.children().filter(Node::is_element));
     let (x, y) = own.filter_map(|node| Some((number(&node, "x")?, number(&node, "y")?))).next()?;
     Some(MmPoint::new((x - view[0]) * scale, (y - *view.get(1)?) * scale))
 }

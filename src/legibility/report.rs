@@ -84,7 +84,11 @@ impl Checked {
                 "level": finding.rule.severity.name(),
                 "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.rule.remedy) },
                 "locations": [{ "physicalLocation": { "artifactLocation": { "uri": file } } }],
-                "properties": { "place": finding.place, "at_mm": finding.at.map(point), "box_mm": finding.extent.map(corners) },
+                "properties": {
+                    "place": finding.place,
+                    "at_mm": finding.at.map(point),
+                    "box_mm": finding.extent.map(corners),
+                },
             })
         };
         let rules: Vec<Value> = RULES.iter().map(rule).collect();

@@ -40,8 +40,9 @@ pub fn marked(document: &Document<'_>, checked: &Checked) -> String {
         _ => (0.0, 0.0, 1.0 / MM_PER_CSS_PX),
     };
     let mut layer = format!(
-        "<g xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" id=\"{LAYER}\" \
-         inkscape:groupmode=\"layer\" inkscape:label=\"Findings\" fill=\"none\" stroke=\"#d00000\" stroke-width=\"0.6\" \
+        "<g xmlns=\"http://www.w3.org/2000/svg\" \
+         xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" id=\"{LAYER}\" inkscape:groupmode=\"layer\" \
+         inkscape:label=\"Findings\" fill=\"none\" stroke=\"#d00000\" stroke-width=\"0.6\" \
          transform=\"translate({x} {y}) scale({scale})\">\n"
     );
     for finding in &checked.findings {
@@ -62,7 +63,8 @@ fn push(layer: &mut String, finding: &Finding, extent: MmRect) {
     // Writing to a String cannot fail.
     let _ = writeln!(
         layer,
-        "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" rx=\"1\" inkscape:label=\"{}\"{dashes}><title>{title}</title></rect>",
+        "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" rx=\"1\" \
+         inkscape:label=\"{}\"{dashes}><title>{title}</title></rect>",
         place.min.x,
         place.min.y,
         place.width(),
