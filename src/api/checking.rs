@@ -16,8 +16,8 @@ const FINGER: f32 = 1.0;
 
 /// Holds a page against the rules of legibility: the SVG of a page, as
 /// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. Its numbers are those of
-/// `profile` or, without one, of the profile that the page says it was made with. A drawing that has no layers of a page
-/// is judged as ink.
+/// `profile` or, without one, of the profile that the page says it was made with. A drawing that has no layers of a
+/// page is judged as ink.
 ///
 /// ```
 /// use tactograph::{Options, Profile};
@@ -58,7 +58,7 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
     let drawn = Drawn { document: &document, tree: &tree };
     let limits = |page: &Page| match profile {
         Some(profile) => Ok::<_, Error>(Plan::new(profile)?.limits()),
-        None => Ok(Plan::new(&Profile::of_page(page)?)?.limits()),
+        None => Ok(Plan::new(&Profile::of_page(&page.origin)?)?.limits()),
     };
     let empty = || {
         let corner = MmPoint::new(tree.size().width(), tree.size().height()) * MM_PER_CSS_PX;

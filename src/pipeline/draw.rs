@@ -281,7 +281,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
 }
 
 /// What is kept in the page of contours that are not drawn.
-fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
+pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
     let whole = |mm: f32| mm.max(0.0).round() as u32;
     let by_place = Some(lost.by_place.map(whole));
     LeftOut { millimetres: whole(lost.lost), of: whole(lost.wanted), by_place, shapes: shapes as u32 }

@@ -1,7 +1,7 @@
 //! A page that was read, made ready for its own paper or device, or drawn anew for another one.
 
 use super::areas;
-use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out};
+use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
 use super::given::HandLines;
 use super::label::{Label, Position};
 use super::progress::Watch;
@@ -170,13 +170,14 @@ pub(super) fn marks(
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     let drawn = draw_lines(Some(&edges), &layout, plan, watch);
     let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
-    let mut notes: Vec<Note> = left_out(&drawn, Some(&edges), &layout).into_iter().collect();
+    let left_out = left_out(&drawn.lost, small);
+    let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).into_iter().collect();
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let shares = classes.as_ref().map(Classes::shares);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
-    Ok(Marks { figure, overview, shares, layout, is_flat: false, texts: Vec::new(), notes })
+    Ok(Marks { figure, overview, shares, layout, is_flat: false, left_out, texts: Vec::new(), notes })
 }
 
 /// The labels of a page as they would be given, each at what it names.

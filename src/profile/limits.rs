@@ -1,13 +1,9 @@
-//! What a profile's pages must keep; and the profile of a page, from what the page says of how it was made.
+//! What a profile's pages must keep.
 
 use super::keys::Profile;
 use super::plan::Plan;
-use super::{built_in, keys};
 use crate::legibility::{Limits, MediumLimits};
-use crate::page::{MediumParams, Page};
-
-/// The entry of a page's origin that names its profile.
-const PROFILE: &str = "profile";
+use crate::page::MediumParams;
 
 impl Plan {
     /// The numbers that a page of this profile is held against.
@@ -35,30 +31,5 @@ impl Plan {
             cell: braille.cell,
             medium,
         }
-    }
-}
-
-impl Profile {
-    /// The profile that a page was made with, as the page itself says; of a page that says nothing, the default one.
-    ///
-    /// # Errors
-    /// [`Error::Profile`](crate::Error::Profile) if the page's values do not go together.
-    pub fn of_page(page: &Page) -> Result<Self, crate::Error> {
-        let value = |name: &str| page.origin.iter().find(|(of, _)| of == name).map(|(_, value)| value.as_str());
-        let named = value(PROFILE).and_then(|name| Self::named(name).ok());
-        let mut profile = match named {
-            Some(profile) => profile,
-            None => Self::named(built_in()[0].name)?,
-        };
-        for key in keys::KEYS {
-            if let Some(value) = value(key.path) {
-                profile.set(key.path, value)?;
-            }
-        }
-        if let Some(name) = value(PROFILE) {
-            name.clone_into(&mut profile.name);
-        }
-        profile.check()?;
-        Ok(profile)
     }
 }
