@@ -114,6 +114,7 @@ mod error;
 mod geom;
 mod labels;
 mod legibility;
+mod lettering;
 mod lines;
 mod note;
 mod output;
@@ -200,6 +201,9 @@ pub mod internals {
     }
     pub mod legibility {
         pub use crate::legibility::*;
+    }
+    pub mod lettering {
+        pub use crate::lettering::*;
     }
     pub mod lines {
         pub use crate::lines::*;

@@ -19,6 +19,13 @@ pub enum Note {
     },
     /// Texts of a drawing are left out, as letters are no lines that fingers can read; all of them.
     TextsLeftOut(Vec<String>),
+    /// Text in the pixels of the picture is left out; what it says is not known.
+    LetteringLeftOut {
+        /// How many lines of text there are.
+        texts: usize,
+        /// Where in the figure the largest of them is, in words.
+        place: &'static str,
+    },
     /// There is no braille code for the language of the words, so they are not written on the page.
     NoBrailleCode(String),
     /// The braille code lacks characters of a text, so they are left out of its braille.
@@ -93,6 +100,13 @@ impl std::fmt::Display for Note {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "text" } else { "texts" });
                 write!(f, "{count} {noun} left out, as fingers cannot read letters: {}", listed(texts))
             }
+            Self::LetteringLeftOut { texts: 1, place } => {
+                write!(f, "1 text left out, in the {place}, as fingers cannot read letters; --keep-text draws it")
+            }
+            Self::LetteringLeftOut { texts, place } => write!(
+                f,
+                "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; --keep-text draws them"
+            ),
             Self::NoBrailleCode(language) => {
                 let codes: Vec<&str> = Code::all().iter().map(|code| code.language).collect();
                 write!(

@@ -11,6 +11,7 @@ mod given;
 mod key;
 mod label;
 mod progress;
+mod read;
 mod redraw;
 mod request;
 pub mod sheets;
@@ -52,7 +53,8 @@ pub struct Drawing {
     pub overview: Option<Page>,
     /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
     pub key: Vec<Page>,
-    /// Texts of an SVG drawing, which are not drawn unless asked for, in the order in which they are painted.
+    /// Texts, which are not drawn unless asked for: those of an SVG drawing or a page of PDF in the order in which they
+    /// are painted, then those that were found in the pixels of the picture.
     pub texts: Vec<Text>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,

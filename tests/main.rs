@@ -14,6 +14,7 @@ mod dotted;
 mod gcode;
 mod golden;
 mod legibility;
+mod lettering;
 mod lines;
 mod metamorphic;
 mod pdf;

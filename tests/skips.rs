@@ -33,8 +33,8 @@ fn disc() -> DynamicImage {
 #[test]
 fn a_whole_page_skips_nothing() {
     let (drawing, ran, skipped) = run(&disc(), &[]);
-    use Stage::{Classes, Decode, Edges, Lines, Overview, Page, Textures};
-    assert_eq!(ran, [Decode, Edges, Lines, Overview, Classes, Textures, Page]);
+    use Stage::{Classes, Decode, Edges, Lines, Overview, Page, Text, Textures};
+    assert_eq!(ran, [Decode, Text, Edges, Lines, Overview, Classes, Textures, Page]);
     assert_eq!(skipped, []);
     assert_eq!(drawing.notes, []);
     assert_eq!(drawing.page.figure.lines.len(), 1, "a disc has one contour");
@@ -60,7 +60,7 @@ fn without_overview_its_lines_are_not_drawn() {
 #[test]
 fn with_textures_only_edges_are_not_looked_for() {
     let (drawing, ran, skipped) = run(&disc(), &[("figure.lines", "false"), ("overview", "false")]);
-    assert_eq!(ran, [Stage::Decode, Stage::Classes, Stage::Textures, Stage::Page]);
+    assert_eq!(ran, [Stage::Decode, Stage::Text, Stage::Classes, Stage::Textures, Stage::Page]);
     assert_eq!(skipped[0], (Stage::Edges, "neither the figure nor an overview has lines"));
     assert!(drawing.page.figure.lines.is_empty() && drawing.page.figure.textures.len() == 2);
 }

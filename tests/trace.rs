@@ -250,9 +250,10 @@ fn only_what_is_needed_is_done() {
     let disc = SMALL.png();
     assert_eq!(
         stages(&disc, Tracing::contours_at_full_resolution()),
-        (vec![Stage::Decode, Stage::Edges], vec![], vec![])
+        (vec![Stage::Decode, Stage::Text, Stage::Edges], vec![], vec![])
     );
-    assert_eq!(stages(&disc, Tracing::lines()), (vec![Stage::Decode, Stage::Edges, Stage::Lines], vec![], vec![]));
+    let to_lines = vec![Stage::Decode, Stage::Text, Stage::Edges, Stage::Lines];
+    assert_eq!(stages(&disc, Tracing::lines()), (to_lines, vec![], vec![]));
     let flat = png(Size::new(60, 40), |_, _| 90);
     let skipped = vec![(Stage::Edges, "the picture is of one colour")];
     for subject in all() {

@@ -166,8 +166,8 @@ impl Options {
         self
     }
 
-    /// Draws the letters of texts, as lines like any others; otherwise texts are left out, and told. For SVG drawings
-    /// and pages of PDF; letters that are paths are drawn in any case. Default: false.
+    /// Draws the letters of texts, as lines like any others; otherwise texts are left out, and told: those of SVG
+    /// drawings and pages of PDF, and what looks like text in the pixels of any picture. Default: false.
     pub fn keep_text(mut self, keep: bool) -> Self {
         self.fit.keep_text = keep;
         self

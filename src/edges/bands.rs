@@ -10,12 +10,12 @@ use pulp::Arch;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::gradient::Gradient;
-use super::lab;
 use super::maxima::MaximaFinder;
 use super::params::Params;
 use super::ridge::RidgePoint;
 use super::side_statistics::{self, Builder};
 use crate::raster::Raster;
+use crate::raster::lab;
 
 /// Bands per core: more than one, because bands with more edges take longer.
 const BANDS_PER_CORE: usize = 2;

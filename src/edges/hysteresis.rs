@@ -8,9 +8,10 @@ use super::contour::{Contour, ContourPoint};
 use super::params::Params;
 use super::ridge::RidgePoint;
 use super::side_statistics::SideStatistics;
-use super::{lab, strength};
+use super::strength;
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
+use crate::raster::lab;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};
 

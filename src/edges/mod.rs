@@ -30,7 +30,6 @@ mod gradient;
 mod grouping;
 mod hysteresis;
 mod junction;
-mod lab;
 mod maxima;
 mod noise;
 mod params;
@@ -103,6 +102,11 @@ fn find_contours(raster: &Raster, params: &Params, with_regions: bool) -> Edges 
     }
     edges.regions = tree;
     edges
+}
+
+/// Whether a picture is a drawing: mostly of flat areas, with little noise.
+pub fn is_drawing(raster: &Raster) -> bool {
+    stroke::is_drawing(raster, Noise::of(raster).pixel)
 }
 
 /// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in

@@ -3,9 +3,9 @@
 use pulp::Arch;
 
 use super::gradient::derivative;
-use super::lab;
 use super::params::Params;
 use crate::raster::Raster;
+use crate::raster::lab;
 use crate::raster::plane::gauss;
 
 /// Side of the tiles, px. Each tile gives one sample: the median of its values.

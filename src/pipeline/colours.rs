@@ -1,12 +1,14 @@
 //! The way from bytes to sorted colours: as for a page, but no further.
 
 use super::draw::{find_edges, sort_colours, working_size};
-use super::progress::{Stage, Watch, run};
+use super::progress::Watch;
+use super::read::read;
 use super::request::Request;
 use crate::Error;
 use crate::classes::{self, Classes};
+use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::decode::{self, Source};
+use crate::raster::decode::Source;
 use crate::units::MmRect;
 
 /// The colours of a picture, sorted.
@@ -27,7 +29,7 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let fit = &request.fit;
     let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);
     let options = request.decoding(&working_size);
-    let picture = run(watch, Stage::Decode, || decode::decode(picture, &options))?;
+    let picture = read(Picture::file(picture), &options, watch)?;
     let layout = fit.layout(picture.source.size, plan)?;
     let is_flat = picture.raster.is_flat();
     let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, false, watch);

@@ -3,8 +3,9 @@
 use super::dots;
 use super::given::{Given, SAME_SHAPE, erase, is_in, with_room};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
+use super::read::read;
 use super::request::{Fit, Request};
-use super::texts::{Text, placed};
+use super::texts::{self, Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges};
 use crate::lines::{self, Line, Lines, Lost, Outlines};
@@ -13,7 +14,7 @@ use crate::page::{Figure, LeftOut, Medium, Texture};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Source};
+use crate::raster::decode::Source;
 use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
@@ -61,14 +62,11 @@ pub(super) fn draw(
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
-    let picture = run(watch, Stage::Decode, || decode::decode_picture(picture, &options))?;
+    let picture = read(picture, &options, watch)?;
     let layout = layout_of(picture.source.size)?;
     let mut notes = picture.notes;
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
-    let unread: Vec<_> = texts.iter().filter(|text| !text.hidden).map(|text| text.string.clone()).collect();
-    if !unread.is_empty() {
-        notes.push(Note::TextsLeftOut(unread));
-    }
+    notes.extend(texts::left_out(&texts, layout.figure));
 
     let is_flat = picture.raster.is_flat();
     request.go_on()?;

@@ -9,6 +9,8 @@ use std::sync::Mutex;
 pub enum Stage {
     /// Bytes to pixels.
     Decode,
+    /// Text in the pixels is found, and left out.
+    Text,
     /// Pixels to contours.
     Edges,
     /// Contours to lines in millimetres.
@@ -30,6 +32,7 @@ impl Stage {
     pub fn name(self) -> &'static str {
         match self {
             Self::Decode => "decode",
+            Self::Text => "text",
             Self::Edges => "edges",
             Self::Lines => "lines",
             Self::Overview => "overview",

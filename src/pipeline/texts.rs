@@ -1,5 +1,7 @@
 //! Texts of a picture that are not drawn, on the sheet.
 
+use crate::Note;
+use crate::geom::ninths;
 use crate::raster::vector::DrawnText;
 use crate::units::{MmRect, PageTransform};
 
@@ -7,17 +9,24 @@ use crate::units::{MmRect, PageTransform};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Text {
-    /// Its letters, without line breaks.
+    /// Its letters, without line breaks; empty where they are pixels, and nobody knows what they say.
     pub string: String,
     /// The box around it, mm on the sheet.
     pub place: MmRect,
     /// Direction in which it is read, degrees counter-clockwise from left to right.
     pub angle: f32,
-    /// Size of its font, mm.
+    /// Size of its font, mm; of letters in pixels 1.6 times their height.
     pub size: f32,
     /// Whether it is not painted, as the words that lie behind a scanned page are not: its letters are a part of the
     /// picture, if they are seen at all.
     pub hidden: bool,
+}
+
+impl Text {
+    /// Whether it is seen in the picture, and known what it says.
+    pub(super) fn is_read(&self) -> bool {
+        !self.hidden && !self.string.is_empty()
+    }
 }
 
 /// Texts where they stand on the sheet.
@@ -30,4 +39,17 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
         hidden: text.hidden,
     };
     texts.iter().map(placed).collect()
+}
+
+/// What the maker is told of texts that are not drawn in a figure.
+pub(super) fn left_out(texts: &[Text], figure: MmRect) -> Vec<Note> {
+    let seen = || texts.iter().filter(|text| !text.hidden);
+    let known: Vec<String> = seen().map(|text| text.string.clone()).filter(|string| !string.is_empty()).collect();
+    let unknown = || seen().filter(|text| text.string.is_empty());
+    let largest = unknown().max_by(|a, b| a.size.total_cmp(&b.size));
+    let told = largest.map(|largest| Note::LetteringLeftOut {
+        texts: unknown().count(),
+        place: ninths::NAMES[ninths::ninth(largest.place.center(), figure)],
+    });
+    (!known.is_empty()).then_some(Note::TextsLeftOut(known)).into_iter().chain(told).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::draw::{draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::progress::{Event, Stage, Watch, run};
+use super::read::read;
 use super::request::{Fit, Request};
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
@@ -9,7 +10,7 @@ use crate::page::layout::Layout;
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Source};
+use crate::raster::decode::Source;
 use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::{Error, Note};
@@ -102,7 +103,7 @@ pub fn trace<'p>(
         }
     };
     let options = request.decoding(&working_size);
-    let picture = run(watch, Stage::Decode, || decode::decode_picture(picture.into(), &options))?;
+    let picture = read(picture.into(), &options, watch)?;
     let (raster, drawing, source, mut notes) = (picture.raster, picture.drawing, picture.source.size, picture.notes);
 
     let layout = fit.layout(source, plan)?;

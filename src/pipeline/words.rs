@@ -116,7 +116,7 @@ impl<'a> Written<'a> {
         if let (Some(title), None) = (&self.title, &title) {
             notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
         }
-        let no_texts = words.own_texts && texts.iter().all(|text| text.hidden);
+        let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
         notes.extend(no_texts.then_some(Note::NoTexts));
         let (wanted, mut left_out) = wanted(texts, words, figure);
         let Some(translator) = &self.translator else {
@@ -210,7 +210,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
             None => outside.push(label.text.clone()),
         }
     }
-    let own = texts.iter().filter(|text| words.own_texts && !text.hidden);
+    let own = texts.iter().filter(|text| words.own_texts && text.is_read());
     wanted.extend(own.map(|text| Wanted { text: text.string.clone(), anchor: text.place }));
     (wanted, outside)
 }

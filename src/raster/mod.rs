@@ -2,8 +2,10 @@
 
 pub mod crop;
 pub mod decode;
+pub mod lab;
 pub mod plane;
 mod planes;
+pub mod residue;
 pub mod shrink;
 pub mod vector;
 

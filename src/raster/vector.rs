@@ -26,7 +26,7 @@ pub struct PaintedPath {
 /// A text of a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnText {
-    /// Its letters, without line breaks.
+    /// Its letters, without line breaks; empty where they are not known.
     pub string: String,
     /// Top left corner of the box around it.
     pub min: PxPoint,

@@ -15,9 +15,9 @@ fn timings_are_told_for_every_stage() {
     let stages = rows.iter().map(|row| row[0]).collect::<Vec<_>>();
     let mut sorted = stages.clone();
     sorted.sort_unstable();
-    let all = ["classes", "decode", "edges", "lines", "overview", "page", "read", "textures", "total", "write"];
+    let all = ["classes", "decode", "edges", "lines", "overview", "page", "read", "text", "textures", "total", "write"];
     assert_eq!(sorted, all, "{}", run.err);
-    assert_eq!((stages[0], stages[9]), ("read", "total"));
+    assert_eq!((stages[0], stages[10]), ("read", "total"));
     for row in &rows {
         match row[..] {
             [_, "skipped:", ..] => assert!(row.len() > 2, "no reason: {row:?}"),

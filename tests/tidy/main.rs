@@ -24,7 +24,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("geom", &["units"]),
     ("devices", &["units"]), // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
-    ("regions", &["units", "geom", "raster"]), // knows traces, not how they are found
+    ("lettering", &["units", "geom", "raster"]), // text in pixels; the picture without it
+    ("regions", &["units", "geom", "raster"]),   // knows traces, not how they are found
     ("edges", &["units", "geom", "raster", "regions"]),
     ("classes", &["units", "geom", "raster"]),
     ("lines", &["units", "geom", "raster", "regions", "edges"]),
@@ -71,8 +72,24 @@ const MAY_USE: &[(&str, &[&str])] = &[
     (
         "pipeline",
         &[
-            "units", "geom", "braille", "raster", "regions", "edges", "classes", "lines", "textures", "devices",
-            "dots", "page", "labels", "contours", "touch", "profile", "picture",
+            "units",
+            "geom",
+            "braille",
+            "raster",
+            "lettering",
+            "regions",
+            "edges",
+            "classes",
+            "lines",
+            "textures",
+            "devices",
+            "dots",
+            "page",
+            "labels",
+            "contours",
+            "touch",
+            "profile",
+            "picture",
         ],
     ),
     // The face: profiles checked, the pipeline run, pages handed to their writers.

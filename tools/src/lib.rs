@@ -1,6 +1,8 @@
 //! What the measuring programs share with one another and with the project's tests.
 
 pub mod cjpeg;
+pub mod cores;
+pub mod drawn;
 pub mod near;
 pub mod photo;
 pub mod plot;

@@ -59,8 +59,8 @@ pub(in crate::cli) struct Fitting {
 
     /// Draws the letters of texts, too
     ///
-    /// Fingers cannot read letters, so texts of SVG drawings and of PDF pages are left out and listed. Letters that
-    /// were turned into paths are drawn like all other paths.
+    /// Fingers cannot read letters, so texts of SVG drawings and of PDF pages are left out and listed, and so are rows
+    /// of letters in the pixels of any picture. With this they are drawn like all else.
     #[arg(long, hide_short_help = true)]
     keep_text: bool,
 }

@@ -4,10 +4,10 @@ use pulp::Arch;
 
 use super::proposal::{Confirmed, Proposal, Stretch, stretches};
 use crate::edges::edgel::Edgel;
-use crate::edges::lab;
 use crate::edges::params::Params;
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
+use crate::raster::lab;
 use crate::units::{PxPoint, PxVector, Size};
 
 /// Distance from an outline at which the two sides are compared, px: an edge is spread over a pixel by rendering and

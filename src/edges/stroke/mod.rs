@@ -14,7 +14,6 @@
 
 mod arms;
 mod centre;
-mod residue;
 mod skeleton;
 
 use pulp::Arch;
@@ -22,13 +21,13 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 pub(super) use self::centre::Stroke;
 use self::centre::WIDEST;
-use self::residue::{Polarity, residue, square_max};
 use self::skeleton::{Mask, Node, Path};
-use super::lab;
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
 use crate::raster::Raster;
+use crate::raster::lab;
 use crate::raster::plane::Plane;
+use crate::raster::residue::{Polarity, residue, square_max};
 use crate::units::{PxPoint, Size};
 
 /// A picture with more noise than this standard deviation of a pixel, in units of strength, is taken for a photograph.

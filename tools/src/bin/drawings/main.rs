@@ -18,17 +18,15 @@
 //! and the middle of strokes.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
-mod measure;
 mod scenes;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
-use measure::{Shares, shares};
 use scenes::{Kind, Point, Scene};
 use tactograph::{Line, Options, Profile, Run};
+use tactograph_tools::cores::on_all_cores;
+use tactograph_tools::drawn::{Shares, shares};
 
 /// Widths of strokes, in units of the drawing.
 const STROKES: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 6.0];
@@ -214,27 +212,6 @@ fn png(svg: &str) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
         resvg::tiny_skia::Pixmap::new(side(size.width()), side(size.height())).ok_or("the drawing has no size")?;
     resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(scale, scale), &mut canvas.as_mut());
     Ok(canvas.encode_png()?)
-}
-
-/// Does the work for all tasks, in their order; each core takes the next one that is left.
-fn on_all_cores<T: Sync, R: Send>(tasks: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let next = AtomicUsize::new(0);
-    let done = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
-            scope.spawn(|| {
-                while let Some((index, task)) =
-                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|i| Some((i, tasks.get(i)?)))
-                {
-                    let result = work(task);
-                    done.lock().expect("no thread panics while it holds the results").push((index, result));
-                }
-            });
-        }
-    });
-    let mut done = done.into_inner().expect("all threads are done");
-    done.sort_by_key(|(index, _)| *index);
-    done.into_iter().map(|(_, result)| result).collect()
 }
 
 fn table(measured: &[(Task, Shares)]) -> String {

@@ -11,7 +11,7 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::raster::Raster;
+use super::Raster;
 
 /// Weight of a difference of chroma, relative to one of lightness.
 const CHROMA: f32 = 2.0;
@@ -24,20 +24,20 @@ const TO_XYZ: [[f32; 3]; 3] = [
 ];
 
 /// Number of planes that [`row`] fills: L, and for colour pictures also 2a and 2b.
-pub(super) fn planes(raster: &Raster) -> usize {
+pub fn planes(raster: &Raster) -> usize {
     raster.planes().as_slice().len()
 }
 
 /// Writes row `y` of L (0..=100) and, for colour pictures, of 2a and 2b. The rows of `lab` are at least as long as the
 /// picture is wide.
-pub(super) fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
+pub fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     let width = raster.size().width as usize;
     let row = raster.planes().as_ref().map(|plane| &plane[y * width..][..width]);
     convert(arch, row.as_slice(), lab);
 }
 
 /// [`row`] for any pixels: one slice per plane, in linear light, all equally long. Those of `lab` are at least as long.
-pub(super) fn convert(arch: Arch, from: &[&[f32]], lab: &mut [Vec<f32>]) {
+pub fn convert(arch: Arch, from: &[&[f32]], lab: &mut [Vec<f32>]) {
     match (from, lab) {
         ([grey], [l]) => arch.dispatch(GreyRow { from: grey, to: &mut l[..grey.len()] }),
         ([red, green, blue], [l, a, b]) => {
@@ -83,7 +83,7 @@ impl WithSimd for ColourRow<'_> {
 
 /// L, 2a and 2b of a colour in linear light.
 #[inline(always)]
-pub(super) fn colour([r, g, b]: [f32; 3]) -> [f32; 3] {
+pub fn colour([r, g, b]: [f32; 3]) -> [f32; 3] {
     let [to_x, to_y, to_z] = &TO_XYZ;
     let x = to_x[0] * r + to_x[1] * g + to_x[2] * b;
     let y = to_y[0] * r + to_y[1] * g + to_y[2] * b;

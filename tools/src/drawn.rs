@@ -1,30 +1,32 @@
-//! How much of a drawing's contours is on its page, and how much on the page is no contour of the drawing.
+//! How much of some lines lies near to others: how much of a drawing's contours is on its page, and how much on the page
+//! is no contour of the drawing.
 
-use crate::scenes::Point;
+/// A point of a line, mm.
+pub type Point = [f64; 2];
 
 /// A contour counts as drawn where a line lies this near, mm: half the width of a line, where its ink still covers it.
-pub(crate) const NEAR_MM: f64 = 0.7;
+pub const NEAR_MM: f64 = 0.7;
 /// Contours and lines are looked at in steps of this, mm.
 const STEP_MM: f64 = 0.2;
 
 /// Shares of one page.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Shares {
+pub struct Shares {
     /// Of the true contours' length, what has a line within [`NEAR_MM`]; 0..=1.
-    pub(crate) drawn: f64,
+    pub drawn: f64,
     /// Of the lines' length, what has no true contour within [`NEAR_MM`]; 0..=1, and 0 where there are no lines.
-    pub(crate) beside: f64,
+    pub beside: f64,
 }
 
 /// Compares polylines on the page with the true ones, all in millimetres of the sheet.
-pub(crate) fn shares(truth: &[Vec<Point>], lines: &[Vec<Point>]) -> Shares {
+pub fn shares(truth: &[Vec<Point>], lines: &[Vec<Point>]) -> Shares {
     let drawn = share_near(truth, lines).unwrap_or(1.0);
     let beside = share_near(lines, truth).map_or(0.0, |near| 1.0 - near);
     Shares { drawn, beside }
 }
 
 /// Share of the length of `these` that lies near to `those`. None if these have no length.
-fn share_near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Option<f64> {
+pub fn share_near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Option<f64> {
     let segments: Vec<[Point; 2]> =
         those.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect();
     let (mut near, mut all) = (0.0, 0.0);
@@ -41,6 +43,12 @@ fn share_near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Option<f64> {
         }
     }
     (all > 0.0).then(|| near / all)
+}
+
+/// The pieces of these lines that lie near to those.
+pub fn near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Vec<Vec<Point>> {
+    let pieces = these.iter().flat_map(|line| line.windows(2)).map(<[Point]>::to_vec);
+    pieces.filter(|piece| share_near(std::slice::from_ref(piece), those).is_some_and(|near| near > 0.5)).collect()
 }
 
 fn is_near(at: Point, [a, b]: &[Point; 2]) -> bool {

@@ -1,0 +1,111 @@
+//! Letters one after the other: chains of things that are alike in height, stroke and colour, along a direction.
+
+use super::glyph::{Glyph, Point};
+
+/// Two letters of a text: the higher one is at most so much higher (j beside x).
+const HEIGHTS: f32 = 2.3;
+/// ... strokes at most so much wider; at small sizes a stroke's width is uncertain by a pixel.
+const STROKES: f32 = 1.7;
+const STROKE_UNSURE: f32 = 0.8;
+/// ... contrast at most so much less.
+const CONTRASTS: f32 = 0.6;
+/// ... colours at most so far apart, in contrasts.
+const COLOURS: f32 = 0.5;
+/// ... with a gap of at most so many heights of the higher one.
+const GAP: f32 = 1.0;
+/// ... and overlap at least so much of the lower one across the direction.
+const OVERLAP: f32 = 0.5;
+
+/// A letter as it lies along a direction: from where to where along it and across it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Placed {
+    /// Which of the glyphs it is.
+    pub(super) of: usize,
+    /// From where to where it reaches in the direction of the text, px.
+    pub(super) along: [f32; 2],
+    /// ... and across it, downwards.
+    pub(super) across: [f32; 2],
+}
+
+impl Placed {
+    pub(super) fn height(&self) -> f32 {
+        self.across[1] - self.across[0]
+    }
+
+    pub(super) fn width(&self) -> f32 {
+        self.along[1] - self.along[0]
+    }
+}
+
+/// The direction at an angle, and the one across it, downwards for text that is read from left to right.
+pub(super) fn axes(angle: f32) -> [Point; 2] {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    [[cos, -sin], [sin, cos]]
+}
+
+/// Letters as they lie at an angle (degrees counter-clockwise), in the order along it.
+pub(super) fn placed(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Placed> {
+    let [along, across] = axes(angle);
+    let place = |&of: &usize| Placed { of, along: glyphs[of].reach(along), across: glyphs[of].reach(across) };
+    let mut placed: Vec<Placed> = which.iter().map(place).collect();
+    placed.sort_by(|a, b| a.along[0].total_cmp(&b.along[0]).then(a.across[0].total_cmp(&b.across[0])));
+    placed
+}
+
+/// How far apart two colours are.
+pub(super) fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>().sqrt()
+}
+
+/// Whether two glyphs are alike enough for one text, but for their heights.
+fn alike(a: &Glyph, b: &Glyph) -> bool {
+    let (thin, wide) = (a.stroke.min(b.stroke), a.stroke.max(b.stroke));
+    let (weak, strong) = (a.contrast.min(b.contrast), a.contrast.max(b.contrast));
+    let distance = distance(a.colour, b.colour);
+    wide <= STROKES * thin + STROKE_UNSURE && weak >= CONTRASTS * strong && distance <= COLOURS * strong
+}
+
+/// Whether `b` can follow `a` in a text.
+fn follows(a: &Placed, b: &Placed) -> bool {
+    let (low, high) = (a.height().min(b.height()), a.height().max(b.height()));
+    let overlap = a.across[1].min(b.across[1]) - a.across[0].max(b.across[0]);
+    let apart = b.along[0] - a.along[1];
+    high <= HEIGHTS * low
+        && overlap >= OVERLAP * low
+        && apart <= GAP * high
+        && apart >= -0.5 * high
+        && 0.5 * (b.along[0] + b.along[1]) > 0.5 * (a.along[0] + a.along[1])
+}
+
+/// Chains at an angle, of at least two.
+pub(super) fn chains(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Vec<Placed>> {
+    let placed = placed(glyphs, which, angle);
+    // the nearest that can follow each, and the nearest that each can follow
+    let mut next: Vec<Option<(f32, usize)>> = vec![None; placed.len()];
+    let mut before = next.clone();
+    for (i, a) in placed.iter().enumerate() {
+        for (j, b) in placed.iter().enumerate().skip(i + 1) {
+            if b.along[0] > a.along[1] + GAP * HEIGHTS * a.height() {
+                break;
+            }
+            if follows(a, b) && alike(&glyphs[a.of], &glyphs[b.of]) {
+                let off = 0.5 * ((b.across[0] + b.across[1]) - (a.across[0] + a.across[1])).abs();
+                let apart = (b.along[0] - a.along[1]).max(0.0) + off;
+                let is_nearer = |known: Option<(f32, usize)>| known.is_none_or(|(least, _)| apart < least);
+                if is_nearer(next[i]) {
+                    next[i] = Some((apart, j));
+                }
+                if is_nearer(before[j]) {
+                    before[j] = Some((apart, i));
+                }
+            }
+        }
+    }
+    let after = |i: usize| next[i].map(|(_, j)| j).filter(|&j| before[j].is_some_and(|(_, of)| of == i));
+    let is_start = |i: usize| before[i].is_none_or(|(_, of)| after(of) != Some(i));
+    let mut chains = Vec::new();
+    for start in (0..placed.len()).filter(|&i| is_start(i) && after(i).is_some()) {
+        chains.push(std::iter::successors(Some(start), |&i| after(i)).map(|i| placed[i]).collect());
+    }
+    chains
+}

@@ -1,0 +1,212 @@
+//! Things that may be letters: connected parts that are thin and stand out from what is around them.
+//!
+//! A top-hat transform leaves what a square does not fit into, lighter or darker than its ground, whatever the ground
+//! is. Half of the largest contrast nearby is where the edge of a smoothed letter lies, so that letters a pixel apart
+//! do not run together.
+
+use crate::geom::components::{self, Connectivity};
+use crate::raster::plane::Plane;
+use crate::raster::residue::{Polarity, residue, square_max};
+
+/// Half side of the square that strokes of letters are narrower than, px.
+const RADIUS: usize = 6;
+/// A pixel belongs to a stroke if its contrast is at least this share of the largest within [`LOCAL`] px: half, where
+/// the edge of a smoothed letter is.
+const SHARE: f32 = 0.5;
+const LOCAL: usize = 3;
+/// A point or a direction, px from the top left corner.
+pub(super) type Point = [f32; 2];
+
+/// Largest letter, px.
+pub(super) const LARGEST: usize = 72;
+/// Longest word of letters that touch one another, px.
+const LONGEST: usize = 260;
+/// A part of fewer pixels is a dot at most.
+const LEAST_AREA: usize = 5;
+/// A part that fills less of its convex hull than this is no bar and no dot.
+const SOLID: f32 = 0.82;
+/// A part whose hull is so much wider than its stroke is no bar.
+const BAR: f32 = 1.5;
+/// Where a letter has its full colour: at this share of the largest contrast within [`LOCAL`] px.
+const CORE: f32 = 0.85;
+
+/// A connected part of a picture.
+#[derive(Debug, Clone)]
+pub(super) struct Glyph {
+    /// Its pixels.
+    pub(super) cells: Vec<usize>,
+    /// Corners of its convex hull, px.
+    pub(super) hull: Vec<Point>,
+    /// First column and row.
+    pub(super) min: [usize; 2],
+    /// Last column and row.
+    pub(super) max: [usize; 2],
+    /// Mean contrast with the ground, where it is greatest.
+    pub(super) contrast: f32,
+    /// Mean colour there: lightness and twice a and b.
+    pub(super) colour: [f32; 3],
+    /// Width of its stroke, px.
+    pub(super) stroke: f32,
+    /// Share of its convex hull that it fills.
+    pub(super) solidity: f32,
+    /// Least width of its convex hull, px.
+    pub(super) breadth: f32,
+    /// Standard deviation of its colour there, in contrasts.
+    pub(super) unevenness: f32,
+    /// Whether it is large enough for a letter; dots are not.
+    pub(super) is_letter: bool,
+}
+
+impl Glyph {
+    /// The larger side of its box.
+    pub(super) fn side(&self) -> f32 {
+        [0, 1].map(|axis| (self.max[axis] + 1 - self.min[axis]) as f32).into_iter().fold(0.0, f32::max)
+    }
+
+    /// Whether it has the shape of a bar or a dot.
+    pub(super) fn is_solid(&self) -> bool {
+        self.solidity >= SOLID || self.breadth <= BAR * self.stroke + 1.0
+    }
+
+    /// How far it reaches along a direction.
+    pub(super) fn reach(&self, direction: Point) -> [f32; 2] {
+        self.hull.iter().fold([f32::MAX, f32::MIN], |[low, high], at| {
+            let along = at[0] * direction[0] + at[1] * direction[1];
+            [low.min(along), high.max(along)]
+        })
+    }
+}
+
+/// What is thin in a plane, and darker or lighter than its ground; none if nothing has this contrast.
+pub(super) fn thin(plane: &Plane, polarity: Polarity, least: f32) -> Option<Thin> {
+    let contrast = residue(plane, RADIUS, polarity);
+    if contrast.values.iter().all(|value| *value < least) {
+        return None;
+    }
+    let most = square_max(&contrast.values, plane.size, LOCAL);
+    let share = |share: f32| -> Vec<bool> {
+        contrast.values.iter().zip(&most).map(|(value, most)| *value >= least.max(share * most)).collect()
+    };
+    Some(Thin { set: share(SHARE), core: share(CORE), contrast })
+}
+
+/// What is thin in a plane.
+pub(super) struct Thin {
+    /// Whether each pixel belongs to something thin.
+    pub(super) set: Vec<bool>,
+    /// ... and has its full contrast.
+    core: Vec<bool>,
+    /// The contrast of each pixel with its ground.
+    pub(super) contrast: Plane,
+}
+
+/// The connected parts of what is thin, but for those that are too large.
+pub(super) fn glyphs(thin: &Thin, plane: &Plane, planes: &[Plane]) -> Vec<Glyph> {
+    let (set, contrast) = (&thin.set[..], &thin.contrast);
+    let size = contrast.size;
+    let width = size.width as usize;
+    let parts = components::of_labels(set, size, Connectivity::Eight);
+    let mut found = Vec::new();
+    for cells in parts.iter().filter(|cells| set[cells[0]]) {
+        if cells.len() > LARGEST * LONGEST {
+            continue;
+        }
+        let (mut min, mut max) = ([usize::MAX; 2], [0; 2]);
+        for &cell in cells {
+            for (axis, at) in [cell % width, cell / width].into_iter().enumerate() {
+                (min[axis], max[axis]) = (min[axis].min(at), max[axis].max(at));
+            }
+        }
+        let sides = [0, 1].map(|axis| max[axis] + 1 - min[axis]);
+        if sides[0].max(sides[1]) > LONGEST || sides[0].min(sides[1]) > LARGEST {
+            continue;
+        }
+        found.push(glyph(cells, min, max, thin, plane, planes));
+    }
+    found
+}
+
+fn glyph(cells: &[usize], min: [usize; 2], max: [usize; 2], thin: &Thin, plane: &Plane, planes: &[Plane]) -> Glyph {
+    let (set, contrast) = (&thin.set[..], &thin.contrast);
+    let size = contrast.size;
+    let (width, height) = (size.width as usize, size.height as usize);
+    let count = cells.len() as f32;
+    // sides of pixels at its border, along x and along y
+    let mut borders = 0;
+    let mut rows = vec![[usize::MAX, 0]; max[1] + 1 - min[1]];
+    for &cell in cells {
+        let (x, y) = (cell % width, cell / width);
+        borders += usize::from(x == 0 || !set[cell - 1]) + usize::from(x + 1 == width || !set[cell + 1]);
+        borders += usize::from(y == 0 || !set[cell - width]) + usize::from(y + 1 == height || !set[cell + width]);
+        let [low, high] = &mut rows[y - min[1]];
+        (*low, *high) = ((*low).min(x), (*high).max(x + 1));
+    }
+    let hull = hull(&rows, min[1]);
+    let hull_area = area(&hull).max(count);
+    // Sides of pixels overstate a border that runs aslant: by 4 / pi on average. A stroke has two borders.
+    let perimeter = borders as f32 * std::f32::consts::FRAC_PI_4;
+    let sides = [0, 1].map(|axis| max[axis] + 1 - min[axis]);
+    let core: Vec<usize> = cells.iter().copied().filter(|&cell| thin.core[cell]).collect();
+    let mut colour = [0.0; 3];
+    let of_core = |plane: &Plane| core.iter().map(|&cell| plane.values[cell]).sum::<f32>() / core.len() as f32;
+    colour.iter_mut().zip(planes).for_each(|(colour, plane)| *colour = of_core(plane));
+    let middle = of_core(plane);
+    let variance = core.iter().map(|&cell| (plane.values[cell] - middle).powi(2)).sum::<f32>() / core.len() as f32;
+    Glyph {
+        cells: cells.to_vec(),
+        min,
+        max,
+        contrast: of_core(contrast),
+        unevenness: variance.sqrt() / of_core(contrast),
+        breadth: breadth(&hull),
+        colour,
+        stroke: 2.0 * count / perimeter.max(1.0),
+        solidity: count / hull_area,
+        is_letter: cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= 4,
+        hull,
+    }
+}
+
+/// Convex hull of rows of pixels (Andrew 1979), each from its first column to behind its last.
+fn hull(rows: &[[usize; 2]], top: usize) -> Vec<Point> {
+    let mut points: Vec<Point> = Vec::new();
+    for (row, [low, high]) in rows.iter().enumerate().filter(|(_, [low, high])| low < high) {
+        let y = (top + row) as f32;
+        points.extend([[*low as f32, y], [*high as f32, y], [*low as f32, y + 1.0], [*high as f32, y + 1.0]]);
+    }
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.dedup();
+    let half = |points: &mut dyn Iterator<Item = Point>| {
+        let mut chain: Vec<Point> = Vec::new();
+        for at in points {
+            while let [.., a, b] = chain[..] {
+                if (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0]) > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(at);
+        }
+        chain.pop();
+        chain
+    };
+    let mut all = half(&mut points.iter().copied());
+    all.extend(half(&mut points.iter().rev().copied()));
+    all
+}
+
+fn area(corners: &[Point]) -> f32 {
+    let next = corners.iter().cycle().skip(1);
+    0.5 * corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f32>().abs()
+}
+
+/// Least width of a convex polygon: across one of its sides.
+fn breadth(corners: &[Point]) -> f32 {
+    let next = corners.iter().cycle().skip(1);
+    let across = |(a, b): (&Point, &Point)| {
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = dx.hypot(dy);
+        corners.iter().map(|at| ((at[0] - a[0]) * dy - (at[1] - a[1]) * dx).abs() / length).fold(0.0, f32::max)
+    };
+    corners.iter().zip(next).map(across).fold(f32::MAX, f32::min)
+}

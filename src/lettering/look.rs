@@ -1,0 +1,152 @@
+//! One plane of a picture, looked at for text that is darker or lighter than its ground.
+
+use super::area::each_cell;
+use super::chain::{axes, chains, distance, placed};
+use super::glyph::{Glyph, Thin, glyphs, thin};
+use super::line::{Strictness, TextLine, line, median};
+use crate::raster::plane::Plane;
+use crate::raster::residue::Polarity;
+
+/// A letter has at least this contrast, in units of strength: a line is drawn from about 10 on.
+const LEAST_CONTRAST: f32 = 10.0;
+/// In a photograph only what has this contrast, and is no less even, may be a letter.
+const CONTRAST_IN_PHOTOGRAPH: f32 = 20.0;
+const UNEVEN: f32 = 0.16;
+/// Steps in which directions are tried, degrees: letters of a chain are straightened, so they need not be found at
+/// their very angle.
+const STEP: f32 = 7.5;
+/// A line may lie at most so much off the angle at which it was found, degrees.
+const OFF: f32 = 8.0;
+/// Least share of letters that stand on a line that is aslant.
+const ALIGNED_ASLANT: f32 = 0.75;
+/// Directions in which short labels are looked for are those of others, the first of them.
+const MOST_ANGLES: usize = 6;
+
+/// What is thin in a plane, and what of it may be letters.
+pub(super) struct Look {
+    pub(super) thin: Thin,
+    glyphs: Vec<Glyph>,
+    letters: Vec<usize>,
+    strict: Strictness,
+}
+
+impl Look {
+    /// Of a plane among those of a picture; none if nothing thin is in it.
+    pub(super) fn new(plane: &Plane, polarity: Polarity, planes: &[Plane], strict: Strictness) -> Option<Self> {
+        let thin = thin(plane, polarity, LEAST_CONTRAST)?;
+        let glyphs = glyphs(&thin, plane, planes);
+        let is_clear = |glyph: &Glyph| {
+            strict == Strictness::Drawing || glyph.contrast >= CONTRAST_IN_PHOTOGRAPH && glyph.unevenness <= UNEVEN
+        };
+        let letters = (0..glyphs.len()).filter(|&i| glyphs[i].is_letter && is_clear(&glyphs[i])).collect();
+        Some(Self { thin, glyphs, letters, strict })
+    }
+
+    /// Lines of text: first those that lie level, then those that stand upright, then those aslant.
+    pub(super) fn lines(&self, planes: &[Plane]) -> Vec<TextLine> {
+        let mut left = self.letters.clone();
+        let mut lines: Vec<TextLine> = Vec::new();
+        let aslant = (1..12).map(|step| STEP * step as f32).flat_map(|angle| [(angle, 4), (-angle, 4)]);
+        for (angle, least) in [(0.0, 1), (90.0, 3), (-90.0, 3)].into_iter().chain(aslant) {
+            if left.len() < least {
+                continue;
+            }
+            let mut used = vec![false; self.glyphs.len()];
+            for chain in chains(&self.glyphs, &left, angle) {
+                let Some(line) = line(&self.glyphs, &chain, angle, self.width()) else { continue };
+                let fits = line.letters.len() >= least
+                    && (line.angle - angle).abs() <= OFF
+                    && (least == 1 || line.is_aligned(ALIGNED_ASLANT));
+                if fits && self.is_text(&line, self.strict, planes) {
+                    line.letters.iter().for_each(|letter| used[letter.of] = true);
+                    lines.push(line);
+                }
+            }
+            left.retain(|&i| !used[i]);
+        }
+        lines
+    }
+
+    /// Short labels, down to a single digit, in the style of others.
+    pub(super) fn in_style(&self, planes: &[Plane], others: &[TextLine]) -> Vec<TextLine> {
+        let mut angles: Vec<f32> = Vec::new();
+        for other in others {
+            if !angles.iter().any(|angle| (angle - other.angle).abs() < 2.0) {
+                angles.push(other.angle);
+            }
+        }
+        let mut lines = Vec::new();
+        for angle in angles.into_iter().take(MOST_ANGLES) {
+            let mut chains = chains(&self.glyphs, &self.letters, angle);
+            chains.extend(placed(&self.glyphs, &self.letters, angle).into_iter().map(|one| vec![one]));
+            for chain in chains {
+                let Some(line) = line(&self.glyphs, &chain, angle, self.width()) else { continue };
+                let mut like = others.iter().filter(|other| line.is_styled_as(other));
+                let is_like = match line.letters.len() {
+                    1 => like.any(|other| line.is_in_row_with(other)),
+                    _ => like.next().is_some(),
+                };
+                if is_like && (line.angle - angle).abs() <= OFF && self.is_text(&line, Strictness::Context, planes) {
+                    lines.push(line);
+                }
+            }
+        }
+        lines.sort_by(|a, b| b.score.total_cmp(&a.score));
+        lines
+    }
+
+    /// The pixels of a line's letters, and of the dots between and above them.
+    pub(super) fn cells(&self, line: &TextLine) -> Vec<usize> {
+        let [along, across] = axes(line.angle);
+        let margin = 0.25 * line.height;
+        let is_letter = |i: usize| line.letters.iter().any(|letter| letter.of == i);
+        let is_inside = |glyph: &Glyph| {
+            let (u, v) = (glyph.reach(along), glyph.reach(across));
+            u[0] >= line.along[0] - margin
+                && u[1] <= line.along[1] + 2.0 * margin
+                && v[0] >= line.across[0] - 1.5 * margin
+                && v[1] <= line.across[1] + margin
+        };
+        let own = self.glyphs.iter().enumerate().filter(|(i, glyph)| is_letter(*i) || is_inside(glyph));
+        own.flat_map(|(_, glyph)| glyph.cells.iter().copied()).collect()
+    }
+
+    fn width(&self) -> usize {
+        self.thin.contrast.size.width as usize
+    }
+
+    fn is_text(&self, line: &TextLine, strict: Strictness, planes: &[Plane]) -> bool {
+        // what costs more comes last
+        line.is_text(strict, 0.0) && line.is_text(strict, self.clutter(line)) && self.stands_out(line, planes)
+    }
+
+    /// Thin things around a line that are none of its own, in shares of its own pixels.
+    fn clutter(&self, line: &TextLine) -> f32 {
+        let own = self.cells(line).len() as f32;
+        let mut all = 0;
+        let around = line.grown(0.4 * line.height);
+        each_cell(self.thin.contrast.size, &around, |cell| all += usize::from(self.thin.set[cell]));
+        (all as f32 - own).max(0.0) / own
+    }
+
+    /// Whether its letters have another colour than what is around them. The gaps between letters, which form rows as
+    /// well, have the same.
+    fn stands_out(&self, line: &TextLine, planes: &[Plane]) -> bool {
+        let size = self.thin.contrast.size;
+        let mut is_inner = std::collections::BTreeSet::new();
+        each_cell(size, &line.grown(0.1 * line.height + 1.0), |cell| {
+            is_inner.insert(cell);
+        });
+        let mut ring = Vec::new();
+        each_cell(size, &line.grown(0.3 * line.height + 3.0), |cell| {
+            if !self.thin.set[cell] && !is_inner.contains(&cell) {
+                ring.push(cell);
+            }
+        });
+        let mut around = [0.0; 3];
+        for (around, plane) in around.iter_mut().zip(planes) {
+            *around = median(ring.iter().map(|&cell| plane.values[cell]).collect());
+        }
+        !ring.is_empty() && distance(around, line.colour) >= 0.45 * line.contrast
+    }
+}

@@ -1,0 +1,149 @@
+//! Text in the pixels of a picture: where it is, and the picture without it. What it says is not known.
+//!
+//! ```text
+//! Lab planes -> glyph (thin connected parts, darker or lighter) -> chain (alike, side by side, at an angle)
+//!            -> line (is it text?) -> short labels in the style of others -> Lettering -> erase
+//! ```
+//!
+//! A classical method: letters are connected components of a stroke's width, and text is a row of them that are alike
+//! in height, stroke and colour (as in Epshtein, Ofek and Wexler 2010, with a top-hat transform in place of pairs of
+//! edges).
+//! Everything in it is a few pixels high, so text has to be large enough to be seen: from about 8 px on.
+
+mod area;
+mod chain;
+mod erase;
+mod glyph;
+mod line;
+mod look;
+mod shape;
+
+use pulp::Arch;
+
+use self::area::{corners, each_cell};
+use self::erase::with_margin;
+use self::line::{Strictness, TextLine};
+use self::look::Look;
+use crate::raster::plane::Plane;
+use crate::raster::residue::Polarity;
+use crate::raster::{Raster, lab};
+use crate::units::{PxPoint, Size};
+
+/// Text that was found in a picture.
+#[derive(Debug, Clone, Default)]
+pub struct Lettering {
+    /// Its lines, those that are clearest first.
+    pub lines: Vec<FoundLine>,
+    /// The pixels of all letters, with a margin.
+    mask: Vec<bool>,
+}
+
+/// A line of text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundLine {
+    /// Corners of the box around its letters: top left as it is read, then clockwise.
+    pub corners: [PxPoint; 4],
+    /// Direction in which it is read, degrees counter-clockwise from left to right; upside down it is not told from
+    /// upright.
+    pub angle: f32,
+    /// Height of its letters, px: that of small letters or of capitals, whichever are more.
+    pub height: f32,
+}
+
+/// Lines that overlap by more than this share are one, found twice.
+const SAME: f32 = 0.3;
+/// How often short labels are looked for, each time in the style of those found before too.
+const ROUNDS: usize = 4;
+/// Margin around letters that is erased with them, px, and in heights of letters.
+const MARGIN: usize = 2;
+const MARGIN_OF_HEIGHT: f32 = 0.04;
+
+impl Lettering {
+    /// The text in a picture; of a drawing also where it differs from its ground in colour alone, and short labels.
+    pub fn find(raster: &Raster, is_drawing: bool) -> Self {
+        let size = raster.size();
+        let planes = lab_planes(raster);
+        let strict = if is_drawing { Strictness::Drawing } else { Strictness::Photograph };
+        let mut found = Self { lines: Vec::new(), mask: vec![false; size.len()] };
+        let mut taken = Taken { size, cells: vec![false; size.len()] };
+        let mut all: Vec<TextLine> = Vec::new();
+        let looked_at = if is_drawing { planes.len() } else { 1 };
+        for plane in &planes[..looked_at] {
+            let look = |polarity| Look::new(plane, polarity, &planes, strict);
+            let looks: Vec<Look> = [Polarity::Below, Polarity::Above].into_iter().filter_map(look).collect();
+            let mut lines: Vec<(usize, TextLine)> = Vec::new();
+            for (of, look) in looks.iter().enumerate() {
+                lines.extend(look.lines(&planes).into_iter().map(|line| (of, line)));
+            }
+            lines.sort_by(|a, b| b.1.score.total_cmp(&a.1.score));
+            for _ in 0..=ROUNDS {
+                let before = all.len();
+                for (of, line) in lines {
+                    if taken.add(&line) {
+                        found.add(&looks[of], &line);
+                        all.push(line);
+                    }
+                }
+                if all.len() == before {
+                    break;
+                }
+                let more = looks.iter().enumerate();
+                lines = more
+                    .flat_map(|(of, look)| look.in_style(&planes, &all).into_iter().map(move |line| (of, line)))
+                    .collect();
+            }
+        }
+        found
+    }
+
+    /// Whether nothing was found.
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty()
+    }
+
+    /// The picture in which this was found, without it: the ground closes over the letters.
+    pub fn erased_from(&self, raster: &Raster) -> Raster {
+        erase::erased(raster, &self.mask)
+    }
+
+    fn add(&mut self, look: &Look, line: &TextLine) {
+        let size = look.thin.contrast.size;
+        let mut letters = vec![false; size.len()];
+        look.cells(line).into_iter().for_each(|cell| letters[cell] = true);
+        let reach = MARGIN + (MARGIN_OF_HEIGHT * line.height) as usize;
+        let mask = with_margin(&letters, &look.thin.set, size, reach);
+        self.mask.iter_mut().zip(mask).for_each(|(all, own)| *all |= own);
+        let corners = corners(line).map(|[x, y]| PxPoint::new(x, y));
+        self.lines.push(FoundLine { corners, angle: line.angle, height: line.height });
+    }
+}
+
+/// Where there are lines already.
+struct Taken {
+    size: Size,
+    cells: Vec<bool>,
+}
+
+impl Taken {
+    /// Adds a line, unless one is there already.
+    fn add(&mut self, line: &TextLine) -> bool {
+        let (mut all, mut before) = (0, 0);
+        each_cell(self.size, line, |cell| {
+            all += 1;
+            before += usize::from(self.cells[cell]);
+        });
+        let is_new = before as f32 <= SAME * all as f32;
+        if is_new {
+            each_cell(self.size, line, |cell| self.cells[cell] = true);
+        }
+        is_new
+    }
+}
+
+fn lab_planes(raster: &Raster) -> Vec<Plane> {
+    let size = raster.size();
+    let mut planes = vec![vec![0.0; size.len()]; lab::planes(raster)];
+    let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
+    lab::convert(Arch::new(), &from, &mut planes);
+    planes.into_iter().map(|values| Plane { size, values }).collect()
+}

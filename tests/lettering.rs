@@ -1,0 +1,194 @@
+//! Text in the pixels of a picture is left out, and what looks like it is not.
+
+use tactograph::{Drawing, Note, Options, Picture, Profile};
+use tactograph_tools::drawn::{Point, share_near};
+
+/// Letters of 5 x 7 pixels.
+const LETTERS: [(char, [&str; 7]); 13] = [
+    ('A', [" ### ", "#   #", "#   #", "#####", "#   #", "#   #", "#   #"]),
+    ('E', ["#####", "#    ", "#    ", "#### ", "#    ", "#    ", "#####"]),
+    ('I', [" ### ", "  #  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "]),
+    ('L', ["#    ", "#    ", "#    ", "#    ", "#    ", "#    ", "#####"]),
+    ('M', ["#   #", "## ##", "# # #", "# # #", "#   #", "#   #", "#   #"]),
+    ('N', ["#   #", "##  #", "# # #", "#  ##", "#   #", "#   #", "#   #"]),
+    ('P', ["#### ", "#   #", "#   #", "#### ", "#    ", "#    ", "#    "]),
+    ('R', ["#### ", "#   #", "#   #", "#### ", "# #  ", "#  # ", "#   #"]),
+    ('S', [" ####", "#    ", "#    ", " ### ", "    #", "    #", "#### "]),
+    ('0', [" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "]),
+    ('1', ["  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "]),
+    ('2', [" ### ", "#   #", "    #", "  ## ", " #   ", "#    ", "#####"]),
+    ('5', ["#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "]),
+];
+const WIDTH: usize = 600;
+const HEIGHT: usize = 400;
+
+/// A drawing in black on white, row by row.
+struct Canvas(Vec<bool>);
+
+impl Canvas {
+    fn new() -> Self {
+        Self(vec![false; WIDTH * HEIGHT])
+    }
+
+    fn bar(&mut self, x: usize, y: usize, width: usize, height: usize) {
+        for row in y..y + height {
+            self.0[row * WIDTH + x..row * WIDTH + x + width].fill(true);
+        }
+    }
+
+    /// Writes a text with pixels of `scale`, its top left corner at a place.
+    fn text(&mut self, text: &str, [x, y]: [usize; 2], scale: usize) {
+        for (i, letter) in text.chars().enumerate() {
+            let (_, rows) = LETTERS.iter().find(|(known, _)| *known == letter).expect("a known letter");
+            for (row, pixels) in rows.iter().enumerate() {
+                for (column, _) in pixels.chars().enumerate().filter(|(_, pixel)| *pixel == '#') {
+                    self.bar(x + (6 * i + column) * scale, y + row * scale, scale, scale);
+                }
+            }
+        }
+    }
+
+    fn frame(&mut self, x: usize, y: usize, width: usize, height: usize) {
+        self.bar(x, y, width, 2);
+        self.bar(x, y + height - 2, width, 2);
+        self.bar(x, y, 2, height);
+        self.bar(x + width - 2, y, 2, height);
+    }
+
+    /// Axes with ticks, and a bar.
+    fn chart() -> Self {
+        let mut canvas = Self::new();
+        canvas.bar(100, 60, 2, 280);
+        canvas.bar(100, 340, 460, 2);
+        (0..3).for_each(|i| canvas.bar(90, 120 + 80 * i, 10, 2));
+        canvas.frame(220, 160, 90, 181);
+        canvas.frame(400, 220, 90, 121);
+        canvas
+    }
+
+    fn labelled_chart() -> Self {
+        let mut canvas = Self::chart();
+        canvas.text("RAINLESS", [220, 20], 3);
+        canvas.text("ARE", [240, 356], 2);
+        canvas.text("APRIL", [415, 356], 2);
+        canvas.text("150", [50, 114], 2);
+        canvas.text("100", [50, 194], 2);
+        canvas.text("5", [74, 274], 2);
+        canvas
+    }
+
+    fn drawing(&self, keep_text: bool) -> Drawing {
+        let grey = |i: usize| if self.0[i] { 20 } else { 255 };
+        converted([WIDTH, HEIGHT], grey, &Options::new(profile()).keep_text(keep_text))
+    }
+}
+
+/// The page of a picture in greys.
+fn converted([width, height]: [usize; 2], grey: impl Fn(usize) -> u8, options: &Options) -> Drawing {
+    let pixels: Vec<u8> = (0..width * height).flat_map(|i| [grey(i), grey(i), grey(i), 255]).collect();
+    let picture = Picture::rgba8(width as u32, height as u32, &pixels).expect("a picture");
+    tactograph::convert(picture, options).expect("a page")
+}
+
+fn profile() -> Profile {
+    Profile::named("swell-a4").expect("a profile")
+}
+
+fn lines(drawing: &Drawing) -> Vec<Vec<Point>> {
+    let runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs);
+    let points = |run: &tactograph::Run| {
+        let points = run.points.iter().chain(run.points.first().filter(|_| run.closed));
+        points.map(|at| [f64::from(at.x), f64::from(at.y)]).collect()
+    };
+    runs.map(points).collect()
+}
+
+/// How much of what one drawing has the other has too, and the other way round.
+fn same(a: &Drawing, b: &Drawing) -> [f64; 2] {
+    let share = |a: &Drawing, b: &Drawing| share_near(&lines(a), &lines(b)).expect("lines");
+    [share(a, b), share(b, a)]
+}
+
+fn is_told(drawing: &Drawing) -> Option<(usize, &'static str)> {
+    drawing.notes.iter().find_map(|note| match note {
+        Note::LetteringLeftOut { texts, place } => Some((*texts, *place)),
+        _ => None,
+    })
+}
+
+#[test]
+fn a_chart_without_its_letters_is_the_chart() {
+    let (bare, labelled) = (Canvas::chart().drawing(false), Canvas::labelled_chart().drawing(false));
+    let [there, no_more] = same(&bare, &labelled);
+    assert!(there > 0.99 && no_more > 0.99, "{there} {no_more} {:?}", labelled.texts);
+    assert_eq!((is_told(&labelled), is_told(&bare)), (Some((6, "upper middle")), None));
+    assert_eq!((bare.texts.len(), labelled.texts.len()), (0, 6));
+    assert!(labelled.page.overview.is_some(), "the overview is drawn");
+    let told = labelled.notes.iter().map(ToString::to_string).find(|note| note.contains("texts left out"));
+    let wanted =
+        "6 texts left out, the largest in the upper middle, as fingers cannot read letters; --keep-text draws them";
+    assert_eq!(told.as_deref(), Some(wanted));
+}
+
+#[test]
+fn places_and_sizes_of_texts_are_kept() {
+    let drawing = Canvas::labelled_chart().drawing(false);
+    let place = drawing.page.figure.place;
+    let mm = f64::from(place.width()) / WIDTH as f64;
+    let title = drawing.texts.iter().max_by(|a, b| a.size.total_cmp(&b.size)).expect("texts");
+    assert_eq!((title.string.as_str(), title.hidden), ("", false));
+    assert!(title.angle.abs() < 1.0, "{title:?}");
+    let on_sheet = |x: f64, y: f64| [f64::from(place.min.x) + mm * x, f64::from(place.min.y) + mm * y];
+    let ([left, top], [right, bottom]) = (on_sheet(220.0, 20.0), on_sheet(361.0, 41.0));
+    let found = [title.place.min.x, title.place.min.y, title.place.max.x, title.place.max.y].map(f64::from);
+    for (found, wanted) in found.into_iter().zip([left, top, right, bottom]) {
+        assert!((found - wanted).abs() < 3.0 * mm, "{title:?}");
+    }
+    assert!((f64::from(title.size) / mm - 1.6 * 21.0).abs() < 4.0, "{title:?}");
+}
+
+#[test]
+fn letters_are_drawn_where_they_are_to_be_kept() {
+    let (bare, kept) = (Canvas::chart().drawing(true), Canvas::labelled_chart().drawing(true));
+    assert!(kept.texts.is_empty() && is_told(&kept).is_none());
+    let [_, beside] = same(&bare, &kept);
+    assert!(beside < 0.9, "letters are lines");
+}
+
+/// Rows of things that are no letters: dots, dashes, dashes and dots, ticks, windows, bricks.
+#[test]
+fn rows_of_other_things_are_no_text() {
+    let mut canvas = Canvas::new();
+    (0..20).for_each(|i| canvas.bar(40 + 24 * i, 40, 6, 6));
+    (0..16).for_each(|i| canvas.bar(40 + 32 * i, 70, 18, 3));
+    (0..10).for_each(|i| {
+        canvas.bar(40 + 52 * i, 95, 24, 3);
+        canvas.bar(75 + 52 * i, 95, 4, 3);
+    });
+    (0..40)
+        .for_each(|i| canvas.bar(40 + 13 * i, if i % 5 == 0 { 115 } else { 123 }, 2, if i % 5 == 0 { 20 } else { 12 }));
+    for i in 0..12 {
+        canvas.frame(40 + 44 * i, 160, 24, 36);
+        canvas.bar(40 + 44 * i, 174, 24, 2);
+        canvas.bar(51 + 44 * i, 160, 2, 36);
+    }
+    for row in 0..6 {
+        (0..9).for_each(|i| canvas.frame(40 + 52 * i + 26 * (row % 2), 230 + 22 * row, 46, 16));
+    }
+    let (drawing, kept) = (canvas.drawing(false), canvas.drawing(true));
+    assert_eq!((drawing.texts.len(), is_told(&drawing)), (0, None));
+    assert_eq!(lines(&drawing), lines(&kept));
+}
+
+/// The same picture in white on black, and one where text stands upright.
+#[test]
+fn light_letters_and_letters_that_stand_upright_are_text() {
+    let canvas = Canvas::labelled_chart();
+    let options = Options::new(profile());
+    let light = converted([WIDTH, HEIGHT], |i| if canvas.0[i] { 240 } else { 10 }, &options);
+    assert_eq!(light.texts.len(), 6, "{:?}", light.texts);
+    let turned = |i: usize| canvas.0[(i % HEIGHT) * WIDTH + WIDTH - 1 - i / HEIGHT];
+    let upright = converted([HEIGHT, WIDTH], |i| if turned(i) { 20 } else { 255 }, &options);
+    assert!(upright.texts.len() >= 4, "{:?}", upright.texts);
+    assert!(upright.texts.iter().all(|text| (text.angle - 90.0).abs() < 2.0), "{:?}", upright.texts);
+}
