@@ -14,7 +14,7 @@ use crate::page::{Figure, LeftOut, Medium, Texture};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::raster::decode::Source;
+use crate::raster::decode::{self, Source};
 use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
