@@ -105,7 +105,8 @@ impl std::fmt::Display for Note {
             }
             Self::LetteringLeftOut { texts, place } => write!(
                 f,
-                "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; --keep-text draws them"
+                "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; --keep-text draws \
+                 them"
             ),
             Self::NoBrailleCode(language) => {
                 let codes: Vec<&str> = Code::all().iter().map(|code| code.language).collect();
