@@ -259,3 +259,47 @@ fn what_is_no_page_or_beyond_a_limit_is_refused_in_one_line() {
         assert!(!fault.to_string().contains('\n'), "{fault}");
     }
 }
+
+/// Bytes of a page changed at random: refused or read, never a panic.
+#[test]
+fn damaged_pages_are_refused_or_read() {
+    let svg = page::of_sample("chart.svg", "swell-a4").page.to_svg();
+    let words =
+        ["1e38", "-1e38", "NaN", "0", "99999999", "\"", ">", "<g>", "</g>", "Z", "M", "transform=\"scale(0)\" "];
+    let mut rng = tactograph_tools::rng::Rng::new(7);
+    let mut read_well = 0;
+    for _ in 0..80 {
+        let mut damaged = svg.clone().into_bytes();
+        for _ in 0..1 + rng.below(4) {
+            let at = rng.below(damaged.len());
+            let word = words[rng.below(words.len())].bytes();
+            let end = (at + rng.below(6)).min(damaged.len());
+            damaged.splice(at..end, word);
+        }
+        if let Ok(page) = read(&damaged) {
+            read_well += 1;
+            assert!(!page.page.to_svg().is_empty());
+        }
+    }
+    assert!(read_well > 0, "nothing was read at all");
+}
+
+#[test]
+fn sheets_beyond_all_paper_are_refused() {
+    let svg = coffee().replacen("width=\"210mm\"", "width=\"900000mm\"", 1);
+    assert!(matches!(read(svg.as_bytes()), Err(Error::NotAPage(_))));
+    let wide = coffee().replacen("data-box=\"18 ", "data-box=\"-9e30 ", 1);
+    let page = reading(&wide).page;
+    assert!(page.figure.place.min.x >= 0.0 && page.figure.place.max.x <= 210.0);
+}
+
+#[test]
+fn a_description_that_was_made_follows_what_was_changed() {
+    let svg = coffee();
+    let less = svg.replacen("id=\"line-1\"", "id=\"line-1\" display=\"none\"", 1);
+    let count = reading(&svg).page.figure.lines.len();
+    let rendered = tactograph::render(&less, None).expect("it is a page").page;
+    assert!(rendered.description.contains(&format!("{} contours", count - 1)), "{}", rendered.description);
+    let own = less.replacen(">Tactile graphic,", ">My cup,", 1);
+    assert!(tactograph::render(&own, None).expect("it is a page").page.description.starts_with("My cup,"));
+}

@@ -4,14 +4,14 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::fonts::Fonts;
-use crate::Error;
 use crate::braille::Translate;
 use crate::page::Page;
 use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
-use crate::reading;
+use crate::reading::{self, Reading};
+use crate::{Error, Note};
 
 /// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a
 /// default that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough
@@ -183,7 +183,7 @@ impl Options {
     /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
     pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
         if reading::is_svg(lines.as_ref()) {
-            self.given.lines = Some(hand_lines(lines.as_ref())?);
+            self.given.lines = Some(self.hand_lines(lines.as_ref())?);
         } else {
             self.given.drawn_lines = Some(lines.as_ref().to_vec());
         }
@@ -197,7 +197,7 @@ impl Options {
     /// # Errors
     /// As [`Options::lines`].
     pub fn add_lines(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        self.given.added = Some(hand_lines(svg.as_ref())?);
+        self.given.added = Some(self.hand_lines(svg.as_ref())?);
         Ok(self)
     }
 
@@ -207,7 +207,9 @@ impl Options {
     /// # Errors
     /// As [`Options::lines`].
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        self.given.areas = Some(pipeline::areas_of(&reading::read(svg.as_ref())?.page));
+        let Reading { page, notes } = reading::read(svg.as_ref())?;
+        self.given.areas = Some(pipeline::areas_of(&page));
+        self.add_notes(notes);
         Ok(self)
     }
 
@@ -260,6 +262,23 @@ impl Options {
         self
     }
 
+    /// The lines of a page as its own profile means them.
+    fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
+        let Reading { page, notes } = reading::read(svg)?;
+        let lines = HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?);
+        self.add_notes(notes);
+        Ok(lines)
+    }
+
+    /// Adds what is to be told of a page that is given; of one that is given twice, once.
+    fn add_notes(&mut self, notes: Vec<Note>) {
+        for note in notes {
+            if !self.given.notes.contains(&note) {
+                self.given.notes.push(note);
+            }
+        }
+    }
+
     /// The profile.
     pub fn profile(&self) -> &Profile {
         &self.profile
@@ -305,12 +324,6 @@ impl Options {
             translate: self.translate.as_deref(),
         }
     }
-}
-
-/// The lines of a page as its own profile means them.
-fn hand_lines(svg: &[u8]) -> Result<HandLines, Error> {
-    let page = reading::read(svg)?.page;
-    Ok(HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?))
 }
 
 impl fmt::Debug for Options {

@@ -19,4 +19,4 @@ mod transform;
 pub use left_out::LeftOut;
 pub use medium::{DotMedium, Medium, MediumParams, Print};
 pub use parts::*;
-pub use text::{DESCRIBES, describe, describe_labels};
+pub use text::{DESCRIBES, contours, describe, describe_labels};

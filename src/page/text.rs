@@ -33,7 +33,8 @@ pub fn describe_labels(braille: &[BrailleText]) -> String {
     if labels.is_empty() { String::new() } else { format!(" Labels in braille: {}.", labels.join("; ")) }
 }
 
-fn contours(count: usize) -> String {
+/// How many contours, in words.
+pub fn contours(count: usize) -> String {
     match count {
         0 => "no contours".into(),
         1 => "1 contour".into(),

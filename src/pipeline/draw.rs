@@ -64,7 +64,8 @@ pub(super) fn draw(
     let options = request.decoding(&working_size);
     let picture = read(picture, &options, watch)?;
     let layout = layout_of(picture.source.size)?;
-    let mut notes = picture.notes;
+    let mut notes = given.notes.clone();
+    notes.extend(picture.notes);
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
     notes.extend(texts::left_out(&texts, layout.figure));
 

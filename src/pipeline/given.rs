@@ -1,6 +1,5 @@
 //! What a person gives beside the picture: lines that are drawn in place of those that would be found.
 
-use crate::Error;
 use crate::classes::Classes;
 use crate::edges::{ChainKind, Edgel, Edges};
 use crate::geom::nearby::{Nearby, Segment};
@@ -10,6 +9,7 @@ use crate::profile::Plan;
 use crate::raster::crop::Crop;
 use crate::regions::{Trace, TracePoint};
 use crate::units::{MmPoint, MmRect, Px, PxPoint, Size};
+use crate::{Error, Note};
 use lyon::geom::euclid::Box2D;
 
 /// What a person gives beside the picture.
@@ -23,6 +23,8 @@ pub struct Given {
     pub added: Option<HandLines>,
     /// The areas of textures; without them, colours of the picture are sorted.
     pub areas: Option<Classes>,
+    /// What the maker should know of these files.
+    pub notes: Vec<Note>,
     /// Parts of the picture, as it is drawn, that stay blank.
     pub erased: Vec<Crop>,
 }

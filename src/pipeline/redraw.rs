@@ -10,7 +10,9 @@ use super::words::Words;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture};
+use crate::page::{
+    self, BrailleText, Class, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture,
+};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
 use crate::{Error, Note, dots, textures};
@@ -31,11 +33,9 @@ pub fn settle(page: &Page, plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
     let mut notes = Vec::new();
     let classes = wrong_signs(page);
     if !classes.is_empty() {
-        let anew = fill(page, plan);
-        for number in &classes {
-            let texture = &mut parts.figure.textures[*number];
-            let of_area = anew.get(*number).cloned().unwrap_or_default();
-            texture.glyphs = of_area;
+        let all = areas::of_page(page);
+        for &number in &classes {
+            parts.figure.textures[number].glyphs = fill(page, &all, number, plan);
         }
         parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
         let (count, noun) = (classes.len(), if classes.len() == 1 { "area has" } else { "areas have" });
@@ -75,6 +75,7 @@ pub fn settle(page: &Page, plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
             parts.figure.lines = rows;
         }
     }
+    describe_again(&mut parts, !classes.is_empty());
     Ok((Page::new(parts)?, notes))
 }
 
@@ -100,19 +101,32 @@ fn wrong_signs(page: &Page) -> Vec<usize> {
     }
 }
 
-/// The signs of each area of a printed page, drawn anew.
-fn fill(page: &Page, plan: &Plan) -> Vec<Vec<Glyph>> {
-    let classes = areas::of_page(page);
+/// The signs of an area of a printed page, drawn anew.
+fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> {
+    let mut one = areas.clone();
+    one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
+    let drawn = textures::fill(&one, page.figure.place, &page.figure.lines, &plan.textures());
+    let mut glyphs: Vec<Glyph> = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
     let swell = plan.profile().print.swell;
-    let of_one = |number: usize| {
-        let mut one = classes.clone();
-        one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
-        let drawn = textures::fill(&one, page.figure.place, &page.figure.lines, &plan.textures());
-        let mut glyphs: Vec<_> = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
-        glyphs.iter_mut().for_each(|glyph| glyph.shape = glyph.shape.narrowed(swell));
-        glyphs
+    glyphs.iter_mut().for_each(|glyph| glyph.shape = glyph.shape.narrowed(swell));
+    glyphs
+}
+
+/// A description that was made, made again if the page has other lines or colours than it says.
+fn describe_again(parts: &mut Parts, is_other: bool) {
+    let says = format!(", {}.", page::contours(parts.figure.lines.len()));
+    let is_made = parts.description.starts_with(page::DESCRIBES);
+    if !is_made || (parts.description.contains(&says) && !is_other) {
+        return;
+    }
+    let all = parts.figure.place.area().max(f32::MIN_POSITIVE);
+    let share = |class: Class| {
+        let of_class = parts.figure.textures.iter().filter(|texture| texture.class == class);
+        (of_class.map(|texture| texture.area).sum::<f32>() / all).min(1.0)
     };
-    (0..page.figure.textures.len()).map(of_one).collect()
+    let shares = (!parts.figure.textures.is_empty()).then(|| Class::ALL.map(share));
+    parts.description =
+        page::describe(&parts.figure, parts.overview.as_ref(), shares) + &page::describe_labels(&parts.braille);
 }
 
 /// Brings the widths of a line into a range, mm; tells whether any was outside.

@@ -43,10 +43,11 @@ pub(super) fn page(
     elements: &Elements<'_>,
     sheet: [f32; 2],
 ) -> Result<(Page, Vec<Note>), Error> {
-    let Marks { marks, transforms, clipped, pictures, patterned, .. } = marks;
+    let Marks { marks, transforms, clipped, pictures, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, sheet);
+    builder.is_foreign = elements.layer(Layer::Figure).is_none();
     let mut runs: Vec<(usize, Layer, f32, Vec<Run>)> = Vec::new();
     for mark in &marks {
         builder.add(mark, &mut runs);
@@ -57,13 +58,13 @@ pub(super) fn page(
     let Builder { mut parts, tally, overview, overview_frame, mut regions, .. } = builder;
     regions.sort_by_key(|(number, _)| *number);
     parts.figure.textures = regions.into_iter().map(|(_, texture)| texture).collect();
-    parts.figure.place = place(Layer::Figure).unwrap_or_else(|| MmRect::new(MmPoint::zero(), sheet.into()));
+    parts.figure.place = on_sheet(place(Layer::Figure), sheet);
     parts.figure.source = source(elements).unwrap_or_else(|| {
         let px = |mm: f32| (mm * PX_PER_MM).round().clamp(1.0, 100_000.0) as u32;
         Size::new(px(parts.figure.place.width()), px(parts.figure.place.height()))
     });
     if elements.layer(Layer::Overview).is_some() && !(overview.is_empty() && overview_frame.at.is_empty()) {
-        let place = place(Layer::Overview).unwrap_or(parts.figure.place);
+        let place = on_sheet(place(Layer::Overview), sheet);
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
     let mut notes: Vec<Note> = tally.notes().collect();
@@ -71,6 +72,7 @@ pub(super) fn page(
     notes.extend((!texts.is_empty()).then_some(Note::TextsLeftOut(texts)));
     let more = [
         (pictures, "pictures on the page: convert them to lines first"),
+        (far, "marks that reach far beyond the sheet"),
         (clipped, "clip paths, masks and filters: what they cut off is there"),
         (patterned, "gradients and patterns, which are taken as black"),
     ];
@@ -112,7 +114,14 @@ fn place_of(layer: Layer, elements: &Elements<'_>, transform: Option<&Transform>
         transform.map_points(&mut corners);
     }
     let [a, b] = corners.map(|p| MmPoint::new(clean(p.x), clean(p.y)));
-    Some(MmRect::new(a.min(b), a.max(b)))
+    let place = MmRect::new(a.min(b), a.max(b));
+    (place.width() > 0.0 && place.height() > 0.0).then_some(place)
+}
+
+/// A place as far as it lies on the sheet; all of the sheet if there is none.
+fn on_sheet(place: Option<MmRect>, sheet: [f32; 2]) -> MmRect {
+    let all = MmRect::new(MmPoint::zero(), sheet.into());
+    place.and_then(|place| place.intersection(&all)).unwrap_or(all)
 }
 
 fn numbers(node: Node<'_, '_>, name: &str) -> Option<Vec<f32>> {
@@ -129,6 +138,8 @@ fn source(elements: &Elements<'_>) -> Option<Size> {
 struct Builder<'m> {
     medium: &'m Medium,
     sheet: [f32; 2],
+    /// Whether it is no page of ours but another drawing with a layer of ours: then nothing else of it counts.
+    is_foreign: bool,
     parts: Parts,
     overview: Vec<Line>,
     overview_frame: Dots,
@@ -147,6 +158,7 @@ impl<'m> Builder<'m> {
         Self {
             medium,
             sheet,
+            is_foreign: false,
             parts: Parts::of(sheet, empty),
             overview: Vec::new(),
             overview_frame: Dots::default(),
@@ -159,6 +171,10 @@ impl<'m> Builder<'m> {
 
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
     fn add(&mut self, mark: &Mark<'_>, runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>) {
+        if self.is_foreign && mark.layer.is_none() {
+            let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+            return self.tally.add(What::Foreign, at);
+        }
         let has_heights = self.medium.has_heights();
         let first = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
         if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {

@@ -18,6 +18,9 @@ const MOST_POINTS: usize = 5_000_000;
 /// Id of the layer in which a check marks what it found, which is no part of the page.
 const FINDINGS: &str = "findings";
 
+/// Farthest that a path may reach, mm: curves of more would take points without end.
+const FAR: f32 = 10_000.0;
+
 /// A painted path.
 pub(super) struct Mark<'a> {
     /// The layer in which it lies.
@@ -55,6 +58,8 @@ pub(super) struct Marks<'a> {
     pub(super) pictures: usize,
     /// How many paths have a gradient or a pattern.
     pub(super) patterned: usize,
+    /// How many paths reach so far that they are on no sheet.
+    pub(super) far: usize,
     points: usize,
     objects: usize,
 }
@@ -80,6 +85,7 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<Marks<'a>, 
         clipped: 0,
         pictures: 0,
         patterned: 0,
+        far: 0,
         points: 0,
         objects: 0,
     };
@@ -134,6 +140,12 @@ impl<'a> Marks<'a> {
         }
         let transform = to_mm(path.abs_transform());
         let Some(geometry) = path.data().clone().transform(transform) else { return Ok(()) };
+        let bounds = geometry.bounds();
+        let far = [bounds.left(), bounds.top(), bounds.right(), bounds.bottom()].iter().any(|side| side.abs() > FAR);
+        if far {
+            self.far += 1;
+            return Ok(());
+        }
         let outlines = outlines(&geometry);
         self.points += outlines.iter().map(|outline| outline.points.len()).sum::<usize>();
         if self.points > MOST_POINTS {

@@ -24,9 +24,14 @@ mod words;
 use usvg::{ImageHrefResolver, Tree};
 
 use crate::page::Page;
+use crate::raster::decode::unless_beyond_numbers;
 use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use document::Elements;
+
+/// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
+const LEAST_SHEET: f32 = 5.0;
+const LARGEST_SHEET: f32 = 2500.0;
 
 /// A page that was read.
 #[derive(Debug, Clone)]
@@ -56,10 +61,14 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
     }
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    let tree = Tree::from_xmltree(&document, &options).map_err(|fault| document::undecodable(fault.to_string()))?;
+    let tree = unless_beyond_numbers(|| Tree::from_xmltree(&document, &options))?;
+    let tree = tree.map_err(|fault| document::undecodable(fault.to_string()))?;
     let marks = marks::of(&tree, &elements)?;
     let round = |px: f32| (f64::from(px * MM_PER_CSS_PX) * 1000.0).round() as f32 / 1000.0;
     let sheet = [round(tree.size().width()), round(tree.size().height())];
+    if !sheet.iter().all(|side| (LEAST_SHEET..=LARGEST_SHEET).contains(side)) {
+        return Err(Error::NotAPage("its sheet is smaller than 5 mm or larger than 2500 mm; check its size in mm"));
+    }
     let words = words::of(&document);
     let (page, notes) = build::page(marks, words, &elements, sheet)?;
     Ok(Reading { page, notes })

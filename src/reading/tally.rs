@@ -21,6 +21,7 @@ pub(super) enum What {
     Shaded,
     Dashed,
     UnevenDots,
+    Foreign,
 }
 
 impl Tally {
@@ -57,6 +58,7 @@ impl Tally {
                     n("mark", "marks")
                 )),
                 What::Dashed => Note::TakenAs(format!("{}{at} with dashes, taken without gaps", n("line", "lines"))),
+                What::Foreign => left_out(format!("{}{at} outside of the layer", n("mark", "marks"))),
                 What::UnevenDots => Note::TakenAs(format!(
                     "{}{at} of other sizes than the others of its group, taken as of one size",
                     n("dot", "dots")

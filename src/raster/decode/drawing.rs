@@ -138,7 +138,7 @@ fn drawn(
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
 /// has no height where it is put (found by the test of damaged pictures, and a test of its own now).
-fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
+pub(crate) fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Error> {
     guarded(work).map_err(|_| undecodable(FORMAT, "it has places or sizes too large or too small to compute with"))
 }
 

@@ -27,7 +27,7 @@ use self::job::{guarded, undecodable};
 use self::sniff::Format;
 use crate::{Error, picture};
 
-pub(crate) use self::drawing::checked_document;
+pub(crate) use self::drawing::{checked_document, unless_beyond_numbers};
 pub use self::job::{Fonts, Limits, Options, Picture, Source};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
