@@ -107,6 +107,7 @@ mod braille;
 mod calibration;
 mod classes;
 mod contours;
+mod description;
 mod devices;
 mod dots;
 mod edges;
@@ -131,8 +132,8 @@ mod units;
 
 // Functions, and what they take.
 pub use api::{
-    Calibration, FeelError, Felt, Fonts, Options, calibrate, check, check_marked, convert, convert_to_sheets, feel,
-    profile_of_page, render, rules, trace, write_pdf,
+    Calibration, FeelError, Felt, Fonts, Options, calibrate, check, check_marked, convert, convert_to_sheets, describe,
+    feel, profile_of_page, render, rules, trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
@@ -145,6 +146,7 @@ pub use raster::crop::Crop;
 pub use raster::decode::Limits;
 // What they give.
 pub use contours::{Polyline, Trace};
+pub use description::Description;
 pub use devices::{Device, DotArea, Family, Grid as DotGrid, Paper, Pitches};
 pub use error::Error;
 pub use legibility::{Checked, Finding, Rule, Severity, Textures as FeltTextures, Verdict};

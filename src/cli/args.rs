@@ -3,6 +3,7 @@
 mod calibrate;
 mod check;
 mod correcting;
+mod describe;
 mod embossing;
 mod feel;
 mod fitting;
@@ -24,6 +25,7 @@ use tactograph::Options;
 pub(super) use self::calibrate::Calibrate;
 pub(super) use self::check::{Check, CheckFormat};
 pub(super) use self::correcting::{Correcting, Corrections};
+pub(super) use self::describe::Describe;
 pub(super) use self::embossing::Embossing;
 pub(super) use self::feel::Feel;
 pub(super) use self::fitting::Fitting;
@@ -150,6 +152,10 @@ pub(super) enum Command {
     #[command(long_about = check::LONG_ABOUT, after_long_help = check::AFTER_LONG_HELP)]
     #[command(after_help = "Examples and exit codes: tactograph check --help")]
     Check(Check),
+    /// Tells in plain sentences what is on a page
+    #[command(long_about = describe::LONG_ABOUT, after_long_help = describe::AFTER_LONG_HELP)]
+    #[command(after_help = "Examples and exit codes: tactograph describe --help")]
+    Describe(Describe),
     /// Tells what a fingertip would feel of a page's textures
     #[command(long_about = feel::LONG_ABOUT, after_long_help = feel::AFTER_LONG_HELP)]
     #[command(after_help = "What the report says, examples and exit codes: tactograph feel --help")]
@@ -345,7 +351,7 @@ pub(super) fn parse(args: impl IntoIterator<Item = OsString>) -> Parsed {
             Parsed::Shown(Exit::Usage)
         }
         _ => {
-            let command = ["convert", "render", "trace", "calibrate", "check", "feel", "profiles"]
+            let command = ["convert", "render", "trace", "calibrate", "check", "describe", "feel", "profiles"]
                 .iter()
                 .find(|name| args.get(1).is_some_and(|arg| arg == *name));
             let help = command.map_or_else(|| "--help".into(), |command| format!("{command} --help"));
@@ -382,6 +388,7 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
             Some("name a page to render, and where it goes, such as page.svg -o page.pdf".into())
         }
         (ErrorKind::MissingRequiredArgument, "check", _) => Some("name a page to check".into()),
+        (ErrorKind::MissingRequiredArgument, "describe", _) => Some("name a page to describe".into()),
         (ErrorKind::MissingRequiredArgument, "feel", _) => Some("name a page to feel".into()),
         (ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument, "profiles", Some(name))
             if !name.starts_with('-') =>

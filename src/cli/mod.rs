@@ -5,6 +5,7 @@ mod batch;
 mod calibrate;
 mod check;
 mod convert;
+mod describe;
 mod dots;
 mod feel;
 mod input;
@@ -54,6 +55,7 @@ fn command() -> ExitCode {
         Command::Trace(trace) => trace::run(&trace),
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
         Command::Check(check) => check::run(&check),
+        Command::Describe(describe) => describe::run(&describe),
         Command::Feel(feel) => feel::run(&feel),
         Command::Profiles(profiles) => match profiles.command {
             None => profiles::list(&Report::plain()),

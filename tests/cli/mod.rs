@@ -3,6 +3,7 @@
 mod calibrate;
 mod check;
 mod common;
+mod describe;
 mod docs;
 mod dots;
 mod feel;

@@ -46,6 +46,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     // Rules over finished marks.
     ("legibility", &["units", "geom", "braille", "devices", "page", "touch"]),
+    ("description", &["units", "geom", "page", "legibility"]), // a page in sentences
     (
         "profile",
         &[
@@ -105,11 +106,11 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "touch",
             "reading",
             "legibility",
+            "description",
             "profile",
             "calibration",
             "pipeline",
             "picture",
-            "reading",
         ],
     ),
 ];

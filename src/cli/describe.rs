@@ -1,0 +1,34 @@
+//! `tactograph describe`: a page in, sentences out.
+
+use super::args::Describe;
+use super::report::{Exit, Report};
+use super::{input, output, places};
+
+/// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
+const MOST_BYTES: u64 = 100_000_000;
+
+/// Describes one page.
+pub(super) fn run(args: &Describe) -> Exit {
+    let report = Report::plain();
+    let page = places::picture_name(&args.page);
+    match described(args) {
+        Ok(text) => match output::to_stdout(text.as_bytes(), "description") {
+            Ok(()) => Exit::Done,
+            Err(error) => {
+                report.error("standard output", &format!("{error:#}"));
+                Exit::Failed
+            }
+        },
+        Err(error) => {
+            report.error(&page, &format!("{error:#}"));
+            Exit::Failed
+        }
+    }
+}
+
+fn described(args: &Describe) -> anyhow::Result<String> {
+    let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
+    let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
+    let description = tactograph::describe(bytes, None)?;
+    Ok(if args.json { description.to_json() } else { description.to_string() })
+}
