@@ -22,6 +22,9 @@ const MAX_BEND: f32 = 0.3;
 /// Greatest distance of the corner from the contour as it was found, in blurs, at a right angle.
 const MAX_DISTANCE: f32 = 1.6;
 
+/// Corners are at least as wide as one whose half angle has this sine: 20 degrees.
+const SHARPEST: f32 = 0.174;
+
 /// A point nearer to one side of the corner than to the other by less than this, px, belongs to neither.
 const TIE: f32 = 0.1;
 /// Contours of fewer points have no room for two sides.
@@ -94,20 +97,29 @@ fn fit_length(blur: f32) -> f32 {
 fn find(contour: &Contour, i: usize) -> Option<Corner> {
     let blur = contour.vertices[i].blur;
     let rounding = ROUNDING * blur;
-    let (corner, stretch) = find_beyond(contour, i, rounding)?;
+    let to = rounding + fit_length(blur);
+    let [before, after] = [false, true].map(|forwards| contour.line_fit(i, forwards, rounding, to));
+    let (_, stretch) = turn_and_stretch(&before?, &after?);
     // A sharp corner is rounded over more of its sides: they are measured once more, beyond that.
-    let wanted = ROUNDING * blur * stretch.max(1.0);
-    if wanted < 1.2 * rounding { Some(corner) } else { find_beyond(contour, i, wanted).map(|(corner, _)| corner) }
+    let wanted = rounding * stretch.max(1.0);
+    find_beyond(contour, i, if wanted < 1.2 * rounding { rounding } else { wanted })
 }
 
-/// The corner at a point if the rounding extends `rounding` px, and how much farther than at a right angle it should.
-fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<(Corner, f32)> {
+/// Cosine of the turn between two sides, both directed away from the corner, and how much farther than at a right angle
+/// the rounding extends.
+fn turn_and_stretch(before: &LineFit, after: &LineFit) -> (f32, f32) {
+    let cosine = -before.direction.dot(after.direction);
+    let half_sine = (0.5 * (1.0 + cosine)).max(0.0).sqrt(); // sine of half the angle between the sides
+    (cosine, 0.707 / half_sine.max(SHARPEST))
+}
+
+/// The corner at a point if the rounding extends `rounding` px.
+fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<Corner> {
     let point = &contour.vertices[i];
     let to = rounding + fit_length(point.blur);
     let before = contour.line_fit(i, false, rounding, to)?;
     let after = contour.line_fit(i, true, rounding, to)?;
-    // both are directed away from the point
-    let cosine = -before.direction.dot(after.direction);
+    let (cosine, stretch) = turn_and_stretch(&before, &after);
     let max_rms = MAX_RMS.hypot(REFINED_SIGMA * point.position_sigma);
     if cosine > MIN_TURN || before.rms > max_rms || after.rms > max_rms {
         return None;
@@ -118,8 +130,6 @@ fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<(Corner, f3
     if (bend(true)? - bend(false)?) * turn.signum() > MAX_BEND * cosine.clamp(-1.0, 1.0).acos() {
         return None;
     }
-    let half_sine = (0.5 * (1.0 + cosine)).max(0.0).sqrt(); // sine of half the angle between the sides
-    let stretch = 0.707 / half_sine.max(0.25);
     let (back, on) = before.crossing(&after)?;
     // the crossing must lie behind both sides, towards the point
     if back > 0.0 || on > 0.0 {
@@ -127,8 +137,8 @@ fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<(Corner, f3
     }
     let at = before.point_at(back);
     let distance = (at - point.at).length();
-    let near = distance <= MAX_DISTANCE * point.blur * 0.707 / half_sine.max(0.25);
-    near.then_some((Corner { point: i, at, sides: [before, after], rounding, distance }, stretch))
+    let near = distance <= MAX_DISTANCE * point.blur * stretch;
+    near.then_some(Corner { point: i, at, sides: [before, after], rounding, distance })
 }
 
 /// How much a side bends: the sine of the angle between its near and its far half.

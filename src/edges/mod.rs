@@ -39,6 +39,7 @@ mod side_statistics;
 mod step_height;
 mod strength;
 mod stroke;
+mod tips;
 
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
@@ -49,6 +50,8 @@ use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
 use ridge::RidgePoint;
+use stroke::Stroke;
+use tips::Found;
 
 use crate::raster::Raster;
 use crate::units::Size;
@@ -91,9 +94,13 @@ fn find_contours(raster: &Raster, params: &Params, with_regions: bool) -> Edges 
         refine::refine(contour, params.sigma);
         corner::sharpen(contour);
     });
-    let widths: Vec<Option<f32>> =
-        contours.iter().map(|_| None).chain(strokes.iter().map(|stroke| Some(stroke.width))).collect();
-    contours.extend(strokes.into_iter().map(|stroke| stroke.contour));
+    let edges = contours.into_iter().map(|contour| Found { contour, stroke: None });
+    let strokes = strokes.into_iter().map(|Stroke { contour, width }| Found { contour, stroke: Some(width) });
+    let mut found: Vec<Found> = edges.chain(strokes).collect();
+    if drawn {
+        found = tips::meet(found, params.sigma);
+    }
+    let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
     junction::extend(&mut contours, size);
     let mut edges = Edges::none(size);
     for (contour, &stroke) in contours.iter().zip(&widths) {

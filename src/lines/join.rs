@@ -16,6 +16,9 @@ const RING: f32 = 4.0;
 /// Ends nearer than this need not point at one another, mm: their headings alone decide.
 const TOUCHING: f32 = 0.5;
 
+/// Ends nearer than this are one point, mm.
+const MEETING: f32 = 0.05;
+
 /// Ends that do not meet exactly bend towards one another over this length, mm.
 const BEND: f32 = 4.0;
 
@@ -56,6 +59,11 @@ fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
     let distance = way.length();
     if distance > gap || (a.polyline == b.polyline && lengths[a.polyline] < RING * distance) {
         return None;
+    }
+    // at a corner, one of whose sides is a stroke
+    let is_stroke = |end: &End<Mm>| dot(end.contrast, end.contrast) <= 0.0;
+    if distance <= MEETING && (is_stroke(a) || is_stroke(b)) {
+        return Some(distance + gap * (1.0 + a.direction.dot(b.direction)));
     }
     // Leaving through a one enters through b, where right and left change places. A stroke's centreline has no step.
     if dot(a.contrast, b.contrast) > 0.0 || a.direction.dot(b.direction) > -FACING {

@@ -9,6 +9,10 @@ pub(super) const SPACING: f32 = 0.4;
 /// Vertices farther apart than this, mm, get others between them: what looks at a line looks at its vertices.
 const LONGEST: f32 = 1.25 * SPACING;
 
+/// At a corner a line turns by at least 30 degrees (the cosine), over a short and a longer way, mm.
+const CORNER: f32 = 0.866;
+const CORNER_ARMS: [f32; 2] = [0.15, 1.0];
+
 /// A vertex of a line in the making.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Vertex {
@@ -97,6 +101,55 @@ impl Polyline<Vertex> {
         self.subdivide(LONGEST);
     }
 
+    /// [`Self::smoothed`] and [`Self::evened`] between its corners, which stay where they are.
+    pub(super) fn smoothed_between_corners(self, sigma: f32) -> Self {
+        let mut corners = self.corners();
+        let strength = |i: &usize| self.vertices[*i].strength;
+        let strongest = (0..corners.len()).max_by(|&a, &b| strength(&corners[a]).total_cmp(&strength(&corners[b])));
+        let Some(strongest) = strongest else { return self.smoothed(sigma).evened() };
+        let (open, closed) = if self.closed {
+            let (start, count) = (corners[strongest], self.vertices.len());
+            corners.iter_mut().for_each(|corner| *corner = (*corner + count - start) % count);
+            corners.sort_unstable();
+            corners.remove(0);
+            (self.opened_at(start), true)
+        } else {
+            (self, false)
+        };
+        let ends = corners.iter().copied().chain([open.vertices.len() - 1]);
+        let (mut vertices, mut start): (Vec<Vertex>, usize) = (Vec::new(), 0);
+        for end in ends {
+            let piece = Polyline::open(open.vertices[start..=end].to_vec()).smoothed(sigma).evened();
+            vertices.extend(piece.vertices.into_iter().skip(usize::from(start > 0)));
+            start = end;
+        }
+        if closed {
+            vertices.pop();
+        }
+        Self { vertices, closed }
+    }
+
+    /// The vertices at which the line turns at once. Those near the ends of an open line are none.
+    fn corners(&self) -> Vec<usize> {
+        let count = self.vertices.len();
+        let direction = |i: usize, step: isize, length: f32| {
+            let at = self.vertices[i].at;
+            let ahead = (1..count as isize).map_while(|k| self.view().next(i, k * step));
+            let to = ahead.map(|k| self.vertices[k].at).find(|to| (*to - at).length() >= length)?;
+            (to - at).try_normalize()
+        };
+        let turns = |&i: &usize| {
+            CORNER_ARMS.iter().all(|&arm| {
+                let both = direction(i, 1, arm).zip(direction(i, -1, arm));
+                both.is_some_and(|(on, back)| on.dot(back) >= -CORNER)
+            })
+        };
+        let mut corners: Vec<usize> = (0..count).filter(turns).collect();
+        // of coinciding vertices one is enough
+        corners.dedup_by(|b, a| (self.vertices[*a].at - self.vertices[*b].at).length() < CORNER_ARMS[0]);
+        corners
+    }
+
     /// Positions, strengths and steps smoothed along the line; widths are not yet known.
     pub(super) fn smoothed(self, sigma: f32) -> Self {
         let smooth = smooth(&self.arc_lengths(), self.closed, sigma, |i| {
@@ -117,4 +170,47 @@ impl Polyline<Vertex> {
 /// Scalar product of two colour steps.
 pub(super) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
+        let vertex = |&(x, y): &(f32, f32)| Vertex {
+            at: MmPoint::new(x, y),
+            strength: 30.0,
+            contrast: [0.0; 3],
+            width: 0.0,
+            exact: false,
+        };
+        let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
+        line.subdivide(0.25);
+        line
+    }
+
+    fn gap(line: &Polyline<Vertex>, (x, y): (f32, f32)) -> f32 {
+        line.vertices.iter().map(|v| (v.at - MmPoint::new(x, y)).length()).fold(f32::INFINITY, f32::min)
+    }
+
+    #[test]
+    fn corners_stay_where_they_are() {
+        let corners = [(10.0, 10.0), (30.0, 10.0), (30.0, 25.0), (12.0, 30.0)];
+        for closed in [false, true] {
+            let smooth = line(&corners, closed).smoothed_between_corners(0.6);
+            assert_eq!(smooth.closed, closed);
+            assert!(corners.iter().all(|&corner| gap(&smooth, corner) < 1e-4), "{smooth:?}");
+            assert!(smooth.segments().all(|(a, b)| (b.at - a.at).length() > 0.2), "no vertex twice");
+        }
+        assert!(gap(&line(&corners, true).smoothed(0.6), corners[0]) > 0.1);
+    }
+
+    #[test]
+    fn a_circle_has_no_corners() {
+        let on = |k: u32| (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
+        let circle: Vec<(f32, f32)> = (0..60).map(on).map(|(y, x)| (20.0 + 5.0 * x, 20.0 + 5.0 * y)).collect();
+        let circle = line(&circle, true);
+        assert!(circle.corners().is_empty());
+        assert_eq!(circle.clone().smoothed_between_corners(0.6), circle.smoothed(0.6).evened());
+    }
 }

@@ -17,7 +17,7 @@ const SPUR: f32 = 3.0;
 /// ... with the half width counted so often, as the spur may lead into a corner of the stroke's end.
 const CORNER: f32 = 1.5;
 /// To the tip of a corner it is this many half widths of the stroke over the sine of half its angle, at most.
-const TIP: f32 = 1.3;
+const TIP: f32 = 2.5;
 /// ... of which the least that counts is that of a corner of 15 degrees.
 const SHARPEST: f32 = 0.13;
 /// A spur leads to the tip if the cosine between it and the outer half of the angle is at least this (37 degrees).
@@ -29,6 +29,8 @@ pub(super) struct Strand {
     pub(super) line: Polyline<PxPoint>,
     /// Whether its start and its end are free, and not at a junction.
     pub(super) free: [bool; 2],
+    /// The junctions that it leads through.
+    pub(super) junctions: Vec<PxPoint>,
 }
 
 /// An end of a path at a junction.
@@ -147,7 +149,7 @@ fn strung(
         if used[path] {
             continue;
         }
-        let mut points: Vec<PxPoint> = Vec::new();
+        let (mut points, mut junctions): (Vec<PxPoint>, Vec<PxPoint>) = Default::default();
         let node_at = |path: &Path, start: bool| path.nodes[usize::from(!start)];
         let start = node_at(&paths[path], at_start).filter(|_| partner[path][usize::from(!at_start)].is_none());
         points.extend(start.map(|node| nodes[node].at));
@@ -161,9 +163,11 @@ fn strung(
             match partner[here][usize::from(from_start)] {
                 Some(next) if !used[next.path] => {
                     points.push(nodes[next.node].at);
+                    junctions.push(nodes[next.node].at);
                     (here, from_start) = (next.path, next.at_start);
                 }
-                Some(Partner { path: next, .. }) => {
+                Some(Partner { path: next, node, .. }) => {
+                    junctions.push(nodes[node].at);
                     let end = node_at(&paths[here], !from_start);
                     points.extend(end.map(|node| nodes[node].at));
                     break (next == path, end);
@@ -179,7 +183,7 @@ fn strung(
         if points.len() > 1 {
             let line = Polyline { closed: closed && points.len() > 2, vertices: points };
             let free = [start, end].map(|node| !line.closed && node.is_none_or(lone));
-            lines.push(Strand { line, free });
+            lines.push(Strand { line, free, junctions });
         }
     }
     lines

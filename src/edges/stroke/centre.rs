@@ -22,6 +22,10 @@ pub(super) const WIDEST: f32 = 0.5;
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
 /// left.
 const SMOOTHING: [f32; 3] = [1.5, 1.0, 1.0];
+/// Of a junction, the half width of the stroke and this much more, px, are drawn aside by what joins there.
+const JOINING: f32 = 2.0;
+/// A line goes straight through a junction if the cosine of its turns there is at least this (26 degrees).
+const STRAIGHT_ON: f32 = 0.9;
 /// The profile across a stroke is read in steps of this, px.
 const STEP: f32 = 0.25;
 /// It ends where less than this share of its largest value is left.
@@ -31,11 +35,18 @@ const BEYOND: f32 = 1.5;
 /// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
 /// lines anyway.
 const SHORTEST: f32 = 3.0;
+/// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
+const EVEN: f32 = 0.5;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
-const LONG: f32 = 5.0;
-/// Contrast of a stroke is at least this share of the step between its two sides. A stroke that shows less leaves the
-/// edge where it is; and beside a sharpened edge there is a rim that is no stroke.
-const OF_STEP: f32 = 0.7;
+pub(super) const LONG: f32 = 5.0;
+/// A stroke is lighter or darker than both its sides, or in another way beyond both, by at least this share of the step
+/// between them. One that shows less leaves the edge where it is; and beside a sharpened edge there is a rim that is no
+/// stroke.
+const OF_STEP: f32 = 0.2;
+/// Between two junctions no more than so many widths of the stroke apart, and this much more, px, contrast is not
+/// measured.
+const PASSED_WIDTHS: f32 = 3.0;
+const PASSED: f32 = 8.0;
 /// Colours beside a stroke are read this far outside it, px.
 const OUTSIDE: f32 = 2.0;
 /// The direction of an end is taken over the width of the stroke and this much more, px.
@@ -58,37 +69,45 @@ struct Profile {
     width: f32,
 }
 
-/// The stroke along a line of pixels, if it is one.
-pub(super) fn stroke(
+/// The strokes along a line of pixels.
+pub(super) fn strokes(
     strand: Strand,
     residue: &Plane,
     planes: &[Plane],
     radius: usize,
     params: &Params,
-) -> Option<Stroke> {
-    let Strand { mut line, free } = strand;
-    if line.length() < SHORTEST * params.min_length {
-        return None;
+) -> Vec<Stroke> {
+    let Strand { mut line, free, junctions } = strand;
+    let shortest = SHORTEST * params.min_length;
+    if line.length() < shortest {
+        return Vec::new();
     }
-    let mut width = 2.0 * radius as f32 + 1.0;
+    let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
     for sigma in SMOOTHING {
         line = smoothed(&line, sigma);
         let profiles: Vec<Profile> =
             (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
-        width = median(profiles.iter().map(|profile| profile.width)).max(1.0);
-        line = centred(&line, &profiles, 0.5 * width);
+        let widths = sorted(profiles.iter().map(|profile| profile.width));
+        width = quantile(&widths, 0.5).max(1.0);
+        is_even = quantile(&widths, 0.25) >= EVEN * quantile(&widths, 0.75);
+        line = through_junctions(&centred(&line, &profiles, 0.5 * width), &junctions, 0.5 * width + JOINING);
     }
     extend_ends(&mut line, free, residue, width);
-    let contrasts: Vec<f32> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
-    let is_stroke = line.length() >= LONG * width
-        && width <= (WIDEST * params.widest_stroke).min(2.0 * radius as f32)
-        && median(contrasts.iter().copied()) >= params.low
-        && contrasts.iter().any(|contrast| *contrast >= params.high)
-        && !is_border(&line, residue);
-    if !is_stroke {
-        return None;
+    if !is_even || width > (WIDEST * params.widest_stroke).min(2.0 * radius as f32 - 1.0) {
+        return Vec::new();
     }
-    let strength = smooth(&line.arc_lengths(), line.closed, 0.5 * params.strength_window, |i| [contrasts[i]]);
+    let contrasts: Vec<Contrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
+    let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
+    let strokes = stretches.into_iter().filter(|(line, contrasts)| {
+        line.length() >= LONG * width
+            && contrasts.iter().any(|contrast| contrast.of_stroke() >= params.high)
+            && !is_border(line, residue)
+    });
+    strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, params)).collect()
+}
+
+fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, params: &Params) -> Stroke {
+    let strength = smooth(&line.arc_lengths(), line.closed, 0.5 * params.strength_window, |i| [contrasts[i].height]);
     let vertices = line.vertices.iter().zip(strength).map(|(&at, [strength])| ContourPoint {
         at,
         strength,
@@ -98,7 +117,59 @@ pub(super) fn stroke(
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
     corner::sharpen(&mut contour);
-    Some(Stroke { contour, width })
+    Stroke { contour, width }
+}
+
+/// The stretches of a line that have a contrast of at least `least`, or that are no longer than `passed` px and beside
+/// such a one, each with its contrasts: all of it, or what lies between some of its junctions, where a stroke may go on
+/// along the border of an area, which is none.
+fn with_contrast(
+    line: &Polyline<PxPoint>,
+    junctions: &[PxPoint],
+    contrasts: &[Contrast],
+    (passed, least): (f32, f32),
+) -> Vec<(Polyline<PxPoint>, Vec<Contrast>)> {
+    let n = contrasts.len();
+    let nearest = |at: &PxPoint| {
+        let distance = |i: &usize| (line.vertices[*i] - *at).square_length();
+        (0..n).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+    };
+    let mut breaks: Vec<usize> = junctions.iter().map(nearest).collect();
+    breaks.sort_unstable();
+    breaks.dedup();
+    // each as the indices of its vertices, with both junctions
+    let mut parts: Vec<Vec<usize>> = breaks.windows(2).map(|pair| (pair[0]..=pair[1]).collect()).collect();
+    match (breaks.first(), breaks.last()) {
+        (Some(&first), Some(&last)) if line.closed => parts.push((last..n).chain(0..=first).collect()),
+        (Some(&first), Some(&last)) => {
+            parts.insert(0, (0..=first).collect());
+            parts.push((last..n).collect());
+        }
+        _ => parts.push((0..n).collect()),
+    }
+    let has_contrast: Vec<bool> =
+        parts.iter().map(|part| median(part.iter().map(|&i| contrasts[i].of_stroke())) >= least).collect();
+    // between two junctions that are near one another it cannot be measured
+    let is_short = |part: &[usize]| {
+        let steps = part.windows(2).map(|pair| (line.vertices[pair[1]] - line.vertices[pair[0]]).length());
+        steps.sum::<f32>() <= passed
+    };
+    let count = parts.len();
+    let beside = |k: usize| has_contrast[(k + 1) % count] || has_contrast[(k + count - 1) % count];
+    let shown: Vec<bool> = (0..count).map(|k| has_contrast[k] || is_short(&parts[k]) && beside(k)).collect();
+    if shown.iter().all(|shown| *shown) {
+        return vec![(line.clone(), contrasts.to_vec())];
+    }
+    // a closed line begins after a part that is none
+    let begin = if line.closed { shown.iter().position(|shown| !shown).map_or(0, |none| none + 1) } else { 0 };
+    let order: Vec<usize> = (0..count).map(|k| (begin + k) % count).collect();
+    let stretch = |run: &[usize]| {
+        let mut indices: Vec<usize> = run.iter().flat_map(|&part| parts[part].iter().copied()).collect();
+        indices.dedup();
+        let line = Polyline::open(indices.iter().map(|&i| line.vertices[i]).collect());
+        (line, indices.iter().map(|&i| contrasts[i]).collect())
+    };
+    order.split(|&part| !shown[part]).filter(|run| !run.is_empty()).map(stretch).collect()
 }
 
 fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
@@ -116,6 +187,37 @@ fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polylin
     let shifts = smooth(&arcs, line.closed, 1.0, shift);
     let vertices = line.vertices.iter().zip(shifts).enumerate().map(|(i, (&at, [shift]))| at + right(line, i) * shift);
     Polyline { vertices: vertices.collect(), closed: line.closed }
+}
+
+/// Goes straight through the junctions at which a line does not turn: what joins it there draws it aside.
+fn through_junctions(line: &Polyline<PxPoint>, junctions: &[PxPoint], reach: f32) -> Polyline<PxPoint> {
+    let mut straight = line.clone();
+    let view = line.view();
+    let count = line.vertices.len() as isize;
+    for junction in junctions {
+        let distance = |i: &usize| (line.vertices[*i] - *junction).square_length();
+        let nearest = (0..line.vertices.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let Some(nearest) = nearest else { continue };
+        // the first vertex outside, and one as far again
+        let outside = |step: isize, reach: f32| {
+            let walk = (1..count).map_while(|k| view.next(nearest, k * step).map(|i| (k, i)));
+            walk.into_iter().find(|(_, i)| (line.vertices[*i] - *junction).length() > reach)
+        };
+        let sides = [-1, 1].map(|step| outside(step, reach).zip(outside(step, 2.0 * reach)));
+        let [Some(((back, before), (_, far_before))), Some(((on, after), (_, far_after)))] = sides else { continue };
+        let (a, b) = (line.vertices[before], line.vertices[after]);
+        let [into, through, out] = [a - line.vertices[far_before], b - a, line.vertices[far_after] - b]
+            .map(|way| way.try_normalize().unwrap_or_default());
+        if into.dot(through) < STRAIGHT_ON || through.dot(out) < STRAIGHT_ON {
+            continue;
+        }
+        for k in 1 - back..on {
+            if let Some(i) = view.next(nearest, k) {
+                straight.vertices[i] = a.lerp(b, (k + back) as f32 / (on + back) as f32);
+            }
+        }
+    }
+    straight
 }
 
 /// Goes straight on at the free ends of a line, as far as the residue is at least half of what it is along the line.
@@ -203,16 +305,35 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> P
     Profile { shift: moment / weights, width: sum * STEP / peak }
 }
 
-/// Contrast of the stroke at a vertex with the ground on both sides, in all planes; 0 where the two sides differ more
-/// than it does from either.
-fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) -> f32 {
+/// The contrast at a vertex of a line.
+#[derive(Debug, Clone, Copy)]
+struct Contrast {
+    /// How far the colour of the line is from those beside it, and these from one another.
+    height: f32,
+    /// Whether it is a stroke's, or only the border's of two areas.
+    is_stroke: bool,
+}
+
+impl Contrast {
+    /// The height, if it is a stroke's.
+    fn of_stroke(&self) -> f32 {
+        if self.is_stroke { self.height } else { 0.0 }
+    }
+}
+
+/// Contrast at a vertex with the ground on both sides, in all planes.
+fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) -> Contrast {
     let (at, across) = (line.vertices[i], right(line, i));
     let outside = 0.5 * width + OUTSIDE;
     let norm = |of: &dyn Fn(&Plane) -> f32| planes.iter().map(|plane| of(plane) * of(plane)).sum::<f32>().sqrt();
     let value = |plane: &Plane, distance: f32| interpolated(plane, at + across * distance);
     let step = norm(&|plane| value(plane, outside) - value(plane, -outside));
     let excess = norm(&|plane| value(plane, 0.0) - 0.5 * (value(plane, outside) + value(plane, -outside)));
-    if excess < OF_STEP * step { 0.0 } else { excess.max(step) }
+    let beyond = norm(&|plane| {
+        let (a, b) = (value(plane, outside), value(plane, -outside));
+        value(plane, 0.0) - value(plane, 0.0).clamp(a.min(b), a.max(b))
+    });
+    Contrast { height: excess.max(step), is_stroke: beyond >= OF_STEP * step }
 }
 
 /// Whether a line runs along the border of the picture.
@@ -235,7 +356,16 @@ fn interpolated(plane: &Plane, at: PxPoint) -> f32 {
 }
 
 fn median(values: impl Iterator<Item = f32>) -> f32 {
+    quantile(&sorted(values), 0.5)
+}
+
+fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
     let mut values: Vec<f32> = values.collect();
     values.sort_by(f32::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
+    values
+}
+
+/// The value below which a share of sorted values lies; 0 of none.
+fn quantile(sorted: &[f32], share: f32) -> f32 {
+    sorted.get((share * sorted.len() as f32) as usize).copied().unwrap_or(0.0)
 }

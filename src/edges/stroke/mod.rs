@@ -20,10 +20,11 @@ use pulp::Arch;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 pub(super) use self::centre::Stroke;
-use self::centre::WIDEST;
+use self::centre::{LONG, WIDEST};
 use self::skeleton::{Mask, Node, Path};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
+use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
@@ -52,6 +53,8 @@ const SMALLEST_RADIUS: usize = 3;
 /// A pixel belongs to a structure if its residue is at least this share of the largest within [`LOCAL`] px.
 const SHARE: f32 = 0.45;
 const LOCAL: usize = 3;
+/// Strokes whose lengths differ by less than about this, px, are equally long.
+const ALIKE: f32 = 16.0;
 
 /// The strokes of a drawing. `noise` is the standard deviation of a pixel.
 pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> {
@@ -64,25 +67,26 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
         high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },
         ..*params
     };
-    let mut taken = Taken::new(raster.size());
-    let mut strokes = Vec::new();
+    let mut found = Vec::new();
     for radius in radii(WIDEST * params.widest_stroke) {
-        let mut found = Vec::new();
         for plane in &planes {
             for polarity in [Polarity::Below, Polarity::Above] {
-                found.extend(candidates(plane, radius, polarity, &planes, params));
+                found.extend(candidates(plane, radius, polarity, &planes, params).into_iter().map(|of| (radius, of)));
             }
         }
-        // Narrow before wide, so that what lies between two strokes is no stroke; then long before short, as another
-        // plane may show but pieces.
-        let octave = |stroke: &Stroke| (stroke.width / THINNEST).max(1.0).log2() as i32;
-        found.sort_by(|a, b| octave(a).cmp(&octave(b)).then(b.contour.length().total_cmp(&a.contour.length())));
-        for stroke in found {
-            if !taken.has_most_of(&stroke, params.sigma) {
-                taken.add(&stroke, params.sigma);
-                strokes.push(stroke);
-            }
-        }
+    }
+    // Narrow before wide, so that what lies between two strokes is no stroke; then long before short, as another plane
+    // or square may show but pieces; then as the smallest square shows them.
+    let octave = |stroke: &Stroke| (stroke.width / THINNEST).max(1.0).log2() as i32;
+    let length = |stroke: &Stroke| (stroke.contour.length() / ALIKE).round() as i32;
+    let order = |(radius, stroke): &(usize, Stroke)| (octave(stroke), -length(stroke), *radius);
+    found.sort_by(|a, b| order(a).cmp(&order(b)).then(b.1.contour.length().total_cmp(&a.1.contour.length())));
+    let mut taken = Taken::new(raster.size());
+    let mut strokes = Vec::new();
+    for (_, stroke) in found {
+        let new = if taken.has_most_of(&stroke, params.sigma) { taken.rest_of(&stroke) } else { vec![stroke] };
+        new.iter().for_each(|stroke| taken.add(stroke, params.sigma));
+        strokes.extend(new);
     }
     strokes
 }
@@ -135,7 +139,7 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
     let strokes = |cells: &&[usize]| -> Vec<Stroke> {
         let (paths, nodes) = thinned(cells, &residue);
         let arms = arms::joined(paths, &nodes);
-        arms.into_iter().filter_map(|strand| centre::stroke(strand, &residue, planes, radius, params)).collect()
+        arms.into_iter().flat_map(|strand| centre::strokes(strand, &residue, planes, radius, params)).collect()
     };
     things.par_iter().flat_map_iter(strokes).collect()
 }
@@ -267,9 +271,8 @@ impl Taken {
     fn add(&mut self, stroke: &Stroke, sigma: f32) {
         let reach = 0.5 * stroke.width + OUTSIDE * sigma;
         for (a, b) in stroke.contour.segments() {
-            for at in [a.at, a.at.lerp(b.at, 0.5), b.at] {
-                self.add_disc(at, reach);
-            }
+            let steps = (b.at - a.at).length().ceil().max(1.0) as usize;
+            (0..=steps).for_each(|k| self.add_disc(a.at.lerp(b.at, k as f32 / steps as f32), reach));
         }
     }
 
@@ -292,6 +295,14 @@ impl Taken {
     pub(super) fn has(&self, at: PxPoint) -> bool {
         let cell = |at: f32, count: u32| (at.max(0.0) as usize).min(count as usize - 1);
         self.cells[cell(at.y, self.size.height) * self.size.width as usize + cell(at.x, self.size.width)]
+    }
+
+    /// What of a stroke is no other's, if that is long enough to be one: as eaves go on beyond a wall.
+    fn rest_of(&self, stroke: &Stroke) -> Vec<Stroke> {
+        let runs = stroke.contour.vertices.chunk_by(|a, b| self.has(a.at) == self.has(b.at));
+        let own = runs.filter(|run| !self.has(run[0].at));
+        let rest = own.map(|run| Stroke { contour: Polyline::open(run.to_vec()), width: stroke.width });
+        rest.filter(|rest| rest.contour.length() >= LONG * rest.width).collect()
     }
 
     /// Whether most of both sides of a stroke are those of others, or it is itself on one.

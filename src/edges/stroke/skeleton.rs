@@ -63,7 +63,8 @@ impl Mask {
         PxPoint::new((cell % self.stride) as f32 - 0.5, (cell / self.stride) as f32 - 0.5)
     }
 
-    /// Thins the mask until it is a pixel wide (T. Y. Zhang and C. Y. Suen 1984).
+    /// Thins the mask until it is a pixel wide (Z. Guo and R. W. Hall 1989, algorithm A1). The algorithm of T. Y. Zhang
+    /// and C. Y. Suen (1984) takes diagonal lines away altogether that are two pixels wide.
     pub(super) fn thin(&mut self) {
         let mut set: Vec<usize> = (0..self.cells.len()).filter(|&cell| self.cells[cell]).collect();
         loop {
@@ -88,10 +89,12 @@ impl Mask {
 
     fn is_removable(&self, cell: usize, second: bool) -> bool {
         let ring = self.ring(cell);
-        let [n, _, e, _, s, _, w, _] = ring;
-        let count = ring.iter().filter(|set| **set).count();
-        let sides = if second { !(n && w && (e || s)) } else { !(e && s && (n || w)) };
-        (2..=6).contains(&count) && transitions(ring) == 1 && sides
+        let [n, ne, e, se, s, sw, w, nw] = ring;
+        let count = |set: [bool; 4]| set.into_iter().filter(|set| *set).count();
+        let connected = count([!n && (ne || e), !e && (se || s), !s && (sw || w), !w && (nw || n)]);
+        let neighbours = count([nw || n, ne || e, se || s, sw || w]).min(count([n || ne, e || se, s || sw, w || nw]));
+        let sides = if second { (s || sw || !nw) && w } else { (n || ne || !se) && e };
+        connected == 1 && (2..=3).contains(&neighbours) && !sides
     }
 
     /// Whether a pixel only fills the corner between two neighbours that touch one another.
@@ -262,6 +265,17 @@ mod tests {
         let (paths, nodes) = skeleton(&["..........", ".########.", ".########.", ".########.", ".........."]);
         assert!(nodes.is_empty() && paths.len() == 1 && !paths[0].closed);
         assert!(paths[0].points.iter().all(|at| (at.y - 2.5).abs() < 1e-6), "{paths:?}");
+    }
+
+    #[test]
+    fn a_diagonal_two_pixels_wide_stays() {
+        let rows: Vec<String> = (0..16)
+            .map(|y: i32| (0..18).map(|x: i32| if (0..=1).contains(&(x - y)) && y > 0 { '#' } else { '.' }).collect())
+            .collect();
+        let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+        let (paths, nodes) = skeleton(&rows);
+        assert!(nodes.is_empty(), "{nodes:?}");
+        assert!(matches!(&paths[..], [line] if line.points.len() >= 12), "{paths:?}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::extend::{Extended, extension};
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
-use crate::lines::vertex::Vertex;
+use crate::lines::vertex::{Vertex, dot};
 
 /// A line that joins another this near to its end, mm, ends there.
 const TIP: f32 = 0.01;
@@ -66,29 +66,45 @@ pub(super) fn split(
     if polyline.closed && params.is_dot(length) {
         return Vec::new();
     }
-    let pieces = match states.iter().position(|state| *state == State::TooNear) {
+    let (open, states) = match states.iter().position(|state| *state == State::TooNear) {
         Some(start) if polyline.closed => {
             let count = states.len();
-            let states: Vec<State> = (0..=count).map(|k| states[(start + k) % count]).collect();
-            pieces(&polyline.opened_at(start).vertices, &states, extended, drawn)
+            (polyline.opened_at(start), (0..=count).map(|k| states[(start + k) % count]).collect())
         }
-        _ => pieces(&polyline.vertices, states, extended, drawn),
+        _ => (polyline.clone(), states.to_vec()),
     };
-    let kept: f32 = pieces.iter().map(Polyline::length).sum();
     let is_drawn = polyline.vertices.iter().all(|vertex| vertex.exact);
-    if kept >= if is_drawn { WHOLE_DRAWN } else { WHOLE } * length {
-        pieces
+    let least = if is_drawn { WHOLE_DRAWN } else { WHOLE } * length;
+    let kept = |pieces: &[Polyline<Vertex>]| pieces.iter().map(Polyline::length).sum::<f32>();
+    let coarse = pieces(&open.vertices, clear_stretches(&states), extended, drawn);
+    if kept(&coarse) >= least {
+        return coarse;
+    }
+    // a stroke on which many lines end, as bars on an axis, is nowhere free; what is left is judged once more
+    let is_stroke = |vertex: &Vertex| dot(vertex.contrast, vertex.contrast) <= 0.0;
+    let strokes = polyline.vertices.iter().filter(|vertex| is_stroke(vertex)).count();
+    let fine = match 2 * strokes > polyline.vertices.len() {
+        true => pieces(&open.vertices, apart_stretches(&states), extended, drawn),
+        false => Vec::new(),
+    };
+    if kept(&fine) >= least && !fine.is_empty() {
+        fine
     } else if polyline.closed {
         Vec::new()
     } else {
-        most_salient(pieces, params).into_iter().collect()
+        most_salient(coarse, params).into_iter().collect()
     }
 }
 
 /// The parts of an open line that are long enough, each extended at both its ends if `extended`.
-fn pieces(vertices: &[Vertex], states: &[State], extended: bool, drawn: &DrawnLines<'_>) -> Vec<Polyline<Vertex>> {
+fn pieces(
+    vertices: &[Vertex],
+    stretches: Vec<Range<usize>>,
+    extended: bool,
+    drawn: &DrawnLines<'_>,
+) -> Vec<Polyline<Vertex>> {
     let mut pieces = Vec::new();
-    for Range { start, end } in clear_stretches(states) {
+    for Range { start, end } in stretches {
         let mut piece = vertices[start..end].to_vec();
         if extended && end < vertices.len() {
             piece.extend(extension(&piece, &vertices[end..], Extended::Piece, drawn).unwrap_or_default());
@@ -105,6 +121,19 @@ fn pieces(vertices: &[Vertex], states: &[State], extended: bool, drawn: &DrawnLi
         }
     }
     pieces
+}
+
+/// The stretches of vertices between those that are too near to lines.
+fn apart_stretches(states: &[State]) -> Vec<Range<usize>> {
+    let mut stretches = Vec::new();
+    let mut at = 0;
+    for alike in states.chunk_by(|a, b| (*a == State::TooNear) == (*b == State::TooNear)) {
+        if !alike.contains(&State::TooNear) {
+            stretches.push(at..at + alike.len());
+        }
+        at += alike.len();
+    }
+    stretches
 }
 
 /// The stretches of vertices between those that are near to lines in such a way that some are too near. A stretch that
@@ -147,6 +176,26 @@ mod tests {
         assert_eq!(all(&[TooNear, Free, TooNear]), [1..2]);
         assert_eq!(all(&[Free, Joined]), [0..2]);
         assert_eq!(all(&[TooNear]), []);
+    }
+
+    #[test]
+    fn an_axis_stays_where_bars_stand_on_it() {
+        use State::{Free, Joined, TooNear};
+        assert_eq!(apart_stretches(&[TooNear, Joined, Joined, TooNear, Free, Joined]), [1..3, 4..6]);
+        assert_eq!(apart_stretches(&[TooNear]), []);
+        // bars 9 mm apart, and what was drawn of the axis before them
+        let legs: Vec<Vec<(f32, f32)>> =
+            (0..5).map(|k| 20.0 + 9.0 * k as f32).map(|x| vec![(x, 20.0), (x, 50.0)]).collect();
+        let before = vec![(5.0, 50.2), (17.0, 50.2)];
+        let all: Vec<&[(f32, f32)]> = legs.iter().chain([&before]).map(Vec::as_slice).collect();
+        let lines = drawn(&all);
+        let axis = polyline(&[(14.0, 50.0), (62.0, 50.0)], false);
+        let states = lines.states(&axis);
+        assert!(states.contains(&State::TooNear));
+        let mut stroke = axis;
+        stroke.vertices.iter_mut().for_each(|vertex| vertex.contrast = [0.0; 3]);
+        let pieces = split(&stroke, &states, false, &lines);
+        assert!(matches!(&pieces[..], [piece] if piece.length() > 38.0), "{pieces:?}");
     }
 
     #[test]

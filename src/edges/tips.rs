@@ -1,0 +1,228 @@
+//! Ends of strokes that belong together. Near its tip the two sides of a corner are one thick spot, so that a stroke
+//! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin.
+
+use super::contour::{Contour, ContourPoint};
+use crate::geom::link::{End, Part, link};
+use crate::units::{Px, PxPoint, PxVector};
+
+/// A contour, and the width of the stroke along whose middle it runs, px; an edge has none.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Found {
+    pub(super) contour: Contour,
+    pub(super) stroke: Option<f32>,
+}
+
+/// Two ends make a corner if they are at most so many widths of the stroke apart, and this much more, px.
+const APART_WIDTHS: f32 = 2.0;
+const APART: f32 = 12.0;
+/// ... if one of them is an edge, so many scales of the edge detector.
+const APART_SCALES: f32 = 4.0;
+/// The direction of an end is taken over so many widths of the stroke, and this much more, px.
+const HEADING_WIDTHS: f32 = 2.0;
+const HEADING: f32 = 6.0;
+/// ... of an edge over so many scales, but for the last ones, which are bent.
+const HEADING_SCALES: f32 = 6.0;
+const BENT_SCALES: f32 = 1.5;
+/// Cosine between the directions of two ends that make a corner: at most 60 degrees between its sides, and at least 10.
+const WIDE: f32 = 0.5;
+const NARROW: f32 = 0.985;
+/// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
+const BEYOND: f32 = 1.5;
+/// An end goes on in another if the cosine between its direction and the way there is at least this (18 degrees).
+const AHEAD: f32 = 0.95;
+/// Contours whose ends make a corner are at least so many times as long as the ends may be apart: the parts of letters
+/// and of arrowheads are not.
+const LONG: f32 = 6.0;
+
+/// Contours whose ends make a sharp corner end at its tip, if one of them is a stroke; two strokes become one, as they
+/// do where one goes on in the other. `sigma` is the scale of the edge detector, px.
+pub(super) fn meet(mut found: Vec<Found>, sigma: f32) -> Vec<Found> {
+    let ends: Vec<End<Px>> = (0..found.len())
+        .filter(|&number| !found[number].contour.closed && found[number].contour.vertices.len() > 2)
+        .flat_map(|number| [true, false].map(|at_start| end(number, at_start, &found[number], sigma)))
+        .collect();
+    let reach = found.iter().map(|found| found.reach(sigma)).fold(0.0, f32::max);
+    let threads = link(found.len(), &ends, reach, |a, b| cost(a, b, &found, sigma));
+    let of = |part: &Part, at_start: bool| {
+        let at_start = at_start != part.reversed;
+        ends.iter().find(|end| end.polyline == part.polyline && end.at_start == at_start)
+    };
+    let mut joined = Vec::with_capacity(found.len());
+    for thread in threads {
+        let pairs = thread.parts.windows(2).map(|pair| (&pair[0], &pair[1]));
+        let over_start = thread.closed.then(|| thread.parts.last().zip(thread.parts.first())).flatten();
+        for (part, next) in pairs.chain(over_start) {
+            let Some((a, b)) = of(part, false).zip(of(next, true)) else { continue };
+            if goes_on(a, b) {
+                continue;
+            }
+            let ahead = crossing((a.at, a.direction), (b.at, b.direction)).map_or(0.0, |(ahead, _)| ahead);
+            let tip = a.at + a.direction * ahead;
+            [a, b].into_iter().for_each(|end| found[end.polyline].lead_to(tip, end.at_start, sigma));
+        }
+        joined.extend(strung(&thread.parts, thread.closed, &found));
+    }
+    joined
+}
+
+/// The contours of a thread, strokes that follow one another as one.
+fn strung(parts: &[Part], closed: bool, found: &[Found]) -> Vec<Found> {
+    let mut strung: Vec<Found> = Vec::new();
+    for part in parts {
+        let mut next = found[part.polyline].clone();
+        if part.reversed {
+            next.contour = next.contour.reversed();
+        }
+        match (strung.last_mut(), next.stroke) {
+            (Some(Found { contour, stroke: Some(width) }), Some(next_width)) => {
+                let (before, after) = (contour.length(), next.contour.length());
+                *width = (*width * before + next_width * after) / (before + after);
+                // the tip is there already
+                contour.vertices.extend(next.contour.vertices.into_iter().skip(1));
+            }
+            _ => strung.push(next),
+        }
+    }
+    if closed && let [Found { contour, stroke: Some(_) }] = &mut strung[..] {
+        contour.vertices.pop();
+        contour.closed = true;
+    }
+    strung
+}
+
+impl Found {
+    /// How far from one of its ends another may be that makes a corner with it, px.
+    fn reach(&self, sigma: f32) -> f32 {
+        self.stroke.map_or(APART_SCALES * sigma, |width| APART_WIDTHS * width + APART)
+    }
+
+    /// From where to where the direction of an end is taken, px from the end.
+    fn heading(&self, sigma: f32) -> [f32; 2] {
+        self.stroke.map_or([BENT_SCALES, HEADING_SCALES].map(|scales| scales * sigma), |width| {
+            [0.0, HEADING_WIDTHS * width + HEADING]
+        })
+    }
+
+    /// Leads an end straight to the tip of a corner. Beside the tip contrast cannot be measured: it is that before.
+    fn lead_to(&mut self, tip: PxPoint, at_start: bool, sigma: f32) {
+        let [_, way] = self.heading(sigma);
+        if at_start {
+            self.contour.reverse();
+        }
+        let vertices = &mut self.contour.vertices;
+        while vertices.len() > 2 && vertices.last().is_some_and(|last| (last.at - tip).length() < way) {
+            vertices.pop();
+        }
+        if let Some(&last) = vertices.last() {
+            let steps = (tip - last.at).length().ceil().max(1.0) as usize;
+            let at = |k: usize| ContourPoint { at: last.at.lerp(tip, k as f32 / steps as f32), ..last };
+            vertices.extend((1..=steps).map(at));
+        }
+        if at_start {
+            self.contour.reverse();
+        }
+    }
+}
+
+fn end(number: usize, at_start: bool, found: &Found, sigma: f32) -> End<Px> {
+    let contour = &found.contour;
+    let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
+    let [from, to] = found.heading(sigma);
+    let at_arc = |arc: f32| {
+        let index = contour.walk(tip, at_start).find(|(_, walked)| *walked >= arc).map(|(index, _)| index);
+        index.map(|index| contour.vertices[index].at)
+    };
+    let direction = at_arc(from).zip(at_arc(to)).and_then(|(near, far)| (near - far).try_normalize());
+    let at = contour.vertices[tip].at;
+    End { polyline: number, at_start, at, direction: direction.unwrap_or_default(), contrast: [0.0; 3] }
+}
+
+fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+    let (distance, cosine) = ((b.at - a.at).length(), a.direction.dot(b.direction));
+    let [first, second] = [a, b].map(|end| &found[end.polyline]);
+    let reach = first.reach(sigma).max(second.reach(sigma));
+    let is_short = first.contour.length().min(second.contour.length()) < LONG * reach;
+    let are_edges = first.stroke.is_none() && second.stroke.is_none();
+    if distance > reach || is_short || are_edges {
+        return None;
+    }
+    if goes_on(a, b) {
+        return (first.stroke.is_some() && second.stroke.is_some()).then_some(distance);
+    }
+    if !(WIDE..=NARROW).contains(&cosine) {
+        return None;
+    }
+    let near = |ahead: f32| ahead.abs() <= BEYOND * reach;
+    let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
+    (near(from_a) && near(from_b)).then_some(distance)
+}
+
+/// Whether one end points at the other, and the other at it.
+fn goes_on(a: &End<Px>, b: &End<Px>) -> bool {
+    let way = (b.at - a.at).try_normalize().unwrap_or_default();
+    a.direction.dot(way) >= AHEAD && -b.direction.dot(way) >= AHEAD
+}
+
+/// How far two rays run to where they cross, before their start if negative; none if they are parallel.
+fn crossing(a: (PxPoint, PxVector), b: (PxPoint, PxVector)) -> Option<(f32, f32)> {
+    let across = a.1.cross(b.1);
+    let way = b.0 - a.0;
+    (across != 0.0).then(|| (way.cross(b.1) / across, way.cross(a.1) / across))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::polyline;
+    use super::*;
+
+    const SIGMA: f32 = 1.8;
+
+    fn stroke(points: &[(f32, f32)]) -> Found {
+        Found { contour: polyline(points), stroke: Some(4.0) }
+    }
+
+    #[test]
+    fn the_sides_of_a_sharp_corner_meet_at_its_tip() {
+        // 28 degrees between the sides, whose tip is at (100, 50)
+        let sides = [stroke(&[(-60.0, 10.0), (90.0, 47.5)]), stroke(&[(-60.0, 90.0), (92.0, 52.0)])];
+        let corner = meet(sides.to_vec(), SIGMA);
+        assert_eq!(corner.len(), 1);
+        let at = |(x, y)| {
+            let distances = corner[0].contour.vertices.iter().map(|vertex| (vertex.at - PxPoint::new(x, y)).length());
+            distances.fold(f32::INFINITY, f32::min)
+        };
+        assert!(at((100.0, 50.0)) < 0.1 && at((-60.0, 10.0)) < 0.1 && at((-60.0, 90.0)) < 0.1);
+    }
+
+    #[test]
+    fn a_stroke_whose_own_ends_make_a_corner_is_closed() {
+        let triangle = meet(vec![stroke(&[(92.0, 48.0), (20.0, 30.0), (20.0, 70.0), (90.0, 52.5)])], SIGMA);
+        assert!(triangle.len() == 1 && triangle[0].contour.closed);
+        assert!((triangle[0].contour.length() - 2.0 * 82.46 - 40.0).abs() < 0.5);
+    }
+
+    #[test]
+    fn ends_that_make_no_corner_stay() {
+        let parallel = [stroke(&[(-60.0, 46.0), (90.0, 46.0)]), stroke(&[(-60.0, 54.0), (90.0, 54.0)])];
+        assert_eq!(meet(parallel.to_vec(), SIGMA).len(), 2);
+        let far = [stroke(&[(-80.0, 5.0), (58.0, 39.5)]), stroke(&[(-80.0, 95.0), (58.0, 60.5)])];
+        assert_eq!(meet(far.to_vec(), SIGMA).len(), 2, "21 px apart are more than 20");
+        let steps = [stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&[(165.0, 34.0), (300.0, 34.0)])];
+        assert_eq!(meet(steps.to_vec(), SIGMA).len(), 2);
+    }
+
+    #[test]
+    fn a_stroke_goes_on_over_a_gap() {
+        let aligned = [stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&[(165.0, 30.0), (300.0, 30.0)])];
+        assert!(matches!(&meet(aligned.to_vec(), SIGMA)[..], [one] if (one.contour.length() - 280.0).abs() < 1.0));
+    }
+
+    #[test]
+    fn an_edge_and_a_stroke_meet_and_stay_two() {
+        let edge = Found { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
+        let both = meet(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA);
+        assert_eq!(both.len(), 2);
+        let ends = both.iter().map(|found| found.contour.vertices.iter().map(|v| v.at.x).fold(0.0, f32::max));
+        assert!(ends.into_iter().all(|x| (x - 101.5).abs() < 0.2));
+    }
+}
