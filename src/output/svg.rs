@@ -21,7 +21,7 @@
 //!
 //! A contour whose width changes along it is a group of paths in place of a path: in an editor it is one object either
 //! way. Layers are those of Inkscape (`inkscape:groupmode`); other editors show groups. A layer that would be empty is
-//! left out. [`reading`](crate::reading) reads all of it back.
+//! left out. `reading` reads all of it back.
 
 use std::fmt::Write;
 
