@@ -32,6 +32,17 @@ pub(super) struct LineFit {
     pub(super) rms: f32,
 }
 
+/// Lines whose angle has a smaller sine (3 degrees) are nearly parallel.
+const PARALLEL: f32 = 0.05;
+
+/// Where two lines cross, each given by a point and its direction, as signed distances from those points; none if they
+/// are nearly parallel.
+pub(super) fn crossing(a: (PxPoint, PxVector), b: (PxPoint, PxVector)) -> Option<(f32, f32)> {
+    let sine = a.1.cross(b.1);
+    let between = b.0 - a.0;
+    (sine.abs() >= PARALLEL).then(|| (between.cross(b.1) / sine, between.cross(a.1) / sine))
+}
+
 impl Located for ContourPoint {
     type Unit = Px;
 
@@ -114,12 +125,7 @@ impl LineFit {
 
     /// Where two lines cross, as signed distances from the centre of each along it; none if they are nearly parallel.
     pub(super) fn crossing(&self, other: &Self) -> Option<(f32, f32)> {
-        let sine = self.direction.cross(other.direction);
-        if sine.abs() < 0.05 {
-            return None;
-        }
-        let between = other.centre - self.centre;
-        Some((between.cross(other.direction) / sine, between.cross(self.direction) / sine))
+        crossing((self.centre, self.direction), (other.centre, other.direction))
     }
 
     /// The point at a signed distance from the centre along the line.

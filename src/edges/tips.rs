@@ -1,9 +1,9 @@
 //! Ends of strokes that belong together. Near its tip the two sides of a corner are one thick spot, so that a stroke
 //! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin.
 
-use super::contour::{Contour, ContourPoint};
+use super::contour::{Contour, ContourPoint, crossing};
 use crate::geom::link::{End, Part, link};
-use crate::units::{Px, PxPoint, PxVector};
+use crate::units::{Px, PxPoint};
 
 /// A contour, and the width of the stroke along whose middle it runs, px; an edge has none.
 #[derive(Debug, Clone, PartialEq)]
@@ -161,13 +161,6 @@ fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
 fn goes_on(a: &End<Px>, b: &End<Px>) -> bool {
     let way = (b.at - a.at).try_normalize().unwrap_or_default();
     a.direction.dot(way) >= AHEAD && -b.direction.dot(way) >= AHEAD
-}
-
-/// How far two rays run to where they cross, before their start if negative; none if they are parallel.
-fn crossing(a: (PxPoint, PxVector), b: (PxPoint, PxVector)) -> Option<(f32, f32)> {
-    let across = a.1.cross(b.1);
-    let way = b.0 - a.0;
-    (across != 0.0).then(|| (way.cross(b.1) / across, way.cross(a.1) / across))
 }
 
 #[cfg(test)]

@@ -18,13 +18,10 @@ mod line;
 mod look;
 mod shape;
 
-use pulp::Arch;
-
 use self::area::{corners, each_cell};
 use self::erase::with_margin;
 use self::line::{Strictness, TextLine};
 use self::look::Look;
-use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
 use crate::raster::{Raster, lab};
 use crate::units::{PxPoint, Size};
@@ -62,7 +59,7 @@ impl Lettering {
     /// The text in a picture; of a drawing also where it differs from its ground in colour alone, and short labels.
     pub fn find(raster: &Raster, is_drawing: bool) -> Self {
         let size = raster.size();
-        let planes = lab_planes(raster);
+        let planes = lab::whole(raster);
         let strict = if is_drawing { Strictness::Drawing } else { Strictness::Photograph };
         let mut found = Self { lines: Vec::new(), mask: vec![false; size.len()] };
         let mut taken = Taken { size, cells: vec![false; size.len()] };
@@ -138,12 +135,4 @@ impl Taken {
         }
         is_new
     }
-}
-
-fn lab_planes(raster: &Raster) -> Vec<Plane> {
-    let size = raster.size();
-    let mut planes = vec![vec![0.0; size.len()]; lab::planes(raster)];
-    let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
-    lab::convert(Arch::new(), &from, &mut planes);
-    planes.into_iter().map(|values| Plane { size, values }).collect()
 }

@@ -12,6 +12,7 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::Raster;
+use super::plane::Plane;
 
 /// Weight of a difference of chroma, relative to one of lightness.
 const CHROMA: f32 = 2.0;
@@ -34,6 +35,15 @@ pub fn row(arch: Arch, raster: &Raster, y: usize, lab: &mut [Vec<f32>]) {
     let width = raster.size().width as usize;
     let row = raster.planes().as_ref().map(|plane| &plane[y * width..][..width]);
     convert(arch, row.as_slice(), lab);
+}
+
+/// L and, for colour pictures, 2a and 2b of all of a picture.
+pub fn whole(raster: &Raster) -> Vec<Plane> {
+    let size = raster.size();
+    let mut lab = vec![vec![0.0; size.len()]; planes(raster)];
+    let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
+    convert(Arch::new(), &from, &mut lab);
+    lab.into_iter().map(|values| Plane { size, values }).collect()
 }
 
 /// [`row`] for any pixels: one slice per plane, in linear light, all equally long. Those of `lab` are at least as long.

@@ -43,8 +43,8 @@ pub(super) const LONG: f32 = 5.0;
 /// between them. One that shows less leaves the edge where it is; and beside a sharpened edge there is a rim that is no
 /// stroke.
 const OF_STEP: f32 = 0.2;
-/// Between two junctions no more than so many widths of the stroke apart, and this much more, px, contrast is not
-/// measured.
+/// On a part of a line that ends at a junction, and is no longer than so many widths of the stroke and this much more,
+/// px, contrast cannot be measured: what joins the line there lies beside it.
 const PASSED_WIDTHS: f32 = 3.0;
 const PASSED: f32 = 8.0;
 /// Colours beside a stroke are read this far outside it, px.
@@ -78,8 +78,7 @@ pub(super) fn strokes(
     params: &Params,
 ) -> Vec<Stroke> {
     let Strand { mut line, free, junctions } = strand;
-    let shortest = SHORTEST * params.min_length;
-    if line.length() < shortest {
+    if line.length() < SHORTEST * params.min_length {
         return Vec::new();
     }
     let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
@@ -130,11 +129,7 @@ fn with_contrast(
     (passed, least): (f32, f32),
 ) -> Vec<(Polyline<PxPoint>, Vec<Contrast>)> {
     let n = contrasts.len();
-    let nearest = |at: &PxPoint| {
-        let distance = |i: &usize| (line.vertices[*i] - *at).square_length();
-        (0..n).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
-    };
-    let mut breaks: Vec<usize> = junctions.iter().map(nearest).collect();
+    let mut breaks: Vec<usize> = junctions.iter().filter_map(|junction| nearest_vertex(line, *junction)).collect();
     breaks.sort_unstable();
     breaks.dedup();
     // each as the indices of its vertices, with both junctions
@@ -149,7 +144,6 @@ fn with_contrast(
     }
     let has_contrast: Vec<bool> =
         parts.iter().map(|part| median(part.iter().map(|&i| contrasts[i].of_stroke())) >= least).collect();
-    // between two junctions that are near one another it cannot be measured
     let is_short = |part: &[usize]| {
         let steps = part.windows(2).map(|pair| (line.vertices[pair[1]] - line.vertices[pair[0]]).length());
         steps.sum::<f32>() <= passed
@@ -189,15 +183,18 @@ fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polylin
     Polyline { vertices: vertices.collect(), closed: line.closed }
 }
 
+fn nearest_vertex(line: &Polyline<PxPoint>, at: PxPoint) -> Option<usize> {
+    let distance = |i: &usize| (line.vertices[*i] - at).square_length();
+    (0..line.vertices.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
 /// Goes straight through the junctions at which a line does not turn: what joins it there draws it aside.
 fn through_junctions(line: &Polyline<PxPoint>, junctions: &[PxPoint], reach: f32) -> Polyline<PxPoint> {
     let mut straight = line.clone();
     let view = line.view();
     let count = line.vertices.len() as isize;
     for junction in junctions {
-        let distance = |i: &usize| (line.vertices[*i] - *junction).square_length();
-        let nearest = (0..line.vertices.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let Some(nearest) = nearest else { continue };
+        let Some(nearest) = nearest_vertex(line, *junction) else { continue };
         // the first vertex outside, and one as far again
         let outside = |step: isize, reach: f32| {
             let walk = (1..count).map_while(|k| view.next(nearest, k * step).map(|i| (k, i)));

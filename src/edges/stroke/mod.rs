@@ -58,10 +58,7 @@ const ALIKE: f32 = 16.0;
 
 /// The strokes of a drawing. `noise` is the standard deviation of a pixel.
 pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> {
-    let mut planes = vec![vec![0.0; raster.size().len()]; lab::planes(raster)];
-    let from: Vec<&[f32]> = raster.planes().iter().map(Vec::as_slice).collect();
-    lab::convert(Arch::new(), &from, &mut planes);
-    let planes: Vec<Plane> = planes.into_iter().map(|values| Plane { size: raster.size(), values }).collect();
+    let planes = lab::whole(raster);
     let params = &Params {
         low: if noise <= QUIET { FAINT * params.low } else { params.low.max(LOW_NOISE * noise) },
         high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },

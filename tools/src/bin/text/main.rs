@@ -17,6 +17,7 @@
 //! at its angle. **Lost** is the share of the lines of the scene without its text that is missing with text and all.
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
+mod layouts;
 mod picture;
 mod scenes;
 
