@@ -13,6 +13,7 @@ mod quality;
 mod render;
 mod shared;
 mod trace;
+mod words;
 mod writing;
 
 use std::ffi::OsString;
@@ -20,7 +21,6 @@ use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand};
-use tactograph::Options;
 
 pub(super) use self::calibrate::Calibrate;
 pub(super) use self::check::{Check, CheckFormat};
@@ -34,6 +34,7 @@ pub(super) use self::pages::Pages;
 pub(super) use self::render::Render;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
+pub(super) use self::words::Words;
 pub(super) use self::writing::{Chosen, Writing};
 use super::report::{Exit, Report};
 
@@ -211,32 +212,8 @@ pub(super) struct Convert {
     #[command(flatten)]
     pub(super) embossing: Embossing,
 
-    /// What the page is called, for one picture
-    ///
-    /// Written in braille above the figure, shown by viewers and read out by screen readers. --set braille=false leaves
-    /// the braille out. The file name is never written on a page.
-    ///
-    /// [default: the picture's file name]
-    #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]
-    title: Option<String>,
-
-    /// What is on the page, in your words, for one picture
-    ///
-    /// Read out by screen readers in place of the picture. Say what one could not guess from the file's name.
-    ///
-    /// [default: sizes, number of contours and shares of the colours, in English]
-    #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]
-    alt: Option<String>,
-
-    /// Language of --title, --alt and --labels, such as de or fr-CA
-    ///
-    /// With it a screen reader speaks them well, and braille is written in the code of the language.
-    ///
-    /// The description that is made without --alt is in English, and is marked as English.
-    ///
-    /// [default: en]
-    #[arg(long, value_name = "TAG", value_parser = language, hide_short_help = true)]
-    lang: Option<String>,
+    #[command(flatten)]
+    pub(super) words: Words,
 
     #[command(flatten)]
     pub(super) labels: Labels,
@@ -245,61 +222,11 @@ pub(super) struct Convert {
     pub(super) shared: Shared,
 }
 
-/// A text that a screen reader has something to say of.
-fn words(text: &str) -> Result<String, String> {
-    if text.trim().is_empty() { Err("give some words, or leave the option out".into()) } else { Ok(text.into()) }
-}
-
 impl Convert {
-    /// Puts words, crop, width and the like into the options of the library.
-    pub(super) fn add_to(&self, options: Options) -> Options {
-        let options = self.title.iter().fold(options, |options, title| options.title(title));
-        let options = self.alt.iter().fold(options, |options, alt| options.description(alt));
-        let options = self.lang.iter().fold(options, |options, lang| options.language(lang));
-        self.fitting.add_to(options)
-    }
-
-    /// The language of the words.
-    pub(super) fn language(&self) -> &str {
-        self.lang.as_deref().unwrap_or("en")
-    }
-
-    /// Everything that is wrong with `--title`, `--alt` and `--lang`.
+    /// Everything that is wrong with the words for a page.
     pub(super) fn faults_of_words(&self) -> Vec<String> {
-        let no_words = self.lang.is_some() && self.title.is_none() && self.alt.is_none() && !self.labels.are_given();
-        let language = no_words.then(|| {
-            "--lang is the language of --title, --alt and --labels, and none is given; give one, or leave --lang out"
-                .to_owned()
-        });
-        language.into_iter().chain(self.words_for_many()).collect()
+        self.words.faults(&self.labels, self.pictures.len(), self.shared.page)
     }
-
-    /// What is wrong if one picture's words are given to several.
-    fn words_for_many(&self) -> Option<String> {
-        let labels = self.labels.is_for_one_picture();
-        let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some()), ("--labels", labels)];
-        let (count, what) = match (self.pictures.len(), self.shared.page.map_or(1, |pages| pages.numbers().count())) {
-            (1, pages) => (pages, " pages"),
-            (pictures, _) => (pictures, ""),
-        };
-        let given = given.iter().filter(|(_, given)| *given && count > 1).map(|(option, _)| *option);
-        let given = given.collect::<Vec<_>>().join(" and ");
-        (!given.is_empty()).then(|| {
-            format!("{given}: these words are for one picture, but there are {count}{what}; convert them one by one")
-        })
-    }
-}
-
-/// The shape of a language tag (BCP 47): letters and digits in groups of up to eight, the first of two or three
-/// letters.
-fn language(text: &str) -> Result<String, String> {
-    let mut groups = text.split('-');
-    let first = groups
-        .next()
-        .is_some_and(|group| matches!(group.len(), 2 | 3) && group.bytes().all(|byte| byte.is_ascii_alphabetic()));
-    let others =
-        groups.all(|group| (1..=8).contains(&group.len()) && group.bytes().all(|byte| byte.is_ascii_alphanumeric()));
-    if first && others { Ok(text.into()) } else { Err("give a language tag, such as de or fr-CA".into()) }
 }
 
 /// `tactograph profiles`.

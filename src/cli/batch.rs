@@ -26,12 +26,23 @@ pub(super) struct Order<'a> {
     pub(super) out_dir: Option<&'a Path>,
     /// What was found wrong with the command line before.
     pub(super) faults: Vec<String>,
+    /// What is worth knowing before the pictures are looked at: what each is about, and what it is.
+    pub(super) notes: Vec<(String, String)>,
     /// What the command's own options change in the profile; counts after everything else.
     pub(super) changes: Vec<Change>,
     /// Everything else.
     pub(super) shared: &'a Shared,
     /// What does not go together with the profile.
     pub(super) check: &'a dyn Fn(&Profile) -> Vec<String>,
+}
+
+/// A picture, and how it is worked on.
+pub(super) struct Input<'a> {
+    pub(super) job: &'a Job,
+    /// The bytes of its file.
+    pub(super) bytes: &'a [u8],
+    pub(super) options: &'a Options,
+    pub(super) timings: &'a Timings,
 }
 
 /// What was made of a picture, ready to be written.
@@ -60,7 +71,7 @@ struct Failure {
 
 /// Calls `make` with the bytes of every picture and the options for it, writes what it gives, and tells what became of
 /// each, in their order.
-pub(super) fn run(order: &Order<'_>, make: impl Fn(&[u8], &Options, &Timings) -> Result<Made, Error> + Sync) -> Exit {
+pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, Error> + Sync) -> Exit {
     let (jobs, profile) = match accepted(order) {
         Ok(accepted) => accepted,
         Err(exit) => return exit,
@@ -69,6 +80,7 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&[u8], &Options, &Timings) ->
     let unused = if matches!(product, Product::Page(_)) { profile.unused() } else { Vec::new() };
     let options = Options::new(profile).limits(shared.limits()).fonts(Fonts::system());
     let report = Report::of_pictures(jobs.len(), shared.quiet);
+    order.notes.iter().for_each(|(place, what)| report.note(place, what));
     unused.iter().for_each(|key| report.note(&key.place, &key.what));
     let mut failed = 0;
     side_by_side::run(
@@ -118,7 +130,7 @@ fn work(
     shared: &Shared,
     job: &Job,
     options: &Options,
-    make: impl Fn(&[u8], &Options, &Timings) -> Result<Made, Error>,
+    make: impl Fn(&Input<'_>) -> Result<Made, Error>,
 ) -> Result<Done, Failure> {
     let timings = Timings::start();
     let about_picture = |what: String| Failure { file: places::job_name(job), what };
@@ -139,8 +151,8 @@ fn work(
     let told = timings.clone();
     let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
     let options = job.page.into_iter().fold(options, Options::page);
-    let Made { files, sheets, notes } =
-        make(&bytes, &options, &timings).map_err(|error| about_picture(explain(&error)))?;
+    let Made { files, sheets, notes } = make(&Input { job, bytes: &bytes, options: &options, timings: &timings })
+        .map_err(|error| about_picture(explain(&error)))?;
     let names = timings.step("write", || write(product, job, &files, existing))?;
     // of several files the numbers say it
     let wrote = if files.len() == 1 { names + &output::and_sheets(sheets) } else { names };

@@ -5,11 +5,12 @@ use std::path::Path;
 use tactograph::{Error, Options, Page, Profile, built_in, convert, convert_to_sheets, write_dots, write_pdf};
 
 use super::args::{Chosen, Convert, Corrections};
-use super::batch::{self, Made, Order};
+use super::batch::{self, Input, Made, Order};
 use super::dots;
 use super::louis;
 use super::product::{DrawingFormat, Format, Product};
 use super::report::Exit;
+use super::titles::Titles;
 
 /// Converts all pictures and tells what became of each, in their order.
 pub(super) fn run(args: &Convert) -> Exit {
@@ -23,6 +24,12 @@ pub(super) fn run(args: &Convert) -> Exit {
         faults.extend(more);
         Corrections::default()
     });
+    let titles = args.words.titles.as_deref().map_or_else(|| Ok(Titles::default()), Titles::read);
+    let titles = titles.unwrap_or_else(|more| {
+        faults.extend(more);
+        Titles::default()
+    });
+    faults.extend(titles.faults(&args.pictures));
     // what is wrong with a file of lines is told before any picture is looked at
     if let Some((path, error)) = trial(&corrections) {
         faults.push(format!("{}: {error}", path.display()));
@@ -31,13 +38,14 @@ pub(super) fn run(args: &Convert) -> Exit {
         .labels
         .braille_table
         .as_deref()
-        .and_then(|name| louis::table(name, args.language()).map_err(|fault| faults.push(fault)).ok());
+        .and_then(|name| louis::table(name, args.words.language()).map_err(|fault| faults.push(fault)).ok());
     let order = Order {
         product: Product::Page(chosen.format),
         pictures: &args.pictures,
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
         faults,
+        notes: if args.words.titles.is_some() { titles.notes(&args.pictures) } else { Vec::new() },
         changes: args.fitting.changes(),
         shared: &args.shared,
         check: &|profile| {
@@ -46,18 +54,19 @@ pub(super) fn run(args: &Convert) -> Exit {
             faults
         },
     };
-    batch::run(&order, |picture, options, timings| {
-        let options = labels.add_to(args.add_to(options.clone()));
+    batch::run(&order, |&Input { job, bytes, options, timings }| {
+        let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
+        let options = labels.add_to(args.fitting.add_to(options));
         let options = corrections.add_to(options).map_err(|(_, error)| error)?;
         let options = table.iter().fold(options, |options, table| {
             let table = table.clone();
             options.translator(move |text| louis::translate(&table, text))
         });
         let (pages, notes): (Vec<Page>, _) = if args.fitting.is_for_several_sheets(options.profile()) {
-            let drawn = convert_to_sheets(picture, args.fitting.sheets, &options)?;
+            let drawn = convert_to_sheets(bytes, args.fitting.sheets, &options)?;
             (drawn.pages, drawn.notes)
         } else {
-            let drawing = convert(picture, &options)?;
+            let drawing = convert(bytes, &options)?;
             ([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), drawing.notes)
         };
         let title = options.document_title();

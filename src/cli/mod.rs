@@ -21,6 +21,7 @@ mod settings;
 mod sheets;
 mod side_by_side;
 mod timings;
+mod titles;
 mod trace;
 
 use std::process::ExitCode;

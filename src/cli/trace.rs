@@ -1,7 +1,7 @@
 //! `tactograph trace`: pictures in, contours as data out.
 
 use super::args::Trace;
-use super::batch::{self, Made, Order};
+use super::batch::{self, Input, Made, Order};
 use super::product::Product;
 use super::report::{Exit, Report};
 
@@ -20,12 +20,13 @@ pub(super) fn run(args: &Trace) -> Exit {
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
         faults: Vec::new(),
+        notes: Vec::new(),
         changes: Vec::new(),
         shared: &args.shared,
         check: &|_| Vec::new(),
     };
-    batch::run(&order, |picture, options, timings| {
-        let traced = tactograph::trace(picture, &tracing, options)?;
+    batch::run(&order, |&Input { bytes, options, timings, .. }| {
+        let traced = tactograph::trace(bytes, &tracing, options)?;
         let text = timings.step("write", || traced.trace.to_json());
         Ok(Made { files: vec![text.into_bytes()], sheets: 0, notes: traced.notes })
     })

@@ -81,6 +81,7 @@ fn prepared() -> Place {
     }
     place.put("my.toml", b"inherits = \"our-school.toml\"\n[lines]\nwidth_max = 1.2\n");
     place.put("labels.csv", b"20%,35%,tree\n50%,35%,roof\n");
+    place.put("titles.csv", b"file,title,alt\ncoffee.png,A cup of coffee,A cup\nrocket.jpg,The rocket starts,\n");
     let own = "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='400'><g id='lines'><path d='M30,30h200' \
                stroke='#000' fill='none'/></g></svg>";
     place.put("own.svg", own.as_bytes());

@@ -17,6 +17,7 @@ mod places;
 mod profiles;
 mod render;
 mod several;
+mod titles;
 mod trace;
 mod words;
 mod writing;
