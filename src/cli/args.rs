@@ -224,7 +224,7 @@ pub(super) struct Convert {
     ///
     /// Read out by screen readers in place of the picture. Say what one could not guess from the file's name.
     ///
-    /// [default: sizes, number of contours and shares of the colours, in English]
+    /// [default: what "tactograph describe" says of the page]
     #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]
     alt: Option<String>,
 
@@ -232,11 +232,16 @@ pub(super) struct Convert {
     ///
     /// With it a screen reader speaks them well, and braille is written in the code of the language.
     ///
-    /// The description that is made without --alt is in English, and is marked as English.
+    /// The description that is made without --alt is in it too, if it is en, de, es, fr or pl; otherwise it is in
+    /// English, and is marked as English.
     ///
     /// [default: en]
     #[arg(long, value_name = "TAG", value_parser = language, hide_short_help = true)]
     lang: Option<String>,
+
+    /// Tells on standard output what is on each page, as "tactograph describe" does
+    #[arg(long)]
+    pub(super) describe: bool,
 
     #[command(flatten)]
     pub(super) labels: Labels,
@@ -264,14 +269,12 @@ impl Convert {
         self.lang.as_deref().unwrap_or("en")
     }
 
-    /// Everything that is wrong with `--title`, `--alt` and `--lang`.
+    /// Everything that is wrong with `--title`, `--alt` and `--describe`.
     pub(super) fn faults_of_words(&self) -> Vec<String> {
-        let no_words = self.lang.is_some() && self.title.is_none() && self.alt.is_none() && !self.labels.are_given();
-        let language = no_words.then(|| {
-            "--lang is the language of --title, --alt and --labels, and none is given; give one, or leave --lang out"
-                .to_owned()
-        });
-        language.into_iter().chain(self.words_for_many()).collect()
+        let both = self.describe && self.output.as_deref().is_some_and(|path| path.as_os_str() == "-");
+        let output =
+            both.then(|| "--describe writes to standard output, and so does -o -; name a file with -o".to_owned());
+        output.into_iter().chain(self.words_for_many()).collect()
     }
 
     /// What is wrong if one picture's words are given to several.

@@ -27,6 +27,6 @@ pub(super) fn run(args: &Trace) -> Exit {
     batch::run(&order, |picture, options, timings| {
         let traced = tactograph::trace(picture, &tracing, options)?;
         let text = timings.step("write", || traced.trace.to_json());
-        Ok(Made { files: vec![text.into_bytes()], sheets: 0, notes: traced.notes })
+        Ok(Made { files: vec![text.into_bytes()], sheets: 0, notes: traced.notes, description: None })
     })
 }
