@@ -75,6 +75,27 @@ pub enum Error {
         /// The whole picture.
         size: Size,
     },
+    /// The part of the figure that is asked for is not in it.
+    #[error(
+        "the part {part} reaches beyond the figure, which is {width:.1} x {height:.1} mm and {size} pixels; give a part \
+         that lies in it, from the figure's top left corner"
+    )]
+    NotInFigure {
+        /// The part, as it was asked for.
+        part: String,
+        /// The picture.
+        size: Size,
+        /// Width of the figure, mm.
+        width: f32,
+        /// Height of the figure, mm.
+        height: f32,
+    },
+    /// A part of the picture is asked for in mm before the figure is laid out.
+    #[error("the part {part} is in mm, and the figure is laid out of that part; give it in pixels or in percent")]
+    PartInMm {
+        /// The part, as it was asked for.
+        part: String,
+    },
     /// The document does not have the page that is asked for.
     #[error("there is no page {page}: {}", has_pages(.pages))]
     NoSuchPage {
@@ -190,7 +211,7 @@ pub enum Error {
     /// The text says no part of a picture.
     #[error(
         "give four numbers x,y,width,height, each in whole pixels or in percent of the picture from 0% to 100%, such \
-         as 10%,0,80%,400"
+         as 10%,0,80%,400; what is erased or kept can also be in mm of the figure, such as 10mm,5mm,30mm,20mm"
     )]
     NotACrop,
     /// The text says no grid of sheets.
@@ -208,6 +229,14 @@ pub enum Error {
          tactograph render"
     )]
     IsAPage,
+    /// A language in which nothing is said of pages.
+    #[error("there are no sentences in the language {language}; take one of {known}")]
+    NoSentences {
+        /// What was asked for.
+        language: String,
+        /// The languages that there are.
+        known: String,
+    },
     /// Lines are given that belong to another picture, or another part of it.
     #[error(
         "the lines given are of a figure {lines:.2} times as wide as high, and the picture is {picture:.2} times; \

@@ -129,6 +129,7 @@ mod regions;
 mod textures;
 mod touch;
 mod units;
+mod wording;
 
 // Functions, and what they take.
 pub use api::{

@@ -4,6 +4,7 @@
 
 mod areas;
 pub mod colours;
+mod described;
 mod dots;
 mod draw;
 mod finish;
@@ -20,6 +21,7 @@ pub mod trace;
 mod words;
 
 pub use areas::of_page as areas_of;
+pub use described::is_made;
 pub use finish::{title_of_key, title_of_overview};
 pub use given::{Given, HandLines};
 pub use key::Key;
@@ -33,7 +35,7 @@ pub use words::Words;
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
-use crate::page::{self, BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
+use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::units::MmRect;
@@ -111,7 +113,7 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let Marks { mut figure, overview, shares, layout, is_flat, left_out, texts, mut notes } = marks;
+    let Marks { mut figure, overview, layout, is_flat, left_out, texts, mut notes } = marks;
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
@@ -123,11 +125,8 @@ fn compose(
             None => Vec::new(),
         };
         let (page, overview) = match &layout.medium {
-            Medium::Print(_) => Ok((assemble(figure, overview, (shares, left_out), braille, &layout, request)?, None)),
-            Medium::Dots(medium) => {
-                let about = (shares, left_out);
-                dots::assemble(figure, overview, about, braille, (&layout, medium), request)
-            }
+            Medium::Print(_) => Ok((assemble(figure, overview, left_out, braille, &layout, request)?, None)),
+            Medium::Dots(medium) => dots::assemble(figure, overview, left_out, braille, (&layout, medium), request),
         }?;
         Ok::<_, Error>((page, overview, key))
     })?;
@@ -147,7 +146,7 @@ fn compose(
 fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    (shares, left_out): (Option<[f32; 5]>, LeftOut),
+    left_out: LeftOut,
     braille: Vec<BrailleText>,
     layout: &Layout,
     request: &Request<'_>,
@@ -157,7 +156,6 @@ fn assemble(
     let overview = overview.map(|(place, lines)| Overview { place, frame: around(place), lines });
     let parts = Parts {
         title: request.title.to_owned(),
-        description: page::describe(&figure, overview.as_ref(), shares) + &page::describe_labels(&braille),
         origin: [origin(request, figure.source, &braille), left_out.to_origin()].concat(),
         frame: around(figure.place),
         orientation_mark: layout.mark.clone(),

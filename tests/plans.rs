@@ -70,6 +70,7 @@ proptest! {
                 limits: Default::default(),
                 fonts: &fonts,
                 title: "any",
+                language: "en",
                 fit: Default::default(),
                 cancelled: &|| false,
             };

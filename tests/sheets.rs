@@ -28,8 +28,15 @@ fn sheets_of(
     settings.iter().for_each(|(key, value)| profile.set(key, value).expect("the test sets what there is"));
     let plan = Plan::new(&profile).expect("the settings make sense together");
     let fonts = || Arc::new(usvg::fontdb::Database::new());
-    let request =
-        Request { plan: &plan, limits: Default::default(), fonts: &fonts, title: name, fit, cancelled: &|| false };
+    let request = Request {
+        plan: &plan,
+        limits: Default::default(),
+        fonts: &fonts,
+        title: name,
+        language: "en",
+        fit,
+        cancelled: &|| false,
+    };
     let grid: Option<Grid> = (grid != "fewest").then(|| grid.parse().expect("a grid"));
     convert(&bytes, &Default::default(), grid, &request, watch)
 }

@@ -14,6 +14,7 @@ fn page(picture: &[u8], plan: &Plan) -> String {
         limits: Default::default(),
         fonts: &fonts,
         title: "threads",
+        language: "en",
         fit: Default::default(),
         cancelled: &|| false,
     };

@@ -25,8 +25,15 @@ fn plan() -> Plan {
 
 fn try_trace(picture: &[u8], tracing: Tracing, limits: Limits, watch: &mut Watch<'_>) -> Result<Traced, Error> {
     let fonts = || Arc::new(usvg::fontdb::Database::new());
-    let request =
-        Request { plan: &plan(), limits, fonts: &fonts, title: "", fit: Default::default(), cancelled: &|| false };
+    let request = Request {
+        plan: &plan(),
+        limits,
+        fonts: &fonts,
+        title: "",
+        language: "en",
+        fit: Default::default(),
+        cancelled: &|| false,
+    };
     trace(picture, &tracing, &request, watch)
 }
 

@@ -138,8 +138,15 @@ fn with_request<T>(
     let plan = Plan::new(&options.profile)?;
     let fonts = || options.fonts.database();
     let cancelled = || options.is_cancelled();
-    let request =
-        Request { plan: &plan, limits: options.limits, fonts: &fonts, title, fit: options.fit, cancelled: &cancelled };
+    let request = Request {
+        plan: &plan,
+        limits: options.limits,
+        fonts: &fonts,
+        title,
+        language: options.own_language(),
+        fit: options.fit,
+        cancelled: &cancelled,
+    };
     request.go_on()?;
     work(&request)
 }

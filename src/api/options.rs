@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::fonts::Fonts;
 use crate::braille::Translate;
-use crate::page::Page;
+use crate::page::{LANGUAGE, Page};
 use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
@@ -91,15 +91,15 @@ impl Options {
         self
     }
 
-    /// What is on the page, for screen readers. Default: sizes, number of contours and shares of the colours, in
-    /// English.
+    /// What is on the page, for screen readers. Default: what [`describe`](crate::describe) says of its marks.
     pub fn description(mut self, description: impl Into<String>) -> Self {
         self.description = Some(description.into());
         self
     }
 
     /// Language of title and description as a tag of BCP 47, such as `de` or `fr-CA`; braille is written in its code.
-    /// Default: `en`, which is the language of the description that is made if none is given.
+    /// The description that is made if none is given is in it too, if it is one of those of
+    /// [`describe`](crate::describe), else in English. Default: `en`.
     pub fn language(mut self, tag: impl Into<String>) -> Self {
         self.language = Some(tag.into());
         self
@@ -214,9 +214,16 @@ impl Options {
     }
 
     /// Leaves a part of the picture blank, without lines and textures; of the part that is drawn, where there is a
-    /// crop. Can be called several times.
+    /// crop. In mm it is a part of the figure, from its top left corner. Can be called several times.
     pub fn erase(mut self, part: Crop) -> Self {
         self.given.erased.push(part);
+        self
+    }
+
+    /// Leaves the picture blank outside this part, which stays as large and where it is; the opposite of
+    /// [`Options::erase`]. Called several times, what is in any of the parts is kept.
+    pub fn keep(mut self, part: Crop) -> Self {
+        self.given.kept.push(part);
         self
     }
 
@@ -311,6 +318,10 @@ impl Options {
 
     pub(super) fn own_title(&self) -> Option<&str> {
         self.title.as_deref()
+    }
+
+    pub(super) fn own_language(&self) -> &str {
+        self.language.as_deref().unwrap_or(LANGUAGE)
     }
 
     /// What is written in braille.

@@ -44,12 +44,13 @@ pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawin
         limits: Limits::default(),
         fonts: &Arc::default,
         title: &page.title,
+        language: &page.description_language,
         fit: Fit::default(),
         cancelled: &|| false,
     };
     let mut drawing = pipeline::redraw(&page, &own, &request, &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
-    let own_words = (!page.description.starts_with(crate::page::DESCRIBES)).then_some(page.description.as_str());
+    let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })

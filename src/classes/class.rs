@@ -104,14 +104,3 @@ pub struct Region {
     /// How many cells it has.
     pub cells: u32,
 }
-
-impl Classes {
-    /// Share of the picture that each class takes, 0..=1, in the order of [`Class::ALL`]; what is left is white.
-    pub fn shares(&self) -> [f32; 5] {
-        Class::ALL.map(|class| {
-            let cells: u32 =
-                self.regions.iter().filter(|region| region.class == class).map(|region| region.cells).sum();
-            cells as f32 / self.size.area() as f32
-        })
-    }
-}

@@ -215,6 +215,10 @@ pub(super) struct Convert {
     #[command(flatten)]
     pub(super) words: Words,
 
+    /// Tells on standard output what is on each page, as "tactograph describe" does
+    #[arg(long)]
+    pub(super) describe: bool,
+
     #[command(flatten)]
     pub(super) labels: Labels,
 
@@ -223,9 +227,12 @@ pub(super) struct Convert {
 }
 
 impl Convert {
-    /// Everything that is wrong with the words for a page.
+    /// Everything that is wrong with the words for a page, and with `--describe`.
     pub(super) fn faults_of_words(&self) -> Vec<String> {
-        self.words.faults(&self.labels, self.pictures.len(), self.shared.page)
+        let both = self.describe && self.output.as_deref().is_some_and(|path| path.as_os_str() == "-");
+        let output =
+            both.then(|| "--describe writes to standard output, and so does -o -; name a file with -o".to_owned());
+        output.into_iter().chain(self.words.faults(&self.labels, self.pictures.len(), self.shared.page)).collect()
     }
 }
 

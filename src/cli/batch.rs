@@ -53,6 +53,8 @@ pub(super) struct Made {
     pub(super) sheets: usize,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
+    /// What is said of it, where that was asked for.
+    pub(super) description: Option<String>,
 }
 
 /// Everything was written.
@@ -60,6 +62,7 @@ struct Done {
     /// The names of the files, and how many sheets there are if there is more than one.
     wrote: String,
     notes: Vec<Note>,
+    description: Option<String>,
     timings: Stopped,
 }
 
@@ -151,12 +154,13 @@ fn work(
     let told = timings.clone();
     let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
     let options = job.page.into_iter().fold(options, Options::page);
-    let Made { files, sheets, notes } = make(&Input { job, bytes: &bytes, options: &options, timings: &timings })
-        .map_err(|error| about_picture(explain(&error)))?;
+    let Made { files, sheets, notes, description } =
+        make(&Input { job, bytes: &bytes, options: &options, timings: &timings })
+            .map_err(|error| about_picture(explain(&error)))?;
     let names = timings.step("write", || write(product, job, &files, existing))?;
     // of several files the numbers say it
     let wrote = if files.len() == 1 { names + &output::and_sheets(sheets) } else { names };
-    Ok(Done { wrote, notes, timings: timings.stop() })
+    Ok(Done { wrote, notes, description, timings: timings.stop() })
 }
 
 /// Writes what was made of a picture: one file as it is called, several with numbers. Returns their names for a
@@ -254,7 +258,17 @@ fn tell(
             if timings {
                 report.asked_for(&done.timings.table(&picture));
             }
-            true
+            let told = done.description.map(|text| {
+                let between = if index > 0 { "\n" } else { "" };
+                output::to_stdout(format!("{between}{text}").as_bytes(), "description")
+            });
+            match told {
+                Some(Err(error)) => {
+                    report.error("standard output", &format!("{error:#}"));
+                    false
+                }
+                _ => true,
+            }
         }
         Ok(Err(failure)) => {
             report.error(&failure.file, &failure.what);

@@ -69,6 +69,11 @@ pub(super) fn run(args: &Convert) -> Exit {
             let drawing = convert(bytes, &options)?;
             ([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), drawing.notes)
         };
+        let describe = |page: &Page| tactograph::describe(page.to_svg(), None, None).map(|told| told.to_string());
+        let description = match args.describe {
+            true => Some(pages.iter().map(describe).collect::<Result<Vec<_>, _>>()?.join("\n")),
+            false => None,
+        };
         let title = options.document_title();
         let files = timings.step("write", || match (&pages[..], chosen.format) {
             (pages, Format::Dots(format)) => write_dots(title, pages, format, args.embossing.numbers()),
@@ -76,7 +81,7 @@ pub(super) fn run(args: &Convert) -> Exit {
             (pages, Format::Drawing(DrawingFormat::Pdf)) => write_pdf(title, pages).map(|file| vec![file]),
             (pages, Format::Drawing(format)) => pages.iter().map(|page| write(page, format, chosen)).collect(),
         })?;
-        Ok(Made { files, sheets: pages.len(), notes })
+        Ok(Made { files, sheets: pages.len(), notes, description })
     })
 }
 

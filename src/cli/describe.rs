@@ -29,6 +29,6 @@ pub(super) fn run(args: &Describe) -> Exit {
 fn described(args: &Describe) -> anyhow::Result<String> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
-    let description = tactograph::describe(bytes, None)?;
+    let description = tactograph::describe(bytes, None, args.lang.as_deref())?;
     Ok(if args.json { description.to_json() } else { description.to_string() })
 }

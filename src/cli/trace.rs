@@ -28,6 +28,6 @@ pub(super) fn run(args: &Trace) -> Exit {
     batch::run(&order, |&Input { bytes, options, timings, .. }| {
         let traced = tactograph::trace(bytes, &tracing, options)?;
         let text = timings.step("write", || traced.trace.to_json());
-        Ok(Made { files: vec![text.into_bytes()], sheets: 0, notes: traced.notes })
+        Ok(Made { files: vec![text.into_bytes()], sheets: 0, notes: traced.notes, description: None })
     })
 }

@@ -1,4 +1,7 @@
 //! A page in plain sentences, the most important first: what somebody who does not see it needs to decide about it.
+//!
+//! Lengths are those of the marks as they are written, in steps of 0.01 mm, so that a page is told alike before it is
+//! written and after it is read.
 
 mod shapes;
 
@@ -6,10 +9,11 @@ use std::fmt;
 
 use serde_json::json;
 
-use crate::geom::ninths::{NAMES, ninth};
+use crate::geom::ninths::ninth;
 use crate::legibility::Verdict;
-use crate::page::{Class, LeftOut, Page, TextRole};
+use crate::page::{Class, InSet, LeftOut, Page, TextRole};
 use crate::units::{MmPoint, MmRect, MmVector};
+use crate::wording::{Value, Wording};
 
 /// Most lines that are told one by one; a listener keeps no more.
 const MOST_LINES: usize = 8;
@@ -18,7 +22,7 @@ const MOST_LINES: usize = 8;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Description {
-    /// What each sentence is about, and the sentence: `sheet`, `shape`, `lines`, `area`, `text`, `overview`,
+    /// What each sentence is about, and the sentence: `title`, `sheet`, `shape`, `lines`, `area`, `text`, `overview`,
     /// `left-out`, `verdict`.
     pub sentences: Vec<(&'static str, String)>,
 }
@@ -37,82 +41,102 @@ impl fmt::Display for Description {
     }
 }
 
-/// Describes a page, in English.
-pub(crate) fn describe(page: &Page, verdict: &Verdict) -> Description {
-    let mut sentences = vec![("sheet", sheet(page))];
-    let lines = &page.figure.lines;
-    let told = shapes::told(lines, page.figure.place, MOST_LINES);
+/// Describes a page with its title, and the verdict on it.
+pub(crate) fn describe(page: &Page, verdict: &Verdict, wording: &Wording) -> Description {
+    let title = wording.say("title", &[("title", page.title.as_str().into())]);
+    let title = (!page.title.is_empty()).then_some(("title", title));
+    let verdict = ("verdict", verdict.told(wording));
+    Description { sentences: title.into_iter().chain(marks(page, wording)).chain([verdict]).collect() }
+}
+
+/// The marks of a page in one text: what stands in its files for screen readers.
+pub(crate) fn of_marks(page: &Page, wording: &Wording) -> String {
+    marks(page, wording).into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(" ")
+}
+
+fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
+    // one for the back of the sheet is felt the other way round
+    let felt = if page.is_mirrored() { &page.clone().mirrored() } else { page };
+    let mut sentences: Vec<_> = before(page, wording).map(|text| ("sheet", text)).into_iter().collect();
+    sentences.push(("sheet", sheet(felt, wording)));
+    let lines = &felt.figure.lines;
+    let told = shapes::told(lines, felt.figure.place, MOST_LINES, wording);
     let shorter = lines.len() - told.len();
     sentences.extend(told.into_iter().map(|text| ("shape", text)));
     if shorter > 0 {
-        let (lines, are) = if shorter == 1 { ("line", "is") } else { ("lines", "are") };
-        sentences.push(("lines", format!("{shorter} more {lines} {are} shorter than these.")));
+        sentences.push(("lines", wording.say("lines-more", &[("lines", shorter.into())])));
     }
-    sentences.extend(areas(page).into_iter().map(|text| ("area", text)));
-    sentences.extend(texts(page).into_iter().map(|text| ("text", text)));
-    if let Some(overview) = &page.overview {
+    sentences.extend(areas(felt, wording).into_iter().map(|text| ("area", text)));
+    sentences.extend(texts(felt, wording).into_iter().map(|text| ("text", text)));
+    if let Some(overview) = &felt.overview {
         let [width, height] = size(overview.place);
-        let lines = counted(overview.lines.len(), "line");
-        sentences.push(("overview", format!("Below it is an overview of {width} by {height} mm, with {lines}.")));
+        let values = [("width", width), ("height", height), ("lines", overview.lines.len().into())];
+        sentences.push(("overview", wording.say("overview", &values)));
     }
-    sentences.extend(left_out(page).map(|text| ("left-out", text)));
-    sentences.push(("verdict", verdict.to_string()));
-    Description { sentences }
+    if InSet::of(page) == Some(InSet::Followed) {
+        sentences.push(("overview", wording.say("overview-follows", &[])));
+    }
+    sentences.extend(left_out(felt, wording).map(|text| ("left-out", text)));
+    sentences
 }
 
-fn sheet(page: &Page) -> String {
+/// What the sheet is among those that belong together.
+fn before(page: &Page, wording: &Wording) -> Option<String> {
+    let sheets = |names: &[String]| ("sheets", names.len().into());
+    match InSet::of(page)? {
+        InSet::Followed => None,
+        InSet::Overview => Some(wording.say("overview-alone", &[])),
+        InSet::OverviewOf(names) => Some(wording.say("overview-of-sheets", &[sheets(&names)])),
+        InSet::One(name, names) => {
+            let values = [("name", name.into()), sheets(&names), ("names", names.join(", ").into())];
+            Some(wording.say("sheet-of-sheets", &values))
+        }
+    }
+}
+
+fn sheet(page: &Page, wording: &Wording) -> String {
     let [width, height] = page.sheet.map(|side| side.round());
-    let way = if width > height { "that lies across" } else { "upright" };
+    let way = if width > height { "across" } else { "upright" };
+    let [across, down] = size(page.figure.place);
+    let values = [
+        ("way", way.into()),
+        ("width", width.into()),
+        ("height", height.into()),
+        ("across", across),
+        ("down", down),
+        ("lines", page.figure.lines.len().into()),
+        ("areas", page.figure.textures.len().into()),
+    ];
+    wording.say("sheet", &values)
+}
+
+/// Width and height in whole mm.
+fn size(place: MmRect) -> [Value<'static>; 2] {
+    [place.width(), place.height()].map(|side| side.round().into())
+}
+
+/// The colours, the one with the largest area first, and how much has none.
+fn areas(page: &Page, wording: &Wording) -> Vec<String> {
     let place = page.figure.place;
-    let [across, down] = size(place);
-    let title = if page.title.is_empty() { "A page".to_owned() } else { format!("\"{}\"", page.title) };
-    let lines = counted(page.figure.lines.len(), "line");
-    let areas = counted(page.figure.textures.len(), "textured area");
-    format!(
-        "{title}: a sheet {way}, {width} by {height} mm, with a figure of {across} by {down} mm that has {lines} and \
-         {areas}."
-    )
-}
-
-fn size(place: MmRect) -> [f32; 2] {
-    [place.width().round(), place.height().round()]
-}
-
-/// "1 line", "2 lines", "no lines".
-fn counted(count: usize, noun: &str) -> String {
-    match count {
-        0 => format!("no {noun}s"),
-        1 => format!("1 {noun}"),
-        _ => format!("{count} {noun}s"),
-    }
-}
-
-/// A share in whole percent; nothing is told as none that is some.
-fn percent(share: f32) -> String {
-    if share < 0.01 { "less than 1 percent".into() } else { format!("{:.0} percent", 100.0 * share) }
-}
-
-/// The colours, the one with the largest area first.
-fn areas(page: &Page) -> Vec<String> {
-    let place = page.figure.place;
-    let whole = place.area().max(f32::MIN_POSITIVE);
     let of_class = |class: Class| {
         let own: Vec<_> = page.figure.textures.iter().filter(|texture| texture.class == class).collect();
         let largest = own.iter().max_by(|a, b| a.area.total_cmp(&b.area))?;
-        let area: f32 = own.iter().map(|texture| texture.area).sum();
+        let share = page.figure.share(class);
         let middle = middle(largest.glyphs.iter().map(|glyph| glyph.at))?;
-        let (name, share, ninth) = (class.name(), percent(area / whole), NAMES[ninth(middle, place)]);
-        let text = match own.len() {
-            1 => format!("The colour {name} covers {share} of the figure, around its {ninth}."),
-            count => format!(
-                "The colour {name} covers {share} of the figure in {count} areas, the largest around its {ninth}."
-            ),
-        };
-        Some((area, text))
+        let values = [
+            ("colour", wording.colour(class.name()).into()),
+            ("share", wording.percent(share).into()),
+            ("areas", own.len().into()),
+            ("place", wording.place(ninth(middle, place)).into()),
+        ];
+        Some((share, wording.say("area", &values)))
     };
     let mut all: Vec<(f32, String)> = Class::ALL.into_iter().filter_map(of_class).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    all.into_iter().map(|(_, text)| text).collect()
+    let blank = 1.0 - page.figure.textured_share();
+    let blank = (!all.is_empty() && blank > 0.0).then(|| wording.percent(blank));
+    let blank = blank.map(|share| wording.say("blank", &[("share", share.into())]));
+    all.into_iter().map(|(_, text)| text).chain(blank).collect()
 }
 
 fn middle(points: impl Iterator<Item = MmPoint>) -> Option<MmPoint> {
@@ -123,22 +147,28 @@ fn middle(points: impl Iterator<Item = MmPoint>) -> Option<MmPoint> {
     (count > 0).then(|| (sum / count as f32).to_point())
 }
 
-fn texts(page: &Page) -> Vec<String> {
+fn texts(page: &Page, wording: &Wording) -> Vec<String> {
     let of_role = |role: TextRole| page.braille.iter().filter(move |text| text.role == role);
     let place = page.figure.place;
-    let title = of_role(TextRole::Title).map(|text| format!("The title in braille is \"{}\".", text.text));
+    let plain = |message: &str, text: &str| wording.say(message, &[("text", text.into())]);
+    let title = of_role(TextRole::Title).map(|text| plain("braille-title", &text.text));
     let label = of_role(TextRole::Label).filter_map(|text| {
         let at = middle(text.dots.at.iter().copied())?;
-        Some(format!("A label in the {} of the figure says \"{}\".", NAMES[ninth(at, place)], text.spoken()))
+        let values = [("place", wording.place(ninth(at, place)).into()), ("text", text.spoken().into())];
+        Some(wording.say("braille-label", &values))
     });
-    title.chain(label).collect()
+    let key = of_role(TextRole::Key).map(|text| plain("braille-key", &text.text));
+    title.chain(label).chain(key).collect()
 }
 
-fn left_out(page: &Page) -> Option<String> {
+fn left_out(page: &Page, wording: &Wording) -> Option<String> {
     let left = LeftOut::of(page);
-    let most = left.most_in().map_or_else(String::new, |ninth| format!(", most of them in the {}", NAMES[ninth]));
-    (left.millimetres > 0).then(|| {
-        let share = percent(left.share());
-        format!("{} mm of contours, {share}, had no room and are left out{most}.", left.millimetres)
+    let values = [("length", left.millimetres.into()), ("share", wording.percent(left.share()).into())];
+    (left.millimetres > 0).then(|| match left.most_in() {
+        Some(ninth) => {
+            let [length, share] = values;
+            wording.say("left-out-most", &[length, share, ("place", wording.place(ninth).into())])
+        }
+        None => wording.say("left-out", &values),
     })
 }

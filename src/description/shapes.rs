@@ -2,9 +2,10 @@
 
 use std::f32::consts::PI;
 
-use crate::geom::ninths::{NAMES, ninth};
+use crate::geom::ninths::ninth;
 use crate::page::Line;
 use crate::units::{MmPoint, MmRect, MmVector};
+use crate::wording::{Value, Wording};
 
 /// A closed line is round if its area is so much of that of a circle of its length; a square has 0.785.
 const ROUND: f32 = 0.88;
@@ -28,7 +29,7 @@ struct Shape {
 
 impl Shape {
     fn of(line: &Line) -> Option<Self> {
-        let path: Vec<MmPoint> = line.runs.iter().flat_map(|run| run.path()).collect();
+        let path: Vec<MmPoint> = line.runs.iter().flat_map(|run| run.path()).map(written).collect();
         let (first, last) = (*path.first()?, *path.last()?);
         let length = path.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
         // a ring of dots ends a step before its beginning
@@ -59,14 +60,18 @@ impl Shape {
         self.extent.contains_box(&other.extent) && crosses.count() % 2 == 1
     }
 
-    fn form(&self, figure: MmRect) -> String {
+    /// The sentence on it. `holds` is how many other closed shapes lie inside.
+    fn told(&self, holds: usize, figure: MmRect, wording: &Wording) -> String {
         let (width, height) = (self.extent.width(), self.extent.height());
+        let place = ("place", wording.place(ninth(self.extent.center(), figure)).into());
+        let mm = |name: &'static str, length: f32| (name, Value::from(length.round()));
         if self.closed {
+            let holds = ("holds", holds.into());
             let roundness = 4.0 * PI * self.area() / (self.length * self.length).max(f32::MIN_POSITIVE);
             let as_wide = width.min(height) >= AS_WIDE * width.max(height);
             return match roundness >= ROUND && as_wide {
-                true => format!("a closed round outline, {:.0} mm across", 0.5 * (width + height)),
-                false => format!("a closed outline, {width:.0} mm wide and {height:.0} mm high"),
+                true => wording.say("shape-round", &[place, mm("across", 0.5 * (width + height)), holds]),
+                false => wording.say("shape-closed", &[place, mm("width", width), mm("height", height), holds]),
             };
         }
         let way: MmVector = self.path[self.path.len() - 1] - self.path[0];
@@ -74,34 +79,29 @@ impl Shape {
         let (dx, dy) =
             (way.x.abs() / way.length().max(f32::MIN_POSITIVE), way.y.abs() / way.length().max(f32::MIN_POSITIVE));
         let (form, across) = match (straight, dx, dy) {
-            (true, dx, _) if dx >= LEVEL => ("straight level", width / figure.width()),
-            (true, _, dy) if dy >= LEVEL => ("straight upright", height / figure.height()),
-            (true, ..) => ("straight slanting", 0.0),
-            (false, ..) => ("bent", 0.0),
+            (true, dx, _) if dx >= LEVEL => ("line-level", width / figure.width()),
+            (true, _, dy) if dy >= LEVEL => ("line-upright", height / figure.height()),
+            (true, ..) => ("line-slanting", 0.0),
+            (false, ..) => ("line-bent", 0.0),
         };
-        let long = if across >= LONG { " across most of the figure" } else { "" };
-        format!("a {form} line, {:.0} mm long{long}", self.length)
+        let long = ("long", if across >= LONG { "yes" } else { "no" }.into());
+        wording.say(form, &[place, mm("length", self.length), long])
     }
 }
 
+/// A point as it is written, in steps of 0.01 mm.
+fn written(at: MmPoint) -> MmPoint {
+    MmPoint::new((100.0 * at.x).round() / 100.0, (100.0 * at.y).round() / 100.0)
+}
+
 /// Sentences on the longest lines, the longest first.
-pub(super) fn told(lines: &[Line], figure: MmRect, most: usize) -> Vec<String> {
+pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wording) -> Vec<String> {
     let mut shapes: Vec<Shape> = lines.iter().filter_map(Shape::of).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
     let text = |(number, shape): (usize, &Shape)| {
-        let within = if shape.closed {
-            let others = shapes.iter().enumerate().filter(|(other, _)| *other != number);
-            others.filter(|(_, other)| other.closed && shape.holds(other)).count()
-        } else {
-            0
-        };
-        let holds = match within {
-            0 => String::new(),
-            1 => "; it contains a smaller one".into(),
-            count => format!("; it contains {count} smaller ones"),
-        };
-        let place = NAMES[ninth(shape.extent.center(), figure)];
-        format!("In the {place}: {}{holds}.", shape.form(figure))
+        let others = shapes.iter().enumerate().filter(|(other, _)| *other != number && shape.closed);
+        let holds = others.filter(|(_, other)| other.closed && shape.holds(other)).count();
+        shape.told(holds, figure, wording)
     };
     shapes.iter().enumerate().take(most).map(text).collect()
 }
@@ -129,14 +129,15 @@ mod tests {
         let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
         let level = line(vec![MmPoint::new(10.0, 130.0), MmPoint::new(140.0, 131.0)]);
         let bent = line(vec![MmPoint::new(10.0, 10.0), MmPoint::new(20.0, 10.0), MmPoint::new(20.0, 30.0)]);
-        let told = told(&[bent, circle(75.0, 25.0, 6.0), level, circle(75.0, 30.0, 30.0)], figure, 9);
+        let told =
+            told(&[bent, circle(75.0, 25.0, 6.0), level, circle(75.0, 30.0, 30.0)], figure, 9, Wording::english());
         assert_eq!(
             told,
             [
-                "In the upper middle: a closed round outline, 60 mm across; it contains a smaller one.",
-                "In the lower middle: a straight level line, 130 mm long across most of the figure.",
-                "In the upper middle: a closed round outline, 12 mm across.",
-                "In the upper left: a bent line, 30 mm long.",
+                "A closed round outline in the upper middle, 60 mm across; it contains a smaller one.",
+                "A straight level line in the lower middle, 130 mm long, across most of the figure.",
+                "A closed round outline in the upper middle, 12 mm across.",
+                "A bent line in the upper left, 30 mm long.",
             ]
         );
     }

@@ -96,7 +96,7 @@ fn found(page: &Page, limits: &Limits) -> Vec<Found> {
     let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
     let index = ways.index(5.0);
     found.extend(ends::findings(&ways, &index, limits));
-    found.extend(overview::findings(&felt, &index, limits));
+    found.extend(overview::findings(&felt, &ways, &index, limits));
     found.extend(words::findings(&felt, limits));
     found.extend(left_out::findings(page));
     found

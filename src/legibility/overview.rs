@@ -1,11 +1,11 @@
-//! Whether the overview shows what the figure shows.
+//! Whether the overview shows what the figure shows, and nothing else.
 
 use super::finding::{Found, around};
-use super::limits::Limits;
-use super::rules::OVERVIEW;
+use super::limits::{Limits, SHAPE};
+use super::rules::{OVERVIEW, OVERVIEW_LACKS};
 use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Nearby, Segment};
-use crate::page::Page;
+use crate::page::{Overview, Page};
 use crate::units::{MmPoint, MmRect};
 
 /// Lines are looked at this often, mm of the overview.
@@ -13,38 +13,87 @@ const STEP: f32 = 0.5;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;
 
-pub(super) fn findings(page: &Page, index: &Nearby, limits: &Limits) -> Vec<Found> {
+/// `ways` are those of the figure, `index` their segments.
+pub(super) fn findings(page: &Page, ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
-    let reach = scale * limits.spacing();
-    let ways = Ways::of(&overview.lines, f32::INFINITY);
-    let lacking = |number: usize| {
-        let segments =
-            ways.ways.iter().filter(|way| way.line == number).flat_map(|way| &ways.segments[way.segments.clone()]);
-        let mut lengths = (0.0, 0.0);
-        let mut places = Vec::new();
-        for segment in segments {
-            let length = (segment.b - segment.a).length();
-            let steps = (length / STEP).ceil().max(1.0);
-            for k in 0..steps as u32 {
-                let at = point_at(segment, segment.arc + (k as f32 + 0.5) / steps * length);
-                let there = page.figure.place.min + (at - overview.place.min) * scale;
-                let is_there = index.nearest(there, reach, |_: &Segment| true).is_some();
-                lengths.1 += length / steps;
-                if !is_there {
-                    lengths.0 += length / steps;
-                    places.push(at);
-                }
-            }
-        }
-        if lengths.0 > MISSING * lengths.1 { missing(number, &places, lengths.0) } else { None }
-    };
-    (0..overview.lines.len()).filter_map(lacking).collect()
+    let of_overview = Ways::of(&overview.lines, f32::INFINITY);
+    let mut found = added(page, overview, &of_overview, (index, scale), limits);
+    found.extend(lacking(page, overview, ways, (&of_overview, scale), limits));
+    found
 }
 
-fn missing(number: usize, places: &[MmPoint], length: f32) -> Option<Found> {
-    let at = places.get(places.len() / 2).copied()?;
-    let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
-    let what = format!("the figure has nothing like line {} of the overview, {length:.0} mm of it", number + 1);
-    Some(Found::at(OVERVIEW, at, extent, length, what))
+/// Lines of the overview that the figure has not.
+fn added(page: &Page, overview: &Overview, ways: &Ways, (index, scale): (&Nearby, f32), limits: &Limits) -> Vec<Found> {
+    let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
+    let of_line = |number: usize| {
+        let own = (0..ways.ways.len()).filter(|&way| ways.ways[way].line == number);
+        let segments = own.flat_map(|way| ways.segments_of(way));
+        let Missing { length, places } = missing(segments, STEP, in_figure, index, scale * limits.spacing())?;
+        let at = places.get(places.len() / 2).copied()?;
+        let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
+        let what = format!("the figure has nothing like line {} of the overview, {length:.0} mm of it", number + 1);
+        Some(Found::at(OVERVIEW, at, extent, length, what))
+    };
+    (0..overview.lines.len()).filter_map(of_line).collect()
+}
+
+/// Closed lines of the figure that are large enough for the overview and not in it.
+fn lacking(
+    page: &Page,
+    overview: &Overview,
+    ways: &Ways,
+    (of_overview, scale): (&Ways, f32),
+    limits: &Limits,
+) -> Vec<Found> {
+    let index = of_overview.index(5.0);
+    let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
+    let of_way = |way: usize| {
+        let of = ways.ways.get(way).filter(|of| of.closed)?;
+        let segments = ways.segments_of(way);
+        let extent = around(segments.iter().map(|segment| segment.a))?;
+        let side = extent.width().min(extent.height()) / scale;
+        if side < SHAPE {
+            return None;
+        }
+        missing(segments.iter(), scale * STEP, in_overview, &index, limits.spacing())?;
+        let what = format!(
+            "the overview has nothing like line {} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
+            of.line + 1,
+            extent.width(),
+            extent.height()
+        );
+        Some(Found::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what))
+    };
+    (0..ways.ways.len()).filter_map(of_way).collect()
+}
+
+/// What of a line is missing in another picture.
+struct Missing {
+    length: f32,
+    places: Vec<MmPoint>,
+}
+
+/// What is missing of these segments where `there` leads to, if it is the larger part: what has nothing within `reach`.
+fn missing<'a>(
+    segments: impl Iterator<Item = &'a Segment>,
+    step: f32,
+    there: impl Fn(MmPoint) -> MmPoint,
+    index: &Nearby,
+    reach: f32,
+) -> Option<Missing> {
+    let (mut lost, mut all, mut places) = (0.0, 0.0, Vec::new());
+    for segment in segments {
+        let length = (segment.b - segment.a).length();
+        let steps = (length / step).ceil().max(1.0);
+        for k in 0..steps as u32 {
+            let at = point_at(segment, segment.arc + (k as f32 + 0.5) / steps * length);
+            all += length / steps;
+            if index.nearest(there(at), reach, |_: &Segment| true).is_none() {
+                lost += length / steps;
+                places.push(at);
+            }
+        }
+    }
+    (lost > MISSING * all).then_some(Missing { length: lost, places })
 }

@@ -1,6 +1,6 @@
 //! The rules, as data: what each asks for, its number and unit, where the number comes from, and what to do.
 
-use super::limits::{BRAILLE_GAP, BRAILLE_OFF, Limits, MOST_TEXTURES, MediumLimits};
+use super::limits::{BRAILLE_GAP, BRAILLE_OFF, Limits, MOST_TEXTURES, MediumLimits, SHAPE};
 
 /// How bad a breach of a rule is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -216,6 +216,14 @@ pub(super) const OVERVIEW: Rule = Rule {
     remedy: "delete the line in the overview, or draw it in the figure too",
     number: |limits| Some((limits.spacing(), MM)),
 };
+pub(super) const OVERVIEW_LACKS: Rule = Rule {
+    id: "overview-lacks",
+    asks: "Every closed line of the figure that would be at least this wide and high in the overview is there.",
+    severity: Severity::Warning,
+    source: "chosen by us: about the width of a fingertip, the least that is felt as a shape at once",
+    remedy: "copy the line into the overview, or leave it if it matters little",
+    number: |_| Some((SHAPE, MM)),
+};
 pub(super) const BLACK_ONLY: Rule = Rule {
     id: "black-only",
     asks: "All marks of a printed page are black.",
@@ -288,4 +296,5 @@ pub const RULES: &[Rule] = &[
     LEFT_OUT,
     BROKEN_LINE,
     OVERVIEW,
+    OVERVIEW_LACKS,
 ];

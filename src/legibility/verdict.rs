@@ -7,6 +7,7 @@ use super::finding::Finding;
 use crate::page::Page;
 use crate::touch::Report;
 use crate::units::MmPoint;
+use crate::wording::Wording;
 
 /// Side of the squares in which faulty area is counted, mm: a third of a fingertip.
 const SQUARE: f32 = 5.0;
@@ -41,9 +42,8 @@ impl Verdict {
     /// The verdict on a page with these findings.
     pub(super) fn of(page: &Page, findings: &[Finding], felt: Option<&Report>) -> Self {
         let errors = findings.iter().filter(|finding| finding.is_error()).count();
-        let area = page.figure.place.area().max(f32::MIN_POSITIVE);
         let textures = felt.map(Report::total).filter(|total| total.textured() > 0.0).map(|total| Textures {
-            of_figure: (total.textured() / area).min(1.0),
+            of_figure: page.figure.textured_share(),
             judged: total.judged() / total.textured(),
             right: total.right_of_judged(),
         });
@@ -72,38 +72,37 @@ fn faulty(page: &Page, findings: &[Finding]) -> f32 {
     squares.iter().filter(|square| **square).count() as f32 / squares.len() as f32
 }
 
-/// "1 error", "2 errors".
-fn counted(count: usize, noun: &str) -> String {
-    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
-}
-
-/// A share in whole percent; nothing is written as 0 or 100 that is not.
-fn percent(share: f32) -> String {
-    match 100.0 * share {
-        p if p > 0.0 && p < 0.5 => "under 1 %".into(),
-        p if (99.5..100.0).contains(&p) => "over 99 %".into(),
-        p => format!("{p:.0} %"),
+impl Verdict {
+    /// The sentence in the words of a language.
+    pub(crate) fn told(&self, wording: &Wording) -> String {
+        let Self { errors, warnings, faulty, textures } = *self;
+        let percent = |share: f32| wording.percent(share).into();
+        let textures = textures.map_or_else(
+            || "none".to_owned(),
+            |Textures { of_figure, judged, right }| match judged > 0.0 {
+                true => {
+                    let near = ("near", percent(1.0 - judged));
+                    let values =
+                        [("share", percent(of_figure)), near, ("judged", percent(judged)), ("right", percent(right))];
+                    wording.say("verdict-textures", &values)
+                }
+                false => wording.say("verdict-textures-near", &[("share", percent(of_figure))]),
+            },
+        );
+        let faulty = if faulty > 0.0 { percent(faulty) } else { "none".into() };
+        let values = [
+            ("errors", errors.into()),
+            ("faulty", faulty),
+            ("warnings", warnings.into()),
+            ("textures", textures.into()),
+        ];
+        wording.say("verdict", &values)
     }
 }
 
 impl fmt::Display for Verdict {
+    /// The sentence in English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { errors, warnings, faulty, textures } = *self;
-        write!(f, "Verdict: {}", counted(errors, "error"))?;
-        if faulty > 0.0 {
-            write!(f, " in {} of the figure's area", percent(faulty))?;
-        }
-        write!(f, ", {}", counted(warnings, "warning"))?;
-        if let Some(Textures { of_figure, judged, right }) = textures {
-            write!(f, "; textures cover {} of the figure", percent(of_figure))?;
-            if judged > 0.0 {
-                let not = percent(1.0 - judged);
-                write!(f, ", of which {not} lie too near to lines and borders to be judged, and of the other ")?;
-                write!(f, "{} a fingertip of 1 mm reads {} right", percent(judged), percent(right))?;
-            } else {
-                f.write_str(", all of them too near to lines and borders to be judged")?;
-            }
-        }
-        f.write_str(".")
+        f.write_str(&self.told(Wording::english()))
     }
 }

@@ -8,7 +8,7 @@ pub(crate) mod layer;
 pub mod pdf;
 pub mod png;
 mod png_file;
-mod seal;
+pub mod seal;
 pub mod svg;
 mod text;
 

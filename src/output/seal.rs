@@ -13,7 +13,7 @@ const FACTOR: u64 = 0x0000_0100_0000_01b3;
 pub(super) const LENGTH: usize = 16;
 
 /// The seal of `bytes`: 16 hexadecimal digits.
-pub(super) fn of(bytes: &[u8]) -> String {
+pub fn of(bytes: &[u8]) -> String {
     let hash = bytes.iter().fold(START, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(FACTOR));
     format!("{hash:016x}")
 }

@@ -12,6 +12,9 @@ pub use crate::textures::{Glyph, Palette, Shape, Sign, Texture};
 /// The language of the titles and descriptions that are generated (BCP 47).
 pub const LANGUAGE: &str = "en";
 
+/// The name by which a page's origin says that left and right are exchanged.
+pub const MIRRORED: &str = "mirrored";
+
 /// A finished page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Page {
@@ -136,6 +139,19 @@ pub struct Overview {
     pub lines: Vec<Line>,
 }
 
+impl Figure {
+    /// Share of the figure that the textures of a class cover, gaps and all, 0..=1.
+    pub fn share(&self, class: Class) -> f32 {
+        let areas = self.textures.iter().filter(|texture| texture.class == class).map(|texture| texture.area);
+        (areas.sum::<f32>() / self.place.area().max(f32::MIN_POSITIVE)).min(1.0)
+    }
+
+    /// Share of the figure that textures cover, 0..=1.
+    pub fn textured_share(&self) -> f32 {
+        Class::ALL.into_iter().map(|class| self.share(class)).sum::<f32>().min(1.0)
+    }
+}
+
 impl BrailleText {
     /// What it says, for those who listen: of an abbreviation, what it stands for as well.
     pub fn spoken(&self) -> String {
@@ -179,6 +195,17 @@ impl Page {
         self
     }
 
+    /// The same page with a description that was made of its marks, in this language; `made` is the entry of its origin
+    /// that tells so, in place of one of its name.
+    #[must_use]
+    pub fn described(mut self, description: String, language: &str, made: (String, String)) -> Self {
+        self.parts.description = description;
+        language.clone_into(&mut self.parts.description_language);
+        self.parts.origin.retain(|(name, _)| *name != made.0);
+        self.parts.origin.push(made);
+        self
+    }
+
     /// How high the dots of frames are pressed.
     pub fn height_of_frame(&self) -> Height {
         self.height(Height::Middle)
@@ -203,6 +230,11 @@ impl Page {
         let lines: f32 = self.figure.lines.iter().flat_map(|line| &line.runs).map(of_run).sum();
         let glyphs: f32 = self.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(Glyph::area).sum();
         (lines + glyphs) / self.figure.place.area().max(f32::MIN_POSITIVE)
+    }
+
+    /// Whether left and right are exchanged, for a machine that presses dots up from the back of the sheet.
+    pub fn is_mirrored(&self) -> bool {
+        self.parts.origin.iter().any(|(name, value)| (name.as_str(), value.as_str()) == (MIRRORED, "true"))
     }
 
     /// Whether there is neither a line nor a glyph on it.

@@ -185,13 +185,13 @@ impl Spread {
             share(place.height(), figure.place.height(), figure.source.height),
         );
         let on_sheet = |glyph: &Glyph| Glyph { at: glyph.at + onto_sheet, ..*glyph };
-        // Class, colour and area are those of the whole region, also where a sheet shows a part of it.
-        let glyphs = |texture: &Texture| Texture {
-            class: texture.class,
-            sign: texture.sign,
-            colour: texture.colour,
-            area: texture.area,
-            glyphs: texture.glyphs.iter().filter(|glyph| inside(glyph.at, glyph.radius())).map(on_sheet).collect(),
+        // Of the area of a region a sheet has as much as it has of its glyphs.
+        let glyphs = |texture: &Texture| {
+            let glyphs: Vec<Glyph> =
+                texture.glyphs.iter().filter(|glyph| inside(glyph.at, glyph.radius())).map(on_sheet).collect();
+            let share = glyphs.len() as f32 / texture.glyphs.len().max(1) as f32;
+            let Texture { class, sign, colour, area, .. } = *texture;
+            Texture { class, sign, colour, area: area * share, glyphs }
         };
         let mut lines: Vec<Line> = figure.lines.iter().flat_map(|line| cut_line(line, window)).collect();
         for at in lines.iter_mut().flat_map(|line| &mut line.runs).flat_map(|run| &mut run.points) {

@@ -7,7 +7,9 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
-use crate::page::{self, BrailleText, DotMedium, Dots, Figure, LeftOut, Medium, Page, Parts, TextRole, Texture, frame};
+use crate::page::{
+    BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, TextRole, Texture, frame,
+};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -46,7 +48,7 @@ pub(super) fn textures(
 pub(super) fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    (shares, left_out): (Option<[f32; 5]>, LeftOut),
+    left_out: LeftOut,
     braille: Vec<BrailleText>,
     (layout, medium): (&Layout, &DotMedium),
     request: &Request<'_>,
@@ -55,25 +57,22 @@ pub(super) fn assemble(
     let overview = overview
         .map(|(place, lines)| {
             let own = Figure { place, source, textures: Vec::new(), lines };
-            let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
             let title = title_of_overview(request.title);
             let title_only = braille.iter().filter(|text| text.role == TextRole::Title).cloned().collect();
-            finished(parts((title, description), own, title_only, (layout, medium), request), request)
+            let mut parts = parts(title, own, title_only, (layout, medium), request);
+            parts.origin.push(InSet::Overview.to_origin());
+            finished(parts, request)
         })
         .transpose()?;
-    let mut description = page::describe(&figure, None, shares) + &page::describe_labels(&braille);
-    if overview.is_some() {
-        description += " An overview of lines only follows on the next sheet.";
-    }
-    let words = (request.title.to_owned(), description);
-    let mut parts = parts(words, figure, braille, (layout, medium), request);
+    let mut parts = parts(request.title.to_owned(), figure, braille, (layout, medium), request);
+    parts.origin.extend(overview.is_some().then(|| InSet::Followed.to_origin()));
     parts.origin.extend(left_out.to_origin());
     let page = finished(parts, request)?;
     Ok((page, overview))
 }
 
 fn parts(
-    (title, description): (String, String),
+    title: String,
     figure: Figure,
     braille: Vec<BrailleText>,
     (layout, medium): (&Layout, &DotMedium),
@@ -84,7 +83,6 @@ fn parts(
     let around = |params| frame::dotted(figure.place, &params, medium);
     Parts {
         title,
-        description,
         origin: origin(request, figure.source, &braille),
         frame: request.plan.layout().frame.map_or_else(Dots::default, around),
         orientation_mark: layout.mark.as_ref().map(mark),

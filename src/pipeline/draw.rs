@@ -40,8 +40,6 @@ const OTHERS_LENGTH: f32 = 8.0;
 pub(super) struct Marks {
     pub(super) figure: Figure,
     pub(super) overview: Option<(MmRect, Vec<Line>)>,
-    /// Of each class of colours, where they were looked at.
-    pub(super) shares: Option<[f32; 5]>,
     pub(super) layout: Layout,
     pub(super) is_flat: bool,
     /// Contours that are not drawn.
@@ -89,7 +87,7 @@ pub(super) fn draw(
         let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
         notes.push(Note::LeftOut(format!("{short} {noun} of those given, as {why}")));
     }
-    let erased = given.boxes(picture.source.size)?;
+    let erased = given.boxes(picture.source.size, layout.figure)?;
     if let Some(edges) = &mut edges {
         erase(edges, erased.clone());
     }
@@ -119,16 +117,7 @@ pub(super) fn draw(
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-    Ok(Marks {
-        figure,
-        overview,
-        shares: classes.as_ref().map(Classes::shares),
-        layout,
-        is_flat,
-        left_out,
-        texts,
-        notes,
-    })
+    Ok(Marks { figure, overview, layout, is_flat, left_out, texts, notes })
 }
 
 /// The lines of a picture of lines, as contours of a picture of this size.

@@ -1,18 +1,21 @@
 //! What every page ends with: its words of how it was made, and the check that it goes through.
 
+use super::described::described;
 use super::request::Request;
 use crate::page::{BrailleText, Medium, Page, Parts, Print};
 use crate::units::Size;
+use crate::wording::Wording;
 use crate::{Error, Note};
 
-/// The page of these marks, as it is printed.
+/// The page of these marks, as it is printed, and described.
 pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, Error> {
     // Up to here every mark has the size that fingers meet.
     if let Medium::Print(print) = parts.medium {
         parts.narrowed(print.swell);
     }
     let page = Page::new(parts)?;
-    Ok(if request.fit.mirrored { page.mirrored() } else { page })
+    let page = if request.fit.mirrored { page.mirrored() } else { page };
+    Ok(described(page, Wording::nearest(request.language)))
 }
 
 /// What the maker is told when more of the figure is black than the profile allows.

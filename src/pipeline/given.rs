@@ -27,24 +27,57 @@ pub struct Given {
     pub notes: Vec<Note>,
     /// Parts of the picture, as it is drawn, that stay blank.
     pub erased: Vec<Crop>,
+    /// Parts outside which it stays blank; without any, it does so nowhere.
+    pub kept: Vec<Crop>,
 }
 
 impl Given {
-    /// What is erased of a picture of this size, in shares of it: left, top, right, bottom.
+    /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on the
+    /// sheet.
     ///
     /// # Errors
     /// If a part reaches beyond the picture.
-    pub(super) fn boxes(&self, size: Size) -> Result<Vec<[f32; 4]>, Error> {
-        let [width, height] = [size.width as f32, size.height as f32];
-        let shares = |crop: &Crop| {
-            let part = crop.part(size)?;
-            let (right, bottom) = (part.left + part.size.width, part.top + part.size.height);
-            let [left, right] = [part.left, right].map(|x| x as f32 / width);
-            let [top, bottom] = [part.top, bottom].map(|y| y as f32 / height);
-            Ok([left, top, right, bottom])
-        };
-        self.erased.iter().map(shares).collect()
+    pub(super) fn boxes(&self, size: Size, figure: MmRect) -> Result<Vec<[f32; 4]>, Error> {
+        let shares = |crop: &Crop| crop.shares(size, [figure.width(), figure.height()]);
+        let mut boxes: Vec<[f32; 4]> = self.erased.iter().map(shares).collect::<Result<_, _>>()?;
+        let kept: Vec<[f32; 4]> = self.kept.iter().map(shares).collect::<Result<_, _>>()?;
+        if !kept.is_empty() {
+            boxes.extend(around(&kept));
+        }
+        Ok(boxes)
     }
+}
+
+/// What of the whole is in none of these boxes, as boxes: in each row between two of their edges what is left of it.
+fn around(boxes: &[[f32; 4]]) -> Vec<[f32; 4]> {
+    // a little beyond the picture, whose border counts as inside
+    const LOW: f32 = -1.0;
+    const HIGH: f32 = 2.0;
+    let reach = |[left, top, right, bottom]: [f32; 4]| {
+        let low = |at: f32| if at <= 0.0 { LOW } else { at };
+        let high = |at: f32| if at >= 1.0 { HIGH } else { at };
+        [low(left), low(top), high(right), high(bottom)]
+    };
+    let boxes: Vec<[f32; 4]> = boxes.iter().copied().map(reach).collect();
+    let mut edges: Vec<f32> = boxes.iter().flat_map(|[_, top, _, bottom]| [*top, *bottom]).chain([LOW, HIGH]).collect();
+    edges.sort_by(f32::total_cmp);
+    let mut left = Vec::new();
+    for row in edges.windows(2).filter(|row| row[0] < row[1]) {
+        let mut kept: Vec<[f32; 2]> = boxes
+            .iter()
+            .filter(|[_, top, _, bottom]| *top <= row[0] && row[1] <= *bottom)
+            .map(|[left, _, right, _]| [*left, *right])
+            .collect();
+        kept.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut from = LOW;
+        for [start, end] in kept.into_iter().chain([[HIGH, HIGH]]) {
+            if start > from {
+                left.push([from, row[0], start, row[1]]);
+            }
+            from = from.max(end);
+        }
+    }
+    left
 }
 
 /// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
@@ -272,4 +305,21 @@ fn outside<V: Copy>(vertices: &[V], closed: bool, inside: impl Fn(&V) -> bool) -
 /// Whether a place, in shares of the picture, lies in one of the boxes.
 pub(super) fn is_in([x, y]: [f32; 2], boxes: &[[f32; 4]]) -> bool {
     boxes.iter().any(|[left, top, right, bottom]| (*left..=*right).contains(&x) && (*top..=*bottom).contains(&y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_around_boxes_is_everything_else() {
+        let boxes = [[0.1, 0.2, 0.5, 0.6], [0.4, 0.4, 1.0, 0.8], [0.0, 0.9, 0.3, 1.0]];
+        let left = around(&boxes);
+        for x in 0..50 {
+            for y in 0..50 {
+                let at = [(x as f32 + 0.5) / 50.0, (y as f32 + 0.5) / 50.0];
+                assert_ne!(is_in(at, &left), is_in(at, &boxes), "{at:?}");
+            }
+        }
+    }
 }

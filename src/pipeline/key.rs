@@ -192,11 +192,9 @@ fn page(
             leader: None,
         });
     }
-    let said: Vec<&str> = items.iter().map(|(_, item)| item.text.as_str()).collect();
     let figure = Figure { place: area, source, textures, lines: Vec::new() };
     let parts = Parts {
         title: title_of_key(request.title),
-        description: format!("Key, in braille: {}.", said.join("; ")),
         origin: origin(request, source, &braille),
         braille,
         medium: layout.medium.clone(),

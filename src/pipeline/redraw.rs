@@ -1,6 +1,7 @@
 //! A page that was read, made ready for its own paper or device, or drawn anew for another one.
 
 use super::areas;
+use super::described::{described, is_made};
 use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
 use super::given::HandLines;
 use super::label::{Label, Position};
@@ -10,11 +11,10 @@ use super::words::Words;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
 use crate::page::layout::Layout;
-use crate::page::{
-    self, BrailleText, Class, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture,
-};
+use crate::page::{BrailleText, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
+use crate::wording::Wording;
 use crate::{Error, Note, dots, textures};
 
 /// Pixels for a millimetre in which the shape of a figure is said.
@@ -75,8 +75,10 @@ pub fn settle(page: &Page, plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
             parts.figure.lines = rows;
         }
     }
-    describe_again(&mut parts, !classes.is_empty());
-    Ok((Page::new(parts)?, notes))
+    let made = is_made(page);
+    let page = Page::new(parts)?;
+    let wording = Wording::nearest(&page.description_language);
+    Ok((if made { described(page, wording) } else { page }, notes))
 }
 
 /// Which textures have signs of another class.
@@ -110,23 +112,6 @@ fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> 
     let swell = plan.profile().print.swell;
     glyphs.iter_mut().for_each(|glyph| glyph.shape = glyph.shape.narrowed(swell));
     glyphs
-}
-
-/// A description that was made, made again if the page has other lines or colours than it says.
-fn describe_again(parts: &mut Parts, is_other: bool) {
-    let says = format!(", {}.", page::contours(parts.figure.lines.len()));
-    let is_made = parts.description.starts_with(page::DESCRIBES);
-    if !is_made || (parts.description.contains(&says) && !is_other) {
-        return;
-    }
-    let all = parts.figure.place.area().max(f32::MIN_POSITIVE);
-    let share = |class: Class| {
-        let of_class = parts.figure.textures.iter().filter(|texture| texture.class == class);
-        (of_class.map(|texture| texture.area).sum::<f32>() / all).min(1.0)
-    };
-    let shares = (!parts.figure.textures.is_empty()).then(|| Class::ALL.map(share));
-    parts.description =
-        page::describe(&parts.figure, parts.overview.as_ref(), shares) + &page::describe_labels(&parts.braille);
 }
 
 /// Brings the widths of a line into a range, mm; tells whether any was outside.
@@ -189,9 +174,8 @@ pub(super) fn marks(
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    let shares = classes.as_ref().map(Classes::shares);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
-    Ok(Marks { figure, overview, shares, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+    Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
 }
 
 /// The labels of a page as they would be given, each at what it names.

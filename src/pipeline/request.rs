@@ -1,6 +1,7 @@
 //! What one picture is converted with: the profile, and what its maker chooses anew for each picture.
 
 use crate::Error;
+use crate::page::MIRRORED;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout};
 use crate::profile::Plan;
@@ -76,7 +77,7 @@ impl Fit {
     pub(super) fn origin(&self) -> impl Iterator<Item = (String, String)> {
         let part = self.crop.map(|crop| ("part of the picture", crop.to_string()));
         let width = self.width.map(|width| ("width asked for in mm", width.to_string()));
-        let mirrored = self.mirrored.then(|| ("mirrored", "true".to_owned()));
+        let mirrored = self.mirrored.then(|| (MIRRORED, "true".to_owned()));
         let text = self.keep_text.then(|| ("text kept", "true".to_owned()));
         let page = self.page.map(|page| ("page of the document", page.to_string()));
         [page, part, width, mirrored, text].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
@@ -93,6 +94,8 @@ pub struct Request<'a> {
     pub fonts: &'a Fonts<'a>,
     /// What the page is called, such as the picture's file name.
     pub title: &'a str,
+    /// The language in which the page is described (BCP 47); English where the program has no words in it.
+    pub language: &'a str,
     /// Which part of the picture is drawn, how large, and whether for the back of the sheet.
     pub fit: Fit,
     /// Asked between stages whether to stop.

@@ -7,7 +7,7 @@ use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
 use crate::page::layout::{self, Layout};
 use crate::page::spread::{self, Cut, Grid, Spread};
-use crate::page::{self, Dots, Figure, LeftOut, Line, Medium, MediumParams, Page, Parts, Print, frame};
+use crate::page::{Dots, Figure, InSet, LeftOut, Line, Medium, MediumParams, Page, Parts, Print, frame};
 use crate::picture::Picture;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
@@ -40,10 +40,10 @@ pub fn convert<'p>(
         MediumParams::Dots { device, .. } => return Err(Error::OneSheet { device: device.name }),
     };
     let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
-    let Marks { figure, overview, shares, left_out, is_flat, mut notes, .. } =
+    let Marks { figure, overview, left_out, is_flat, mut notes, .. } =
         draw(picture.into(), given, request, &|size| places(size, grid(size)?, print, request), watch)?;
     let grid = grid(figure.source)?;
-    let pages = run(watch, Stage::Page, || assemble(&figure, overview, (shares, left_out), (grid, print), request))?;
+    let pages = run(watch, Stage::Page, || assemble(&figure, overview, left_out, (grid, print), request))?;
     if pages.iter().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
     } else if request.plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
@@ -101,33 +101,25 @@ fn overview_sheet(size: Size, request: &Request<'_>) -> Layout {
 fn assemble(
     figure: &Figure,
     overview: Option<(MmRect, Vec<Line>)>,
-    (shares, left_out): (Option<[f32; 5]>, LeftOut),
+    left_out: LeftOut,
     (grid, print): (Grid, Print),
     request: &Request<'_>,
 ) -> Result<Vec<Page>, Error> {
     let params = request.plan.layout();
     let spread = spread_of(figure.source, grid, request)?;
     let cuts = spread.cut(figure, params.frame.as_ref(), params.margin);
-    let names: Vec<&str> = cuts.iter().map(|cut| cut.name.as_str()).collect();
-    let whole = format!(
-        "one of {} sheets ({}), a letter for each row from the top and a number for each column from the left",
-        names.len(),
-        names.join(", ")
-    );
-    let words = page::describe(figure, None, shares);
+    let names: Vec<String> = cuts.iter().map(|cut| cut.name.clone()).collect();
     let mut pages = Vec::new();
     if let Some((place, lines)) = overview {
         let layout = overview_sheet(figure.source, request);
         let own = Figure { place, source: figure.source, textures: Vec::new(), lines };
-        let description =
-            format!("Overview of a picture on {} sheets. {}", names.len(), page::describe(&own, None, None));
         let frame = params.frame.as_ref().map_or_else(Dots::default, |params| frame::printed(place, params));
         let title = title_of_overview(request.title);
         let parts = Parts {
             sheet: layout.sheet,
             orientation_mark: layout.mark,
             frame,
-            ..parts(title, description, own, (grid, print), request)
+            ..parts(title, own, (grid, print), InSet::OverviewOf(names.clone()), request)
         };
         pages.push(finished(parts, request)?);
     }
@@ -136,14 +128,13 @@ fn assemble(
     for cut in &cuts {
         let Cut { figure, frame, ticks, label, name } = cut.clone();
         let title = format!("{}, sheet {name}", request.title);
-        let description = format!("Sheet {name}, {whole}. The whole picture: {words}");
         let parts = Parts {
             sheet: spread.sheet,
             orientation_mark: spread.mark.clone(),
             frame,
             registration: ticks,
             labels: vec![label],
-            ..parts(title, description, figure, (grid, print), request)
+            ..parts(title, figure, (grid, print), InSet::One(name, names.clone()), request)
         };
         let origin = [parts.origin.clone(), left_out.clone()].concat();
         pages.push(finished(Parts { origin, ..parts }, request)?);
@@ -152,14 +143,8 @@ fn assemble(
 }
 
 /// What all sheets have, with nothing beside the figure.
-fn parts(
-    title: String,
-    description: String,
-    figure: Figure,
-    (grid, print): (Grid, Print),
-    request: &Request<'_>,
-) -> Parts {
+fn parts(title: String, figure: Figure, (grid, print): (Grid, Print), in_set: InSet, request: &Request<'_>) -> Parts {
     let mut origin = origin(request, figure.source, &[]);
-    origin.push(("sheets".to_owned(), grid.to_string()));
-    Parts { title, description, origin, medium: Medium::Print(print), ..Parts::of([0.0, 0.0], figure) }
+    origin.extend([("sheets".to_owned(), grid.to_string()), in_set.to_origin()]);
+    Parts { title, origin, medium: Medium::Print(print), ..Parts::of([0.0, 0.0], figure) }
 }

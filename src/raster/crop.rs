@@ -1,4 +1,4 @@
-//! A part of a picture, given in pixels or in percent.
+//! A part of a picture, given in pixels, in percent or in mm of the figure.
 
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;
@@ -6,7 +6,9 @@ use std::str::FromStr;
 use crate::Error;
 use crate::units::Size;
 
-/// A part of a picture: where it begins, from the left and from the top, its width and its height.
+/// A part of a picture: where it begins, from the left and from the top, its width and its height. Each is in pixels,
+/// in percent or, for what is [erased](crate::Options::erase) or [kept](crate::Options::keep), in mm of the figure on
+/// the sheet, from its top left corner.
 ///
 /// ```
 /// use tactograph::Crop;
@@ -21,6 +23,7 @@ pub struct Crop([Length; 4]);
 enum Length {
     Pixels(u32),
     Percent(f64),
+    Mm(f64),
 }
 
 /// A part of a picture in whole pixels.
@@ -52,18 +55,54 @@ impl Crop {
         let along = |from: Length, length: Length, side: u32| {
             let whole = f64::from(side);
             let exact = |length: Length| match length {
-                Length::Pixels(pixels) => f64::from(pixels),
-                Length::Percent(percent) => 0.01 * percent * whole,
+                Length::Pixels(pixels) => Some(f64::from(pixels)),
+                Length::Percent(percent) => Some(0.01 * percent * whole),
+                Length::Mm(_) => None,
             };
-            let (start, end) = (exact(from).round(), (exact(from) + exact(length)).round());
+            let (start, length) = (exact(from)?, exact(length)?);
+            let (start, end) = (start.round(), (start + length).round());
             (end > start && end <= whole).then_some((start as u32, (end - start) as u32))
         };
+        if self.0.iter().any(|length| matches!(length, Length::Mm(_))) {
+            return Err(Error::PartInMm { part: self.to_string() });
+        }
         match (along(x, width, size.width), along(y, height, size.height)) {
             (Some((left, width)), Some((top, height))) => Ok(Part { left, top, size: Size::new(width, height) }),
             _ => Err(Error::NotInPicture { part: self.to_string(), size }),
         }
     }
 }
+
+impl Crop {
+    /// Left, top, right and bottom as shares of a picture of `size` pixels, whose figure is so wide and high, mm.
+    ///
+    /// # Errors
+    /// If it reaches beyond the picture.
+    pub(crate) fn shares(&self, size: Size, figure: [f32; 2]) -> Result<[f32; 4], Error> {
+        let [x, y, width, height] = self.0;
+        let along = |from: Length, length: Length, pixels: u32, mm: f32| {
+            let share = |length: Length| match length {
+                Length::Pixels(count) => f64::from(count) / f64::from(pixels),
+                Length::Percent(percent) => 0.01 * percent,
+                Length::Mm(length) => length / f64::from(mm),
+            };
+            let (start, end) = (share(from), share(from) + share(length));
+            // what is measured on the sheet may be a little off, and so may be what is rounded
+            let slack = f64::from(MM_SLACK / mm);
+            (start < 1.0 && end <= 1.0 + slack).then_some([start as f32, end.min(1.0) as f32])
+        };
+        match (along(x, width, size.width, figure[0]), along(y, height, size.height, figure[1])) {
+            (Some([left, right]), Some([top, bottom])) => Ok([left, top, right, bottom]),
+            _ => {
+                let part = self.to_string();
+                Err(Error::NotInFigure { part, size, width: figure[0], height: figure[1] })
+            }
+        }
+    }
+}
+
+/// How far a part in mm may reach beyond the figure, mm: less than a ruler shows.
+const MM_SLACK: f32 = 0.25;
 
 impl FromStr for Crop {
     type Err = Error;
@@ -74,12 +113,18 @@ impl FromStr for Crop {
         let lengths: Vec<Length> =
             text.split(',').map(|text| length(text.trim())).collect::<Option<_>>().ok_or(Error::NotACrop)?;
         let lengths: [Length; 4] = lengths.try_into().map_err(|_| Error::NotACrop)?;
-        let is_empty = |length: &Length| matches!(length, Length::Pixels(0)) || *length == Length::Percent(0.0);
+        let is_empty = |length: &Length| [Length::Pixels(0), Length::Percent(0.0), Length::Mm(0.0)].contains(length);
         if lengths[2..].iter().any(is_empty) { Err(Error::NotACrop) } else { Ok(Self(lengths)) }
     }
 }
 
+/// No sheet is longer, mm.
+const LONGEST_MM: f64 = 10_000.0;
+
 fn length(text: &str) -> Option<Length> {
+    if let Some(mm) = text.strip_suffix("mm") {
+        return mm.trim().parse().ok().filter(|mm| (0.0..=LONGEST_MM).contains(mm)).map(Length::Mm);
+    }
     match text.strip_suffix('%') {
         Some(percent) => percent.trim().parse().ok().filter(|p| (0.0..=100.0).contains(p)).map(Length::Percent),
         None => text.strip_suffix("px").unwrap_or(text).trim().parse().ok().map(Length::Pixels),
@@ -93,6 +138,7 @@ impl Display for Crop {
             match length {
                 Length::Pixels(pixels) => write!(f, "{pixels}")?,
                 Length::Percent(percent) => write!(f, "{percent}%")?,
+                Length::Mm(mm) => write!(f, "{mm}mm")?,
             }
         }
         Ok(())
@@ -118,6 +164,22 @@ mod tests {
             ("0,0,50%,1", [0, 0, 301, 1]),
         ] {
             assert_eq!(part(text), Some(want), "{text}");
+        }
+    }
+
+    #[test]
+    fn parts_in_mm_are_of_the_figure() {
+        let size = Size::new(600, 300);
+        let shares = |text: &str| text.parse::<Crop>().expect("a part").shares(size, [150.0, 75.0]);
+        assert_eq!(shares("15mm,0mm,30mm,75mm"), Ok([0.1, 0.0, 0.3, 1.0]));
+        assert_eq!(shares("60,50%, 15 mm,25%"), Ok([0.1, 0.5, 0.2, 0.75]));
+        assert_eq!(shares("0,0,150.2mm,1"), Ok([0.0, 0.0, 1.0, 1.0 / 300.0]), "a ruler's width too long");
+        assert!(matches!(shares("0,0,151mm,1"), Err(Error::NotInFigure { .. })));
+        assert!(matches!(shares("0,75mm,5mm,1mm"), Err(Error::NotInFigure { .. })));
+        let in_mm: Crop = "0,0,5mm,5".parse().expect("a part");
+        assert!(matches!(in_mm.part(size), Err(Error::PartInMm { .. })));
+        for text in ["0,0,0mm,5", "0,0,nanmm,5", "0,-1mm,5,5", "0,0,1e9mm,5", "0,0,mm,5"] {
+            assert!(text.parse::<Crop>().is_err(), "{text}");
         }
     }
 

@@ -82,7 +82,7 @@ fn a_derived_name_does_not_cost_the_user_a_drawing() {
     assert_eq!(place.run(&["convert", "a.png", "-o", "a.svg"]).code, 0);
     place.has_page("a.svg");
     // A page that somebody touched up, be it by hand, is theirs now.
-    let edited = place.text("a.svg").replacen("Tactile graphic", "Our pond", 1);
+    let edited = place.text("a.svg").replacen(">A sheet", ">Our pond", 1);
     place.put("a.svg", edited.as_bytes());
     place.refuses(&["convert", "a.png"], 1, &[&format!("a.svg: {kept}")]);
     assert_eq!(place.text("a.svg"), edited);

@@ -210,6 +210,36 @@ fn what_is_erased_is_blank() {
 }
 
 #[test]
+fn what_is_not_kept_is_blank_and_mm_are_those_of_the_figure() {
+    let place = with_page("swell-a4");
+    let run = |name: &str, options: &[&str]| {
+        done(&place, &[&["convert", "cup.png", "--no-overview", "-o", name], options].concat());
+        read(&place, name)
+    };
+    let whole = run("whole.svg", &[]).figure.place;
+    let (left, width) = (0.25 * whole.width(), 0.5 * whole.width());
+    let in_mm = format!("{left}mm,0mm,{width}mm,{}mm", whole.height());
+    let page = run("kept.svg", &["--keep", &in_mm]);
+    assert_eq!(page.figure.place, whole, "what is kept stays where it is");
+    let is_kept = |x: f32| (left - 1.0..=left + width + 1.0).contains(&(x - whole.min.x));
+    assert!(runs(&page).iter().flat_map(|run| &run.points).all(|at| is_kept(at.x)));
+    assert!(page.figure.textures.iter().flat_map(|texture| &texture.glyphs).all(|glyph| is_kept(glyph.at.x)));
+    assert!(!page.figure.lines.is_empty() && !page.figure.textures.is_empty());
+    // in percent, and as the opposite of what is erased
+    let same = run("percent.svg", &["--keep", "25%,0%,50%,100%"]).figure.clone();
+    let erased = run("erased.svg", &["--erase", "0%,0%,25%,100%", "--erase", "75%,0%,25%,100%"]).figure.clone();
+    assert_eq!((same.lines.len(), same.textures.len()), (erased.lines.len(), erased.textures.len()));
+    // of two parts both are there
+    let two = run("two.svg", &["--keep", "0,0,20%,100%", "--keep", "80%,0,20%,100%"]);
+    let middle = |x: f32| (0.22..0.78).contains(&((x - whole.min.x) / whole.width()));
+    assert!(runs(&two).iter().flat_map(|run| &run.points).all(|at| !middle(at.x)));
+    let beyond = place.run(&["convert", "cup.png", "-o", "x.svg", "--keep", "0,0,999mm,9mm"]);
+    assert!(beyond.code == 1 && beyond.err.contains("reaches beyond the figure, which is "), "{}", beyond.err);
+    let crop = place.run(&["convert", "cup.png", "-o", "x.svg", "--crop", "0,0,9mm,9mm"]);
+    assert!(crop.code == 1 && crop.err.contains("give it in pixels or in percent"), "{}", crop.err);
+}
+
+#[test]
 fn lines_of_another_shape_and_files_that_are_none_are_refused() {
     let place = with_page("swell-a4");
     place.put("tall.png", &png(40, 90, &[200; 40 * 90 * 3]));

@@ -27,6 +27,7 @@ fn sorted(picture: &[u8], settings: &[(&str, &str)]) -> (Classes, f32) {
         limits: Default::default(),
         fonts: &Arc::default,
         title: "test",
+        language: "en",
         fit: Default::default(),
         cancelled: &|| false,
     };

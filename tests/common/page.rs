@@ -46,6 +46,7 @@ pub(crate) fn page_for(bytes: &[u8], title: &str, profile: &Profile, watch: &mut
         limits: Limits::default(),
         fonts: &fonts,
         title,
+        language: "en",
         fit: Default::default(),
         cancelled: &|| false,
     };

@@ -123,6 +123,25 @@ fn sizes_that_are_none_are_refused() {
 }
 
 #[test]
+fn lengths_of_which_usvg_makes_curves_without_end_are_refused_at_once() {
+    for shape in [
+        "<path d='M0 0a1e38 1e38 0 0 0 5 5'/>",
+        "<path d='M0 0A100000000000000000000000000000000000000 9 0 0 0 5 5'/>",
+        "<circle r='1e38'/>",
+        "<rect width='9' height='9' rx='1e30' ry='3'/>",
+    ] {
+        let text = format!("<svg xmlns='http://www.w3.org/2000/svg' width='99' height='99'>\n{shape}</svg>");
+        let fault = fault(text.as_bytes());
+        assert!(fault.contains("line 2, column 1: it has places or sizes too large to compute with"), "{fault}");
+        assert_eq!(fault.lines().count(), 1);
+    }
+    // a map in metres is no such drawing
+    let map = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='1113000 -20037508 90 90'>\
+               <path d='M1113010 -20037500h50v50z'/></svg>";
+    assert!(decode_to(map.as_bytes(), &|_| Ok(Size::new(64, 64))).is_ok());
+}
+
+#[test]
 fn a_malformed_drawing_is_refused_with_its_line() {
     let text = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>\n<g>\n</svg>";
     let fault = fault(text.as_bytes());

@@ -22,7 +22,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("note", &["units", "braille"]), // names the codes that there are
     ("picture", &["units"]),         // as it is given: a file or pixels
     ("geom", &["units"]),
-    ("devices", &["units"]), // embossers and pin displays: only what they can do
+    ("wording", &["braille"]), // sentences in several languages; colours are called as in braille
+    ("devices", &["units"]),   // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
     ("lettering", &["units", "geom", "raster"]), // text in pixels; the picture without it
     ("regions", &["units", "geom", "raster"]),   // knows traces, not how they are found
@@ -45,8 +46,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("reading", &["units", "geom", "raster", "devices", "page", "output"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     // Rules over finished marks.
-    ("legibility", &["units", "geom", "braille", "devices", "page", "touch"]),
-    ("description", &["units", "geom", "page", "legibility"]), // a page in sentences
+    ("legibility", &["units", "geom", "braille", "wording", "devices", "page", "touch"]),
+    ("description", &["units", "geom", "wording", "page", "legibility"]), // a page in sentences
     (
         "profile",
         &[
@@ -75,6 +76,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         &[
             "units",
             "geom",
+            "wording",
             "braille",
             "raster",
             "lettering",
@@ -88,7 +90,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "page",
             "labels",
             "contours",
+            "output",
             "touch",
+            "description",
             "profile",
             "picture",
         ],
@@ -107,6 +111,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "reading",
             "legibility",
             "description",
+            "wording",
             "profile",
             "calibration",
             "pipeline",

@@ -121,6 +121,7 @@ fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
 /// The finished page.
 fn page(bytes: &[u8], plan: &Plan) -> Result<Page, Error> {
     let (limits, fit) = (Limits::default(), Default::default());
-    let request = Request { plan, limits, fonts: &Arc::default, title: "a picture", fit, cancelled: &|| false };
+    let request =
+        Request { plan, limits, fonts: &Arc::default, title: "a picture", language: "en", fit, cancelled: &|| false };
     Ok(convert(bytes, &request, &mut |_| ())?.page)
 }

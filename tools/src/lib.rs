@@ -3,6 +3,7 @@
 pub mod cjpeg;
 pub mod cores;
 pub mod drawn;
+pub mod full_page;
 pub mod near;
 pub mod photo;
 pub mod plot;

@@ -34,9 +34,17 @@ pub(in crate::cli) struct Correcting {
     /// Leaves a part of the picture blank: no lines, no textures; can be given several times
     ///
     /// As --crop: where it begins from the left and from the top, its width and its height, in pixels of the part that
-    /// is drawn or in percent.
+    /// is drawn or in percent; or, with mm behind the number, in mm on the sheet from the figure's top left corner
+    /// (10mm,20mm,30mm,15mm).
     #[arg(long, value_name = "X,Y,W,H", hide_short_help = true)]
     erase: Vec<Crop>,
+
+    /// Leaves everything blank but this part of the picture; can be given several times
+    ///
+    /// The opposite of --erase, with the same measures. What is kept stays as large and where it is; --crop makes it as
+    /// large as the sheet.
+    #[arg(long, value_name = "X,Y,W,H", hide_short_help = true)]
+    keep: Vec<Crop>,
 }
 
 /// Longest file of lines, bytes.
@@ -47,7 +55,7 @@ type Change = fn(Options, &[u8]) -> Result<Options, Error>;
 
 /// Files that were read, each with what it changes.
 #[derive(Default)]
-pub(in crate::cli) struct Corrections(Vec<(PathBuf, Vec<u8>, Change)>, Vec<Crop>);
+pub(in crate::cli) struct Corrections(Vec<(PathBuf, Vec<u8>, Change)>, [Vec<Crop>; 2]);
 
 impl Correcting {
     /// The files.
@@ -73,7 +81,7 @@ impl Correcting {
                 Err(error) => faults.push(format!("{option} {}: {error:#}", path.display())),
             }
         }
-        if faults.is_empty() { Ok(Corrections(read, self.erase.clone())) } else { Err(faults) }
+        if faults.is_empty() { Ok(Corrections(read, [self.erase.clone(), self.keep.clone()])) } else { Err(faults) }
     }
 }
 
@@ -83,7 +91,9 @@ impl Corrections {
     /// # Errors
     /// If a file is no page, with its name.
     pub(in crate::cli) fn add_to(&self, options: Options) -> Result<Options, (&Path, Error)> {
-        let options = self.1.iter().fold(options, |options, part| options.erase(*part));
+        let [erased, kept] = &self.1;
+        let options = erased.iter().fold(options, |options, part| options.erase(*part));
+        let options = kept.iter().fold(options, |options, part| options.keep(*part));
         self.0.iter().try_fold(options, |options, (path, bytes, change)| {
             change(options, bytes).map_err(|error| (path.as_path(), error))
         })

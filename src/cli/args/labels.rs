@@ -69,11 +69,6 @@ impl Labels {
         self.labels.as_deref().is_some_and(|labels| labels != TEXTS)
     }
 
-    /// Whether there are any.
-    pub(in crate::cli) fn are_given(&self) -> bool {
-        self.labels.is_some() || self.key == When::Always || self.braille_table.is_some()
-    }
-
     /// Reads the file.
     ///
     /// # Errors

@@ -24,7 +24,7 @@ pub(in crate::cli) struct Words {
     ///
     /// Read out by screen readers in place of the picture. Say what one could not guess from the file's name.
     ///
-    /// [default: sizes, number of contours and shares of the colours, in English]
+    /// [default: what "tactograph describe" says of the page]
     #[arg(long, value_name = "TEXT", value_parser = words, allow_hyphen_values = true)]
     alt: Option<String>,
 
@@ -40,7 +40,8 @@ pub(in crate::cli) struct Words {
     ///
     /// With it a screen reader speaks them well, and braille is written in the code of the language.
     ///
-    /// The description that is made without --alt is in English, and is marked as English.
+    /// The description that is made without --alt is in it too, if it is en, de, es, fr or pl; otherwise it is in
+    /// English, and is marked as English.
     ///
     /// [default: en]
     #[arg(long, value_name = "TAG", value_parser = language, hide_short_help = true)]
@@ -67,17 +68,11 @@ impl Words {
 
     /// Everything that is wrong with words for so many pictures, or so many pages of one.
     pub(super) fn faults(&self, labels: &Labels, pictures: usize, pages: Option<Pages>) -> Vec<String> {
-        let has_words = self.title.is_some() || self.alt.is_some() || self.titles.is_some() || labels.are_given();
-        let language = (self.lang.is_some() && !has_words).then(|| {
-            "--lang is the language of --title, --alt, --titles and --labels, and none is given; give one, or leave \
-             --lang out"
-                .to_owned()
-        });
         let pages = pages.map_or(1, |pages| pages.numbers().count());
         let of_pages = (self.titles.is_some() && pages > 1).then(|| {
             format!("--titles: a row is for one page, but there are {pages} of each picture; convert them one by one")
         });
-        language.into_iter().chain(of_pages).chain(self.for_many(labels, pictures, pages)).collect()
+        of_pages.into_iter().chain(self.for_many(labels, pictures, pages)).collect()
     }
 
     /// What is wrong if one picture's words are given to several.

@@ -1,7 +1,7 @@
 //! Complexity of a drawing: how deep and how large it is once its references are followed, found before usvg and resvg
 //! follow them. Both are recursive, and run out of stack (which ends the program) where a drawing is a few hundred
 //! levels deep. And a pattern of ten shapes that are filled with a pattern of ten shapes and so on is a small file that
-//! takes years to draw.
+//! takes years to draw. usvg also makes so many curves of an arc with a radius of 1e38 that it takes for ever.
 
 use std::collections::HashMap;
 
@@ -25,6 +25,13 @@ const MOST_COMPARISONS: usize = 10_000_000;
 /// Most levels of a drawing inside a drawing, which come on top of those around it.
 pub(super) const MOST_LEVELS_INSIDE: u32 = 50;
 
+/// Attributes that hold places and lengths of shapes.
+const LENGTHS: &[&str] = &["d", "r", "rx", "ry", "cx", "cy", "x", "y", "width", "height", "points"];
+
+/// Most digits of these before the point: usvg makes some 150 curves of an arc with a radius of 1e12. Maps in metres
+/// have 8.
+const MOST_DIGITS: usize = 12;
+
 /// # Errors
 /// What there is too much of.
 pub(super) fn check(document: &Document<'_>, most_levels: u32) -> Result<(), String> {
@@ -33,6 +40,7 @@ pub(super) fn check(document: &Document<'_>, most_levels: u32) -> Result<(), Str
     if octaves.fold(0.0, f64::max) > MOST_OCTAVES {
         return Err(format!("a turbulence filter has more than {MOST_OCTAVES} octaves"));
     }
+    no_longer_than(document, MOST_DIGITS)?;
     let total = Graph::new(document, &elements)?.total(document.root_element().id());
     if total.levels > most_levels {
         return Err(format!("it is more than {most_levels} elements deep, references included"));
@@ -41,6 +49,36 @@ pub(super) fn check(document: &Document<'_>, most_levels: u32) -> Result<(), Str
         return Err(format!("it has more than {MOST_ELEMENTS} elements, references included"));
     }
     Ok(())
+}
+
+/// Refuses a drawing in which a place or a length has more than `most` digits before the point.
+///
+/// # Errors
+/// That there is one.
+pub(crate) fn no_longer_than(document: &Document<'_>, most: usize) -> Result<(), String> {
+    let is_beyond =
+        |node: Node<'_, '_>| node.attributes().any(|of| LENGTHS.contains(&of.name()) && digits_in(of.value()) > most);
+    match document.descendants().find(|node| is_beyond(*node)) {
+        None => Ok(()),
+        Some(node) => {
+            let at = document.text_pos_at(node.range().start);
+            Err(format!("line {}, column {}: it has places or sizes too large to compute with", at.row, at.col))
+        }
+    }
+}
+
+/// Most digits before the point of any number in a text; those of an exponent count as what they stand for.
+fn digits_in(text: &str) -> usize {
+    let numbers = text.split(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+')));
+    let digits = |number: &str| {
+        let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, ""));
+        let whole = mantissa.split('+').map(|one| one.split('.').next().unwrap_or_default());
+        let whole = whole.map(|digits| digits.trim_start_matches('0').len()).max().unwrap_or_default();
+        let exponent = exponent.trim_start_matches('+').split(['.', '+', 'e', 'E']).next().unwrap_or_default();
+        let exponent = if exponent.is_empty() { 0 } else { exponent.parse().unwrap_or(usize::MAX) };
+        whole.saturating_add(exponent)
+    };
+    numbers.map(digits).max().unwrap_or_default()
 }
 
 /// Levels and elements from an element on down.
@@ -204,5 +242,26 @@ impl<'a> Rules<'a> {
                 || words.any(|word| word == name || word == id || classes.contains(&word))
         };
         self.0.iter().filter(move |(selector, _)| hit(selector)).flat_map(|(_, references)| references.iter().copied())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_before_the_point_are_counted_with_exponents() {
+        for (text, want) in [
+            ("", 0),
+            ("M 12.5,-300 4", 3),
+            ("a1e38 1e38 0 0 0 5 5", 39),
+            ("1e-5", 1),
+            ("0.25 007", 1),
+            ("1e99999999999999999999", usize::MAX),
+            ("20037508.34 1E+3", 8),
+            ("1e5.5", 6),
+        ] {
+            assert_eq!(digits_in(text), want, "{text}");
+        }
     }
 }

@@ -27,6 +27,7 @@ use self::job::{guarded, undecodable};
 use self::sniff::Format;
 use crate::{Error, picture};
 
+pub(crate) use self::complexity::no_longer_than;
 pub(crate) use self::drawing::{checked_document, unless_beyond_numbers};
 pub use self::job::{Fonts, Limits, Options, Picture, Source};
 

@@ -10,9 +10,10 @@
 use std::time::Instant;
 
 use tactograph::internals::legibility::{check, too_near};
-use tactograph::internals::page::{Class, Figure, Glyph, Line, Page, Parts, Run, Shape, Sign, Texture};
+use tactograph::internals::page::{Line, Run};
 use tactograph::internals::profile::{Plan, Profile};
-use tactograph::internals::units::{MmPoint, MmRect, MmVector, Size};
+use tactograph::internals::units::MmPoint;
+use tactograph_tools::full_page;
 use tactograph_tools::rng::Rng;
 
 /// Times of which the least counts.
@@ -24,13 +25,8 @@ const LINES: usize = 30;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let plan = Plan::new(&Profile::named("swell-a4")?)?;
     println!("| contours | their points | glyphs | sheet | findings | time |\n|---|---|---|---|---|---|");
-    for (contours, glyphs, sheet) in [
-        (75, 1500, [148.0, 210.0]),
-        (150, 3000, [148.0, 210.0]),
-        (300, 6000, [210.0, 297.0]),
-        (600, 12_000, [297.0, 420.0]),
-    ] {
-        let page = page(contours, glyphs, sheet)?;
+    for (_, contours, glyphs, sheet) in full_page::SIZES {
+        let page = full_page::page(contours, glyphs, sheet)?;
         let points: usize = page.figure.lines.iter().flat_map(|line| &line.runs).map(|run| run.points.len()).sum();
         let once = || {
             let start = Instant::now();
@@ -45,40 +41,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (pairs, worst) = exactness();
     println!("\n{PAGES} random pages, {pairs} pairs of lines that are too near: at most {worst:.5} mm off.");
     Ok(())
-}
-
-/// Wavy contours in rows, with glyphs between them.
-fn page(contours: usize, glyphs: usize, sheet: [f32; 2]) -> Result<Page, tactograph::Error> {
-    let [width, height] = sheet.map(|side| side - 20.0);
-    let columns = (contours as f32 * 0.5 * width / height).sqrt().ceil().max(1.0);
-    let rows = (contours as f32 / columns).ceil();
-    let (across, down) = (width / columns, height / rows);
-    let line = |number: usize| {
-        let (column, row) = (number % columns as usize, number / columns as usize);
-        let at = |k: usize| {
-            let share = k as f32 / 60.0;
-            let x = 10.0 + column as f32 * across + 3.0 + share * (across - 6.0);
-            MmPoint::new(x, 10.0 + (row as f32 + 0.5) * down + 0.2 * down * (12.0 * share + number as f32).sin())
-        };
-        Line { strength: 20.0, runs: vec![Run::stroke(1.2, (0..=60).map(at).collect())] }
-    };
-    // as many glyphs as are asked for, in rows
-    let step = (width * height / glyphs as f32).sqrt();
-    let in_row = (width / step) as usize;
-    let glyph = |number: usize| {
-        let at = MmPoint::new((number % in_row) as f32, (number / in_row) as f32) * step + MmVector::new(11.5, 11.5);
-        Glyph { at, shape: Shape::Rhombus { length: 2.2, thickness: 1.2, degrees: 45.0 } }
-    };
-    let texture = Texture {
-        class: Class::Green,
-        sign: Sign::Rhombus { degrees: 45.0 },
-        colour: [0, 128, 0],
-        area: width * height,
-        glyphs: (0..glyphs).map(glyph).collect(),
-    };
-    let place = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(10.0 + width, 10.0 + height));
-    let lines = (0..contours).map(line).collect();
-    Page::new(Parts::of(sheet, Figure { place, source: Size::new(100, 100), textures: vec![texture], lines }))
 }
 
 /// How many pairs of straight lines on random pages are too near, and how far the distance of any of them is off.

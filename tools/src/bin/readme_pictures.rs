@@ -58,6 +58,7 @@ fn page_of(file: &Path, title: &str, profile: &str) -> Result<String, Box<dyn Er
         limits: Limits::default(),
         fonts: &Arc::default,
         title,
+        language: "en",
         fit: Default::default(),
         cancelled: &|| false,
     };

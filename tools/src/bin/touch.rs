@@ -106,6 +106,7 @@ fn page_of(picture: &[u8], plan: &Plan, watch: &mut Watch<'_>) -> Page {
         limits: Default::default(),
         fonts: &fonts,
         title: "scene",
+        language: "en",
         fit: Default::default(),
         cancelled: &|| false,
     };

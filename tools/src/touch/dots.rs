@@ -61,6 +61,7 @@ impl Device {
             limits: Default::default(),
             fonts: &fonts,
             title: "scene",
+            language: "en",
             fit,
             cancelled: &|| false,
         };

@@ -23,6 +23,7 @@ pub(super) fn draw(picture: &str, out: &str, settings: &[&str]) -> Result<(), Bo
         limits: Default::default(),
         fonts: &Arc::default,
         title: picture,
+        language: "en",
         fit: Default::default(),
         cancelled: &|| false,
     };

@@ -73,7 +73,8 @@ pub(crate) fn table(name: &str, pictures: &[Picture], rounds: usize) -> Result<(
 /// The page, and how long all of it and decoding took.
 fn page_of(picture: &Picture, plan: &Plan) -> Result<(Page, [f64; 2]), String> {
     let (limits, fit) = (Default::default(), Default::default());
-    let request = Request { plan, limits, fonts: &Arc::default, title: "a picture", fit, cancelled: &|| false };
+    let request =
+        Request { plan, limits, fonts: &Arc::default, title: "a picture", language: "en", fit, cancelled: &|| false };
     let (mut clock, mut stage, mut decode) = (Clock::start(), Clock::start(), 0.0);
     let drawing = tactograph::internals::pipeline::convert(&picture.bytes, &request, &mut |event| match event {
         Event::Begin(Stage::Decode) => drop(stage.lap()),

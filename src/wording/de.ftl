@@ -1,0 +1,97 @@
+# Deutsch
+
+place-1 = oben links
+place-2 = oben in der Mitte
+place-3 = oben rechts
+place-4 = links in der Mitte
+place-5 = in der Mitte
+place-6 = rechts in der Mitte
+place-7 = unten links
+place-8 = unten in der Mitte
+place-9 = unten rechts
+
+percent = { $size ->
+    [under] weniger als 1 %
+    [over] mehr als 99 %
+   *[is] { $percent } %
+}
+
+title = Die Seite heißt „{ $title }“.
+sheet = Ein Blatt im { $way ->
+    [across] Querformat
+   *[upright] Hochformat
+}, { $width } mal { $height } mm, mit einer Abbildung von { $across } mal { $down } mm; sie hat { $lines ->
+    [0] keine Linien
+    [one] 1 Linie
+   *[other] { $lines } Linien
+} und { $areas ->
+    [0] keine Flächen mit Textur
+    [one] 1 Fläche mit Textur
+   *[other] { $areas } Flächen mit Textur
+}.
+
+shape-round = Ein geschlossener runder Umriss { $place }, { $across } mm im Durchmesser{ $holds ->
+    [0] {""}
+    [one] ; darin liegt ein kleinerer
+   *[other] ; darin liegen { $holds } kleinere
+}.
+shape-closed = Ein geschlossener Umriss { $place }, { $width } mm breit und { $height } mm hoch{ $holds ->
+    [0] {""}
+    [one] ; darin liegt ein kleinerer
+   *[other] ; darin liegen { $holds } kleinere
+}.
+line-level = Eine gerade waagerechte Linie { $place }, { $length } mm lang{ $long ->
+    [yes] , über den größten Teil der Abbildung
+   *[no] {""}
+}.
+line-upright = Eine gerade senkrechte Linie { $place }, { $length } mm lang{ $long ->
+    [yes] , über den größten Teil der Abbildung
+   *[no] {""}
+}.
+line-slanting = Eine gerade schräge Linie { $place }, { $length } mm lang.
+line-bent = Eine gebogene Linie { $place }, { $length } mm lang.
+lines-more = { $lines ->
+    [one] 1 weitere Linie ist kürzer als diese.
+   *[other] { $lines } weitere Linien sind kürzer als diese.
+}
+
+area = Die Farbe { $colour } bedeckt { $share } der Abbildung{ $areas ->
+    [one] {" "}{ $place }
+   *[other] {" "}in { $areas } Flächen, die größte { $place }
+}.
+blank = { $share } der Abbildung haben keine Textur.
+
+braille-title = Der Titel in Braille lautet „{ $text }“.
+braille-label = Eine Beschriftung { $place } lautet „{ $text }“.
+braille-key = In der Legende steht „{ $text }“.
+
+overview = Unter der Abbildung liegt eine Übersicht von { $width } mal { $height } mm mit { $lines ->
+    [0] keinen Linien
+    [one] 1 Linie
+   *[other] { $lines } Linien
+}.
+overview-follows = Auf dem nächsten Blatt folgt eine Übersicht nur mit Linien.
+overview-alone = Dies ist die Übersicht, nur mit Linien.
+overview-of-sheets = Dies ist die Übersicht eines Bildes auf { $sheets } Blättern, nur mit Linien.
+sheet-of-sheets = Dies ist Blatt { $name } von { $sheets } ({ $names }), mit einem Buchstaben für jede Zeile von oben und einer
+    Zahl für jede Spalte von links.
+
+left-out = { $length } mm Konturen, { $share }, hatten keinen Platz und fehlen.
+left-out-most = { $length } mm Konturen, { $share }, hatten keinen Platz und fehlen, die meisten { $place }.
+
+verdict = Urteil: { $errors ->
+    [one] 1 Fehler
+   *[other] { $errors } Fehler
+}{ $faulty ->
+    [none] {""}
+   *[other] {" "}auf { $faulty } der Abbildung
+}, { $warnings ->
+    [one] 1 Warnung
+   *[other] { $warnings } Warnungen
+}{ $textures ->
+    [none] {""}
+   *[other] ; { $textures }
+}.
+verdict-textures = Texturen bedecken { $share } der Abbildung; davon liegen { $near } zu nah an Linien und Rändern, um beurteilt
+    zu werden, und von den übrigen { $judged } liest eine Fingerkuppe von 1 mm { $right } richtig
+verdict-textures-near = Texturen bedecken { $share } der Abbildung, alle zu nah an Linien und Rändern, um beurteilt zu werden

@@ -1,0 +1,103 @@
+# What is said of a page. Syntax: https://projectfluent.org/fluent/guide. Blanks and line ends count as one blank.
+# Places are said within a sentence; colours have their names from the braille tables.
+
+place-1 = in the upper left
+place-2 = in the upper middle
+place-3 = in the upper right
+place-4 = in the middle left
+place-5 = in the middle
+place-6 = in the middle right
+place-7 = in the lower left
+place-8 = in the lower middle
+place-9 = in the lower right
+
+# $size: under (less than 1), over (more than 99) or is
+percent = { $size ->
+    [under] under 1 %
+    [over] over 99 %
+   *[is] { $percent } %
+}
+
+title = The page is called "{ $title }".
+# $way: across or upright
+sheet = A sheet { $way ->
+    [across] that lies across
+   *[upright] upright
+}, { $width } by { $height } mm, with a figure of { $across } by { $down } mm that has { $lines ->
+    [0] no lines
+    [one] 1 line
+   *[other] { $lines } lines
+} and { $areas ->
+    [0] no textured areas
+    [one] 1 textured area
+   *[other] { $areas } textured areas
+}.
+
+# $holds: how many closed outlines lie inside
+shape-round = A closed round outline { $place }, { $across } mm across{ $holds ->
+    [0] {""}
+    [one] ; it contains a smaller one
+   *[other] ; it contains { $holds } smaller ones
+}.
+shape-closed = A closed outline { $place }, { $width } mm wide and { $height } mm high{ $holds ->
+    [0] {""}
+    [one] ; it contains a smaller one
+   *[other] ; it contains { $holds } smaller ones
+}.
+# $long: yes or no
+line-level = A straight level line { $place }, { $length } mm long{ $long ->
+    [yes] , across most of the figure
+   *[no] {""}
+}.
+line-upright = A straight upright line { $place }, { $length } mm long{ $long ->
+    [yes] , across most of the figure
+   *[no] {""}
+}.
+line-slanting = A straight slanting line { $place }, { $length } mm long.
+line-bent = A bent line { $place }, { $length } mm long.
+lines-more = { $lines ->
+    [one] 1 more line is shorter than these.
+   *[other] { $lines } more lines are shorter than these.
+}
+
+area = The colour { $colour } covers { $share } of the figure{ $areas ->
+    [one] {" "}{ $place }
+   *[other] {" "}in { $areas } areas, the largest { $place }
+}.
+blank = { $share } of the figure has no texture.
+
+braille-title = The title in braille is "{ $text }".
+braille-label = A label { $place } says "{ $text }".
+braille-key = The key says "{ $text }".
+
+overview = Below the figure is an overview of { $width } by { $height } mm, with { $lines ->
+    [0] no lines
+    [one] 1 line
+   *[other] { $lines } lines
+}.
+overview-follows = An overview of lines only follows on the next sheet.
+overview-alone = This is the overview, with lines only.
+overview-of-sheets = This is the overview of a picture on { $sheets } sheets, with lines only.
+sheet-of-sheets = This is sheet { $name } of { $sheets } ({ $names }), with a letter for each row from the top and a number
+    for each column from the left.
+
+left-out = { $length } mm of contours, { $share }, had no room and are left out.
+left-out-most = { $length } mm of contours, { $share }, had no room and are left out, most of them { $place }.
+
+# $faulty, $textures: none, or words
+verdict = Verdict: { $errors ->
+    [one] 1 error
+   *[other] { $errors } errors
+}{ $faulty ->
+    [none] {""}
+   *[other] {" "}in { $faulty } of the figure's area
+}, { $warnings ->
+    [one] 1 warning
+   *[other] { $warnings } warnings
+}{ $textures ->
+    [none] {""}
+   *[other] ; { $textures }
+}.
+verdict-textures = textures cover { $share } of the figure, of which { $near } lie too near to lines and borders to be judged,
+    and of the other { $judged } a fingertip of 1 mm reads { $right } right
+verdict-textures-near = textures cover { $share } of the figure, all of them too near to lines and borders to be judged

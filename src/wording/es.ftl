@@ -1,0 +1,97 @@
+# Español
+
+place-1 = arriba a la izquierda
+place-2 = arriba en el centro
+place-3 = arriba a la derecha
+place-4 = en el centro a la izquierda
+place-5 = en el centro
+place-6 = en el centro a la derecha
+place-7 = abajo a la izquierda
+place-8 = abajo en el centro
+place-9 = abajo a la derecha
+
+percent = { $size ->
+    [under] menos del 1 %
+    [over] más del 99 %
+   *[is] { $percent } %
+}
+
+title = La página se llama «{ $title }».
+sheet = Una hoja { $way ->
+    [across] horizontal
+   *[upright] vertical
+}, de { $width } por { $height } mm, con una figura de { $across } por { $down } mm que tiene { $lines ->
+    [0] ninguna línea
+    [one] 1 línea
+   *[other] { $lines } líneas
+} y { $areas ->
+    [0] ninguna superficie con textura
+    [one] 1 superficie con textura
+   *[other] { $areas } superficies con textura
+}.
+
+shape-round = Un contorno cerrado redondo { $place }, de { $across } mm de diámetro{ $holds ->
+    [0] {""}
+    [one] ; contiene uno más pequeño
+   *[other] ; contiene { $holds } más pequeños
+}.
+shape-closed = Un contorno cerrado { $place }, de { $width } mm de ancho y { $height } mm de alto{ $holds ->
+    [0] {""}
+    [one] ; contiene uno más pequeño
+   *[other] ; contiene { $holds } más pequeños
+}.
+line-level = Una línea recta horizontal { $place }, de { $length } mm de largo{ $long ->
+    [yes] , a lo largo de la mayor parte de la figura
+   *[no] {""}
+}.
+line-upright = Una línea recta vertical { $place }, de { $length } mm de largo{ $long ->
+    [yes] , a lo largo de la mayor parte de la figura
+   *[no] {""}
+}.
+line-slanting = Una línea recta inclinada { $place }, de { $length } mm de largo.
+line-bent = Una línea curva { $place }, de { $length } mm de largo.
+lines-more = { $lines ->
+    [one] 1 línea más es más corta que estas.
+   *[other] { $lines } líneas más son más cortas que estas.
+}
+
+area = El color { $colour } cubre { $share } de la figura{ $areas ->
+    [one] {" "}{ $place }
+   *[other] {" "}en { $areas } superficies, la mayor { $place }
+}.
+blank = Sin textura: { $share } de la figura.
+
+braille-title = El título en braille es «{ $text }».
+braille-label = Una etiqueta { $place } dice «{ $text }».
+braille-key = La leyenda dice «{ $text }».
+
+overview = Debajo de la figura hay una vista general de { $width } por { $height } mm, con { $lines ->
+    [0] ninguna línea
+    [one] 1 línea
+   *[other] { $lines } líneas
+}.
+overview-follows = En la hoja siguiente hay una vista general solo con líneas.
+overview-alone = Esta es la vista general, solo con líneas.
+overview-of-sheets = Esta es la vista general de una imagen en { $sheets } hojas, solo con líneas.
+sheet-of-sheets = Esta es la hoja { $name } de { $sheets } ({ $names }), con una letra para cada fila desde arriba y un número
+    para cada columna desde la izquierda.
+
+left-out = { $length } mm de contornos, { $share }, no tenían sitio y faltan.
+left-out-most = { $length } mm de contornos, { $share }, no tenían sitio y faltan, la mayoría { $place }.
+
+verdict = Veredicto: { $errors ->
+    [one] 1 error
+   *[other] { $errors } errores
+}{ $faulty ->
+    [none] {""}
+   *[other] {" "}en { $faulty } de la figura
+}, { $warnings ->
+    [one] 1 advertencia
+   *[other] { $warnings } advertencias
+}{ $textures ->
+    [none] {""}
+   *[other] ; { $textures }
+}.
+verdict-textures = las texturas cubren { $share } de la figura, de lo cual { $near } está demasiado cerca de líneas y bordes para
+    juzgarlo, y del otro { $judged } una yema de 1 mm lee bien { $right }
+verdict-textures-near = las texturas cubren { $share } de la figura, todas demasiado cerca de líneas y bordes para juzgarlas

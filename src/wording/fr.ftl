@@ -1,0 +1,97 @@
+# Français
+
+place-1 = en haut à gauche
+place-2 = en haut au milieu
+place-3 = en haut à droite
+place-4 = au milieu à gauche
+place-5 = au milieu
+place-6 = au milieu à droite
+place-7 = en bas à gauche
+place-8 = en bas au milieu
+place-9 = en bas à droite
+
+percent = { $size ->
+    [under] moins de 1 %
+    [over] plus de 99 %
+   *[is] { $percent } %
+}
+
+title = La page s’appelle « { $title } ».
+sheet = Une feuille { $way ->
+    [across] en largeur
+   *[upright] en hauteur
+}, de { $width } sur { $height } mm, avec une figure de { $across } sur { $down } mm qui compte { $lines ->
+    [0] aucune ligne
+    [one] { $lines } ligne
+   *[other] { $lines } lignes
+} et { $areas ->
+    [0] aucune surface à texture
+    [one] { $areas } surface à texture
+   *[other] { $areas } surfaces à texture
+}.
+
+shape-round = Un contour fermé rond { $place }, de { $across } mm de diamètre{ $holds ->
+    [0] {""}
+    [one] {" "}; il en contient un plus petit
+   *[other] {" "}; il en contient { $holds } plus petits
+}.
+shape-closed = Un contour fermé { $place }, de { $width } mm de large et { $height } mm de haut{ $holds ->
+    [0] {""}
+    [one] {" "}; il en contient un plus petit
+   *[other] {" "}; il en contient { $holds } plus petits
+}.
+line-level = Une ligne droite horizontale { $place }, longue de { $length } mm{ $long ->
+    [yes] , sur la plus grande partie de la figure
+   *[no] {""}
+}.
+line-upright = Une ligne droite verticale { $place }, longue de { $length } mm{ $long ->
+    [yes] , sur la plus grande partie de la figure
+   *[no] {""}
+}.
+line-slanting = Une ligne droite oblique { $place }, longue de { $length } mm.
+line-bent = Une ligne courbe { $place }, longue de { $length } mm.
+lines-more = { $lines ->
+    [one] { $lines } autre ligne est plus courte.
+   *[other] { $lines } autres lignes sont plus courtes.
+}
+
+area = La couleur { $colour } couvre { $share } de la figure{ $areas ->
+    [one] {" "}{ $place }
+   *[other] {" "}en { $areas } surfaces, la plus grande { $place }
+}.
+blank = Sans texture : { $share } de la figure.
+
+braille-title = Le titre en braille est « { $text } ».
+braille-label = Une étiquette { $place } dit « { $text } ».
+braille-key = La légende dit « { $text } ».
+
+overview = Sous la figure se trouve une vue d’ensemble de { $width } sur { $height } mm, avec { $lines ->
+    [0] aucune ligne
+    [one] { $lines } ligne
+   *[other] { $lines } lignes
+}.
+overview-follows = Une vue d’ensemble en lignes seules suit sur la feuille suivante.
+overview-alone = Ceci est la vue d’ensemble, en lignes seules.
+overview-of-sheets = Ceci est la vue d’ensemble d’une image sur { $sheets } feuilles, en lignes seules.
+sheet-of-sheets = Ceci est la feuille { $name } sur { $sheets } ({ $names }), avec une lettre pour chaque rangée depuis le haut
+    et un nombre pour chaque colonne depuis la gauche.
+
+left-out = { $length } mm de contours, { $share }, n’avaient pas de place et manquent.
+left-out-most = { $length } mm de contours, { $share }, n’avaient pas de place et manquent, la plupart { $place }.
+
+verdict = Verdict : { $errors ->
+    [one] { $errors } erreur
+   *[other] { $errors } erreurs
+}{ $faulty ->
+    [none] {""}
+   *[other] {" "}sur { $faulty } de la figure
+}, { $warnings ->
+    [one] { $warnings } avertissement
+   *[other] { $warnings } avertissements
+}{ $textures ->
+    [none] {""}
+   *[other] {" "}; { $textures }
+}.
+verdict-textures = les textures couvrent { $share } de la figure, dont { $near } sont trop près des lignes et des bords pour être
+    jugés, et des autres { $judged } un bout de doigt de 1 mm lit { $right } correctement
+verdict-textures-near = les textures couvrent { $share } de la figure, toutes trop près des lignes et des bords pour être jugées

@@ -1,0 +1,194 @@
+//! Sentences about pages in several languages: one file of messages a language, in the format of Project Fluent, which
+//! knows how each language counts.
+//!
+//! Names of colours are those of the braille tables, so that a key on a page and a sentence about it say the same.
+
+use std::sync::OnceLock;
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource};
+
+use crate::braille::{Code, Table};
+
+/// What a message is filled with: a number, by which it may choose its words, or a text.
+pub(crate) use fluent_bundle::FluentValue as Value;
+
+/// The languages, by the tags of BCP 47, English first; each with its messages.
+const FILES: [(&str, &str); 5] = [
+    ("en", include_str!("en.ftl")),
+    ("de", include_str!("de.ftl")),
+    ("es", include_str!("es.ftl")),
+    ("fr", include_str!("fr.ftl")),
+    ("pl", include_str!("pl.ftl")),
+];
+
+/// Each language when it is first asked for.
+static LOADED: [OnceLock<Wording>; FILES.len()] = [const { OnceLock::new() }; FILES.len()];
+
+/// The messages of one language.
+pub(crate) struct Wording {
+    language: &'static str,
+    bundle: FluentBundle<FluentResource>,
+    table: Option<Table>,
+}
+
+impl Wording {
+    /// The languages that there are, English first.
+    pub(crate) fn languages() -> impl Iterator<Item = &'static str> {
+        FILES.iter().map(|(language, _)| *language)
+    }
+
+    /// The messages of a language such as `de` or `de-CH`, if there are any.
+    pub(crate) fn of_language(tag: &str) -> Option<&'static Self> {
+        let wanted = tag.split(['-', '_']).next().unwrap_or(tag);
+        let number = FILES.iter().position(|(language, _)| language.eq_ignore_ascii_case(wanted))?;
+        Some(Self::load(number))
+    }
+
+    /// English.
+    pub(crate) fn english() -> &'static Self {
+        Self::load(0)
+    }
+
+    /// Those of a language, or English where there are none.
+    pub(crate) fn nearest(tag: &str) -> &'static Self {
+        Self::of_language(tag).unwrap_or_else(Self::english)
+    }
+
+    fn load(number: usize) -> &'static Self {
+        LOADED[number].get_or_init(|| {
+            let (language, text) = FILES[number];
+            // what could be wrong with the program's own files is tested
+            let resource = FluentResource::try_new(text.to_owned()).unwrap_or_else(|(read, _)| read);
+            let mut bundle = FluentBundle::new_concurrent(language.parse().into_iter().collect());
+            bundle.set_use_isolating(false);
+            let _ = bundle.add_resource(resource);
+            Self { language, bundle, table: Code::of_language(language).and_then(Code::table) }
+        })
+    }
+
+    /// The tag of the language.
+    pub(crate) fn language(&self) -> &'static str {
+        self.language
+    }
+
+    /// A message filled with values, as one line. Every language has every message, which is tested; one that none has
+    /// would be told by its name.
+    pub(crate) fn say(&self, message: &str, values: &[(&'static str, Value<'_>)]) -> String {
+        let pattern = self.bundle.get_message(message).and_then(|message| message.value());
+        let Some(pattern) = pattern else { return message.to_owned() };
+        let values: FluentArgs<'_> = values.iter().cloned().collect();
+        let text = self.bundle.format_pattern(pattern, Some(&values), &mut Vec::new());
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// Where something is, within a sentence, by the number of its [ninth](crate::geom::ninths).
+    pub(crate) fn place(&self, ninth: usize) -> String {
+        self.say(&format!("place-{}", ninth + 1), &[])
+    }
+
+    /// A share (0..=1) in whole percent; nothing is told as 0 or 100 that is not.
+    pub(crate) fn percent(&self, share: f32) -> String {
+        let percent = 100.0 * share;
+        let size = match percent {
+            p if p > 0.0 && p < 0.5 => "under",
+            p if (99.5..100.0).contains(&p) => "over",
+            _ => "is",
+        };
+        self.say("percent", &[("size", size.into()), ("percent", percent.round().into())])
+    }
+
+    /// A colour, by its English name.
+    pub(crate) fn colour<'a>(&'a self, name: &'a str) -> &'a str {
+        self.table.as_ref().map_or(name, |table| table.word(name))
+    }
+}
+
+impl std::fmt::Debug for Wording {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("Wording").field(&self.language).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+
+    use super::*;
+
+    /// Of each message, the values that it is filled with.
+    fn messages(text: &str) -> BTreeMap<String, BTreeSet<String>> {
+        let mut all: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        let mut current = String::new();
+        for line in text.lines().filter(|line| !line.starts_with('#')) {
+            if let Some((name, _)) = line.split_once(" = ").filter(|_| line.starts_with(|c: char| c.is_alphabetic())) {
+                name.clone_into(&mut current);
+                assert!(all.insert(current.clone(), BTreeSet::new()).is_none(), "{name} is there twice");
+            }
+            let name = |part: &str| part.chars().take_while(|c| c.is_alphanumeric() || *c == '-').collect::<String>();
+            let values = line.split('$').skip(1).map(name);
+            if let Some(all) = all.get_mut(&current) {
+                all.extend(values);
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn every_language_has_every_message_with_the_same_values() {
+        let english = messages(FILES[0].1);
+        assert!(english.len() > 30);
+        for (language, text) in FILES {
+            assert!(FluentResource::try_new(text.to_owned()).is_ok(), "{language} cannot be read");
+            assert_eq!(messages(text), english, "{language}");
+        }
+    }
+
+    #[test]
+    fn every_message_can_be_filled_and_no_word_of_it_is_lost() {
+        for language in Wording::languages() {
+            let wording = Wording::of_language(language).expect("it is there");
+            for (message, values) in messages(FILES[0].1) {
+                let pattern = wording.bundle.get_message(&message).and_then(|message| message.value());
+                let pattern = pattern.unwrap_or_else(|| panic!("{language}: {message}"));
+                for number in [0, 1, 2, 5, 22] {
+                    let values: FluentArgs<'_> =
+                        values.iter().map(|name| (name.as_str(), Value::from(number))).collect();
+                    let mut faults = Vec::new();
+                    let text = wording.bundle.format_pattern(pattern, Some(&values), &mut faults);
+                    assert!(
+                        faults.is_empty() && !text.contains(['{', '$']),
+                        "{language}: {message}: {text}: {faults:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn languages_count_as_they_do() {
+        let more =
+            |language: &str, lines: i32| Wording::nearest(language).say("lines-more", &[("lines", lines.into())]);
+        assert_eq!(more("en-GB", 1), "1 more line is shorter than these.");
+        assert_eq!(more("de", 1), "1 weitere Linie ist kürzer als diese.");
+        assert_eq!(more("pl", 3), "3 dalsze linie są krótsze od tych.");
+        assert_eq!(more("pl", 12), "12 dalszych linii jest krótszych od tych.");
+        assert_eq!(more("pl", 22), "22 dalsze linie są krótsze od tych.");
+        assert_eq!(more("fr", 0), "0 autre ligne est plus courte.");
+        assert_eq!(more("xx", 2), "2 more lines are shorter than these.");
+    }
+
+    #[test]
+    fn shares_are_rounded_but_not_to_nothing_or_all() {
+        let percent = |share| Wording::english().percent(share);
+        let told = [0.0, 0.001, 0.006, 0.25, 0.996, 1.0].map(percent);
+        assert_eq!(told, ["0 %", "under 1 %", "1 %", "25 %", "over 99 %", "100 %"]);
+    }
+
+    #[test]
+    fn places_are_named_as_everywhere() {
+        for (number, name) in crate::geom::ninths::NAMES.iter().enumerate() {
+            assert_eq!(Wording::english().place(number), format!("in the {name}"));
+        }
+    }
+}

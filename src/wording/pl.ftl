@@ -1,0 +1,97 @@
+# Polski
+
+place-1 = u góry po lewej
+place-2 = u góry pośrodku
+place-3 = u góry po prawej
+place-4 = pośrodku po lewej
+place-5 = pośrodku
+place-6 = pośrodku po prawej
+place-7 = u dołu po lewej
+place-8 = u dołu pośrodku
+place-9 = u dołu po prawej
+
+percent = { $size ->
+    [under] mniej niż 1 %
+    [over] ponad 99 %
+   *[is] { $percent } %
+}
+
+title = Strona nosi tytuł „{ $title }”.
+sheet = Arkusz { $way ->
+    [across] poziomy
+   *[upright] pionowy
+}, { $width } na { $height } mm, z rysunkiem { $across } na { $down } mm; liczba linii: { $lines }, liczba pól z fakturą:
+    { $areas }.
+
+shape-round = Zamknięty okrągły kontur { $place }, o średnicy { $across } mm{ $holds ->
+    [0] {""}
+    [one] ; zawiera 1 mniejszy
+    [few] ; zawiera { $holds } mniejsze
+   *[other] ; zawiera { $holds } mniejszych
+}.
+shape-closed = Zamknięty kontur { $place }, szerokości { $width } mm i wysokości { $height } mm{ $holds ->
+    [0] {""}
+    [one] ; zawiera 1 mniejszy
+    [few] ; zawiera { $holds } mniejsze
+   *[other] ; zawiera { $holds } mniejszych
+}.
+line-level = Prosta pozioma linia { $place }, długości { $length } mm{ $long ->
+    [yes] , przez większą część rysunku
+   *[no] {""}
+}.
+line-upright = Prosta pionowa linia { $place }, długości { $length } mm{ $long ->
+    [yes] , przez większą część rysunku
+   *[no] {""}
+}.
+line-slanting = Prosta ukośna linia { $place }, długości { $length } mm.
+line-bent = Zagięta linia { $place }, długości { $length } mm.
+lines-more = { $lines ->
+    [one] 1 dalsza linia jest krótsza od tych.
+    [few] { $lines } dalsze linie są krótsze od tych.
+   *[other] { $lines } dalszych linii jest krótszych od tych.
+}
+
+area = Kolor { $colour } zajmuje { $share } rysunku{ $areas ->
+    [one] {" "}{ $place }
+    [few] {" "}w { $areas } polach, największe { $place }
+   *[other] {" "}w { $areas } polach, największe { $place }
+}.
+blank = Bez faktury: { $share } rysunku.
+
+braille-title = Tytuł w brajlu: „{ $text }”.
+braille-label = Podpis { $place }: „{ $text }”.
+braille-key = Legenda: „{ $text }”.
+
+overview = Pod rysunkiem jest podgląd { $width } na { $height } mm, który ma { $lines ->
+    [0] 0 linii
+    [one] 1 linię
+    [few] { $lines } linie
+   *[other] { $lines } linii
+}.
+overview-follows = Na następnym arkuszu jest podgląd z samych linii.
+overview-alone = To jest podgląd z samych linii.
+overview-of-sheets = To jest podgląd z samych linii; liczba arkuszy całego obrazu: { $sheets }.
+sheet-of-sheets = To jest arkusz { $name }; liczba arkuszy: { $sheets } ({ $names }); litera oznacza rząd od góry, liczba kolumnę od
+    lewej.
+
+left-out = Na { $length } mm konturów, { $share }, nie było miejsca; brakuje ich.
+left-out-most = Na { $length } mm konturów, { $share }, nie było miejsca; brakuje ich, najwięcej { $place }.
+
+verdict = Ocena: { $errors ->
+    [one] 1 błąd
+    [few] { $errors } błędy
+   *[other] { $errors } błędów
+}{ $faulty ->
+    [none] {""}
+   *[other] {" "}na { $faulty } rysunku
+}, { $warnings ->
+    [one] 1 ostrzeżenie
+    [few] { $warnings } ostrzeżenia
+   *[other] { $warnings } ostrzeżeń
+}{ $textures ->
+    [none] {""}
+   *[other] ; { $textures }
+}.
+verdict-textures = faktury zajmują { $share } rysunku, z tego { $near } leży zbyt blisko linii i brzegów, by to ocenić, a z
+    pozostałych { $judged } opuszek palca o średnicy 1 mm odczytuje dobrze { $right }
+verdict-textures-near = faktury zajmują { $share } rysunku, wszystkie zbyt blisko linii i brzegów, by je ocenić
