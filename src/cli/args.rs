@@ -11,6 +11,7 @@ mod labels;
 mod pages;
 mod quality;
 mod render;
+mod running;
 mod shared;
 mod trace;
 mod words;
@@ -32,6 +33,7 @@ pub(super) use self::fitting::Fitting;
 pub(super) use self::labels::Labels;
 pub(super) use self::pages::Pages;
 pub(super) use self::render::Render;
+pub(super) use self::running::Running;
 pub(super) use self::shared::Shared;
 pub(super) use self::trace::Trace;
 pub(super) use self::words::Words;
@@ -90,6 +92,10 @@ Examples:
         makes pages/NAME.pdf of every photo
   tactograph convert coffee.png --profile index-basic-d -o coffee.idx
         makes a page of dots for an embosser, and the overview on another sheet; -o look.pdf shows them
+  tactograph convert week/*.png --titles week.csv --out-dir pages --profile index-basic-d --format idx --preview png
+        makes dots with titles for an embosser, and a picture of each page to look at
+  tactograph convert --watch week --out-dir pages --format pdf
+        converts every picture, and every page changed in an editor, that is saved into a directory
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
   tactograph convert photo.jpg --quality draft
@@ -178,7 +184,7 @@ pub(super) struct Convert {
     /// Pictures to convert; - for standard input
     ///
     /// A picture from standard input goes to standard output unless -o names a file.
-    #[arg(value_name = "PICTURE", required = true)]
+    #[arg(value_name = "PICTURE", required_unless_present = "watch", conflicts_with = "watch")]
     pub(super) pictures: Vec<PathBuf>,
 
     /// Where the page goes, for one picture; - for standard output
@@ -199,6 +205,9 @@ pub(super) struct Convert {
     /// [default: each page lies beside its picture]
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) running: Running,
 
     #[command(flatten)]
     pub(super) fitting: Fitting,

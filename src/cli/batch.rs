@@ -1,15 +1,22 @@
 //! Pictures in, files out: what all commands on pictures do alike. Several pictures are worked on side by side.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
 
+use serde_json::Value;
 use tactograph::{Error, Fonts, Note, Options, Profile};
 
 use super::args::Shared;
 use super::output::Existing;
 use super::places::{self, Job, Names, Target};
-use super::product::{Format, Product};
+use super::product::{DrawingFormat, Format, Product};
+use super::record::{Record, Written};
 use super::report::{Exit, Report};
+use super::session::Session;
 use super::settings::Change;
+use super::sheets::{self, Failure, Piece};
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
 use super::{input, output, panics, settings};
@@ -24,6 +31,12 @@ pub(super) struct Order<'a> {
     pub(super) output: Option<&'a Path>,
     /// `--out-dir`.
     pub(super) out_dir: Option<&'a Path>,
+    /// `--preview`.
+    pub(super) preview: Option<DrawingFormat>,
+    /// `--report`.
+    pub(super) report: Option<&'a Path>,
+    /// The run that this is a part of, if it goes on.
+    pub(super) session: Option<&'a Session>,
     /// What was found wrong with the command line before.
     pub(super) faults: Vec<String>,
     /// What is worth knowing before the pictures are looked at: what each is about, and what it is.
@@ -33,7 +46,7 @@ pub(super) struct Order<'a> {
     /// Everything else.
     pub(super) shared: &'a Shared,
     /// What does not go together with the profile.
-    pub(super) check: &'a dyn Fn(&Profile) -> Vec<String>,
+    pub(super) check: &'a (dyn Fn(&Profile) -> Vec<String> + Sync),
 }
 
 /// A picture, and how it is worked on.
@@ -46,56 +59,84 @@ pub(super) struct Input<'a> {
 }
 
 /// What was made of a picture, ready to be written.
+#[derive(Default)]
 pub(super) struct Made {
     /// The bytes of the file; of several files with numbers, where one does not hold all.
     pub(super) files: Vec<Vec<u8>>,
+    /// Those of the preview.
+    pub(super) previews: Vec<Vec<u8>>,
     /// How many sheets these hold; 0 for what has no sheets.
     pub(super) sheets: usize,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
     /// What is said of it, where that was asked for.
     pub(super) description: Option<String>,
+    /// What is said of each sheet, for the report.
+    pub(super) checked: Vec<Value>,
 }
 
 /// Everything was written.
 struct Done {
-    /// The names of the files, and how many sheets there are if there is more than one.
+    /// The names of the files, and how many sheets there are if there is more than one, for a message.
     wrote: String,
-    notes: Vec<Note>,
+    pages: Vec<String>,
+    previews: Vec<String>,
+    checked: Vec<Value>,
+    notes: Vec<String>,
     description: Option<String>,
     timings: Stopped,
 }
 
-/// No file was written: the file that stands in the way, and why.
-struct Failure {
-    file: String,
-    what: String,
-}
+/// What became of a picture, and how long that took.
+type Outcome = (Result<Done, Failure>, Duration);
 
 /// Calls `make` with the bytes of every picture and the options for it, writes what it gives, and tells what became of
 /// each, in their order.
 pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, Error> + Sync) -> Exit {
+    let start = Instant::now();
     let (jobs, profile) = match accepted(order) {
         Ok(accepted) => accepted,
         Err(exit) => return exit,
     };
-    let &Order { product, shared, .. } = order;
-    let unused = if matches!(product, Product::Page(_)) { profile.unused() } else { Vec::new() };
+    let &Order { product, shared, session, .. } = order;
+    // of a run that goes on they are told at its beginning, when there are no pictures yet
+    let tells_unused = matches!(product, Product::Page(_)) && (session.is_none() || jobs.is_empty());
+    let unused = if tells_unused { profile.unused() } else { Vec::new() };
+    let mut notes = order.notes.clone();
+    notes.extend(unused.into_iter().map(|key| (key.place, key.what)));
+    let mut record = Record::new(&profile.name, product.name(), &notes);
     let options = Options::new(profile).limits(shared.limits()).fonts(Fonts::system());
-    let report = Report::of_pictures(jobs.len(), shared.quiet);
-    order.notes.iter().for_each(|(place, what)| report.note(place, what));
-    unused.iter().for_each(|key| report.note(&key.place, &key.what));
+    let options = session.iter().fold(options, |options, session| {
+        let stop = Arc::clone(&session.stop);
+        options.cancelled(move || stop.load(Ordering::Relaxed))
+    });
+    let report = Report::of_pictures(if session.is_some() { 1 } else { jobs.len() }, shared.quiet);
+    notes.iter().for_each(|(place, what)| report.note(place, what));
     let mut failed = 0;
     side_by_side::run(
         jobs.len(),
         side_by_side::workers(jobs.len()),
-        |index| work(product, shared, &jobs[index], &options, &make),
+        |index| {
+            let start = Instant::now();
+            (work(order, &jobs[index], &options, &make), start.elapsed())
+        },
         || report.advance(),
-        |index, outcome| failed += usize::from(!tell(&jobs, index, outcome, shared.timings, &report)),
+        |index, outcome| {
+            let done = tell(order, (&jobs, index), &outcome, &report);
+            note_down(&mut record, &jobs[index], &outcome);
+            session.iter().for_each(|session| session.count(done));
+            failed += usize::from(!done);
+        },
     );
     report.finish();
-    if failed > 0 && jobs.len() > 1 {
+    if failed > 0 && jobs.len() > 1 && session.is_none() {
         report.usage(&format!("{failed} of {} pictures could not be {}", jobs.len(), product.done()));
+    }
+    if let Some(path) = order.report
+        && let Err(error) = record.write(path, start.elapsed())
+    {
+        report.error(&places::output_name(path), &format!("{error:#}"));
+        return Exit::Failed;
     }
     if failed == 0 { Exit::Done } else { Exit::Failed }
 }
@@ -103,13 +144,14 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
 /// The jobs and the checked profile; the directory for the results is made. Otherwise everything that is wrong was
 /// told.
 fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
-    let &Order { product, pictures, output, out_dir, shared, check, .. } = order;
+    let &Order { product, pictures, output, out_dir, preview, report: record, shared, check, .. } = order;
     let report = Report::plain();
     let changes = [&shared.changes()[..], &order.changes].concat();
     let profile = settings::profile(&shared.profile, &changes);
     let mut faults = order.faults.clone();
     faults.extend(profile.iter().flat_map(check));
-    let accepted = match (places::jobs(&Names { product, pictures, output, out_dir, pages: shared.page }), profile) {
+    let names = Names { product, pictures, output, out_dir, pages: shared.page, preview, report: record };
+    let accepted = match (places::jobs(&names), profile) {
         (Ok(jobs), Ok(profile)) if faults.is_empty() => (jobs, profile),
         (jobs, profile) => {
             faults.iter().for_each(|what| report.usage(what));
@@ -118,9 +160,12 @@ fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
             return Err(Exit::Usage);
         }
     };
-    match out_dir.map(|dir| (dir, output::make_directory(dir))) {
-        Some((dir, Err(error))) => {
-            report.error(&dir.display().to_string(), &format!("{error:#}"));
+    let made = out_dir.map(|dir| (dir, output::make_directory(dir)));
+    let record = record.filter(|path| !places::is_std(path));
+    let record = || record.map(|path| (path, output::check_place(path, "report").map(drop)));
+    match made.or_else(record) {
+        Some((path, Err(error))) => {
+            report.error(&path.display().to_string(), &format!("{error:#}"));
             Err(Exit::Failed)
         }
         Some((_, Ok(()))) | None => Ok(accepted),
@@ -129,22 +174,29 @@ fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
 
 /// One picture, from the file to the file.
 fn work(
-    product: Product,
-    shared: &Shared,
+    order: &Order<'_>,
     job: &Job,
     options: &Options,
     make: impl Fn(&Input<'_>) -> Result<Made, Error>,
 ) -> Result<Done, Failure> {
+    let &Order { product, shared, session, .. } = order;
     let timings = Timings::start();
     let about_picture = |what: String| Failure { file: places::job_name(job), what };
-    let about_target =
-        |error: anyhow::Error| Failure { file: places::target_name(&job.target), what: format!("{error:#}") };
+    let made_up = |path: &Path| match session {
+        _ if shared.force => Existing::Forced,
+        Some(session) if session.is_own(path) => Existing::Named,
+        _ => Existing::KeepOthers,
+    };
 
     // Where both names are wrong, it is the picture's that was mistyped: the result's follows from it.
     input::check(&job.picture).map_err(|error| about_picture(format!("{error:#}")))?;
-    let existing = job.target.existing(shared.force);
-    if let Some(path) = job.target.path() {
-        output::check(path, product, existing).map_err(about_target)?;
+    let preview = order.preview.map(|format| Product::Page(Format::Drawing(format)));
+    let preview = preview.zip(job.preview.clone().map(Target::Derived));
+    for (product, target) in [(product, job.target.clone())].iter().chain(&preview) {
+        if let Some(path) = target.path() {
+            let about_target = |error| Failure { file: places::target_name(target), what: format!("{error:#}") };
+            output::check(path, *product, target.existing(&made_up)).map_err(about_target)?;
+        }
     }
     let memory_mb = shared.limits().memory_mb;
     let too_long = format!("the file is longer than the memory limit of {memory_mb} MB; raise it with --max-memory");
@@ -154,56 +206,40 @@ fn work(
     let told = timings.clone();
     let options = options.clone().picture_name(name_of(job)).progress(move |event| told.watch(event));
     let options = job.page.into_iter().fold(options, Options::page);
-    let Made { files, sheets, notes, description } =
+    let Made { files, previews, sheets, notes, checked, description } =
         make(&Input { job, bytes: &bytes, options: &options, timings: &timings })
             .map_err(|error| about_picture(explain(&error)))?;
-    let names = timings.step("write", || write(product, job, &files, existing))?;
-    // of several files the numbers say it
-    let wrote = if files.len() == 1 { names + &output::and_sheets(sheets) } else { names };
-    Ok(Done { wrote, notes, description, timings: timings.stop() })
+    let pages = sheets::pieces(product, &job.target, &files, &made_up)?;
+    let previews = match &preview {
+        Some((product, target)) => sheets::pieces(*product, target, &previews, &made_up)?,
+        None => Vec::new(),
+    };
+    let mut notes: Vec<String> = notes.iter().map(remark).collect();
+    let (wrote, page_names) = (wrote(&pages, &previews, sheets), names_of(&pages));
+    let preview_names = names_of(&previews);
+    let all: Vec<Piece<'_>> = pages.into_iter().chain(previews).collect();
+    timings.step("write", || sheets::write(&all))?;
+    for (path, piece) in all.iter().filter_map(|piece| piece.target.path().map(|path| (path, piece))) {
+        let other = session.and_then(|session| session.writes(path, piece.bytes, &job.picture));
+        notes.extend(other.map(|other| format!("{} was made of {} before", path.display(), other.display())));
+    }
+    let timings = timings.stop();
+    Ok(Done { wrote, pages: page_names, previews: preview_names, checked, notes, description, timings })
 }
 
-/// Writes what was made of a picture: one file as it is called, several with numbers. Returns their names for a
-/// message.
-fn write(product: Product, job: &Job, files: &[Vec<u8>], existing: Existing) -> Result<String, Failure> {
-    let about = |target: &Target, error: anyhow::Error| Failure {
-        file: places::target_name(target),
-        what: format!("{error:#}"),
-    };
-    let noun = product.noun();
-    match (files, job.target.path()) {
-        ([file], None) => output::to_stdout(file, noun).map_err(|error| about(&job.target, error))?,
-        ([file], Some(path)) => output::check_bytes(path, product, existing, file)
-            .and_then(|()| output::to_file(path, file, noun))
-            .map_err(|error| about(&job.target, error))?,
-        (files, None) => {
-            let instead = match product {
-                Product::Page(Format::Dots(_)) => "name a file, or add --no-overview",
-                _ => "add --format pdf, or name a file",
-            };
-            let what = format!("{} sheets do not go into one file of this format; {instead}", files.len());
-            return Err(Failure { file: places::target_name(&job.target), what });
-        }
-        (files, Some(path)) => {
-            let targets: Vec<_> =
-                (1..=files.len()).map(|number| Target::Derived(places::numbered(path, number))).collect();
-            // The names with numbers are made up, also where the one without was given.
-            let existing = if existing == Existing::Forced { existing } else { Existing::KeepOthers };
-            for (target, file) in targets.iter().zip(files) {
-                let path = target.path().unwrap_or(path);
-                output::check(path, product, existing)
-                    .and_then(|()| output::check_bytes(path, product, existing, file))
-                    .map_err(|error| about(target, error))?;
-            }
-            for (target, file) in targets.iter().zip(files) {
-                let path = target.path().unwrap_or(path);
-                output::to_file(path, file, noun).map_err(|error| about(target, error))?;
-            }
-            let name = |target: Option<&Target>| target.map_or_else(String::new, places::target_name);
-            return Ok(format!("{} to {}", name(targets.first()), name(targets.last())));
-        }
+fn names_of(pieces: &[Piece<'_>]) -> Vec<String> {
+    pieces.iter().map(|piece| places::target_name(&piece.target)).collect()
+}
+
+/// What was written, for a message.
+fn wrote(pages: &[Piece<'_>], previews: &[Piece<'_>], sheets: usize) -> String {
+    // of several files the numbers say it
+    let page = sheets::names(pages) + &if pages.len() == 1 { output::and_sheets(sheets) } else { String::new() };
+    match (previews, sheets) {
+        ([], _) => page,
+        (_, 0 | 1) => format!("{page} and {}", sheets::names(previews)),
+        _ => format!("{page}, and {}", sheets::names(previews)),
     }
-    Ok(places::target_name(&job.target))
 }
 
 /// The library does not know the options of this program: where it says that a limit can be raised, say with which.
@@ -239,26 +275,26 @@ fn name_of(job: &Job) -> String {
 
 /// Tells what became of one picture. Returns whether its file is written.
 fn tell(
-    jobs: &[Job],
-    index: usize,
-    outcome: Result<Result<Done, Failure>, Panicked>,
-    timings: bool,
+    order: &Order<'_>,
+    (jobs, index): (&[Job], usize),
+    outcome: &Result<Outcome, Panicked>,
     report: &Report,
 ) -> bool {
     let job = &jobs[index];
     let picture = places::job_name(job);
     match outcome {
-        Ok(Ok(done)) => {
-            done.notes.iter().for_each(|note| report.note(&picture, &remark(note)));
+        Ok((Ok(done), _)) => {
+            done.notes.iter().for_each(|note| report.note(&picture, note));
             let wrote = format!("wrote {}", done.wrote);
             report.done(&match jobs.len() {
+                _ if order.session.is_some() => format!("{picture}: {wrote}"),
                 1 => wrote,
                 count => format!("{} of {count}: {picture}: {wrote}", index + 1),
             });
-            if timings {
+            if order.shared.timings {
                 report.asked_for(&done.timings.table(&picture));
             }
-            let told = done.description.map(|text| {
+            let told = done.description.as_ref().map(|text| {
                 let between = if index > 0 { "\n" } else { "" };
                 output::to_stdout(format!("{between}{text}").as_bytes(), "description")
             });
@@ -270,7 +306,7 @@ fn tell(
                 _ => true,
             }
         }
-        Ok(Err(failure)) => {
+        Ok((Err(failure), _)) => {
             report.error(&failure.file, &failure.what);
             false
         }
@@ -278,5 +314,17 @@ fn tell(
             report.error(&picture, &panics::line());
             false
         }
+    }
+}
+
+/// The same for the report of the run.
+fn note_down(record: &mut Record, job: &Job, outcome: &Result<Outcome, Panicked>) {
+    match outcome {
+        Ok((Ok(done), took)) => {
+            let Done { pages, previews, checked, notes, .. } = done;
+            record.done(job, &Written { pages, previews, sheets: checked, notes: notes.clone() }, *took);
+        }
+        Ok((Err(failure), took)) => record.failed(job, Some((&failure.file, &failure.what)), Some(*took)),
+        Err(Panicked) => record.failed(job, None, None),
     }
 }

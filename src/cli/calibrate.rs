@@ -6,7 +6,8 @@ use super::args::Calibrate;
 use super::product::{Format, Product};
 use super::report::{Exit, Report};
 use super::settings::Change;
-use super::{output, places, settings, sheets};
+use super::sheets::Failure;
+use super::{places, settings, sheets};
 
 /// Makes the sheets and tells what is on them.
 pub(super) fn run(args: &Calibrate) -> Exit {
@@ -41,7 +42,7 @@ pub(super) fn run(args: &Calibrate) -> Exit {
         }
     };
     profile.unused().iter().for_each(|key| report.note(&key.place, &key.what));
-    match sheets::write(
+    match sheets::write_pages(
         (&calibration.title, &calibration.pages),
         (chosen, Embossing::default()),
         &args.output,
@@ -49,11 +50,10 @@ pub(super) fn run(args: &Calibrate) -> Exit {
     ) {
         Ok(names) => {
             calibration.pages.iter().for_each(|page| report.done(&page.description));
-            let sheets = if names.len() == 1 { output::and_sheets(calibration.pages.len()) } else { String::new() };
-            names.iter().for_each(|name| report.done(&format!("wrote {name}{sheets}")));
+            names.iter().for_each(|name| report.done(&format!("wrote {name}")));
             Exit::Done
         }
-        Err((file, what)) => {
+        Err(Failure { file, what }) => {
             report.error(&file, &what);
             Exit::Failed
         }

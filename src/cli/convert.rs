@@ -1,26 +1,37 @@
 //! `tactograph convert`: pictures in, pages out.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use tactograph::{Error, Options, Page, Profile, built_in, convert, convert_to_sheets, write_dots, write_pdf};
+use tactograph::{
+    Drawing, Error, Options, Page, Profile, built_in, convert, convert_to_sheets, profile_of_page, render,
+};
 
-use super::args::{Chosen, Convert, Corrections};
+use super::args::{Convert, Corrections};
 use super::batch::{self, Input, Made, Order};
-use super::dots;
-use super::louis;
-use super::product::{DrawingFormat, Format, Product};
+use super::product::{Format, Product};
 use super::report::Exit;
+use super::session::Session;
 use super::titles::Titles;
+use super::{dots, louis, record, sheets, watch};
 
-/// Converts all pictures and tells what became of each, in their order.
+/// Converts all pictures and tells what became of each, in their order; or those that are saved into a directory, until
+/// it is stopped.
 pub(super) fn run(args: &Convert) -> Exit {
+    match &args.running.watch {
+        Some(dir) => watch::run(dir, args.shared.quiet, &|pictures, session| batch(args, pictures, Some(session))),
+        None => batch(args, &args.pictures, None),
+    }
+}
+
+fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exit {
     let (chosen, mut faults) = args.writing.choose(args.output.as_deref());
     faults.extend(args.faults_of_words());
     let labels = args.labels.read().unwrap_or_else(|more| {
         faults.extend(more);
         Default::default()
     });
-    let corrections = args.correcting.read(args.pictures.len()).unwrap_or_else(|more| {
+    let count = if args.running.watch.is_some() { usize::MAX } else { pictures.len() };
+    let corrections = args.correcting.read(count).unwrap_or_else(|more| {
         faults.extend(more);
         Corrections::default()
     });
@@ -29,7 +40,13 @@ pub(super) fn run(args: &Convert) -> Exit {
         faults.extend(more);
         Titles::default()
     });
-    faults.extend(titles.faults(&args.pictures));
+    faults.extend(titles.faults(pictures));
+    let mut notes = Vec::new();
+    if args.words.titles.is_some() {
+        notes.extend(titles.without_row(pictures));
+        // of pictures that are saved one by one, the other rows may be of those to come
+        notes.extend(if session.is_none() { titles.without_picture(pictures) } else { Vec::new() });
+    }
     // what is wrong with a file of lines is told before any picture is looked at
     if let Some((path, error)) = trial(&corrections) {
         faults.push(format!("{}: {error}", path.display()));
@@ -41,11 +58,14 @@ pub(super) fn run(args: &Convert) -> Exit {
         .and_then(|name| louis::table(name, args.words.language()).map_err(|fault| faults.push(fault)).ok());
     let order = Order {
         product: Product::Page(chosen.format),
-        pictures: &args.pictures,
+        pictures,
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
+        preview: chosen.preview,
+        report: args.running.report.as_deref(),
+        session,
         faults,
-        notes: if args.words.titles.is_some() { titles.notes(&args.pictures) } else { Vec::new() },
+        notes,
         changes: args.fitting.changes(),
         shared: &args.shared,
         check: &|profile| {
@@ -62,39 +82,50 @@ pub(super) fn run(args: &Convert) -> Exit {
             let table = table.clone();
             options.translator(move |text| louis::translate(&table, text))
         });
-        let (pages, notes): (Vec<Page>, _) = if args.fitting.is_for_several_sheets(options.profile()) {
-            let drawn = convert_to_sheets(bytes, args.fitting.sheets, &options)?;
-            (drawn.pages, drawn.notes)
+        let drawn = if args.fitting.is_for_several_sheets(options.profile()) {
+            convert_to_sheets(bytes, args.fitting.sheets, &options).map(|drawn| (drawn.pages, drawn.notes))
         } else {
-            let drawing = convert(bytes, &options)?;
-            ([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), drawing.notes)
+            convert(bytes, &options).map(|drawing| (pages_of(&drawing), drawing.notes))
+        };
+        let mut title = options.document_title().to_owned();
+        let (pages, notes) = match drawn {
+            // a page that is saved into a watched directory was changed by somebody
+            Err(Error::IsAPage) if session.is_some() => {
+                let own = profile_of_page(bytes)?;
+                let other = Some(options.profile()).filter(|profile| profile.name != own.name);
+                let drawing = render(bytes, other)?;
+                title = drawing.page.title.clone();
+                (pages_of(&drawing), drawing.notes)
+            }
+            drawn => drawn?,
         };
         let describe = |page: &Page| tactograph::describe(page.to_svg(), None, None).map(|told| told.to_string());
         let description = match args.describe {
             true => Some(pages.iter().map(describe).collect::<Result<Vec<_>, _>>()?.join("\n")),
             false => None,
         };
-        let title = options.document_title();
-        let files = timings.step("write", || match (&pages[..], chosen.format) {
-            (pages, Format::Dots(format)) => write_dots(title, pages, format, args.embossing.numbers()),
-            ([page], Format::Drawing(format)) => write(page, format, chosen).map(|file| vec![file]),
-            (pages, Format::Drawing(DrawingFormat::Pdf)) => write_pdf(title, pages).map(|file| vec![file]),
-            (pages, Format::Drawing(format)) => pages.iter().map(|page| write(page, format, chosen)).collect(),
+        let checked = if args.running.report.is_some() {
+            timings.step("check", || pages.iter().map(record::checked).collect())
+        } else {
+            Vec::new()
+        };
+        let encode = |format| sheets::encode(&title, &pages, format, chosen, args.embossing.numbers());
+        let (files, previews) = timings.step("write", || {
+            let files = encode(chosen.format)?;
+            let previews = chosen.preview.map(Format::Drawing).map_or_else(|| Ok(Vec::new()), encode)?;
+            Ok::<_, Error>((files, previews))
         })?;
-        Ok(Made { files, sheets: pages.len(), notes, description })
+        Ok(Made { files, previews, sheets: pages.len(), notes, checked, description })
     })
+}
+
+/// All pages of a picture, the figure first.
+fn pages_of(drawing: &Drawing) -> Vec<Page> {
+    [&drawing.page].into_iter().chain(&drawing.overview).chain(&drawing.key).cloned().collect()
 }
 
 /// What is wrong with the files of a person's corrections.
 fn trial(corrections: &Corrections) -> Option<(&Path, Error)> {
     let profile = Profile::named(built_in()[0].name).ok()?;
     corrections.add_to(Options::new(profile)).err()
-}
-
-/// The file of one page.
-///
-/// # Errors
-/// If a PNG would have too many pixels.
-pub(super) fn write(page: &Page, format: DrawingFormat, chosen: Chosen) -> Result<Vec<u8>, Error> {
-    page.to_drawing(format, chosen.dpi, chosen.depth)
 }

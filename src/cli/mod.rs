@@ -15,14 +15,17 @@ mod panics;
 mod places;
 mod product;
 mod profiles;
+mod record;
 mod render;
 mod report;
+mod session;
 mod settings;
 mod sheets;
 mod side_by_side;
 mod timings;
 mod titles;
 mod trace;
+mod watch;
 
 use std::process::ExitCode;
 

@@ -5,6 +5,7 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{anyhow, bail};
+use tempfile::NamedTempFile;
 
 use super::product::Product;
 
@@ -44,24 +45,35 @@ pub(super) fn to_stdout(bytes: &[u8], noun: &str) -> anyhow::Result<()> {
 /// In plain words, without the path.
 pub(super) fn check(path: &Path, product: Product, existing: Existing) -> anyhow::Result<()> {
     let noun = product.noun();
+    let Some((path, found)) = check_place(path, noun)? else { return Ok(()) };
+    let kept = existing == Existing::KeepOthers && !product.has_no_seal() && found.is_file() && found.len() > 0;
+    if kept && !is_own(&path, product)? {
+        bail!(
+            "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, move that \
+             file away, or replace it with --force"
+        );
+    }
+    Ok(())
+}
+
+/// Looks whether a file can be written to `path`. Returns the file that is there already, with the links to it
+/// followed.
+///
+/// # Errors
+/// In plain words, without the path.
+pub(super) fn check_place(path: &Path, noun: &str) -> anyhow::Result<Option<(PathBuf, Metadata)>> {
     let path = follow(path, noun)?;
     match fs::metadata(&path) {
         Ok(found) => {
             refuse(&found, noun)?;
-            let kept = existing == Existing::KeepOthers && !product.has_no_seal() && found.is_file() && found.len() > 0;
-            if kept && !is_own(&path, product)? {
-                bail!(
-                    "this file exists and was not written by tactograph, or changed since; name the {noun} with -o, \
-                     move that file away, or replace it with --force"
-                );
-            }
+            Ok(Some((path, found)))
         }
         Err(error) if error.kind() == ErrorKind::NotFound => {
             fs::metadata(directory(&path)).map_err(|error| explain(&error, noun))?;
+            Ok(None)
         }
-        Err(error) => return Err(explain(&error, noun)),
+        Err(error) => Err(explain(&error, noun)),
     }
-    Ok(())
 }
 
 /// Of formats in which a file cannot tell who wrote it, one that is to be kept may hold nothing but the very `bytes`
@@ -96,19 +108,56 @@ pub(super) fn check_bytes(path: &Path, product: Product, existing: Existing, byt
 /// # Errors
 /// In plain words, without the path.
 pub(super) fn to_file(path: &Path, bytes: &[u8], noun: &str) -> anyhow::Result<()> {
+    stage(path, bytes, noun)?.commit()
+}
+
+/// A file that is complete on the disk and only lacks its name.
+pub(super) struct Staged<'a> {
+    path: PathBuf,
+    noun: &'a str,
+    how: How<'a>,
+}
+
+enum How<'a> {
+    /// Beside its place.
+    Temporary(NamedTempFile),
+    /// What is no file is written to at the end.
+    Special(File, &'a [u8]),
+}
+
+/// The first half of [`to_file`]: everything but the renaming. Without the second half, nothing stays.
+///
+/// # Errors
+/// As [`to_file`].
+pub(super) fn stage<'a>(path: &Path, bytes: &'a [u8], noun: &'a str) -> anyhow::Result<Staged<'a>> {
     let path = follow(path, noun)?;
     let found = fs::metadata(&path).ok();
     if let Some(found) = &found {
         refuse(found, noun)?;
         if !found.is_file() {
-            let mut special = OpenOptions::new().write(true).open(&path).map_err(|error| explain(&error, noun))?;
-            return special.write_all(bytes).map_err(|error| explain(&error, noun));
+            let special = OpenOptions::new().write(true).open(&path).map_err(|error| explain(&error, noun))?;
+            return Ok(Staged { path, noun, how: How::Special(special, bytes) });
         }
     }
-    replace(&path, bytes, found.as_ref()).map_err(|error| explain(&error, noun))
+    let file = temporary(&path, bytes, found.as_ref()).map_err(|error| explain(&error, noun))?;
+    Ok(Staged { path, noun, how: How::Temporary(file) })
 }
 
-fn replace(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<()> {
+impl Staged<'_> {
+    /// Gives it its name.
+    ///
+    /// # Errors
+    /// In plain words, without the path.
+    pub(super) fn commit(self) -> anyhow::Result<()> {
+        let done = match self.how {
+            How::Temporary(file) => file.persist(&self.path).map(drop).map_err(|error| error.error),
+            How::Special(mut special, bytes) => special.write_all(bytes),
+        };
+        done.map_err(|error| explain(&error, self.noun))
+    }
+}
+
+fn temporary(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".tactograph-").suffix(".tmp");
     #[cfg(unix)]
@@ -120,8 +169,7 @@ fn replace(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<()
         // Without this, a power cut just after the rename could leave neither the old file nor the new one.
         file.as_file().sync_all()?;
     }
-    file.persist(path)?;
-    Ok(())
+    Ok(file)
 }
 
 fn refuse(found: &Metadata, noun: &str) -> anyhow::Result<()> {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::args::Pages;
 use super::output::{Existing, directory};
-use super::product::Product;
+use super::product::{DrawingFormat, Format, Product};
 
 /// What the command line says of names.
 pub(super) struct Names<'a> {
@@ -21,6 +21,10 @@ pub(super) struct Names<'a> {
     pub(super) out_dir: Option<&'a Path>,
     /// `--page`.
     pub(super) pages: Option<Pages>,
+    /// `--preview`.
+    pub(super) preview: Option<DrawingFormat>,
+    /// `--report`.
+    pub(super) report: Option<&'a Path>,
 }
 
 /// One picture and what is made of it.
@@ -32,6 +36,8 @@ pub(super) struct Job {
     pub(super) page: Option<u32>,
     /// Where the result goes.
     pub(super) target: Target,
+    /// Where its preview goes, if there is one.
+    pub(super) preview: Option<PathBuf>,
 }
 
 /// Where a result goes.
@@ -46,11 +52,10 @@ pub(super) enum Target {
 }
 
 impl Target {
-    /// What becomes of a file that is there already; `force` is `--force`.
-    pub(super) fn existing(&self, force: bool) -> Existing {
+    /// What becomes of a file that is there already, where `made_up` says so of names that the program made up.
+    pub(super) fn existing(&self, made_up: &dyn Fn(&Path) -> Existing) -> Existing {
         match self {
-            _ if force => Existing::Forced,
-            Self::Derived(_) => Existing::KeepOthers,
+            Self::Derived(path) => made_up(path),
             Self::Stdout | Self::Named(_) => Existing::Named,
         }
     }
@@ -89,6 +94,11 @@ pub(super) fn target_name(target: &Target) -> String {
     target.path().map_or_else(|| "standard output".into(), |path| path.display().to_string())
 }
 
+/// What to call a file that is written in messages.
+pub(super) fn output_name(path: &Path) -> String {
+    if is_std(path) { "standard output".into() } else { path.display().to_string() }
+}
+
 /// The jobs in the order of the pictures.
 ///
 /// # Errors
@@ -115,6 +125,14 @@ pub(super) fn jobs(names: &Names<'_>) -> Result<Vec<Job>, Vec<String>> {
         ));
         return Err(faults);
     }
+    // of -o - it was told with the other options
+    if names.preview.is_some()
+        && names.output.is_none()
+        && names.pictures.iter().any(|picture| target(picture, names) == Target::Stdout)
+    {
+        faults.push("--preview: there is no name for it beside standard output; name the page with -o".into());
+        return Err(faults);
+    }
     let jobs: Vec<Job> = names.pictures.iter().flat_map(|picture| jobs_of(picture, names)).collect();
     let is_range = matches!(names.pages, Some(Pages::Range(..)));
     if is_range && names.pictures.iter().any(|path| is_std(path)) {
@@ -123,13 +141,17 @@ pub(super) fn jobs(names: &Names<'_>) -> Result<Vec<Job>, Vec<String>> {
         faults.push(format!("several {noun}s do not go to standard output; name them with -o or --out-dir"));
     }
     faults.extend(collisions(&jobs, product));
+    faults.extend(names.report.and_then(|report| report_in_the_way(report, &jobs)));
     if faults.is_empty() { Ok(jobs) } else { Err(faults) }
 }
 
 /// One job for each page that is asked for.
 fn jobs_of(picture: &Path, names: &Names<'_>) -> Vec<Job> {
     let target = target(picture, names);
-    let job = |page, target| Job { picture: picture.to_path_buf(), page, target };
+    let job = |page, target| {
+        let preview = preview(&target, names.preview);
+        Job { picture: picture.to_path_buf(), page, target, preview }
+    };
     match names.pages {
         None => vec![job(None, target)],
         Some(Pages::One(page)) => vec![job(Some(page), target)],
@@ -151,6 +173,12 @@ fn target(picture: &Path, names: &Names<'_>) -> Target {
         None if is_std(picture) => Target::Stdout,
         None => Target::Derived(derived(picture, names.out_dir, names.product)),
     }
+}
+
+/// Where the preview of a result goes: `photo.idx` gives `photo.preview.png` beside it.
+pub(super) fn preview(target: &Target, format: Option<DrawingFormat>) -> Option<PathBuf> {
+    let ending = Format::Drawing(format?).extension();
+    target.path().map(|path| path.with_extension(format!("preview.{ending}")))
 }
 
 /// `photo.png` gives `photo.svg`, in `out_dir` or beside the picture. Where that is the picture itself, as for
@@ -205,9 +233,12 @@ fn collisions(jobs: &[Job], product: Product) -> Vec<String> {
     let pictures = jobs.iter().map(|job| &job.picture).filter(|path| !is_std(path) && is_regular(path));
     let pictures = pictures.map(|path| (identity(path), path)).collect::<BTreeMap<_, _>>();
     let mut targets = BTreeMap::<_, &Job>::new();
-    for job in jobs {
-        let Some(target) = job.target.path() else { continue };
-        let id = identity(target);
+    let of_job = |job: &'_ Job| -> Vec<(PathBuf, &'static str)> {
+        let page = job.target.path().map(|path| (path.to_path_buf(), noun));
+        page.into_iter().chain(job.preview.iter().map(|path| (path.clone(), "preview"))).collect()
+    };
+    for (job, (target, noun)) in jobs.iter().flat_map(|job| of_job(job).into_iter().map(move |file| (job, file))) {
+        let id = identity(&target);
         if let Some(&picture) = pictures.get(&id) {
             let (to, from, over) = (target.display(), job.picture.display(), picture.display());
             faults.push(if job.picture == *picture {
@@ -228,9 +259,24 @@ fn collisions(jobs: &[Job], product: Product) -> Vec<String> {
     faults
 }
 
+/// A report that would take the place of a picture, a page or a preview.
+fn report_in_the_way(report: &Path, jobs: &[Job]) -> Option<String> {
+    let id = identity(report);
+    let files = |job: &'_ Job| -> Vec<PathBuf> {
+        let files = [Some(job.picture.clone()), job.target.path().map(Path::to_path_buf), job.preview.clone()];
+        files.into_iter().flatten().collect()
+    };
+    let taken = !is_std(report) && jobs.iter().flat_map(files).any(|path| !is_std(&path) && identity(&path) == id);
+    if taken {
+        return Some(format!("--report {}: a picture or a page has this name; choose another one", report.display()));
+    }
+    let both = is_std(report) && jobs.iter().any(|job| job.target == Target::Stdout);
+    both.then(|| "--report -: the page goes to standard output already; name a file for one of them".to_owned())
+}
+
 /// What two names of the same file have in common. A hard link is another file here: replacing one by renaming leaves
 /// the other as it is.
-fn identity(path: &Path) -> PathBuf {
+pub(super) fn identity(path: &Path) -> PathBuf {
     let found = fs::canonicalize(path).or_else(|_| {
         let parent = fs::canonicalize(directory(path))?;
         Ok::<_, std::io::Error>(path.file_name().map_or(parent.clone(), |name| parent.join(name)))

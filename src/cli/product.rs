@@ -51,6 +51,14 @@ impl Product {
         }
     }
 
+    /// What its format is called.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Page(format) => format.name(),
+            Self::Trace => "json",
+        }
+    }
+
     /// All endings that a name for it can have, in words.
     pub(super) fn endings(self) -> &'static str {
         match self {

@@ -7,7 +7,8 @@ use super::dots;
 use super::product::Product;
 use super::report::{Exit, Report};
 use super::settings::Change;
-use super::{input, output, places, settings, sheets};
+use super::sheets::Failure;
+use super::{input, places, settings, sheets};
 
 /// Longest page that is read, bytes.
 const MOST_BYTES: u64 = 100_000_000;
@@ -39,13 +40,12 @@ pub(super) fn run(args: &Render) -> Exit {
             return exit;
         }
     };
-    match sheets::write((&title, &pages), (chosen, args.embossing.numbers()), &args.output, args.force) {
+    match sheets::write_pages((&title, &pages), (chosen, args.embossing.numbers()), &args.output, args.force) {
         Ok(names) => {
-            let sheets = if names.len() == 1 { output::and_sheets(pages.len()) } else { String::new() };
-            names.iter().for_each(|name| report.done(&format!("wrote {name}{sheets}")));
+            names.iter().for_each(|name| report.done(&format!("wrote {name}")));
             Exit::Done
         }
-        Err((file, what)) => {
+        Err(Failure { file, what }) => {
             report.error(&file, &what);
             Exit::Failed
         }

@@ -1,87 +1,147 @@
-//! Several pages that belong together: one PDF, or files with numbers.
+//! Pages that belong together, as files: one for all, or files with numbers where a format holds one sheet.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use tactograph::{Embossing, Error, Page, write_dots, write_pdf};
 
 use super::args::Chosen;
-use super::output::Existing;
+use super::output::{self, Existing};
+use super::places::{self, Target};
 use super::product::{DrawingFormat, Format, Product};
-use super::{convert, output, places};
 
-/// A file and the bytes that go there.
-struct File {
-    /// None is standard output.
-    path: Option<PathBuf>,
-    /// Whether the program made up the name.
-    made_up: bool,
-    bytes: Vec<u8>,
+/// A file that is to be written.
+pub(super) struct Piece<'a> {
+    pub(super) target: Target,
+    product: Product,
+    existing: Existing,
+    pub(super) bytes: &'a [u8],
 }
 
-/// Writes pages that are called `title` together to the file that the user named, or to as many files as the format
-/// takes. Returns the names.
+/// Nothing was written: the file that stands in the way, and why.
+pub(super) struct Failure {
+    pub(super) file: String,
+    pub(super) what: String,
+}
+
+/// What becomes of the file at a name that the program made up.
+pub(super) type MadeUp<'a> = &'a dyn Fn(&Path) -> Existing;
+
+/// Pages that are called `title` together, in a format: one file, or one for each page.
 ///
 /// # Errors
-/// What is in the way, with the file that it is about. All files are looked at before the first is written.
-pub(super) fn write(
+/// If the format cannot hold them.
+pub(super) fn encode(
+    title: &str,
+    pages: &[Page],
+    format: Format,
+    chosen: Chosen,
+    embossing: Embossing,
+) -> Result<Vec<Vec<u8>>, Error> {
+    let drawn = |page: &Page, format| page.to_drawing(format, chosen.dpi, chosen.depth);
+    match (format, pages) {
+        (Format::Dots(format), pages) => write_dots(title, pages, format, embossing),
+        (Format::Drawing(format), [page]) => drawn(page, format).map(|file| vec![file]),
+        (Format::Drawing(DrawingFormat::Pdf), pages) => write_pdf(title, pages).map(|file| vec![file]),
+        (Format::Drawing(format), pages) => pages.iter().map(|page| drawn(page, format)).collect(),
+    }
+}
+
+/// Where the files go: one to its target, several to names with numbers.
+///
+/// # Errors
+/// Several files do not go to standard output.
+pub(super) fn pieces<'a>(
+    product: Product,
+    target: &Target,
+    files: &'a [Vec<u8>],
+    made_up: MadeUp<'_>,
+) -> Result<Vec<Piece<'a>>, Failure> {
+    let piece =
+        |target: Target, bytes: &'a Vec<u8>| Piece { existing: target.existing(made_up), target, product, bytes };
+    match (files, target.path()) {
+        ([file], _) => Ok(vec![piece(target.clone(), file)]),
+        // The names with numbers are made up, also where the one without was given.
+        (files, Some(path)) => {
+            let numbered = (1..).zip(files);
+            Ok(numbered.map(|(number, file)| piece(Target::Derived(places::numbered(path, number)), file)).collect())
+        }
+        (files, None) => {
+            let instead = match product {
+                Product::Page(Format::Dots(_)) => "name a file, or add --no-overview",
+                _ => "add --format pdf, or name a file",
+            };
+            let what = format!("{} sheets do not go into one file of this format; {instead}", files.len());
+            Err(Failure { file: places::target_name(target), what })
+        }
+    }
+}
+
+/// Writes all or, as far as can be known before, nothing.
+///
+/// # Errors
+/// What is in the way of the first file that cannot be written.
+pub(super) fn write(pieces: &[Piece<'_>]) -> Result<(), Failure> {
+    let about = |piece: &Piece<'_>, error: anyhow::Error| Failure {
+        file: places::target_name(&piece.target),
+        what: format!("{error:#}"),
+    };
+    for piece in pieces {
+        if let Some(path) = piece.target.path() {
+            output::check(path, piece.product, piece.existing)
+                .and_then(|()| output::check_bytes(path, piece.product, piece.existing, piece.bytes))
+                .map_err(|error| about(piece, error))?;
+        }
+    }
+    // All are complete on the disk before the first takes its name.
+    let mut staged = Vec::new();
+    for piece in pieces {
+        if let Some(path) = piece.target.path() {
+            let noun = piece.product.noun();
+            staged.push((piece, output::stage(path, piece.bytes, noun).map_err(|error| about(piece, error))?));
+        }
+    }
+    for piece in pieces.iter().filter(|piece| piece.target.path().is_none()) {
+        output::to_stdout(piece.bytes, piece.product.noun()).map_err(|error| about(piece, error))?;
+    }
+    staged.into_iter().try_for_each(|(piece, staged)| staged.commit().map_err(|error| about(piece, error)))
+}
+
+/// What files are called together in a message.
+pub(super) fn names(pieces: &[Piece<'_>]) -> String {
+    let name = |piece: Option<&Piece<'_>>| piece.map_or_else(String::new, |piece| places::target_name(&piece.target));
+    match pieces {
+        [_] | [] => name(pieces.first()),
+        _ => format!("{} to {}", name(pieces.first()), name(pieces.last())),
+    }
+}
+
+/// Writes pages that are called `title` together, and their preview if one is asked for, to the file that the user
+/// named, or to as many files as the formats take. Returns the names, each with how many sheets it has if there is one
+/// file for several.
+///
+/// # Errors
+/// What is in the way, with the file that it is about.
+pub(super) fn write_pages(
     (title, pages): (&str, &[Page]),
     (chosen, embossing): (Chosen, Embossing),
     to: &Path,
     force: bool,
-) -> Result<Vec<String>, (String, String)> {
-    let product = Product::Page(chosen.format);
-    let files = files(title, pages, (chosen, embossing), to)?;
-    let name =
-        |file: &File| file.path.as_ref().map_or_else(|| "standard output".into(), |path| path.display().to_string());
-    let about = |file: &File, error: anyhow::Error| (name(file), format!("{error:#}"));
-    for file in &files {
-        if let Some(path) = &file.path {
-            let existing = match (force, file.made_up) {
-                (true, _) => Existing::Forced,
-                (false, true) => Existing::KeepOthers,
-                (false, false) => Existing::Named,
-            };
-            output::check(path, product, existing).map_err(|error| about(file, error))?;
-        }
-    }
-    for file in &files {
-        match &file.path {
-            Some(path) => output::to_file(path, &file.bytes, product.noun()),
-            None => output::to_stdout(&file.bytes, product.noun()),
-        }
-        .map_err(|error| about(file, error))?;
-    }
-    Ok(files.iter().map(name).collect())
-}
-
-fn files(
-    title: &str,
-    pages: &[Page],
-    (chosen, embossing): (Chosen, Embossing),
-    to: &Path,
-) -> Result<Vec<File>, (String, String)> {
-    let path = (!places::is_std(to)).then(|| to.to_path_buf());
-    let about_target = |error: Error| (to.display().to_string(), error.to_string());
-    let bytes = match chosen.format {
-        Format::Dots(format) => write_dots(title, pages, format, embossing),
-        Format::Drawing(DrawingFormat::Pdf) => write_pdf(title, pages).map(|file| vec![file]),
-        Format::Drawing(format) => pages.iter().map(|page| convert::write(page, format, chosen)).collect(),
+) -> Result<Vec<String>, Failure> {
+    let target = if places::is_std(to) { Target::Stdout } else { Target::Named(to.to_path_buf()) };
+    let encoded = |format| {
+        encode(title, pages, format, chosen, embossing)
+            .map_err(|error| Failure { file: places::target_name(&target), what: error.to_string() })
     };
-    let mut bytes = bytes.map_err(about_target)?;
-    match (bytes.len(), path) {
-        (1, path) => Ok(bytes.drain(..).map(|bytes| File { path: path.clone(), made_up: false, bytes }).collect()),
-        (count, None) => {
-            let what =
-                format!("{count} sheets do not go into one file of this format; add --format pdf, or name a file");
-            Err(("standard output".into(), what))
-        }
-        (_, Some(path)) => {
-            let numbered = (1..).zip(bytes).map(|(number, bytes)| File {
-                path: Some(places::numbered(&path, number)),
-                made_up: true,
-                bytes,
-            });
-            Ok(numbered.collect())
-        }
+    let made_up = |_: &Path| if force { Existing::Forced } else { Existing::KeepOthers };
+    let files = encoded(chosen.format)?;
+    let mut all = pieces(Product::Page(chosen.format), &target, &files, &made_up)?;
+    let preview = chosen.preview.map(Format::Drawing).zip(places::preview(&target, chosen.preview));
+    let previews = preview.as_ref().map_or_else(|| Ok(Vec::new()), |(format, _)| encoded(*format))?;
+    if let Some((format, path)) = preview {
+        all.extend(pieces(Product::Page(format), &Target::Derived(path), &previews, &made_up)?);
     }
+    write(&all)?;
+    let count = |files: &[Vec<u8>]| if files.len() == 1 { output::and_sheets(pages.len()) } else { String::new() };
+    let counts = files.iter().map(|_| count(&files)).chain(previews.iter().map(|_| count(&previews)));
+    Ok(all.iter().zip(counts).map(|(piece, sheets)| places::target_name(&piece.target) + &sheets).collect())
 }

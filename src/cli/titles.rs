@@ -74,8 +74,8 @@ impl Titles {
         self.rows.iter().filter_map(of_two).collect()
     }
 
-    /// Pictures without a row, and rows without a picture: what each is about, and what is to be known.
-    pub(super) fn notes(&self, pictures: &[PathBuf]) -> Vec<(String, String)> {
+    /// Pictures without a row: what each is about, and what is to be known.
+    pub(super) fn without_row(&self, pictures: &[PathBuf]) -> Vec<(String, String)> {
         let without_row = pictures.iter().filter(|picture| self.of(picture).is_none());
         let without_row = without_row.map(|picture| {
             let mut what = format!("{} has no row for it, so its page has no title", self.table);
@@ -86,12 +86,17 @@ impl Titles {
             }
             (places::picture_name(picture), what)
         });
+        without_row.collect()
+    }
+
+    /// Rows without a picture, in the same way.
+    pub(super) fn without_picture(&self, pictures: &[PathBuf]) -> Vec<(String, String)> {
         let is_used = |row: &Row| pictures.iter().any(|picture| self.of(picture) == Some(row));
         let without_picture = self.rows.iter().filter(|row| !is_used(row)).map(|row| {
             let what = format!("no picture that is given is called {}", row.file.display());
             (format!("{}, line {}", self.table, row.line), what)
         });
-        without_row.chain(without_picture).collect()
+        without_picture.collect()
     }
 
     /// Puts the words for a picture into the options of the library.
@@ -295,7 +300,8 @@ mod tests {
         let of_both =
             "--titles t.csv, line 2: a.png is the name of both x/a.png and y/a.png; write it with its directory";
         assert_eq!(faults, [of_both]);
-        let notes = titles.notes(&pictures(&["a.png", "x/b.png"]));
+        let pictures = pictures(&["a.png", "x/b.png"]);
+        let notes = [titles.without_row(&pictures), titles.without_picture(&pictures)].concat();
         let note = |place: &str, what: &str| (place.to_owned(), what.to_owned());
         let expected = [
             note("x/b.png", "t.csv has no row for it, so its page has no title; line 4 has B.png, in other capitals"),

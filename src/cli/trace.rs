@@ -19,6 +19,9 @@ pub(super) fn run(args: &Trace) -> Exit {
         pictures: &args.pictures,
         output: args.output.as_deref(),
         out_dir: args.out_dir.as_deref(),
+        preview: None,
+        report: None,
+        session: None,
         faults: Vec::new(),
         notes: Vec::new(),
         changes: Vec::new(),
@@ -28,6 +31,6 @@ pub(super) fn run(args: &Trace) -> Exit {
     batch::run(&order, |&Input { bytes, options, timings, .. }| {
         let traced = tactograph::trace(bytes, &tracing, options)?;
         let text = timings.step("write", || traced.trace.to_json());
-        Ok(Made { files: vec![text.into_bytes()], sheets: 0, notes: traced.notes, description: None })
+        Ok(Made { files: vec![text.into_bytes()], notes: traced.notes, ..Made::default() })
     })
 }

@@ -25,6 +25,14 @@ pub(in crate::cli) struct Writing {
     #[arg(long, value_name = "FORMAT", value_parser = format(), hide_possible_values = true)]
     format: Option<Format>,
 
+    /// Also writes each page as a picture to look at: png, pdf or svg
+    ///
+    /// The preview of cup.idx is cup.preview.png beside it; of several sheets cup.preview-1.png, cup.preview-2.png, but
+    /// one PDF. It is the file that --format png would write. An existing file is treated like any other whose name the
+    /// program makes up.
+    #[arg(long, value_name = "FORMAT", value_parser = drawing(), hide_possible_values = true, hide_short_help = true)]
+    preview: Option<DrawingFormat>,
+
     /// Pixels of one inch of the sheet, for PNG
     ///
     /// Take what the printer draws, then it has nothing to round: 300 and 600 are usual. The picture says its size in
@@ -44,6 +52,8 @@ pub(in crate::cli) struct Writing {
 pub(in crate::cli) struct Chosen {
     /// The format.
     pub(in crate::cli) format: Format,
+    /// `--preview`.
+    pub(in crate::cli) preview: Option<DrawingFormat>,
     /// `--dpi`.
     pub(in crate::cli) dpi: Dpi,
     /// `--grey`.
@@ -65,8 +75,10 @@ impl Writing {
         // of two that go with the name, the one that is asked for
         let asked = self.format.filter(|asked| of_name.is_none_or(|by_name| by_name.extension() == asked.extension()));
         let format = asked.or(of_name).unwrap_or(Format::Drawing(DrawingFormat::Svg));
+        let has_png =
+            [Some(format), self.preview.map(Format::Drawing)].contains(&Some(Format::Drawing(DrawingFormat::Png)));
         for (option, given) in [("--dpi", self.dpi.is_some()), ("--grey", self.grey)] {
-            if given && format != Format::Drawing(DrawingFormat::Png) {
+            if given && !has_png {
                 faults.push(format!(
                     "{option} is for PNG, and this page is written as {}; leave it out, or give a name that ends in \
                      .png",
@@ -74,8 +86,11 @@ impl Writing {
                 ));
             }
         }
+        if self.preview.is_some() && output.is_some_and(is_std) {
+            faults.push("--preview: there is no name for it beside standard output; name the page with -o".into());
+        }
         let depth = if self.grey { Depth::Grey } else { Depth::Bilevel };
-        (Chosen { format, dpi: self.dpi.unwrap_or_default(), depth }, faults)
+        (Chosen { format, preview: self.preview, dpi: self.dpi.unwrap_or_default(), depth }, faults)
     }
 }
 
@@ -87,4 +102,13 @@ fn dpi(text: &str) -> Result<Dpi, String> {
 fn format() -> impl TypedValueParser<Value = Format> {
     let names = PossibleValuesParser::new(Format::ALL.map(Format::name));
     names.try_map(|name| Format::named(&name).ok_or("no format"))
+}
+
+fn drawing() -> impl TypedValueParser<Value = DrawingFormat> {
+    let drawings = Format::ALL.into_iter().filter(|format| matches!(format, Format::Drawing(_)));
+    let names = PossibleValuesParser::new(drawings.map(Format::name).collect::<Vec<_>>());
+    names.try_map(|name| match Format::named(&name) {
+        Some(Format::Drawing(format)) => Ok(format),
+        _ => Err("no format of drawings"),
+    })
 }

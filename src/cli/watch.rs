@@ -1,0 +1,207 @@
+//! `--watch`: what is saved into a directory is converted, until somebody stops it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::{Duration, Instant, SystemTime};
+
+use notify::event::{AccessKind, AccessMode};
+use notify::{Event, EventKind, RecursiveMode, Watcher};
+
+use super::report::{Exit, Report};
+use super::session::Session;
+
+/// How long a file must be left alone before it is looked at: programs write a file in several steps.
+const SETTLED: Duration = Duration::from_millis(400);
+/// How often it is looked whether files have settled, and whether the directory is still there.
+const TICK: Duration = Duration::from_millis(100);
+/// How names of pictures and pages end.
+const ENDINGS: [&str; 16] = [
+    "jpg", "jpeg", "png", "webp", "tif", "tiff", "bmp", "gif", "pnm", "pbm", "pgm", "ppm", "pam", "svg", "svgz", "pdf",
+];
+
+/// How names of files end that are not complete, or that editors leave.
+const UNFINISHED: [&str; 6] = ["tmp", "part", "crdownload", "download", "swp", "lock"];
+
+/// What comes from the system.
+enum Told {
+    Of(notify::Result<Event>),
+    Stop,
+}
+
+/// Calls `convert` with the pictures that are saved into `dir`, until Ctrl-C is pressed or the program is told to end.
+/// Before the first, it is called without pictures, to look whether the command line is right.
+pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session) -> Exit) -> Exit {
+    let report = Report::of_pictures(1, quiet);
+    let name = dir.display().to_string();
+    let session = Session::default();
+    let exit = convert(&[], &session);
+    if exit != Exit::Done {
+        return exit;
+    }
+    let whole = match fs::canonicalize(dir) {
+        Ok(whole) if whole.is_dir() => whole,
+        Ok(_) => {
+            report.error(&name, "this is no directory; name the one into which pictures are saved");
+            return Exit::Usage;
+        }
+        Err(_) => {
+            report.error(&name, "there is no such directory; make it, or check the name");
+            return Exit::Usage;
+        }
+    };
+    let since = SystemTime::now();
+    let (send, receive) = mpsc::channel();
+    let (stop, stopped) = (Arc::clone(&session.stop), send.clone());
+    let on_stop = ctrlc::set_handler(move || {
+        stop.store(true, Ordering::Relaxed);
+        let _ = stopped.send(Told::Stop); // nobody listens: it has ended already
+    });
+    let watcher = notify::recommended_watcher(move |event| drop(send.send(Told::Of(event))));
+    let watching = watcher.and_then(|mut watcher| watcher.watch(&whole, RecursiveMode::NonRecursive).map(|()| watcher));
+    let _watcher = match (watching, on_stop) {
+        (Ok(watcher), Ok(())) => watcher,
+        (Err(error), _) => {
+            report.error(
+                &name,
+                &format!("the system does not tell what is saved here ({error}); choose another directory"),
+            );
+            return Exit::Failed;
+        }
+        (_, Err(error)) => {
+            report.usage(&format!("the program could not be stopped with Ctrl-C ({error}), so it does not begin"));
+            return Exit::Failed;
+        }
+    };
+    report.done(&format!("watching {name} for pictures and pages that are saved; stop with Ctrl-C"));
+    let mut waiting = Waiting::default();
+    let exit = loop {
+        match receive.recv_timeout(TICK) {
+            Ok(Told::Stop) | Err(RecvTimeoutError::Disconnected) => break Exit::Done,
+            Ok(Told::Of(Ok(event))) if event.need_rescan() => waiting.add_all(&whole, since),
+            Ok(Told::Of(Ok(event))) => waiting.add(&event),
+            Ok(Told::Of(Err(error))) => report.error(&name, &format!("the system could not tell everything ({error})")),
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        if session.stop.load(Ordering::Relaxed) {
+            break Exit::Done;
+        }
+        if !whole.is_dir() {
+            report.error(&name, "this directory is gone; make it, and begin again");
+            break Exit::Failed;
+        }
+        // messages name files as the user would
+        let short = |path: PathBuf| path.file_name().map_or_else(|| path.clone(), |name| dir.join(name));
+        let settled = waiting.take_settled().into_iter().map(short);
+        let (pictures, others): (Vec<PathBuf>, Vec<PathBuf>) =
+            settled.filter(|path| is_news(path, &session)).partition(|path| is_picture(path));
+        for other in others {
+            let what = "passed over, as its name does not end like that of a picture or a page";
+            report.note(&other.display().to_string(), what);
+        }
+        if !pictures.is_empty() {
+            convert(&pictures, &session);
+        }
+    };
+    let (done, failed) = session.counts();
+    let not =
+        if failed > 0 { format!(", {} could not be converted", counted(failed, "picture")) } else { String::new() };
+    report.done(&format!("stopped; {} written{not}", counted(done, "page")));
+    exit
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+}
+
+/// Files that were changed, with the last time that was heard.
+#[derive(Debug, Default)]
+struct Waiting(BTreeMap<PathBuf, Instant>);
+
+impl Waiting {
+    fn add(&mut self, event: &Event) {
+        let changes = match event.kind {
+            EventKind::Access(kind) => kind == AccessKind::Close(AccessMode::Write),
+            EventKind::Remove(_) => false,
+            _ => true,
+        };
+        if changes {
+            let now = Instant::now();
+            self.0.extend(event.paths.iter().filter(|path| is_finished(path)).map(|path| (path.clone(), now)));
+        }
+    }
+
+    /// Everything that was changed since then: for when more happened at once than the system can tell.
+    fn add_all(&mut self, dir: &Path, since: SystemTime) {
+        let now = Instant::now();
+        for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
+            let is_later = entry.metadata().and_then(|found| found.modified()).is_ok_and(|modified| modified >= since);
+            if is_later && is_finished(&entry.path()) {
+                self.0.insert(entry.path(), now);
+            }
+        }
+    }
+
+    /// Those that have been left alone for a while.
+    fn take_settled(&mut self) -> Vec<PathBuf> {
+        let settled: Vec<PathBuf> =
+            self.0.iter().filter(|(_, last)| last.elapsed() >= SETTLED).map(|(path, _)| path.clone()).collect();
+        self.0.retain(|path, _| !settled.contains(path));
+        settled
+    }
+}
+
+/// Whether a name is that of a picture or a page.
+fn is_picture(path: &Path) -> bool {
+    ending(path).is_some_and(|ending| ENDINGS.contains(&ending.as_str()))
+}
+
+/// Whether somebody gave a file its name: hidden files and the like are what programs write before they rename.
+fn is_finished(path: &Path) -> bool {
+    let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+    let is_left = name.is_empty() || name.starts_with(['.', '~']) || name.ends_with('~');
+    !is_left && ending(path).is_none_or(|ending| !UNFINISHED.contains(&ending.as_str()))
+}
+
+fn ending(path: &Path) -> Option<String> {
+    path.extension().map(|ending| ending.to_string_lossy().to_lowercase())
+}
+
+/// Whether there is something to do: the file is still there, and neither known nor made by this run.
+fn is_news(path: &Path, session: &Session) -> bool {
+    path.is_file() && session.is_news(path).unwrap_or(true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_told_from_what_programs_leave() {
+        for name in ["a.png", "A.JPG", "my photo.jpeg", "page.svg", "sheet.pdf"] {
+            assert!(is_picture(Path::new(name)) && is_finished(Path::new(name)), "{name}");
+        }
+        for name in [".a.png", "a.png~", "a.png.part", ".goutputstream-X1", "a.svg.tmp", "~lock.png"] {
+            assert!(!is_finished(Path::new(name)), "{name}");
+        }
+        for name in ["notes.txt", "png", "a.idx", "a.heic"] {
+            assert!(is_finished(Path::new(name)) && !is_picture(Path::new(name)), "{name}");
+        }
+    }
+
+    #[test]
+    fn reading_a_file_is_no_change() {
+        let event = |kind| Event::new(kind).add_path("d/a.png".into());
+        let mut waiting = Waiting::default();
+        for kind in [AccessKind::Read, AccessKind::Open(AccessMode::Any), AccessKind::Close(AccessMode::Read)] {
+            waiting.add(&event(EventKind::Access(kind)));
+        }
+        assert!(waiting.0.is_empty());
+        waiting.add(&event(EventKind::Access(AccessKind::Close(AccessMode::Write))));
+        assert_eq!(waiting.0.len(), 1);
+        assert!(waiting.take_settled().is_empty(), "it may not be complete yet");
+    }
+}
