@@ -34,11 +34,11 @@ pub(super) fn run(args: &Convert) -> Exit {
     if let Some((path, error)) = trial(&corrections) {
         faults.push(format!("{}: {error}", path.display()));
     }
-    let table = args
-        .labels
-        .braille_table
-        .as_deref()
-        .and_then(|name| louis::table(name, args.words.language()).map_err(|fault| faults.push(fault)).ok());
+    let table = |profile: &Profile| {
+        let asked = args.labels.braille_table.as_deref();
+        let has_words = args.words.has_title() || args.labels.are_given();
+        if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) }
+    };
     let order = Order {
         product: Product::Page(chosen.format),
         pictures: &args.pictures,
@@ -51,6 +51,7 @@ pub(super) fn run(args: &Convert) -> Exit {
         check: &|profile| {
             let mut faults = dots::faults(chosen.format, profile, &args.embossing);
             faults.extend(args.fitting.fault(profile));
+            faults.extend(table(profile).err());
             faults
         },
     };
@@ -58,10 +59,11 @@ pub(super) fn run(args: &Convert) -> Exit {
         let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
         let options = labels.add_to(args.fitting.add_to(options));
         let options = corrections.add_to(options).map_err(|(_, error)| error)?;
-        let options = table.iter().fold(options, |options, table| {
-            let table = table.clone();
-            options.translator(move |text| louis::translate(&table, text))
-        });
+        // a fault of the table was told before the first picture
+        let options = match table(options.profile()).ok().flatten() {
+            Some(table) => options.translator(move |text| louis::translate(&table, text)),
+            None => options,
+        };
         let (pages, notes): (Vec<Page>, _) = if args.fitting.is_for_several_sheets(options.profile()) {
             let drawn = convert_to_sheets(bytes, args.fitting.sheets, &options)?;
             (drawn.pages, drawn.notes)
