@@ -18,6 +18,7 @@ mod request;
 pub mod sheets;
 mod texts;
 pub mod trace;
+mod unwritten;
 mod words;
 
 pub use areas::of_page as areas_of;
@@ -120,13 +121,21 @@ fn compose(
     let (page, overview, key) = run(watch, Stage::Page, || {
         let (braille, of_words) = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
-        let key = match written.key(words, &braille, &figure) {
-            Some(entries) => key::sheets(&entries, &layout, figure.source, request)?,
+        let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
+        let key = match written.key(words, &braille, &figure, 1 + u32::from(alone)) {
+            Some(entries) => {
+                let (sheets, of_key) = key::sheets(&entries, &layout, figure.source, request)?;
+                notes.extend(of_key);
+                sheets
+            }
             None => Vec::new(),
         };
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, left_out, braille, &layout, request)?, None)),
-            Medium::Dots(medium) => dots::assemble(figure, overview, left_out, braille, (&layout, medium), request),
+            Medium::Dots(medium) => {
+                let braille = [braille, written.above_overview(&layout, plan)];
+                dots::assemble(figure, overview, left_out, braille, (&layout, medium), request)
+            }
         }?;
         Ok::<_, Error>((page, overview, key))
     })?;

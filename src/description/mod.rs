@@ -158,7 +158,8 @@ fn texts(page: &Page, wording: &Wording) -> Vec<String> {
         Some(wording.say("braille-label", &values))
     });
     let key = of_role(TextRole::Key).map(|text| plain("braille-key", &text.text));
-    title.chain(label).chain(key).collect()
+    let number = of_role(TextRole::Number).map(|text| plain("braille-number", &text.text));
+    title.chain(number).chain(label).chain(key).collect()
 }
 
 fn left_out(page: &Page, wording: &Wording) -> Option<String> {

@@ -7,9 +7,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
-use crate::page::{
-    BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, TextRole, Texture, frame,
-};
+use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -49,7 +47,7 @@ pub(super) fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
     left_out: LeftOut,
-    braille: Vec<BrailleText>,
+    [braille, above_overview]: [Vec<BrailleText>; 2],
     (layout, medium): (&Layout, &DotMedium),
     request: &Request<'_>,
 ) -> Result<(Page, Option<Page>), Error> {
@@ -58,8 +56,7 @@ pub(super) fn assemble(
         .map(|(place, lines)| {
             let own = Figure { place, source, textures: Vec::new(), lines };
             let title = title_of_overview(request.title);
-            let title_only = braille.iter().filter(|text| text.role == TextRole::Title).cloned().collect();
-            let mut parts = parts(title, own, title_only, (layout, medium), request);
+            let mut parts = parts(title, own, above_overview, (layout, medium), request);
             parts.origin.push(InSet::Overview.to_origin());
             finished(parts, request)
         })

@@ -62,6 +62,7 @@ area = Die Farbe { $colour } bedeckt { $share } der Abbildung{ $areas ->
 blank = { $share } der Abbildung haben keine Textur.
 
 braille-title = Der Titel in Braille lautet „{ $text }“.
+braille-number = Die Seitenzahl in Braille ist { $text }.
 braille-label = Eine Beschriftung { $place } lautet „{ $text }“.
 braille-key = In der Legende steht „{ $text }“.
 

@@ -67,6 +67,7 @@ area = The colour { $colour } covers { $share } of the figure{ $areas ->
 blank = { $share } of the figure has no texture.
 
 braille-title = The title in braille is "{ $text }".
+braille-number = The page number in braille is { $text }.
 braille-label = A label { $place } says "{ $text }".
 braille-key = The key says "{ $text }".
 

@@ -62,6 +62,7 @@ area = El color { $colour } cubre { $share } de la figura{ $areas ->
 blank = Sin textura: { $share } de la figura.
 
 braille-title = El título en braille es «{ $text }».
+braille-number = El número de página en braille es { $text }.
 braille-label = Una etiqueta { $place } dice «{ $text }».
 braille-key = La leyenda dice «{ $text }».
 

@@ -62,6 +62,7 @@ area = La couleur { $colour } couvre { $share } de la figure{ $areas ->
 blank = Sans texture : { $share } de la figure.
 
 braille-title = Le titre en braille est « { $text } ».
+braille-number = Le numéro de page en braille est { $text }.
 braille-label = Une étiquette { $place } dit « { $text } ».
 braille-key = La légende dit « { $text } ».
 

@@ -59,6 +59,7 @@ area = Kolor { $colour } zajmuje { $share } rysunku{ $areas ->
 blank = Bez faktury: { $share } rysunku.
 
 braille-title = Tytuł w brajlu: „{ $text }”.
+braille-number = Numer strony w brajlu: { $text }.
 braille-label = Podpis { $place }: „{ $text }”.
 braille-key = Legenda: „{ $text }”.
 
