@@ -36,7 +36,7 @@ pub(in crate::cli) struct Words {
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["title", "alt"], hide_short_help = true)]
     pub(in crate::cli) titles: Option<PathBuf>,
 
-    /// Language of --title, --alt, --titles and --labels, such as de or fr-CA
+    /// Language of --title, --alt, --titles, --labels and --ocr, such as de or fr-CA
     ///
     /// With it a screen reader speaks them well, and braille is written in the code of the language.
     ///
