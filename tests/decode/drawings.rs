@@ -224,6 +224,13 @@ fn drawings_that_grow_without_end_are_refused() {
             "octaves",
         ),
         (format!("{start}{canvases}</svg>"), "MB of memory"),
+        (
+            format!("{start}<filter id='f'><feMorphology radius='2'/></filter><rect filter='url(#f)'/></svg>"),
+            "morphology filter",
+        ),
+        (format!("{start}<style>{}</style></svg>", ".a{fill:red}".repeat(8001)), "rules"),
+        (format!("{start}<text>{}<tspan>a</tspan></text></svg>", "a ".repeat(15_000)), "letters"),
+        (format!("{start}<path d='M0 0{}'/></svg>", "L9 9L0 0".repeat(8000)), "times as long"),
     ] {
         let got =
             decode_to(text.as_bytes(), &|_| Ok(Size::new(2000, 2000))).map(|_| ()).map_err(|fault| fault.to_string());
@@ -233,6 +240,23 @@ fn drawings_that_grow_without_end_are_refused() {
 
 #[test]
 fn drawings_of_many_plain_parts_are_drawn() {
+    // a thin dilation, rules, a long text and a long line that are all below their limits
+    let start = "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='600'>";
+    for inside in [
+        "<filter id='f'><feMorphology radius='2 0.5'/></filter><rect width='9' height='9' filter='url(#f)'/>"
+            .to_owned(),
+        "<filter id='f' primitiveUnits='objectBoundingBox'><feMorphology radius='.01'/></filter>\
+         <rect width='9' height='9' filter='url(#f)'/>"
+            .to_owned(),
+        format!("<style>{}</style><rect width='9' height='9'/>", ".a{fill:red}".repeat(500)),
+        format!("<text>{}</text><rect width='9' height='9'/>", "a ".repeat(5000)),
+        format!("<path d='M0 0{}' fill='none' stroke='#000'/>", "L900 600L0 0".repeat(500)),
+        // beyond the canvas
+        format!("<path d='M0 0{}' fill='none' stroke='#000'/>", "L90000000 6L0 0".repeat(500)),
+    ] {
+        let text = format!("{start}{inside}</svg>");
+        assert!(whole(text.as_bytes()).is_ok(), "{}", fault(text.as_bytes()));
+    }
     // Thousands of shapes that share gradients, a marker, a clip path and a pattern, in style sheets and out of them.
     let parts: String = (0..3000)
         .map(|i| {

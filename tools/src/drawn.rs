@@ -1,6 +1,8 @@
 //! How much of some lines lies near to others: how much of a drawing's contours is on its page, and how much on the page
 //! is no contour of the drawing.
 
+use tactograph::{Page, Run};
+
 /// A point of a line, mm.
 pub type Point = [f64; 2];
 
@@ -27,6 +29,11 @@ pub fn shares(truth: &[Vec<Point>], lines: &[Vec<Point>]) -> Shares {
 
 /// Share of the length of `these` that lies near to `those`. None if these have no length.
 pub fn share_near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Option<f64> {
+    share_within(these, those, NEAR_MM)
+}
+
+/// Share of the length of `these` that lies within a distance of `those`. None if these have no length.
+pub fn share_within(these: &[Vec<Point>], those: &[Vec<Point>], distance_mm: f64) -> Option<f64> {
     let segments: Vec<[Point; 2]> =
         those.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect();
     let (mut near, mut all) = (0.0, 0.0);
@@ -37,7 +44,7 @@ pub fn share_near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Option<f64> {
             let share = (step as f64 + 0.5) / steps;
             let at = [0, 1].map(|axis| pair[0][axis] + share * (pair[1][axis] - pair[0][axis]));
             all += length / steps;
-            if segments.iter().any(|segment| is_near(at, segment)) {
+            if segments.iter().any(|segment| is_near(at, segment, distance_mm)) {
                 near += length / steps;
             }
         }
@@ -51,8 +58,8 @@ pub fn near(these: &[Vec<Point>], those: &[Vec<Point>]) -> Vec<Vec<Point>> {
     pieces.filter(|piece| share_near(std::slice::from_ref(piece), those).is_some_and(|near| near > 0.5)).collect()
 }
 
-fn is_near(at: Point, [a, b]: &[Point; 2]) -> bool {
-    let beyond = |axis: usize| at[axis] < a[axis].min(b[axis]) - NEAR_MM || at[axis] > a[axis].max(b[axis]) + NEAR_MM;
+fn is_near(at: Point, [a, b]: &[Point; 2], most: f64) -> bool {
+    let beyond = |axis: usize| at[axis] < a[axis].min(b[axis]) - most || at[axis] > a[axis].max(b[axis]) + most;
     if beyond(0) || beyond(1) {
         return false;
     }
@@ -60,7 +67,16 @@ fn is_near(at: Point, [a, b]: &[Point; 2]) -> bool {
     let squared = along[0] * along[0] + along[1] * along[1];
     let share = if squared > 0.0 { ((at[0] - a[0]) * along[0] + (at[1] - a[1]) * along[1]) / squared } else { 0.0 };
     let share = share.clamp(0.0, 1.0);
-    distance(at, [a[0] + share * along[0], a[1] + share * along[1]]) <= NEAR_MM
+    distance(at, [a[0] + share * along[0], a[1] + share * along[1]]) <= most
+}
+
+/// The lines of the figure of a page, mm of the sheet; closed ones come back to where they begin.
+pub fn lines_of(page: &Page) -> Vec<Vec<Point>> {
+    let run = |run: &Run| -> Vec<Point> {
+        let points = run.points.iter().chain(run.points.first().filter(|_| run.closed));
+        points.map(|at| [f64::from(at.x), f64::from(at.y)]).collect()
+    };
+    page.figure.lines.iter().flat_map(|line| line.runs.iter().map(run)).collect()
 }
 
 fn distance(a: Point, b: Point) -> f64 {

@@ -19,6 +19,17 @@ const MOST_ELEMENTS: u64 = 1_000_000;
 /// bits. Each costs as much as the first.
 const MOST_OCTAVES: f64 = 16.0;
 
+/// Largest radius of a dilation or an erosion, as a share of the drawing's longest side. resvg looks at the whole square
+/// of it for each pixel, which takes some seconds at this share.
+const MOST_RADIUS: f64 = 0.02;
+
+/// Most rules of style sheets. usvg's parser keeps them sorted as they come: 10 000 take 2 s, 20 000 7 s. Drawings of
+/// programs have some hundred.
+const MOST_RULES: usize = 8000;
+
+/// Most letters of one text. usvg's shaping grows with their square: 50 000 take 2 s, 100 000 7 s. A page has 3000.
+const MOST_LETTERS: usize = 30_000;
+
 /// Most comparisons of elements with rules of a style sheet that have references.
 const MOST_COMPARISONS: usize = 10_000_000;
 
@@ -41,6 +52,17 @@ pub(super) fn check(document: &Document<'_>, most_levels: u32) -> Result<(), Str
         return Err(format!("a turbulence filter has more than {MOST_OCTAVES} octaves"));
     }
     no_longer_than(document, MOST_DIGITS)?;
+    if largest_radius(document, &elements) > MOST_RADIUS {
+        return Err("a morphology filter has a radius of more than 2 % of the drawing's longest side".into());
+    }
+    let letters = |text: &Node<'_, '_>| text.descendants().filter_map(|node| node.text()).map(str::len).sum::<usize>();
+    if elements.iter().filter(|node| node.has_tag_name((SVG, "text"))).any(|text| letters(text) > MOST_LETTERS) {
+        return Err(format!("a text has more than {MOST_LETTERS} letters"));
+    }
+    let sheets = elements.iter().filter(|node| node.has_tag_name((SVG, "style"))).flat_map(Node::children);
+    if sheets.filter_map(|node| node.text()).map(|sheet| sheet.matches('{').count()).sum::<usize>() > MOST_RULES {
+        return Err(format!("its style sheets have more than {MOST_RULES} rules"));
+    }
     let total = Graph::new(document, &elements)?.total(document.root_element().id());
     if total.levels > most_levels {
         return Err(format!("it is more than {most_levels} elements deep, references included"));
@@ -79,6 +101,26 @@ fn digits_in(text: &str) -> usize {
         whole.saturating_add(exponent)
     };
     numbers.map(digits).max().unwrap_or_default()
+}
+
+const SVG: &str = "http://www.w3.org/2000/svg";
+
+/// The largest radius of all morphology filters, as a share of the drawing's longest side.
+fn largest_radius(document: &Document<'_>, elements: &[Node<'_, '_>]) -> f64 {
+    fn numbers(text: &str) -> impl Iterator<Item = f64> {
+        let parts = text.split(|c: char| c.is_whitespace() || c == ',');
+        parts.filter_map(|part| part.trim_end_matches(|c: char| c.is_alphabetic() || c == '%').parse().ok())
+    }
+    let root = document.root_element();
+    let attribute = |name: &str| root.attribute(name).and_then(|text| numbers(text).next());
+    let of_box = root.attribute("viewBox").map(|text| numbers(text).skip(2).fold(0.0, f64::max));
+    let side = of_box.or_else(|| Some(attribute("width")?.max(attribute("height")?))).filter(|side| *side > 0.0);
+    let share = |filter: &Node<'_, '_>| {
+        let radius = filter.attribute("radius").map_or(0.0, |text| numbers(text).fold(0.0, f64::max));
+        let is_of_box = filter.parent().and_then(|all| all.attribute("primitiveUnits")) == Some("objectBoundingBox");
+        if is_of_box { radius } else { radius / side.unwrap_or(100.0) }
+    };
+    elements.iter().filter(|node| node.has_tag_name((SVG, "feMorphology"))).map(share).fold(0.0, f64::max)
 }
 
 /// Levels and elements from an element on down.

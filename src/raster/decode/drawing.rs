@@ -127,6 +127,7 @@ fn drawn(
     };
     check_memory(FORMAT, target, bytes(1), limits)?;
     let transform = to_pixels(tree, whole, part, target);
+    paths::check_length(tree, transform, target).map_err(|why| undecodable(FORMAT, why))?;
     let wanted = density(tree.root(), transform).ceil().min(MOST_FINER) as u32;
     let has_room = |finer: &u32| check_memory(FORMAT, target, bytes(*finer), limits).is_ok();
     let finer = (2..=wanted).rev().find(has_room).unwrap_or(1);

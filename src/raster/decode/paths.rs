@@ -1,10 +1,10 @@
 //! The paths of a drawing, as they are painted: what its outlines and strokes propose as contours.
 
-use resvg::tiny_skia::{Path, Rect, Transform};
+use resvg::tiny_skia::{Path, Point, Rect, Transform};
 use usvg::{Group, Node, Paint, Tree};
 
 use crate::raster::vector::{PaintedPath, PixelArea, VectorDrawing};
-use crate::units::PxPoint;
+use crate::units::{PxPoint, Size};
 
 /// Most paths. A drawing of more is a picture in disguise (a traced photograph, a plot of a million points): its
 /// contours are found in its pixels.
@@ -15,6 +15,51 @@ pub(super) fn of_tree(tree: &Tree, transform: Transform) -> Option<VectorDrawing
     let mut found = VectorDrawing::default();
     add_group(tree.root(), transform, &mut found);
     (found.paths.len() <= MOST_PATHS).then_some(found)
+}
+
+/// Longest paths together, in longest sides of the canvas. resvg sorts the edges of a path anew in each row of pixels: a
+/// filled path of a million random corners (200 000 sides) takes a minute. On a figure of 200 mm this is 4 km of line;
+/// an ink drawing of 5000 strokes across the whole sheet has a quarter of it.
+const MOST_SIDES: f64 = 20_000.0;
+
+/// # Errors
+/// The paths of a drawing are longer than can be drawn in some seconds.
+pub(super) fn check_length(tree: &Tree, transform: Transform, target: Size) -> Result<(), String> {
+    let canvas = [target.width as f32, target.height as f32];
+    let side = canvas[0].max(canvas[1]);
+    let sides = length(tree.root(), transform, canvas) / f64::from(side);
+    if sides > MOST_SIDES {
+        return Err(format!(
+            "its lines and outlines are {sides:.0} times as long as its longest side, and more than {MOST_SIDES} are not \
+             drawn; simplify its paths, or give a picture of it (PNG)"
+        ));
+    }
+    Ok(())
+}
+
+/// Length of all paths of a group on a canvas, px: that of their control polygons. A leg beside the canvas has none, and
+/// one that leaves it at most that of the canvas's two sides.
+fn length(group: &Group, transform: Transform, canvas: [f32; 2]) -> f64 {
+    let of_leg = |a: Point, b: Point| {
+        let beside = |a: f32, b: f32, side: f32| a.max(b) < 0.0 || a.min(b) > side;
+        if beside(a.x, b.x, canvas[0]) || beside(a.y, b.y, canvas[1]) {
+            return 0.0;
+        }
+        f64::from((b.x - a.x).hypot(b.y - a.y).min(canvas[0] + canvas[1]))
+    };
+    let of_path = |path: &usvg::Path| {
+        let to_pixels = transform.pre_concat(path.abs_transform());
+        let mut points = path.data().points().to_vec();
+        to_pixels.map_points(&mut points);
+        points.windows(2).map(|pair| of_leg(pair[0], pair[1])).sum::<f64>()
+    };
+    let of_node = |node: &Node| match node {
+        Node::Group(group) => length(group, transform, canvas),
+        Node::Path(path) => of_path(path),
+        Node::Text(text) => length(text.flattened(), transform, canvas),
+        Node::Image(_) => 0.0,
+    };
+    group.children().iter().map(of_node).sum()
 }
 
 /// Adds what is painted by the children of a group.

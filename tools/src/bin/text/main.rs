@@ -25,9 +25,9 @@ use std::path::{Path, PathBuf};
 
 use picture::{Fault, pixels, with_scene};
 use scenes::{Ground, Kind, Task, WIDTH};
-use tactograph::{Drawing, Options, Profile, Run};
+use tactograph::{Drawing, Options, Profile};
 use tactograph_tools::cores::on_all_cores;
-use tactograph_tools::drawn::{Point, near, share_near};
+use tactograph_tools::drawn::{Point, lines_of, near, share_near};
 use tactograph_tools::words::Words;
 
 /// Sizes of fonts, px.
@@ -141,15 +141,15 @@ fn outcome(task: &Task) -> Result<Outcome, Fault> {
             along.iter().filter(|at| covers(at)).count() as f64 >= FOUND * along.len() as f64
         };
         let found = texts.iter().filter(|text| is_found(text)).count() as f64 / texts.len().max(1) as f64;
-        let mut wanted = lines(&without);
+        let mut wanted = lines_of(&without.page);
         if task.ground == Ground::Photo {
             // of the things, what a photograph lets be drawn with letters and without them
             let alone = Task { ground: Ground::Plain, ..*task };
-            let things = lines(&convert(&pixels(scene, &alone, true, false)?.encode_png()?, true)?);
-            let kept = lines(&convert(&pixels(scene, task, true, true)?.encode_png()?, true)?);
+            let things = lines_of(&convert(&pixels(scene, &alone, true, false)?.encode_png()?, true)?.page);
+            let kept = lines_of(&convert(&pixels(scene, task, true, true)?.encode_png()?, true)?.page);
             wanted = near(&near(&wanted, &things), &kept);
         }
-        let lost = share_near(&wanted, &lines(&whole)).map_or(0.0, |near| 1.0 - near);
+        let lost = share_near(&wanted, &lines_of(&whole.page)).map_or(0.0, |near| 1.0 - near);
         Ok(Outcome { found, lost })
     })
 }
@@ -163,18 +163,10 @@ fn convert(picture: &[u8], keep_text: bool) -> Result<Drawing, Fault> {
     Ok(tactograph::convert(picture, &Options::new(profile).keep_text(keep_text))?)
 }
 
-fn lines(drawing: &Drawing) -> Vec<Vec<Point>> {
-    let run = |run: &Run| -> Vec<Point> {
-        let points = run.points.iter().chain(run.points.first().filter(|_| run.closed));
-        points.map(|at| [f64::from(at.x), f64::from(at.y)]).collect()
-    };
-    drawing.page.figure.lines.iter().flat_map(|line| line.runs.iter().map(run)).collect()
-}
-
 fn tell_of_picture(path: &Path) -> Result<(), Fault> {
     let picture = std::fs::read(path)?;
     let (drawn, kept) = (convert(&picture, false)?, convert(&picture, true)?);
-    let lost = share_near(&lines(&kept), &lines(&drawn)).map_or(0.0, |near| 1.0 - near);
+    let lost = share_near(&lines_of(&kept.page), &lines_of(&drawn.page)).map_or(0.0, |near| 1.0 - near);
     println!("{}: {} texts, {:.2} % of the lines lost", path.display(), drawn.texts.len(), 100.0 * lost);
     Ok(())
 }
