@@ -35,24 +35,33 @@ pub enum Note {
         /// Each character, and which of the text's it is, from 1.
         lacking: Vec<(char, usize)>,
     },
-    /// A text that the translator that was given could not write, so it is left out.
+    /// Texts that the translator that was given could not write, so they are left out.
     NotTranslated {
-        /// The text.
-        text: String,
+        /// The texts.
+        texts: Vec<String>,
         /// What the translator says.
         why: String,
     },
+    /// Contracted braille is asked for, and nothing that writes it is given; the words are uncontracted.
+    NotContracted,
     /// The title is not written in braille, as there is no room for it above the figure.
     NoRoomForTitle {
         /// How many cells it has.
         cells: usize,
     },
+    /// The page number is not written in braille, as there is no room for it above the figure.
+    NoRoomForNumber,
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
     Abbreviated(Vec<(String, String)>),
     /// The texts of the picture were to be labels, and it has none.
     NoTexts,
-    /// Labels that are not on the page: there is no room for them, or they lie outside of the picture.
-    LabelsLeftOut(Vec<String>),
+    /// Labels that are not on the page.
+    LabelsLeftOut {
+        /// What they say.
+        texts: Vec<String>,
+        /// Why, in words.
+        why: &'static str,
+    },
     /// A picture that is spread over several sheets has no words in braille but the numbers of its sheets.
     NoWordsOnSheets,
     /// No contour was found that is strong and long enough.
@@ -127,11 +136,22 @@ impl std::fmt::Display for Note {
                 let more = lacking.len() - shown;
                 if more > 0 { write!(f, " and {more} more") } else { Ok(()) }
             }
-            Self::NotTranslated { text, why } => write!(f, "\"{}\" is not written in braille: {why}", short(text)),
+            Self::NotTranslated { texts, why } => {
+                let verb = if texts.len() == 1 { "is" } else { "are" };
+                write!(f, "{} {verb} not written in braille: {why}", listed(texts))
+            }
+            Self::NotContracted => f.write_str(
+                "braille is uncontracted although braille.grade is 2: contracted braille is written by a translator, \
+                 such as an installed liblouis, and none was given",
+            ),
             Self::NoRoomForTitle { cells } => write!(
                 f,
                 "the title is not written in braille: its {cells} cells have no room above the figure, where three \
                  lines may take a fifth of the sheet; give a shorter one, or a larger sheet"
+            ),
+            Self::NoRoomForNumber => f.write_str(
+                "the page number is not written in braille, as it has no room above the figure; take a larger sheet, \
+                 or leave the number out",
             ),
             Self::Abbreviated(labels) => {
                 let all: Vec<String> =
@@ -142,13 +162,9 @@ impl std::fmt::Display for Note {
                 "there are no texts for labels: only SVG drawings and pages of PDF have texts, in other pictures \
                  letters are pixels; write a list of labels",
             ),
-            Self::LabelsLeftOut(texts) => {
+            Self::LabelsLeftOut { texts, why } => {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });
-                write!(
-                    f,
-                    "{count} {noun} left out, as there is no room, or they lie outside of the picture: {}",
-                    listed(texts)
-                )
+                write!(f, "{count} {noun} left out, as {why}: {}", listed(texts))
             }
             Self::NoWordsOnSheets => f.write_str(
                 "title and labels are not written in braille on a picture that is spread over several sheets",

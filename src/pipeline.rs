@@ -17,6 +17,7 @@ mod request;
 pub mod sheets;
 mod texts;
 pub mod trace;
+mod unwritten;
 mod words;
 
 pub use areas::of_page as areas_of;
@@ -118,14 +119,20 @@ fn compose(
     let (page, overview, key) = run(watch, Stage::Page, || {
         let (braille, of_words) = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
-        let key = match written.key(words, &braille, &figure) {
-            Some(entries) => key::sheets(&entries, &layout, figure.source, request)?,
+        let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
+        let key = match written.key(words, &braille, &figure, 1 + u32::from(alone)) {
+            Some(entries) => {
+                let (sheets, of_key) = key::sheets(&entries, &layout, figure.source, request)?;
+                notes.extend(of_key);
+                sheets
+            }
             None => Vec::new(),
         };
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, (shares, left_out), braille, &layout, request)?, None)),
             Medium::Dots(medium) => {
                 let about = (shares, left_out);
+                let braille = [braille, written.above_overview(&layout, plan)];
                 dots::assemble(figure, overview, about, braille, (&layout, medium), request)
             }
         }?;

@@ -39,6 +39,7 @@ pub struct Options {
     labels: Vec<Label>,
     label_texts: bool,
     key: Key,
+    page_number: Option<u32>,
     translate: Option<Arc<Translate>>,
     pub(super) fit: Fit,
     pub(super) limits: Limits,
@@ -67,6 +68,7 @@ impl Options {
             labels: Vec::new(),
             label_texts: false,
             key: Key::default(),
+            page_number: None,
             translate: None,
             fit: Fit::default(),
             limits: Limits::default(),
@@ -107,7 +109,7 @@ impl Options {
 
     /// Labels in braille, each beside its point of the picture: apart from lines and from one another, with a
     /// leader line where they lie further away, abbreviated where there is no room for more. The page tells
-    /// what has no room in [`Note::LabelsLeftOut`](crate::Note::LabelsLeftOut). They are in the language of
+    /// what is left out, and why, in [`Note::LabelsLeftOut`](crate::Note::LabelsLeftOut). They are in the language of
     /// the title. Default: none.
     pub fn labels(mut self, labels: Vec<Label>) -> Self {
         self.labels = labels;
@@ -125,6 +127,13 @@ impl Options {
     /// colours that occur with their textures, and abbreviations. Default: where labels are abbreviated.
     pub fn key(mut self, key: Key) -> Self {
         self.key = key;
+        self
+    }
+
+    /// The page number in braille of the first sheet, at the top on the right; those that follow (an overview on a
+    /// sheet of its own, the key) have the next. Default: none, but a key of several sheets is numbered from 1.
+    pub fn page_number(mut self, number: u32) -> Self {
+        self.page_number = Some(number);
         self
     }
 
@@ -321,6 +330,7 @@ impl Options {
             labels: &self.labels,
             own_texts: self.label_texts,
             key: self.key,
+            number: self.page_number,
             translate: self.translate.as_deref(),
         }
     }

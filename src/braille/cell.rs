@@ -21,8 +21,10 @@ impl CellSize {
     pub const MARBURG: Self = Self { name: "de", dot: 2.5, cell: 6.0, line: 10.0 };
 
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::MARBURG,
+        // The same: France has EN ISO 17351 as its own standard.
+        Self { name: "fr", ..Self::MARBURG },
         // The same measures, as embossing programs have them for the United Kingdom and Australia.
         Self { name: "uk", ..Self::MARBURG },
         // Library of Congress, NLS specification 800.

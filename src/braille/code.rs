@@ -11,6 +11,15 @@ pub struct Code {
     text: &'static str,
 }
 
+/// How much a code shortens words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grade {
+    /// Grade 1: letter by letter, uncontracted.
+    One,
+    /// Grade 2: contracted.
+    Two,
+}
+
 /// All codes, by their names.
 const CODES: &[Code] = &[
     Code { language: "cs", text: include_str!("tables/cs.txt") },
@@ -44,7 +53,7 @@ impl Code {
 
     /// Its table. The texts of the program itself are tested, so that this gives one for each of [`Code::all`].
     pub fn table(self) -> Option<Table> {
-        parse::table(self.text).ok()
+        parse::table(self.text).ok().map(|table| Table { language: self.language, ..table })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Text to uncontracted braille: tables of the codes of ten languages, and what no table has is told.
 //!
 //! ```text
-//! text -> translate (signs by their neighbours, numbers, capitals) -> cells -> wrap (lines)
+//! text -> translate (signs by their neighbours, numbers, capitals) -> cells -> wrap (lines; words by divide)
 //! ```
 //!
 //! A cell is a byte: bit 0 is dot 1, bit 5 is dot 6; 0 is a blank.
@@ -9,6 +9,7 @@
 mod capitals;
 mod cell;
 mod code;
+mod divide;
 mod neighbours;
 mod parse;
 mod table;
@@ -17,8 +18,8 @@ mod translator;
 mod wrap;
 
 pub use cell::{CellSize, PRINTED, TRIAL, letter, number};
-pub use code::Code;
+pub use code::{Code, Grade};
 pub use table::Table;
-pub use translate::{Braille, Lacking};
+pub use translate::{Braille, Lacking, unicode};
 pub use translator::{Translate, Translator};
-pub use wrap::{Wrapped, wrap};
+pub use wrap::{Divide, Wrapped, in_two, wrap};

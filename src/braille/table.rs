@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 pub struct Table {
     /// What the code is called.
     pub name: String,
+    /// The language that it is for (BCP 47).
+    pub(super) language: &'static str,
     /// Says that digits follow.
     pub(super) number: Vec<u8>,
     /// The digits 0 to 9.

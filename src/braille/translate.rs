@@ -1,6 +1,7 @@
 //! Text to cells, by the table of a code.
 
 use super::capitals::{self, Around};
+use super::divide;
 use super::neighbours::Neighbours;
 use super::table::{Rule, Table};
 
@@ -9,8 +10,10 @@ use super::table::{Rule, Table};
 pub struct Braille {
     /// Its cells; 0 is a blank.
     pub cells: Vec<u8>,
-    /// Behind which cells a line can end although no blank follows: hyphens in words.
+    /// Behind which cells a line can end although no blank follows, in order: hyphens in words.
     pub breaks: Vec<usize>,
+    /// Behind which cells a word can be divided, with a hyphen at the end of the line, in order.
+    pub divisions: Vec<usize>,
     /// What the code has no cells for, and is left out.
     pub lacking: Vec<Lacking>,
 }
@@ -27,21 +30,48 @@ pub struct Lacking {
 impl Braille {
     /// The cells as Unicode braille.
     pub fn unicode(&self) -> String {
-        self.cells.iter().filter_map(|&cell| char::from_u32(0x2800 + u32::from(cell))).collect()
+        unicode(&self.cells)
     }
 }
 
+/// Cells as Unicode braille.
+pub fn unicode(cells: &[u8]) -> String {
+    cells.iter().filter_map(|&cell| char::from_u32(0x2800 + u32::from(cell))).collect()
+}
+
 impl Table {
-    /// A text in this code. Spaces at its ends fall out, and several are one.
+    /// A text in this code. Spaces at its ends fall out, and several are one. What the code has no cells for is as if
+    /// it were not there: no sign of a capital is left of it, and words beside it are written as they are without it.
     pub fn translate(&self, text: &str) -> Braille {
-        let (text, places) = plain(text);
+        let mut text = plain(text.chars().zip(1..));
+        let mut lacking: Vec<Lacking> = Vec::new();
+        loop {
+            let mut braille = self.write(&text);
+            if braille.lacking.is_empty() {
+                lacking.sort_by_key(|lacking| lacking.at);
+                braille.lacking = lacking;
+                return braille;
+            }
+            let known = &braille.lacking;
+            let is_written = |&(_, at): &(char, usize)| known.binary_search_by_key(&at, |lacking| lacking.at).is_err();
+            text = plain(text.into_iter().filter(is_written));
+            lacking.append(&mut braille.lacking);
+        }
+    }
+
+    fn write(&self, text: &[(char, usize)]) -> Braille {
+        let (text, places): (Vec<char>, Vec<usize>) = text.iter().copied().unzip();
         let around = match &self.capitals {
             Some(capitals) => capitals::signs(&text, capitals),
             None => vec![Around::default(); text.len()],
         };
+        let mut divisions = divide::places(&text, self.language).into_iter().peekable();
         let mut out = Writer { table: self, text: &text, out: Braille::default(), in_number: false };
         let mut i = 0;
         while i < text.len() {
+            while divisions.next_if(|&at| at <= i).is_some_and(|at| at == i) {
+                out.out.divisions.push(out.out.cells.len());
+            }
             out.out.cells.extend(&around[i].before);
             let read = out.character(i, places[i]);
             let last = (i + read).min(text.len()) - 1;
@@ -55,11 +85,11 @@ impl Table {
     }
 }
 
-/// The characters of a text and their places in it, from 1: one space for any white space, none at the ends. What is
+/// The characters of a text with their places in it, from 1: one space for any white space, none at the ends. What is
 /// never seen is left out.
-fn plain(text: &str) -> (Vec<char>, Vec<usize>) {
+fn plain(text: impl Iterator<Item = (char, usize)>) -> Vec<(char, usize)> {
     let mut plain: Vec<(char, usize)> = Vec::new();
-    for (at, character) in (1..).zip(text.chars()) {
+    for (character, at) in text {
         let character = if character.is_whitespace() { ' ' } else { character };
         let is_unseen = matches!(character, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}');
         let is_more_space = character == ' ' && plain.last().is_none_or(|last| last.0 == ' ');
@@ -70,7 +100,7 @@ fn plain(text: &str) -> (Vec<char>, Vec<usize>) {
     while plain.last().is_some_and(|last| last.0 == ' ') {
         plain.pop();
     }
-    plain.into_iter().unzip()
+    plain
 }
 
 struct Writer<'t> {

@@ -36,6 +36,14 @@ impl<'a> Translator<'a> {
         }
     }
 
+    /// A text letter by letter, as abbreviations are written: by the table, if there is one.
+    ///
+    /// # Errors
+    /// As [`Translator::translate`].
+    pub fn spell(&self, text: &str) -> Result<Braille, String> {
+        self.table.as_ref().map_or_else(|| self.translate(text), |table| Ok(table.translate(text)))
+    }
+
     /// A word of the key, by its English name, in the language of the code.
     pub fn word<'w>(&'w self, name: &'w str) -> &'w str {
         self.table.as_ref().map_or(name, |table| table.word(name))

@@ -11,22 +11,70 @@ pub struct Wrapped {
     pub cut: bool,
 }
 
-/// Braille in lines of at most `width` cells: lines end at a blank or behind a hyphen that the text has. A word that is
-/// longer than a line is cut.
-pub fn wrap(braille: &Braille, width: usize) -> Wrapped {
+/// Whether words are divided at the ends of lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Divide {
+    /// No word is: as in titles, if there is room.
+    Never,
+    /// Where a line would be less than three quarters full without: a divided word takes longer to read.
+    Words,
+}
+
+/// Dots 3 and 6: the hyphen of all codes.
+const HYPHEN: u8 = 0b10_0100;
+
+/// Braille in lines of at most `width` cells: lines end at a blank, behind a hyphen that the text has, or where a
+/// word is divided. A word that is longer than a line and cannot be divided is cut.
+pub fn wrap(braille: &Braille, width: usize, divide: Divide) -> Wrapped {
     let (cells, width) = (&braille.cells, width.max(1));
     let mut wrapped = Wrapped { lines: Vec::new(), cut: false };
     let mut from = 0;
     while let Some(begin) = cells[from..].iter().position(|&cell| cell != 0) {
         from += begin;
         let longest = (from + width).min(cells.len());
-        let can_end = |&end: &usize| end == cells.len() || cells[end] == 0 || braille.breaks.contains(&end);
-        let end = (from + 1..=longest).rev().find(can_end);
-        wrapped.cut |= end.is_none();
-        let end = end.unwrap_or(longest);
-        let length = cells[from..end].iter().rposition(|&cell| cell != 0).map_or(0, |last| last + 1);
-        wrapped.lines.push(cells[from..from + length].to_vec());
+        let whole = (from + 1..=longest).rev().find(|&end| can_end(braille, end));
+        let is_full = whole.is_some_and(|end| end == cells.len() || 4 * (end - from) >= 3 * width);
+        // with room for the hyphen
+        let last = braille.divisions.partition_point(|&at| at < from + width);
+        let divided = braille.divisions[..last]
+            .last()
+            .copied()
+            .filter(|&at| divide == Divide::Words && !is_full && at > whole.unwrap_or(from));
+        wrapped.cut |= whole.or(divided).is_none();
+        let end = divided.or(whole).unwrap_or(longest);
+        let mut line = trimmed(&cells[from..end]).to_vec();
+        line.extend(divided.map(|_| HYPHEN));
+        wrapped.lines.push(line);
         from = end;
     }
     wrapped
+}
+
+/// Braille in two lines, as narrow as they can be without cutting a word; none if it has only one that cannot be
+/// divided.
+pub fn in_two(braille: &Braille, divide: Divide) -> Option<[Vec<u8>; 2]> {
+    let part = |end: usize, hyphen: Option<u8>| {
+        let (first, second) = braille.cells.split_at(end);
+        let mut first = trimmed(first).to_vec();
+        first.extend(hyphen);
+        [first, trimmed(second).to_vec()]
+    };
+    let width = |end: usize, hyphen: usize| (end + hyphen).max(braille.cells.len() - end);
+    let whole = (1..braille.cells.len()).filter(|&end| can_end(braille, end)).map(|end| (width(end, 0), end, None));
+    let divided = braille.divisions.iter().filter(|_| divide == Divide::Words);
+    let divided = divided.map(|&end| (width(end, 1), end, Some(HYPHEN)));
+    let (_, end, hyphen) = whole.chain(divided).min_by_key(|(width, ..)| *width)?;
+    Some(part(end, hyphen))
+}
+
+/// Whether a line can end in front of this cell.
+fn can_end(braille: &Braille, at: usize) -> bool {
+    braille.cells.get(at).is_none_or(|&cell| cell == 0) || braille.breaks.binary_search(&at).is_ok()
+}
+
+/// Without blanks at its ends.
+fn trimmed(line: &[u8]) -> &[u8] {
+    let begin = line.iter().position(|&cell| cell != 0).unwrap_or(line.len());
+    let end = line.iter().rposition(|&cell| cell != 0).map_or(begin, |last| last + 1);
+    &line[begin..end]
 }

@@ -51,11 +51,11 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
     if let Some((path, error)) = trial(&corrections) {
         faults.push(format!("{}: {error}", path.display()));
     }
-    let table = args
-        .labels
-        .braille_table
-        .as_deref()
-        .and_then(|name| louis::table(name, args.words.language()).map_err(|fault| faults.push(fault)).ok());
+    let table = |profile: &Profile| {
+        let asked = args.labels.braille_table.as_deref();
+        let has_words = args.words.has_title() || args.labels.are_given();
+        if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) }
+    };
     let order = Order {
         product: Product::Page(chosen.format),
         pictures,
@@ -71,6 +71,7 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         check: &|profile| {
             let mut faults = dots::faults(chosen.format, profile, &args.embossing);
             faults.extend(args.fitting.fault(profile));
+            faults.extend(table(profile).err());
             faults
         },
     };
@@ -78,10 +79,11 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
         let options = labels.add_to(args.fitting.add_to(options));
         let options = corrections.add_to(options).map_err(|(_, error)| error)?;
-        let options = table.iter().fold(options, |options, table| {
-            let table = table.clone();
-            options.translator(move |text| louis::translate(&table, text))
-        });
+        // a fault of the table was told before the first picture
+        let options = match table(options.profile()).ok().flatten() {
+            Some(table) => options.translator(move |text| louis::translate(&table, text)),
+            None => options,
+        };
         let drawn = if args.fitting.is_for_several_sheets(options.profile()) {
             convert_to_sheets(bytes, args.fitting.sheets, &options).map(|drawn| (drawn.pages, drawn.notes))
         } else {

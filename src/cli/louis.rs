@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 use std::io::{ErrorKind, Write};
 use std::process::{Command, Stdio};
 
+use tactograph::{Profile, Value};
+
 /// The program of liblouis.
 const PROGRAM: &str = "lou_translate";
 
@@ -25,19 +27,38 @@ const LONGEST: usize = 4000;
 /// The word for these tables.
 const BY_LANGUAGE: &str = "contracted";
 
-/// The table of this name; `contracted` is that of the language.
+/// The table that words are written with: the one that is asked for by its name, else that of contracted braille, if
+/// `braille.grade` is 2; none where a table of the program's own does. `language` is that of the words, which
+/// `braille.code` overrides.
 ///
 /// # Errors
 /// In one line, if there is no such table, or liblouis is not installed.
-pub(super) fn table(name: &str, language: &str) -> Result<String, String> {
+pub(super) fn wanted(asked: Option<&str>, profile: &Profile, language: &str) -> Result<Option<String>, String> {
+    let code = match profile.get("braille.code") {
+        Some(Value::Text(code)) if code != "auto" => Some(code),
+        _ => None,
+    };
+    let language = code.as_deref().unwrap_or(language);
+    let is_off = profile.get("braille.on") == Some(Value::Switch(false));
+    let is_contracted = profile.get("braille.grade") == Some(Value::Number(2.0));
+    match asked {
+        _ if is_off => Ok(None),
+        Some(name) => table(name, language, &format!("--braille-table {name}")).map(Some),
+        None if is_contracted => table(BY_LANGUAGE, language, "braille.grade = 2").map(Some),
+        None => Ok(None),
+    }
+}
+
+/// The table of this name; `contracted` is that of the language.
+fn table(name: &str, language: &str, asked_by: &str) -> Result<String, String> {
     let primary = language.split('-').next().unwrap_or(language);
     let known = CONTRACTED.iter().find(|(own, _)| own.eq_ignore_ascii_case(primary)).map(|(_, table)| *table);
     let table = match name {
         BY_LANGUAGE => known.ok_or_else(|| {
             let languages: Vec<&str> = CONTRACTED.iter().map(|(language, _)| *language).collect();
             format!(
-                "--braille-table contracted: there is none known for the language {primary}, only for {}; name a table \
-                 of liblouis",
+                "{asked_by}: no contracted table is known for the language {primary}, only for {}; name a table of \
+                 liblouis with --braille-table, or take grade 1",
                 languages.join(", ")
             )
         })?,
@@ -45,11 +66,11 @@ pub(super) fn table(name: &str, language: &str) -> Result<String, String> {
     };
     let is_name = !table.starts_with('-') && table.chars().all(|c| c.is_ascii_alphanumeric() || "._-/".contains(c));
     if !is_name {
-        return Err(format!("--braille-table {table}: name a table of liblouis, such as en-ueb-g2.ctb"));
+        return Err(format!("{asked_by}: name a table of liblouis, such as en-ueb-g2.ctb"));
     }
     match lines(table, &["a".to_owned()]) {
         Ok(_) => Ok(table.to_owned()),
-        Err(why) => Err(format!("--braille-table {table}: {why}")),
+        Err(why) => Err(format!("{asked_by}: {why}")),
     }
 }
 
@@ -90,7 +111,7 @@ fn lines(table: &str, asked: &[String]) -> Result<Vec<String>, String> {
         .spawn();
     let mut run = run.map_err(|error| match error.kind() {
         ErrorKind::NotFound => {
-            format!("there is no program {PROGRAM}; install liblouis (liblouis-bin), or leave this out")
+            format!("there is no program {PROGRAM}; install liblouis (liblouis-bin), or write uncontracted braille")
         }
         _ => format!("{PROGRAM} cannot be run: {error}"),
     })?;
@@ -115,12 +136,12 @@ mod tests {
     #[test]
     fn names_of_tables_are_checked_before_they_are_run() {
         for name in ["-x", "a,b", "$(x)", "a b"] {
-            let refused = table(name, "en").expect_err("no name");
+            let refused = table(name, "en", "--braille-table").expect_err("no name");
             assert!(refused.contains("name a table of liblouis"), "{refused}");
         }
-        let refused = table("contracted", "cs").expect_err("no table");
+        let refused = table("contracted", "cs", "braille.grade = 2").expect_err("no table");
         assert!(
-            refused.starts_with("--braille-table contracted: there is none known for the language cs"),
+            refused.starts_with("braille.grade = 2: no contracted table is known for the language cs, only for de"),
             "{refused}"
         );
     }

@@ -131,7 +131,8 @@ fn texts(page: &Page) -> Vec<String> {
         let at = middle(text.dots.at.iter().copied())?;
         Some(format!("A label in the {} of the figure says \"{}\".", NAMES[ninth(at, place)], text.spoken()))
     });
-    title.chain(label).collect()
+    let number = of_role(TextRole::Number).map(|text| format!("The page number in braille is {}.", text.text));
+    title.chain(number).chain(label).collect()
 }
 
 fn left_out(page: &Page) -> Option<String> {

@@ -1,16 +1,46 @@
-//! Abbreviations of two or three letters: from the letters of their text, no two the same, and none a label of its own.
+//! Abbreviations of two or three letters: from the letters of their text, no two the same to a finger, and none the
+//! cells of a label of its own.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::braille::{Braille, Translator};
+
+/// An abbreviation.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Short {
+    pub(super) letters: String,
+    pub(super) cells: Vec<u8>,
+}
+
+/// Most cells of an abbreviation: letters with accents may take two each.
+const MOST_CELLS: usize = 3;
+
 /// An abbreviation for each text; none for texts without two letters, which are short or numbers, and where all
-/// are taken. The same text has the same one.
-pub(super) fn all(texts: &[&str]) -> Vec<Option<String>> {
-    let mut taken: BTreeSet<String> = texts.iter().map(|text| text.to_lowercase()).collect();
-    let mut of_text: BTreeMap<&str, Option<String>> = BTreeMap::new();
+/// are taken. The same text has the same one. Letters are spelled, also where texts are contracted, and those that
+/// the code lacks are passed over. `known` has the texts in braille.
+pub(super) fn all(
+    texts: &[&str],
+    known: &BTreeMap<&str, Result<Braille, String>>,
+    translator: &Translator<'_>,
+) -> Vec<Option<Short>> {
+    // labels as they are written, and as they would be spelled
+    let whole = known.iter().flat_map(|(text, braille)| {
+        let is_short = text.chars().nth(MOST_CELLS).is_none();
+        let spelled = is_short.then(|| translator.spell(&text.to_lowercase()).ok()).flatten();
+        [braille.as_ref().ok().map(|braille| braille.cells.clone()), spelled.map(|braille| braille.cells)]
+    });
+    let mut taken: BTreeSet<Vec<u8>> = whole.flatten().collect();
+    let mut of_text: BTreeMap<&str, Option<Short>> = BTreeMap::new();
     for &text in texts {
         if !of_text.contains_key(text) {
-            let short = proposals(text).into_iter().find(|short| !taken.contains(short));
-            taken.extend(short.clone());
+            // what cannot be written cannot be abbreviated either
+            let proposals = known.get(text).is_some_and(Result::is_ok).then(|| proposals(text));
+            let short = proposals.into_iter().flatten().find_map(|letters| {
+                let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
+                let is_whole = lacking.is_empty() && (2..=MOST_CELLS).contains(&cells.len());
+                (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
+            });
+            taken.extend(short.iter().map(|short| short.cells.clone()));
             of_text.insert(text, short);
         }
     }
@@ -18,43 +48,71 @@ pub(super) fn all(texts: &[&str]) -> Vec<Option<String>> {
 }
 
 /// Abbreviations in the order in which they are read best: "nh" for "north hill", "ap" for "apple".
-fn proposals(text: &str) -> Vec<String> {
+fn proposals(text: &str) -> impl Iterator<Item = String> {
     let lower = text.to_lowercase();
     let words: Vec<Vec<char>> = lower
         .split(|letter: char| !letter.is_alphabetic())
         .filter(|word| !word.is_empty())
         .map(|word| word.chars().collect())
         .collect();
-    let letters: Vec<char> = words.concat();
-    let mut proposals = Vec::new();
     let initials: String = words.iter().take(3).filter_map(|word| word.first()).collect();
-    if initials.chars().count() > 1 {
-        proposals.push(initials);
-    }
-    if let Some((&first, rest)) = letters.split_first() {
-        // the first letter with each that follows, then with each two
-        proposals.extend(rest.iter().map(|letter| [first, *letter].iter().collect()));
-        let rest = &rest[..rest.len().min(MOST_LETTERS)];
-        for (i, second) in rest.iter().enumerate() {
-            proposals.extend(rest[i + 1..].iter().map(|third| [first, *second, *third].iter().collect()));
-        }
-    }
-    proposals
+    let initials = (initials.chars().count() > 1).then_some(initials);
+    let letters: Vec<char> = words.into_iter().flatten().take(MOST_LETTERS).collect();
+    let of_three = letters.clone().into_iter().take(MOST_LETTERS_OF_THREE).collect::<Vec<_>>();
+    // the first letter with each that follows, then with each two
+    let two = (1..letters.len()).map(move |i| [letters[0], letters[i]].iter().collect());
+    let three = (1..of_three.len()).flat_map(move |i| {
+        let of_three = of_three.clone();
+        (i + 1..of_three.len()).map(move |j| [of_three[0], of_three[i], of_three[j]].iter().collect())
+    });
+    initials.into_iter().chain(two).chain(three)
 }
 
-/// Most letters of a text that abbreviations of three are made of.
-const MOST_LETTERS: usize = 12;
+/// Most letters of a text that abbreviations of two are made of; the alphabet is not longer.
+const MOST_LETTERS: usize = 40;
+/// ... and those of three.
+const MOST_LETTERS_OF_THREE: usize = 12;
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::braille::Code;
+
+    fn short(texts: &[&str], language: &str) -> Vec<String> {
+        let translator = Translator::new(Code::of_language(language).and_then(Code::table), None).expect("a table");
+        let known = texts.iter().map(|&text| (text, translator.translate(text))).collect();
+        let all = all(texts, &known, &translator);
+        all.into_iter().map(|short| short.map_or_else(|| "-".to_owned(), |short| short.letters)).collect()
+    }
 
     #[test]
     fn abbreviations_are_short_readable_and_unique() {
         let texts = ["Apple", "Apricot", "North Hill", "apple tree", "Apple", "1995", "ap", "X", "Aps"];
-        let short = all(&texts);
-        let short: Vec<&str> = short.iter().map(|short| short.as_deref().unwrap_or("-")).collect();
         // "ap" is a label of its own
-        assert_eq!(short, ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
+        assert_eq!(short(&texts, "en"), ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
+    }
+
+    /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may
+    /// write two letters alike, and cells of abbreviations are never the same.
+    #[test]
+    fn abbreviations_differ_in_their_cells() {
+        for code in Code::all() {
+            let letters = "aàáâãäåæbcçdeèéêëfghiìíîïjklmnñoòóôõöøpqrsßtuùúûüvwxyýząćęłńóśźżčďěňřšťůž";
+            let texts: Vec<String> = letters.chars().map(|letter| format!("m{letter}n")).collect();
+            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+            let table = code.table().expect("a table");
+            let mut seen = BTreeSet::new();
+            for short in short(&texts, code.language).iter().filter(|short| *short != "-").collect::<BTreeSet<_>>() {
+                let braille = table.translate(short);
+                assert!(braille.lacking.is_empty() && braille.cells.len() <= MOST_CELLS, "{}: {short}", code.language);
+                assert!(seen.insert(braille.cells), "{}: {short}", code.language);
+            }
+        }
+    }
+
+    /// Letters that the code lacks are in no abbreviation.
+    #[test]
+    fn letters_without_cells_are_passed_over() {
+        assert_eq!(short(&["\u{65e5}\u{672c} Tokyo", "\u{65e5}\u{672c}"], "en"), ["to", "-"]);
     }
 }

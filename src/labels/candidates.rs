@@ -102,6 +102,10 @@ fn of_form(
     let longest = form.lines.iter().map(Vec::len).max().unwrap_or(0);
     let size = cells.extent(longest, form.lines.len());
     let anchor = label.anchor.center();
+    // one that is longer than all the room is not looked for: the work would grow with its length
+    if size.x > params.area.width() || size.y > params.area.height() {
+        return Vec::new();
+    }
     // steps from the place in the middle of the anchor, so that it is among them
     let middle = anchor - size * 0.5;
     let steps = |half: f32| (((half + FAR) / params.step).ceil()) as i32;

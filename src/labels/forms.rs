@@ -1,47 +1,66 @@
 //! In which forms a label can be written.
 
+use std::collections::BTreeMap;
+
 use super::abbreviate;
-use crate::braille::{Lacking, Translator, wrap};
+use super::placed::Unplaced;
+use crate::braille::{Braille, Divide, Lacking, Translator, in_two};
 
 /// One form of a label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Form {
     pub(super) lines: Vec<Vec<u8>>,
-    pub(super) lacking: Vec<Lacking>,
     /// What is written in place of the text.
     pub(super) abbreviation: Option<String>,
     /// What this form costs beside one in a single line: the millimetres that a label may lie further away for it.
     pub(super) cost: f32,
 }
 
+/// What a label can be written as.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Forms {
+    pub(super) forms: Vec<Form>,
+    /// What its code has no cells for.
+    pub(super) lacking: Vec<Lacking>,
+}
+
 /// Labels longer than this are tried in two lines, cells.
 const LONG: usize = 6;
 /// What a second line costs.
 const SECOND_LINE: f32 = 3.0;
+/// What two lines cost that divide a word.
+const DIVIDED: f32 = 15.0;
 /// What an abbreviation costs: more than any place within reach.
 const ABBREVIATED: f32 = 1000.0;
 
-/// The forms of each text; none of a text that cannot be written at all.
-pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Vec<Form>> {
-    let short = abbreviate::all(texts);
-    let of_text = |(text, short): (&&str, Option<String>)| {
-        let braille = translator.translate(text).unwrap_or_default();
+/// The forms of each text, or why it has none. A text in several labels is translated once.
+pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Forms, Unplaced>> {
+    let mut known: BTreeMap<&str, Result<Braille, String>> = BTreeMap::new();
+    for &text in texts {
+        known.entry(text).or_insert_with(|| translator.translate(text));
+    }
+    let short = abbreviate::all(texts, &known, translator);
+    let of_text = |(&text, short): (&&str, Option<abbreviate::Short>)| {
+        let braille = match &known[text] {
+            Err(why) => return Err(Unplaced::NotTranslated(why.clone())),
+            Ok(braille) if braille.cells.is_empty() => return Err(Unplaced::NoCells(braille.lacking.clone())),
+            Ok(braille) => braille,
+        };
         let length = braille.cells.len();
-        let form = |lines, abbreviation, cost| Form { lines, lacking: braille.lacking.clone(), abbreviation, cost };
-        let mut forms = Vec::new();
-        if length > 0 {
-            forms.push(form(vec![braille.cells.clone()], None, 0.0));
-        }
+        let form = |lines, abbreviation, cost| Form { lines, abbreviation, cost };
+        let mut forms = vec![form(vec![braille.cells.clone()], None, 0.0)];
         if length > LONG {
-            // as narrow as two lines can be
-            let narrow = (1..length).map(|width| wrap(&braille, width)).find(|two| two.lines.len() == 2 && !two.cut);
-            forms.extend(narrow.map(|two| form(two.lines, None, SECOND_LINE)));
+            let whole = in_two(braille, Divide::Never);
+            let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
+            forms.extend(whole.map(|lines| form(lines.into(), None, SECOND_LINE)));
+            forms.extend(divided.map(|lines| form(lines.into(), None, DIVIDED)));
         }
-        forms.extend(short.and_then(|short| {
-            let cells = translator.translate(&short).unwrap_or_default().cells;
-            (!cells.is_empty() && cells.len() < length).then(|| form(vec![cells], Some(short), ABBREVIATED))
-        }));
-        forms
+        forms.extend(
+            short
+                .filter(|short| short.cells.len() < length)
+                .map(|short| form(vec![short.cells], Some(short.letters), ABBREVIATED)),
+        );
+        Ok(Forms { forms, lacking: braille.lacking.clone() })
     };
     texts.iter().zip(short).map(of_text).collect()
 }

@@ -16,51 +16,49 @@ mod room;
 
 pub use candidates::Params;
 pub use choose::{Choice, choose};
-pub use placed::{Placed, Wanted};
+pub use placed::{Placed, Unplaced, Wanted};
 
 use crate::braille::Translator;
 use crate::page::Figure;
 use crate::page::cells::CellGrid;
 use candidates::Candidate;
+use forms::{Form, Forms};
 use room::Room;
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
 
-/// Labels that have a place, in the order in which they were wanted. Those that are missing have no room.
+/// The labels in the order in which they were wanted, each with its place or the reason why it has none.
 pub fn place(
     wanted: &[Wanted],
     translator: &Translator<'_>,
     figure: &Figure,
     cells: &CellGrid<'_>,
     params: &Params,
-) -> Vec<Placed> {
-    let wanted = &wanted[..wanted.len().min(MOST)];
+) -> Vec<Result<Placed, Unplaced>> {
+    let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let forms = forms::of(&texts, translator);
-    let candidates: Vec<Vec<Candidate>> =
-        wanted.iter().zip(&forms).map(|(label, forms)| candidates::of(label, forms, &room, cells, params)).collect();
+    let candidates_of = |(label, forms): (&Wanted, &Result<Forms, Unplaced>)| match forms {
+        Ok(forms) => candidates::of(label, &forms.forms, &room, cells, params),
+        Err(_) => Vec::new(),
+    };
+    let candidates: Vec<Vec<Candidate>> = wanted.iter().zip(&forms).map(candidates_of).collect();
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
     let chosen = choose(&costs, &|a, b| candidates[a.label][a.candidate].conflicts(&candidates[b.label][b.candidate]));
-    let placed = chosen.into_iter().enumerate().filter_map(|(of, chosen)| {
-        let candidate = &candidates[of][chosen?];
-        let form = &forms[of][candidate.form];
-        Some(Placed {
-            of,
-            place: candidate.place,
-            lines: form.lines.clone(),
-            lacking: form.lacking.clone(),
-            abbreviation: form.abbreviation.clone(),
-            leader: candidate.leader,
-        })
+    let placed = forms.into_iter().zip(chosen).zip(&candidates).map(|((forms, chosen), candidates)| {
+        let Forms { mut forms, lacking } = forms?;
+        let candidate = &candidates[chosen.ok_or(Unplaced::NoRoom)?];
+        let Form { lines, abbreviation, .. } = forms.swap_remove(candidate.form);
+        Ok(Placed { place: candidate.place, lines, lacking, abbreviation, leader: candidate.leader })
     });
-    placed.collect()
+    placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
 }
 
 /// Takes the glyphs out of a figure that labels and their leader lines need blank.
-pub fn make_room(figure: &mut Figure, placed: &[Placed], params: &Params) {
+pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) {
     for texture in &mut figure.textures {
         texture
             .glyphs

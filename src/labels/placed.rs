@@ -16,8 +16,6 @@ pub struct Wanted {
 /// A label that has a place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
-    /// Which of the wanted ones it is, from 0.
-    pub of: usize,
     /// The box around its dots.
     pub place: MmRect,
     /// Its cells.
@@ -28,6 +26,19 @@ pub struct Placed {
     pub abbreviation: Option<String>,
     /// The line that leads from it to its anchor, if it lies far away.
     pub leader: Option<[MmPoint; 2]>,
+}
+
+/// Why a label has no place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Unplaced {
+    /// There is no room for it.
+    NoRoom,
+    /// There are more labels than a page takes.
+    TooMany,
+    /// Its code has no cells for any of its characters.
+    NoCells(Vec<Lacking>),
+    /// The translator could not write it; what it says.
+    NotTranslated(String),
 }
 
 impl Placed {

@@ -178,6 +178,7 @@ impl Part {
 fn name_of(text: &BrailleText) -> String {
     match text.role {
         TextRole::Title => "the title".into(),
+        TextRole::Number => "the page number".into(),
         TextRole::Label | TextRole::Key => format!("\"{}\"", text.text),
     }
 }

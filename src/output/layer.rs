@@ -55,6 +55,7 @@ impl Layer {
             Self::Braille(TextRole::Title) => "Braille title".into(),
             Self::Braille(TextRole::Label) => "Braille labels".into(),
             Self::Braille(TextRole::Key) => "Braille key".into(),
+            Self::Braille(TextRole::Number) => "Braille page number".into(),
         }
     }
 }

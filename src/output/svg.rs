@@ -15,6 +15,7 @@
 //!   g#labels (one path a size of dots)
 //!   g#braille-title > g  id="braille-title-1"  aria-label (the text)  data-braille (its lines in Unicode braille)
 //!                        data-abbreviation (what stands for the text, if anything does) > path
+//!   g#braille-page-number > the same
 //!   g#braille-key > the same, on the sheets of a key
 //!   g#braille-labels > the same; a label that leads to what it names has > g > path (stroke-width in mm)
 //! ```

@@ -1,8 +1,8 @@
-//! The title in braille: how much room it takes at the top of a sheet, and its dots there.
+//! The title and the page number in braille: how much room they take at the top of a sheet, and their dots there.
 //!
 //! ```text
 //!  margin
-//!   |  first line, centred          \   the mark has its corner to itself
+//!   |  first line, centred   12     \   the mark has its corner to itself
 //!   |      second line               \
 //!   |  gap
 //!   |  ::::: frame :::::
@@ -10,7 +10,7 @@
 
 use super::cells::CellGrid;
 use super::medium::Medium;
-use crate::braille::{Braille, CellSize, wrap};
+use crate::braille::{Braille, CellSize, Divide, wrap};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Most lines of a title.
@@ -50,47 +50,65 @@ impl Align {
 /// What the layout needs to know of a title.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeadingParams {
-    /// In how many cells the title takes one line, two and three.
-    pub widths: [usize; MOST_LINES],
+    /// In how many cells the title takes one line, two and three: with whole words, and with divided ones.
+    widths: [[usize; MOST_LINES]; 2],
+    /// How many cells the title has; 0 without one.
+    title: usize,
+    /// How many cells the page number has; 0 without one.
+    number: usize,
     /// Measures of the cells.
     pub cell: CellSize,
     /// Where its lines begin.
     pub align: Align,
 }
 
-/// Room for a title on a sheet.
+/// Blank cells between a title and the page number: as transcribers leave between a running head and the number.
+const BEFORE_NUMBER: usize = 3;
+
+/// Room for a title and a page number on a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Heading {
     /// Where its lines are.
     pub place: MmRect,
     /// How many cells a line holds.
     pub cells: usize,
-    /// How many lines there are.
+    /// How many lines the title has; 0 without one, or if it has no room.
     pub lines: usize,
+    /// Where the page number begins.
+    number: MmPoint,
+    divide: Divide,
     params: HeadingParams,
 }
 
 impl HeadingParams {
-    /// For this title; none for one without cells.
-    pub fn of(title: &Braille, cell: CellSize, align: Align) -> Option<Self> {
+    /// For this title, with a page number of so many cells; none for neither.
+    pub fn of(title: &Braille, number: usize, cell: CellSize, align: Align) -> Option<Self> {
         // a longer one fits on no sheet, and looking for its widths would take long
         let length = title.cells.len().min(MOST_CELLS);
-        let lines = |width: usize| wrap(title, width).lines.len();
-        let least = |most: usize| (1..=length).find(|&width| lines(width) <= most).unwrap_or(length);
-        // a width that cuts no word, where there is one
-        let whole = (1..=length).find(|&width| !wrap(title, width).cut).unwrap_or(length);
-        let widths = match title.cells.len() {
-            0 => return None,
-            1..=MOST_CELLS => [1, 2, 3].map(|most| least(most).max(whole)),
-            _ => [usize::MAX; MOST_LINES],
-        };
-        Some(Self { widths, cell, align })
+        if length == 0 && number == 0 {
+            return None;
+        }
+        let widths = [Divide::Never, Divide::Words].map(|divide| {
+            let lines = |width: usize| wrap(title, width, divide).lines.len();
+            let least = |most: usize| (1..=length).find(|&width| lines(width) <= most).unwrap_or(length);
+            // a width that cuts no word, where there is one
+            let whole = (1..=length).find(|&width| !wrap(title, width, divide).cut).unwrap_or(length);
+            match title.cells.len() {
+                ..=MOST_CELLS => [1, 2, 3].map(|most| least(most).max(whole)),
+                _ => [usize::MAX; MOST_LINES],
+            }
+        });
+        Some(Self { widths, title: title.cells.len(), number, cell, align })
+    }
+
+    fn with(&self, divide: Divide) -> [usize; MOST_LINES] {
+        self.widths[usize::from(divide == Divide::Words)]
     }
 }
 
 impl Heading {
     /// Room below the top margin of a sheet of this size, `beside` mm from its corners for the mark; none if there is
-    /// too little, or the title is too long for three lines.
+    /// too little, or the title is too long for three lines and there is no number.
     pub(super) fn on(
         params: &HeadingParams,
         cells: &CellGrid<'_>,
@@ -99,18 +117,46 @@ impl Heading {
         beside: f32,
     ) -> Option<Self> {
         let inner = width - 2.0 * margin;
-        let (left, free) = match params.align {
-            Align::Centre => (margin + beside, inner - 2.0 * beside),
-            Align::Left => (margin, inner - beside),
+        let of_number = cells.extent(params.number, 1).x;
+        // on either side, so that a title in the middle stays there
+        let taken = match params.number {
+            0 => beside,
+            _ => beside + of_number + BEFORE_NUMBER as f32 * cells.size().cell,
         };
+        let (left, free) = match params.align {
+            Align::Centre => (margin + taken, inner - 2.0 * taken),
+            Align::Left => (margin, inner - taken),
+        };
+        let number_at = MmPoint::new(width - margin - beside - of_number, margin);
+        if number_at.x < margin {
+            return None;
+        }
         let most = cells.cells_in(free);
-        let number = params.widths.iter().position(|&width| width <= most)?;
-        let lines = number + 1;
-        let extent = cells.extent(most, lines);
-        let place = MmRect::new(MmPoint::new(left, margin), MmPoint::new(left + free, margin + extent.y));
-        let is_low = extent.y + GAP <= MOST_SHARE * height;
+        // whole words, if three lines are enough for them
+        let fits = |divide: Divide| Some((divide, params.with(divide).iter().position(|&width| width <= most)?));
+        let fitting = (params.title > 0).then(|| fits(Divide::Never).or_else(|| fits(Divide::Words))).flatten();
+        let of_lines = |lines: usize| {
+            let extent = cells.extent(most, lines.max(1));
+            let place = MmRect::new(MmPoint::new(left, margin), MmPoint::new(left + free.max(0.0), margin + extent.y));
+            (extent.y + GAP <= MOST_SHARE * height).then_some(place)
+        };
         // lines of about one length rather than full ones and a short one
-        is_low.then_some(Self { place, cells: params.widths[number], lines, params: *params })
+        let with_title = fitting.and_then(|(divide, number)| {
+            let cells = params.with(divide)[number];
+            Some(Self {
+                place: of_lines(number + 1)?,
+                cells,
+                lines: number + 1,
+                number: number_at,
+                divide,
+                params: *params,
+            })
+        });
+        let number_alone = || {
+            let place = of_lines(0).filter(|_| params.number > 0)?;
+            Some(Self { place, cells: 0, lines: 0, number: number_at, divide: Divide::Never, params: *params })
+        };
+        with_title.or_else(number_alone)
     }
 
     /// How far below the margin the rest of the page begins, mm.
@@ -120,12 +166,20 @@ impl Heading {
 
     /// The same on a sheet whose corner lies elsewhere.
     pub(super) fn translated(self, by: MmVector) -> Self {
-        Self { place: self.place.translate(by), ..self }
+        Self { place: self.place.translate(by), number: self.number + by, ..self }
     }
 
     /// The lines of the title as they stand on the sheet.
     pub fn lines(&self, title: &Braille) -> Vec<Vec<u8>> {
-        wrap(title, self.cells).lines
+        if self.lines == 0 { Vec::new() } else { wrap(title, self.cells, self.divide).lines }
+    }
+
+    /// The dots of the page number, which has these cells.
+    pub fn dots_of_number(&self, number: &[u8], medium: &Medium) -> Vec<MmPoint> {
+        // one that has a digit less ends where the others end
+        let cells = CellGrid::of(medium, self.params.cell);
+        let shorter = cells.extent(self.params.number, 1).x - cells.extent(number.len(), 1).x;
+        cells.dots(&[number.to_vec()], self.number + MmVector::new(shorter.max(0.0), 0.0))
     }
 
     /// The dots of the title.

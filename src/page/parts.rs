@@ -3,6 +3,7 @@
 use std::f32::consts::FRAC_PI_4;
 
 use super::medium::{Medium, Print};
+use crate::braille::unicode;
 use crate::units::{MmPoint, MmRect, Size};
 
 pub use crate::classes::Class;
@@ -110,6 +111,8 @@ pub enum TextRole {
     Label,
     /// A part of the key.
     Key,
+    /// The number of the page.
+    Number,
 }
 
 /// The main picture.
@@ -137,6 +140,19 @@ pub struct Overview {
 }
 
 impl BrailleText {
+    /// A page number.
+    pub(crate) fn page_number(number: u32, cells: &[u8], dots: Dots, language: &str) -> Self {
+        Self {
+            role: TextRole::Number,
+            text: number.to_string(),
+            language: language.to_owned(),
+            abbreviation: None,
+            lines: vec![unicode(cells)],
+            dots,
+            leader: None,
+        }
+    }
+
     /// What it says, for those who listen: of an abbreviation, what it stands for as well.
     pub fn spoken(&self) -> String {
         match &self.abbreviation {
@@ -148,7 +164,7 @@ impl BrailleText {
 
 impl TextRole {
     /// All of them, in the order of a page's layers.
-    pub const ALL: [Self; 3] = [Self::Title, Self::Label, Self::Key];
+    pub const ALL: [Self; 4] = [Self::Title, Self::Number, Self::Label, Self::Key];
 
     /// Its name, such as "braille title".
     pub fn name(self) -> &'static str {
@@ -156,6 +172,7 @@ impl TextRole {
             Self::Title => "braille title",
             Self::Label => "braille label",
             Self::Key => "braille key",
+            Self::Number => "braille page number",
         }
     }
 }

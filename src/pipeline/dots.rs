@@ -7,7 +7,7 @@ use crate::classes::Classes;
 use crate::dots;
 use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
-use crate::page::{self, BrailleText, DotMedium, Dots, Figure, LeftOut, Medium, Page, Parts, TextRole, Texture, frame};
+use crate::page::{self, BrailleText, DotMedium, Dots, Figure, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
 use crate::units::MmRect;
 
@@ -47,7 +47,7 @@ pub(super) fn assemble(
     figure: Figure,
     overview: Option<(MmRect, Vec<Line>)>,
     (shares, left_out): (Option<[f32; 5]>, LeftOut),
-    braille: Vec<BrailleText>,
+    [braille, above_overview]: [Vec<BrailleText>; 2],
     (layout, medium): (&Layout, &DotMedium),
     request: &Request<'_>,
 ) -> Result<(Page, Option<Page>), Error> {
@@ -57,8 +57,7 @@ pub(super) fn assemble(
             let own = Figure { place, source, textures: Vec::new(), lines };
             let description = format!("Overview, lines only. {}", page::describe(&own, None, None));
             let title = title_of_overview(request.title);
-            let title_only = braille.iter().filter(|text| text.role == TextRole::Title).cloned().collect();
-            finished(parts((title, description), own, title_only, (layout, medium), request), request)
+            finished(parts((title, description), own, above_overview, (layout, medium), request), request)
         })
         .transpose()?;
     let mut description = page::describe(&figure, None, shares) + &page::describe_labels(&braille);

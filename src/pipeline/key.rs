@@ -10,8 +10,8 @@
 
 use super::finish::{finished, origin, title_of_key};
 use super::request::Request;
-use crate::Error;
-use crate::braille::{Braille, Translator, wrap};
+use super::unwritten::Refused;
+use crate::braille::{Braille, Divide, Translator, unicode, wrap};
 use crate::classes::{Class, Classes, Region};
 use crate::dots;
 use crate::lines::{Line, Run};
@@ -22,6 +22,7 @@ use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::textures;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
+use crate::{Error, Note};
 
 /// When there is a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -57,6 +58,8 @@ pub(super) struct Entries<'a> {
     pub(super) classes: Vec<Class>,
     /// Abbreviations and what they stand for.
     pub(super) abbreviations: Vec<(String, String)>,
+    /// The page number of its first sheet.
+    pub(super) number: Option<u32>,
 }
 
 /// One thing on a sheet of the key.
@@ -81,41 +84,92 @@ impl Item {
     }
 }
 
-/// The sheets of a key; none where there is nothing to tell.
+/// The sheets of a key, none where there is nothing to tell, and what could not be written on them.
 pub(super) fn sheets(
     entries: &Entries<'_>,
     layout: &Layout,
     source: Size,
     request: &Request<'_>,
-) -> Result<Vec<Page>, Error> {
+) -> Result<(Vec<Page>, Vec<Note>), Error> {
     if entries.classes.is_empty() && entries.abbreviations.is_empty() {
-        return Ok(Vec::new());
+        return Ok((Vec::new(), Vec::new()));
     }
     let plan = request.plan;
     let cells = CellGrid::of(&layout.medium, plan.profile().braille.cell);
     let area = area(layout, plan);
     let width = cells.cells_in(area.width());
-    let most = (1..).take_while(|&lines| cells.extent(1, lines).y <= area.height()).count().max(1);
-    let items = items(entries, width, cells.cells_in(area.width() - PATCH[0] - BESIDE));
+    // below a page number
+    let room = area.height() - cells.size().line;
+    let most = (1..).take_while(|&lines| cells.extent(1, lines).y <= room).count().max(1);
+    let (items, notes) = items(entries, width, cells.cells_in(area.width() - PATCH[0] - BESIDE));
     let items: Vec<Item> = items.into_iter().flat_map(|item| item.over_sheets(most)).collect();
+    let number = Number { first: entries.number, entries, cells: &cells, area };
+    let mut sheets = over_sheets(&items, &number);
+    // several sheets are numbered in any case
+    let number = Number { first: number.first.or((sheets.len() > 1).then_some(1)), ..number };
+    if number.first != entries.number {
+        sheets = over_sheets(&items, &number);
+    }
+    let pages = (0..).zip(&sheets).map(|(at, sheet)| page(sheet, &number, at, layout, source, request));
+    Ok((pages.collect::<Result<_, _>>()?, notes))
+}
+
+/// Page numbers of a key, at the top on the right of its sheets.
+#[derive(Clone, Copy)]
+struct Number<'a> {
+    /// That of the first sheet; without it there are none.
+    first: Option<u32>,
+    entries: &'a Entries<'a>,
+    cells: &'a CellGrid<'a>,
+    area: MmRect,
+}
+
+impl Number<'_> {
+    /// On a sheet, counted from the first.
+    fn text(&self, sheet: u32) -> Option<BrailleText> {
+        let number = self.first?.saturating_add(sheet);
+        let of_number = self.entries.translator.spell(&number.to_string()).ok()?.cells;
+        let corner = MmPoint::new(self.area.max.x - self.cells.extent(of_number.len(), 1).x, self.area.min.y);
+        let dots =
+            Dots { diameter: self.cells.diameter, at: self.cells.dots(std::slice::from_ref(&of_number), corner) };
+        Some(BrailleText::page_number(number, &of_number, dots, self.entries.language))
+    }
+
+    /// Where a sheet begins below its number, whose line a short first line shares.
+    fn top(&self, first: Option<&Item>) -> f32 {
+        let longest = first.filter(|item| item.patch.is_none()).map_or(usize::MAX, |item| {
+            item.lines.iter().map(Vec::len).max().unwrap_or(0).saturating_add(BEFORE_NUMBER + MOST_DIGITS)
+        });
+        let is_shared = self.first.is_none() || longest <= self.cells.cells_in(self.area.width());
+        self.area.min.y + if is_shared { 0.0 } else { self.cells.size().line }
+    }
+}
+
+/// Blank cells before a page number, and the cells that it may have.
+const BEFORE_NUMBER: usize = 3;
+const MOST_DIGITS: usize = 6;
+
+/// What stands on each sheet, and where.
+fn over_sheets<'i>(items: &'i [Item], number: &Number<'_>) -> Vec<Vec<(MmPoint, &'i Item)>> {
+    let (area, cells) = (number.area, number.cells);
     let mut sheets: Vec<Vec<(MmPoint, &Item)>> = vec![Vec::new()];
-    let mut top = area.min.y;
-    for (number, item) in items.iter().enumerate() {
+    let mut top = number.top(items.first());
+    for (at, item) in items.iter().enumerate() {
         let of_text = cells.extent(1, item.lines.len()).y;
         let height = item.patch.map_or(of_text, |_| of_text.max(PATCH[1]));
         if top + height > area.max.y && sheets.last().is_some_and(|sheet| !sheet.is_empty()) {
             sheets.push(Vec::new());
-            top = area.min.y;
+            top = number.top(Some(item));
         }
         if let Some(sheet) = sheets.last_mut() {
             sheet.push((MmPoint::new(area.min.x, top), item));
         }
         // lines of one list stand as lines of braille do; everything else is set apart
-        let is_list = number > 0 && item.patch.is_none();
+        let is_list = at > 0 && item.patch.is_none();
         let blank = if is_list { cells.size().line - cells.extent(1, 1).y } else { BESIDE };
         top += height + blank;
     }
-    sheets.iter().map(|sheet| page(sheet, entries, (area, &cells), layout, source, request)).collect()
+    sheets
 }
 
 /// Where marks can be.
@@ -131,44 +185,56 @@ fn area(layout: &Layout, plan: &Plan) -> MmRect {
     reach.inflate(-margin, -margin)
 }
 
-fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> Vec<Item> {
+/// What stands on the sheets, and what could not be written: a patch stands there without its name.
+fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> (Vec<Item>, Vec<Note>) {
     let translator = entries.translator;
-    let translated = |text: &str| translator.translate(text).unwrap_or_default();
+    let mut refused = Refused::default();
+    let mut or_told = |text: &str, braille: Result<Braille, String>| {
+        braille.unwrap_or_else(|why| {
+            refused.add(text, why);
+            Braille::default()
+        })
+    };
     let word = |name: &str| translator.word(name).to_owned();
     let heading = match entries.title {
         Some(title) => format!("{}: {title}", word("key")),
         None => word("key"),
     };
-    let lines = |text: &str, width: usize| wrap(&translated(text), width).lines;
+    let mut lines =
+        |text: &str, width: usize| wrap(&or_told(text, translator.translate(text)), width, Divide::Words).lines;
     let mut items = vec![Item { patch: None, lines: lines(&heading, width), text: heading }];
     items.extend(entries.classes.iter().map(|&class| {
         let text = word(class.name());
         Item { patch: Some(class), lines: lines(&text, beside_patch), text }
     }));
     items.extend(entries.abbreviations.iter().map(|(short, text)| {
-        let mut first = translated(short).cells;
+        // letter by letter, as on the page
+        let mut first = or_told(short, translator.spell(short)).cells;
         first.resize(first.len() + BETWEEN, 0);
         // what does not fit into the first line goes on below its text
         let indent = first.len();
-        let rest = lines(text, width.saturating_sub(indent).max(1));
+        let text_of = or_told(text, translator.translate(text));
+        let rest = wrap(&text_of, width.saturating_sub(indent).max(1), Divide::Words).lines;
         let lines = rest.into_iter().enumerate().map(|(i, line)| {
             let before = if i == 0 { first.clone() } else { vec![0; indent] };
             [before, line].concat()
         });
         Item { patch: None, lines: lines.collect(), text: format!("{short}: {text}") }
     }));
-    items
+    items.retain(|item| item.patch.is_some() || !item.lines.is_empty());
+    (items, refused.notes().collect())
 }
 
 fn page(
     items: &[(MmPoint, &Item)],
-    entries: &Entries<'_>,
-    (area, cells): (MmRect, &CellGrid<'_>),
+    number: &Number<'_>,
+    sheet: u32,
     layout: &Layout,
     source: Size,
     request: &Request<'_>,
 ) -> Result<Page, Error> {
-    let (mut textures, mut braille) = (Vec::new(), Vec::new());
+    let Number { entries, cells, area, .. } = *number;
+    let (mut textures, mut braille) = (Vec::new(), Vec::from_iter(number.text(sheet)));
     for &(corner, item) in items {
         let place = item.patch.map(|_| MmRect::new(corner, corner + MmVector::from(PATCH)));
         if let (Some(class), Some(place)) = (item.patch, place) {
@@ -178,16 +244,15 @@ fn page(
             let down = 0.5 * (place.height() - cells.extent(1, item.lines.len()).y);
             MmVector::new(place.width() + BESIDE, down.max(0.0))
         });
+        if item.lines.is_empty() {
+            continue; // a name that could not be written, which was told
+        }
         braille.push(BrailleText {
             role: TextRole::Key,
             text: item.text.clone(),
             language: entries.language.to_owned(),
             abbreviation: None,
-            lines: item
-                .lines
-                .iter()
-                .map(|line| Braille { cells: line.clone(), ..Braille::default() }.unicode())
-                .collect(),
+            lines: item.lines.iter().map(|line| unicode(line)).collect(),
             dots: Dots { diameter: cells.diameter, at: cells.dots(&item.lines, corner + beside) },
             leader: None,
         });

@@ -156,6 +156,7 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
         title: title.map(|text| text.text.as_str()),
         language: Some(page.language.as_str()),
         labels,
+        number: page.braille.iter().find(|text| text.role == TextRole::Number).and_then(|text| text.text.parse().ok()),
         ..Words::default()
     }
 }

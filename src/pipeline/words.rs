@@ -4,9 +4,10 @@ use super::key::{Entries, Key};
 use super::label::Label;
 use super::request::Request;
 use super::texts::Text;
-use crate::braille::{Braille, CellSize, Code, Lacking, Translate, Translator};
+use super::unwritten::{self, Refused};
+use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
 use crate::dots;
-use crate::labels::{self, Params, Placed, Wanted};
+use crate::labels::{self, Params, Placed, Unplaced, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
@@ -28,6 +29,8 @@ pub struct Words<'a> {
     pub own_texts: bool,
     /// When there is a key.
     pub key: Key,
+    /// The page number of the first sheet.
+    pub number: Option<u32>,
     /// What writes the words, if not the table of their code.
     pub translate: Option<&'a Translate>,
 }
@@ -35,7 +38,11 @@ pub struct Words<'a> {
 impl Words<'_> {
     /// Whether anything is to be written.
     pub fn are_any(&self) -> bool {
-        self.title.is_some() || !self.labels.is_empty() || self.own_texts || self.key == Key::Always
+        self.title.is_some()
+            || !self.labels.is_empty()
+            || self.own_texts
+            || self.key == Key::Always
+            || self.number.is_some()
     }
 }
 
@@ -48,6 +55,9 @@ const STEP: f32 = 1.0;
 #[derive(Debug, Default)]
 pub(super) struct Written<'a> {
     title: Option<Title>,
+    heading: Option<HeadingParams>,
+    /// The page number of the first sheet.
+    number: Option<u32>,
     language: String,
     translator: Option<Translator<'a>>,
     /// What could not be written.
@@ -58,8 +68,10 @@ pub(super) struct Written<'a> {
 struct Title {
     text: String,
     braille: Braille,
-    params: HeadingParams,
 }
+
+/// Most sheets after the first: room for the digits of their numbers is kept.
+const MOST_SHEETS: u32 = 50;
 
 impl<'a> Written<'a> {
     /// The words in the code that the profile names, or that of their language.
@@ -75,15 +87,28 @@ impl<'a> Written<'a> {
             written.notes.push(Note::NoBrailleCode(language.to_owned()));
             return written;
         };
+        if settings.grade == Grade::Two && words.translate.is_none() {
+            written.notes.push(Note::NotContracted);
+        }
         if let Some(text) = words.title {
             let braille = translator.translate(text).unwrap_or_else(|why| {
-                written.notes.push(Note::NotTranslated { text: text.to_owned(), why });
+                written.notes.push(Note::NotTranslated { texts: vec![text.to_owned()], why });
                 Braille::default()
             });
-            written.notes.extend(not_written(text, &braille.lacking));
-            let title = |params| Title { text: text.to_owned(), braille: braille.clone(), params };
-            written.title = HeadingParams::of(&braille, settings.cell, settings.align).map(title);
+            written.notes.extend(unwritten::lacking(text, &braille.lacking));
+            written.title = (!braille.cells.is_empty()).then(|| Title { text: text.to_owned(), braille });
         }
+        let none = Braille::default();
+        let title = written.title.as_ref().map_or(&none, |title| &title.braille);
+        let mut of_number = 0;
+        if let Some(number) = words.number {
+            let longest = number.saturating_add(MOST_SHEETS).to_string();
+            match translator.spell(&longest) {
+                Ok(braille) => (written.number, of_number) = (Some(number), braille.cells.len()),
+                Err(why) => written.notes.push(Note::NotTranslated { texts: vec![longest], why }),
+            }
+        }
+        written.heading = HeadingParams::of(title, of_number, settings.cell, settings.align);
         written.translator = Some(translator);
         written
     }
@@ -93,7 +118,7 @@ impl<'a> Written<'a> {
     pub(super) fn layout(&self, size: Size, request: &Request<'_>) -> Result<Layout, Error> {
         let (fit, plan) = (&request.fit, request.plan);
         let least = plan.profile().figure.min_side;
-        let below = self.title.as_ref().and_then(|title| fit.layout_below(size, plan, Some(title.params)).ok());
+        let below = self.heading.and_then(|heading| fit.layout_below(size, plan, Some(heading)).ok());
         match below.filter(|layout| layout.figure.width().min(layout.figure.height()) >= least) {
             Some(layout) => Ok(layout),
             None => fit.layout(size, plan),
@@ -116,43 +141,52 @@ impl<'a> Written<'a> {
         if let (Some(title), None) = (&self.title, &title) {
             notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
         }
+        let number = self.number_of(0, layout, cell);
+        notes.extend((self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber));
+        let beside: Vec<BrailleText> = title.into_iter().chain(number).collect();
         let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
         notes.extend(no_texts.then_some(Note::NoTexts));
-        let (wanted, mut left_out) = wanted(texts, words, figure);
+        let (wanted, outside) = wanted(texts, words, figure);
+        notes.extend(left_out(outside, OUTSIDE));
         let Some(translator) = &self.translator else {
-            left_out.extend(wanted.into_iter().map(|label| label.text));
-            notes.extend((!left_out.is_empty()).then_some(Note::LabelsLeftOut(left_out)));
-            return (title.into_iter().collect(), notes);
+            let why = if plan.profile().braille.on { NO_CODE } else { OFF };
+            notes.extend(left_out(wanted.into_iter().map(|label| label.text).collect(), why));
+            return (beside, notes);
         };
         let cells = CellGrid::of(&layout.medium, cell);
         let params = params(layout, plan);
-        let placed = labels::place(&wanted, translator, figure, &cells, &params);
+        let results = labels::place(&wanted, translator, figure, &cells, &params);
+        let placed: Vec<&Placed> = results.iter().flatten().collect();
         labels::make_room(figure, &placed, &params);
-        let missing = |&of: &usize| placed.iter().all(|label| label.of != of);
-        left_out.extend((0..wanted.len()).filter(missing).map(|of| wanted[of].text.clone()));
-        let mut abbreviated = Vec::new();
-        for label in &placed {
-            let text = &wanted[label.of].text;
-            match &label.abbreviation {
-                None => notes.extend(not_written(text, &label.lacking)),
-                Some(short) if !abbreviated.iter().any(|(known, _)| known == short) => {
-                    abbreviated.push((short.clone(), text.clone()));
-                }
-                Some(_) => {}
-            }
-        }
-        notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
-        notes.extend((!left_out.is_empty()).then_some(Note::LabelsLeftOut(left_out)));
-        let labels = placed.iter().map(|label| self.label(label, &wanted[label.of].text, &cells, layout, plan));
-        (title.into_iter().chain(labels).collect(), notes)
+        notes.extend(told(&wanted, &results));
+        let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
+            result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
+        });
+        (beside.into_iter().chain(labels).collect(), notes)
     }
 
-    /// What the key of a page says that has these words; none where there is no key.
+    /// What stands above the overview where that has a sheet of its own: the same title, and its own number.
+    pub(super) fn above_overview(&self, layout: &Layout, plan: &Plan) -> Vec<BrailleText> {
+        let cell = plan.profile().braille.cell;
+        self.title(layout, cell).into_iter().chain(self.number_of(1, layout, cell)).collect()
+    }
+
+    /// The page number of a sheet, counted from the first.
+    fn number_of(&self, sheet: u32, layout: &Layout, cell: CellSize) -> Option<BrailleText> {
+        let (number, heading) = (self.number?.saturating_add(sheet), layout.heading?);
+        let cells = self.translator.as_ref()?.spell(&number.to_string()).ok()?.cells;
+        let diameter = CellGrid::of(&layout.medium, cell).diameter;
+        let at = heading.dots_of_number(&cells, &layout.medium);
+        Some(BrailleText::page_number(number, &cells, Dots { diameter, at }, &self.language))
+    }
+
+    /// What the key of a page says that has these words, after so many sheets; none where there is no key.
     pub(super) fn key<'e>(
         &'e self,
         words: &Words<'_>,
         braille: &[BrailleText],
         figure: &Figure,
+        sheets_before: u32,
     ) -> Option<Entries<'e>> {
         let mut abbreviations: Vec<(String, String)> = Vec::new();
         for text in braille {
@@ -171,18 +205,19 @@ impl<'a> Written<'a> {
         let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
         let classes = Class::ALL.into_iter().filter(occurs).collect();
         let title = self.title.as_ref().map(|title| title.text.as_str());
-        Some(Entries { translator, language: &self.language, title, classes, abbreviations })
+        let number = self.number.map(|number| number.saturating_add(sheets_before));
+        Some(Entries { translator, language: &self.language, title, classes, abbreviations, number })
     }
 
     fn title(&self, layout: &Layout, cell: CellSize) -> Option<BrailleText> {
-        let (title, heading) = self.title.as_ref().zip(layout.heading)?;
+        let (title, heading) = self.title.as_ref().zip(layout.heading.filter(|heading| heading.lines > 0))?;
         let diameter = CellGrid::of(&layout.medium, cell).diameter;
         Some(BrailleText {
             role: TextRole::Title,
             text: title.text.clone(),
             language: self.language.clone(),
             abbreviation: None,
-            lines: unicode(&heading.lines(&title.braille)),
+            lines: heading.lines(&title.braille).iter().map(|line| unicode(line)).collect(),
             dots: Dots { diameter, at: heading.dots(&title.braille, &layout.medium) },
             leader: None,
         })
@@ -194,7 +229,7 @@ impl<'a> Written<'a> {
             text: text.to_owned(),
             language: self.language.clone(),
             abbreviation: label.abbreviation.clone(),
-            lines: unicode(&label.lines),
+            lines: label.lines.iter().map(|line| unicode(line)).collect(),
             dots: Dots { diameter: cells.diameter, at: cells.dots(&label.lines, label.place.min) },
             leader: label.leader.map(|ends| leader(ends, layout, plan)),
         }
@@ -210,7 +245,9 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
             None => outside.push(label.text.clone()),
         }
     }
-    let own = texts.iter().filter(|text| words.own_texts && text.is_read());
+    // a drawing often has its title in it, which stands above it already
+    let is_title = |text: &Text| words.title.is_some_and(|title| title.trim() == text.string.trim());
+    let own = texts.iter().filter(|text| words.own_texts && text.is_read() && !is_title(text));
     wanted.extend(own.map(|text| Wanted { text: text.string.clone(), anchor: text.place }));
     (wanted, outside)
 }
@@ -238,12 +275,51 @@ fn leader(ends: [MmPoint; 2], layout: &Layout, plan: &Plan) -> Run {
     }
 }
 
-fn unicode(lines: &[Vec<u8>]) -> Vec<String> {
-    lines.iter().map(|line| Braille { cells: line.clone(), ..Braille::default() }.unicode()).collect()
+/// Why labels are left out.
+const OUTSIDE: &str = "they lie outside of the picture";
+const OFF: &str = "braille is off (braille=false)";
+const NO_CODE: &str = "there is no braille code for their language";
+const NO_ROOM: &str = "there is no room for them";
+const NO_CELLS: &str = "their code has no cells for them";
+const TOO_MANY: &str = "a page takes 300 labels at most";
+const _: () = assert!(labels::MOST == 300);
+
+fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
+    (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
 }
 
-/// What is told of characters that the code has no cells for.
-fn not_written(text: &str, lacking: &[Lacking]) -> Option<Note> {
-    let characters = lacking.iter().map(|lacking| (lacking.character, lacking.at)).collect();
-    (!lacking.is_empty()).then(|| Note::NotInBraille { text: text.to_owned(), lacking: characters })
+/// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
+fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
+    let mut notes: Vec<Note> = Vec::new();
+    let mut tell = |note: Option<Note>| {
+        if let Some(note) = note.filter(|note| !notes.contains(note)) {
+            notes.push(note);
+        }
+    };
+    let (mut abbreviated, mut refused) = (Vec::new(), Refused::default());
+    let (mut no_room, mut no_cells, mut too_many) = (Vec::new(), Vec::new(), Vec::new());
+    for (Wanted { text, .. }, result) in wanted.iter().zip(results) {
+        match result {
+            Ok(label) => {
+                tell(unwritten::lacking(text, &label.lacking));
+                if let Some(short) = &label.abbreviation
+                    && !abbreviated.iter().any(|(known, _)| known == short)
+                {
+                    abbreviated.push((short.clone(), text.clone()));
+                }
+            }
+            Err(Unplaced::NoRoom) => no_room.push(text.clone()),
+            Err(Unplaced::TooMany) => too_many.push(text.clone()),
+            Err(Unplaced::NoCells(lacking)) => {
+                tell(unwritten::lacking(text, lacking));
+                no_cells.push(text.clone());
+            }
+            Err(Unplaced::NotTranslated(why)) => refused.add(text, why.clone()),
+        }
+    }
+    notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
+    notes.extend(refused.notes());
+    let missing = [(no_cells, NO_CELLS), (no_room, NO_ROOM), (too_many, TOO_MANY)];
+    notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
+    notes
 }

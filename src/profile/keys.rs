@@ -4,7 +4,7 @@
 
 use super::fault::{Fault, has_decimal_comma, quoted_path};
 use super::kind::{NumberRange, Setting, Value};
-use crate::braille::{CellSize, Code};
+use crate::braille::{CellSize, Code, Grade};
 use crate::devices::Device;
 use crate::page::heading::Align;
 use crate::page::layout::Orientation;
@@ -396,6 +396,8 @@ table! {
         on: bool;
         /// The code; "auto" is that of the language of the words.
         code: Option<Code>;
+        /// 1 is uncontracted, 2 contracted, which needs an installed liblouis.
+        grade: Grade = 1.0 to 2.0;
         /// Measures of the cells; on a grid of dots cells come as near to them as they can.
         cell: CellSize;
         /// Where the lines of the title begin.

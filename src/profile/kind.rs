@@ -3,7 +3,7 @@
 use super::built_in;
 use super::fault::list;
 use super::nearest::nearest_value;
-use crate::braille::{CellSize, Code};
+use crate::braille::{CellSize, Code, Grade};
 use crate::devices::Device;
 use crate::page::heading::Align;
 use crate::page::layout::Orientation;
@@ -202,6 +202,27 @@ impl Setting for Option<Code> {
 
     fn suggestion(text: &str) -> Option<String> {
         nearest_value(text, std::iter::once(AUTO).chain(codes()))
+    }
+}
+
+/// The grade of braille: 1 or 2.
+impl Setting for Grade {
+    const BLANK: Self = Self::One;
+
+    fn range(_: Option<NumberRange>) -> String {
+        "1 or 2".to_owned()
+    }
+
+    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
+        // exactly: there is nothing between them
+        [Self::One, Self::Two].into_iter().find(|grade| *value == grade.write())
+    }
+
+    fn write(&self) -> Value {
+        Value::Number(match self {
+            Self::One => 1.0,
+            Self::Two => 2.0,
+        })
     }
 }
 

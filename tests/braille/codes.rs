@@ -5,7 +5,7 @@
 //! characters that liblouis's own table lacks are not among them. Recorded with `lou_translate --forward
 //! unicode.dis,TABLE`.
 
-use tactograph::internals::braille::{Code, wrap};
+use tactograph::internals::braille::{Code, Divide, in_two, wrap};
 
 /// The recorded phrases and liblouis's tables: en-ueb-g1, de-g0, fr-bfu-comp6, es-g1, Pl-Pl-g1, it-it-comp6, nl-NL-g0,
 /// pt-pt-g1, cs-g1, sv-g0.
@@ -68,6 +68,11 @@ fn what_a_table_lacks_is_told() {
         let told: Vec<_> = braille.lacking.iter().map(|lacking| (lacking.character, lacking.at)).collect();
         assert_eq!(told, [('\u{65e5}', 3), ('\u{1f600}', 6)], "{}", code.language);
         assert_eq!(braille.unicode(), "⠁⠃", "{}", code.language);
+        // no sign of a capital is left of one that is not written
+        let with = table.translate("a \u{416} B\u{416}\u{416} 5 \u{416}\u{416}C");
+        let without = table.translate("a B 5 C");
+        assert_eq!(with.unicode(), without.unicode(), "{}", code.language);
+        assert_eq!(with.lacking.len(), 5, "{}", code.language);
         // every printable character of ASCII is written or told
         for character in (0x21..0x7f).filter_map(char::from_u32) {
             let braille = table.translate(&format!("x{character}x"));
@@ -101,7 +106,7 @@ fn rules_of_the_codes() {
 fn lines_end_at_blanks_and_hyphens() {
     let table = Code::of_language("en").and_then(Code::table).expect("a table");
     let lines = |text: &str, width: usize| -> (Vec<String>, bool) {
-        let wrapped = wrap(&table.translate(text), width);
+        let wrapped = wrap(&table.translate(text), width, Divide::Never);
         let unicode = |line: &Vec<u8>| -> String {
             line.iter().map(|&cell| char::from_u32(0x2800 + u32::from(cell)).expect("a cell")).collect()
         };
@@ -114,4 +119,45 @@ fn lines_end_at_blanks_and_hyphens() {
     // a letter may have the cell of a hyphen inside
     assert_eq!(lines("m\u{101}m\u{101}", 3), (owned(&["⠍⠈⠤", "⠁⠍⠈", "⠤⠁"]), true));
     assert_eq!(lines("", 3), (Vec::new(), false));
+}
+
+/// A word is divided where its language allows it, with a hyphen that has room; a line that is nearly full ends with a
+/// whole word.
+#[test]
+fn words_are_divided_where_lines_would_be_short() {
+    let of = |language: &str| Code::of_language(language).and_then(Code::table).expect("a table");
+    let lines = |language: &str, text: &str, width: usize| -> Vec<String> {
+        let table = of(language);
+        let wrapped = wrap(&table.translate(text), width, Divide::Words);
+        assert!(!wrapped.cut && wrapped.lines.iter().all(|line| line.len() <= width), "{text}: {wrapped:?}");
+        wrapped.lines.iter().map(|line| tactograph::internals::braille::unicode(line)).collect()
+    };
+    let said = |language: &str, parts: &[&str]| -> Vec<String> {
+        parts.iter().map(|part| of(language).translate(part).unicode()).collect()
+    };
+    assert_eq!(lines("de", "die regenmengen", 10), said("de", &["die regen-", "mengen"]));
+    assert_eq!(lines("de", "die regenmengen", 9), said("de", &["die re-", "genmengen"]));
+    // three quarters full
+    assert_eq!(lines("de", "neun regenmengen", 6)[..2], said("de", &["neun", "regen-"]));
+    assert_eq!(lines("fr", "la température", 9), said("fr", &["la tempé-", "rature"]));
+    // a capital inside a word is no place, and an abbreviation stays whole
+    assert_eq!(lines("en", "the NATIONAL PARK", 12).len(), 3);
+    for &code in Code::all() {
+        let table = code.table().expect("a table");
+        let text = "Temperatura temperature \u{e9}l\u{e9}phant informationen";
+        let braille = table.translate(text);
+        assert!(!braille.divisions.is_empty(), "{}", code.language);
+        for width in 12..40 {
+            let wrapped = wrap(&braille, width, Divide::Words);
+            let lines: Vec<String> =
+                wrapped.lines.iter().map(|line| tactograph::internals::braille::unicode(line)).collect();
+            assert!(super::reading::say(&lines, &braille.unicode()), "{}: {lines:?}", code.language);
+            // no single letter stands alone before a hyphen of ours, or after one
+            assert!(lines.iter().all(|line| line.chars().count() > 2), "{}: {lines:?}", code.language);
+        }
+        let two = in_two(&table.translate("informationen"), Divide::Words).expect("it can be divided");
+        assert_eq!(two[0].last(), Some(&0b10_0100), "{}", code.language);
+        assert!(two[0].len() <= 10 && two[1].len() <= 10, "{}", code.language);
+        assert_eq!(in_two(&table.translate("informationen"), Divide::Never), None);
+    }
 }

@@ -6,8 +6,8 @@ use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::{
-    BrailleText, Drawing, Fonts, Label, MmPoint, MmRect, MmVector, Note, Options, Pen, Position, Profile, TextRole,
-    convert,
+    BrailleText, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, MmVector, Note, Options, Pen, Position, Profile,
+    TextRole, convert,
 };
 
 /// Blank that labels keep to lines and textures, mm.
@@ -40,13 +40,13 @@ fn check(drawing: &Drawing, name: &str) {
     for (number, label) in labels.iter().enumerate() {
         let lines = reading::lines(&label.dots.at, size);
         let shown = label.abbreviation.as_ref().unwrap_or(&label.text);
-        // a line that ends with a hyphen goes on without a blank
-        let joined = lines.iter().fold(String::new(), |text, line| match text.chars().last() {
-            None | Some('⠤') => text + line,
-            Some(_) => text + "\u{2800}" + line,
-        });
-        assert_eq!(joined, table.translate(shown).unicode(), "{name}: {shown}");
+        assert!(reading::say(&lines, &table.translate(shown).unicode()), "{name}: {shown}: {lines:?}");
         assert_eq!(lines, label.lines, "{name}: {shown}");
+        // and a reader who knows the code says what the label says
+        let whole = lines.len() == 1 || !lines[0].ends_with('⠤');
+        if whole {
+            assert_eq!(super::back::english(&lines.join("\u{2800}")), *shown, "{name}");
+        }
 
         let place = place(label);
         for run in page.figure.lines.iter().flat_map(|line| &line.runs) {
@@ -109,7 +109,7 @@ fn texts_of_drawings_are_labels() {
         let labels = labels_of(&drawing);
         assert!(labels.len() >= least, "{name}: {} of {} texts", labels.len(), drawing.texts.len());
         let left_out = drawing.notes.iter().find_map(|note| match note {
-            Note::LabelsLeftOut(texts) => Some(texts.clone()),
+            Note::LabelsLeftOut { texts, .. } => Some(texts.clone()),
             _ => None,
         });
         let left_out = left_out.unwrap_or_default();
@@ -170,26 +170,58 @@ fn labels_lie_beside_what_they_name() {
 /// Labels outside of the picture, without room or without a code are told.
 #[test]
 fn labels_that_are_not_there_are_told() {
-    let left_out = |drawing: &Drawing| {
-        drawing.notes.iter().find_map(|note| match note {
-            Note::LabelsLeftOut(texts) => Some(texts.clone()),
+    let left_out = |drawing: &Drawing| -> Vec<(Vec<String>, &'static str)> {
+        let of_note = |note: &Note| match note {
+            Note::LabelsLeftOut { texts, why } => Some((texts.clone(), *why)),
             _ => None,
-        })
+        };
+        drawing.notes.iter().filter_map(of_note).collect()
     };
+    let told = |text: &str, why: &'static str| (vec![text.to_owned()], why);
+    let outside = || told("outside", "they lie outside of the picture");
     let picture = samples::read("bars.svg");
     let labels = vec![at(120.0, 50.0, "outside"), at(50.0, 50.0, "in")];
     let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
-    assert_eq!(left_out(&drawing), Some(vec!["outside".to_owned()]));
+    assert_eq!(left_out(&drawing), [outside()]);
     assert_eq!(labels_of(&drawing).len(), 1);
-    let drawing = convert(&picture, &options("swell-a4").labels(labels).language("ja")).expect("a page");
-    assert_eq!(left_out(&drawing).map(|texts| texts.len()), Some(2));
+    // without a code
+    let drawing = convert(&picture, &options("swell-a4").labels(labels.clone()).language("ja")).expect("a page");
+    assert_eq!(left_out(&drawing), [outside(), told("in", "there is no braille code for their language")]);
     assert!(drawing.notes.contains(&Note::NoBrailleCode("ja".into())));
+    // without braille
+    let mut off = Profile::named("swell-a4").expect("it is built in");
+    off.set("braille", "false").expect("a setting");
+    let drawing = convert(&picture, &Options::new(off).labels(labels)).expect("a page");
+    assert_eq!(left_out(&drawing), [outside(), told("in", "braille is off (braille=false)")]);
+    // of a text without cells, and of one that is abbreviated, every character is told
+    let labels = vec![at(50.0, 50.0, "\u{65e5}\u{672c}"), at(20.0, 50.0, &"long \u{65e5} words ".repeat(40))];
+    let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
+    assert_eq!(left_out(&drawing), [told("\u{65e5}\u{672c}", "their code has no cells for them")]);
+    for label in &labels {
+        let is_told = |note: &Note| matches!(note, Note::NotInBraille { text, .. } if *text == label.text);
+        assert_eq!(drawing.notes.iter().filter(|note| is_told(note)).count(), 1, "{:?}", drawing.notes);
+    }
+    // a translator that fails says why, once for all labels, and for what is on the key
+    let fails = |text: &str| match text {
+        "trees" => Ok(vec![1, 2, 3]),
+        _ => Err("there is no such table".to_owned()),
+    };
+    let labels = ["trees", "houses", "rivers"].map(|text| at(50.0, 50.0, text)).to_vec();
+    let options_of = options("swell-a4").labels(labels).key(KeySheets::Always).translator(fails);
+    let drawing = convert(&samples::read("landscape.svg"), &options_of).expect("a page");
+    let why = || "there is no such table".to_owned();
+    let refused =
+        |texts: &[&str]| Note::NotTranslated { texts: texts.iter().map(ToString::to_string).collect(), why: why() };
+    assert!(drawing.notes.contains(&refused(&["houses", "rivers"])), "{:?}", drawing.notes);
+    let of_key = refused(&["Key", "blue", "green", "yellow", "red", "grey"]);
+    assert!(drawing.notes.contains(&of_key), "{:?}", drawing.notes);
+    assert!(left_out(&drawing).is_empty() && drawing.key[0].braille.is_empty());
     // far more than there is room for: those that are there keep their distances
     let many: Vec<Label> = (0..200).map(|i| at((i % 20) as f32 * 5.0, (i / 20) as f32 * 10.0, "many words")).collect();
     let drawing = convert(&picture, &options("swell-a4").labels(many)).expect("a page");
     check(&drawing, "many");
     let there = labels_of(&drawing).len();
-    assert_eq!(there + left_out(&drawing).map_or(0, |texts| texts.len()), 200);
+    assert_eq!(there + left_out(&drawing).iter().map(|(texts, _)| texts.len()).sum::<usize>(), 200);
     assert!(there >= 40, "{there} labels");
 }
 

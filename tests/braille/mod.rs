@@ -1,7 +1,9 @@
 //! Words in braille: the codes against liblouis, and pages read back dot by dot.
 
+mod back;
 mod codes;
 mod key;
 mod labels;
+mod outputs;
 mod reading;
 mod title;

@@ -21,6 +21,18 @@ pub(super) fn lines(dots: &[MmPoint], size: CellSize) -> Vec<String> {
     lines
 }
 
+/// Whether lines say what these cells do, with a blank or a hyphen of the text between two lines, or with a word
+/// divided there, which brings a hyphen of its own.
+pub(super) fn say(lines: &[String], cells: &str) -> bool {
+    let blank = '\u{2800}';
+    let rest = lines.iter().try_fold(cells, |rest, line| {
+        let divided = || line.strip_suffix('⠤').and_then(|line| rest.strip_prefix(line));
+        let rest = rest.strip_prefix(line.as_str()).or_else(divided)?;
+        Some(rest.trim_start_matches(blank))
+    });
+    rest == Some("")
+}
+
 /// The cells of one line.
 fn read_line(dots: &[MmPoint], size: CellSize) -> String {
     let least = |of: fn(&MmPoint) -> f32| dots.iter().map(of).fold(f32::INFINITY, f32::min);

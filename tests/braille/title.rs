@@ -110,6 +110,22 @@ fn an_svg_has_the_title_for_fingers_and_ears() {
     }
 }
 
+/// A title whose words are too long for a sheet is divided by the rules of its language; where whole words have room,
+/// none is.
+#[test]
+fn long_words_of_a_title_are_divided() {
+    let title = "Niederschlagsmengen im Jahresdurchschnitt nach Bundesländern";
+    let whole = drawn(title, "de", "swell-a4", &[]).page;
+    let lines = read(&whole, CellSize::MARBURG);
+    assert_eq!(lines.join("\u{2800}"), cells(title, "de"));
+    // longer than a line
+    let long = "Niederschlagsmengendurchschnittswerte";
+    let page = drawn(long, "de", "swell-a4", &[]).page;
+    let lines = read(&page, CellSize::MARBURG);
+    assert!(lines.len() == 2 && lines[0].ends_with('⠤'), "{lines:?}");
+    assert!(reading::say(&lines, &cells(long, "de")), "{lines:?}");
+}
+
 /// A file of text cells has the title as text.
 #[test]
 fn brf_begins_with_the_title() {
@@ -181,7 +197,7 @@ fn another_translator_writes_all_words() {
     for (text, why) in [("eleven keys", "too many letters"), ("ten keys !", "cells of eight dots")] {
         let drawing = convert(&picture, &options(text)).expect("a page");
         assert!(drawing.page.braille.is_empty());
-        let note = Note::NotTranslated { text: text.into(), why: why.into() };
+        let note = Note::NotTranslated { texts: vec![text.into()], why: why.into() };
         assert!(drawing.notes.contains(&note), "{:?}", drawing.notes);
     }
 }

@@ -63,9 +63,28 @@ fn a_language_without_a_contracted_table_is_told() {
     let run = place.run(&["convert", "red.svg", "--title", "Dům", "--lang", "cs", "--braille-table", "contracted"]);
     assert_eq!(run.code, 2, "{}", run.err);
     assert!(
-        run.err.contains("there is none known for the language cs, only for de, en, es, fr, pt, sv"),
+        run.err.contains("no contracted table is known for the language cs, only for de, en, es, fr, pt, sv"),
         "{}",
         run.err
     );
     assert!(!place.names().iter().any(|name| name == "red.page.svg"));
+    // a code that is named overrides the language
+    let code = ["convert", "red.svg", "--title", "The great house", "--lang", "cs", "--set", "braille.code=en"];
+    let run = place.run(&[&code[..], &["--set", "braille.grade=2", "-o", "en.svg"]].concat());
+    if is_installed() {
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(place.text("en.svg").contains("data-braille=\"⠠⠮⠀⠛⠗⠞⠀⠓⠳⠎⠑\""), "the title is not contracted");
+    } else {
+        assert_eq!(run.code, 2, "{}", run.err);
+        assert!(run.err.contains("braille.grade = 2: there is no program lou_translate; install"), "{}", run.err);
+    }
+    // where nothing is written, no translator is needed
+    for words in [&["--alt", "a red box"][..], &["--title", "x", "--set", "braille=false"]] {
+        let grade = ["convert", "red.svg", "--force", "--set", "braille.grade=2", "--lang", "cs"];
+        let run = place.run(&[&grade[..], words].concat());
+        assert_eq!(run.code, 0, "{}", run.err);
+    }
+    let run = place.run(&["convert", "red.svg", "--set", "braille.grade=3"]);
+    assert_eq!(run.code, 2, "{}", run.err);
+    assert!(run.err.contains("braille.grade must be 1 or 2"), "{}", run.err);
 }

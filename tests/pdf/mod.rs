@@ -1,7 +1,7 @@
 //! PDF files are what they claim to be: the true size, the marks of the SVG, its layers, words for those who cannot see it.
 //! What other people's programs say to them is in `tests/clients.sh`.
 
-mod reader;
+pub(crate) mod reader;
 
 use crate::common::{page, samples};
 use reader::{Mark, Reader, string_of};

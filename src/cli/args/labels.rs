@@ -34,11 +34,18 @@ pub(in crate::cli) struct Labels {
     #[arg(long, value_name = "WHEN", value_enum, default_value_t = When::Auto, hide_short_help = true)]
     key: When,
 
+    /// Page number in braille, at the top on the right
+    ///
+    /// The sheets that follow it, such as the overview of a page of dots and the key, have the next numbers. Without
+    /// it, only the sheets of a key are numbered, where there are several.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=9999), hide_short_help = true)]
+    number: Option<u32>,
+
     /// Writes braille by a table of an installed liblouis; "contracted" takes that of the language
     ///
     /// For contracted braille (grade 2) in German, English, French, Portuguese, Spanish or Swedish, or with
     /// any table such as da-dk-g26.ctb. Needs the program lou_translate of liblouis. Without it, braille is
-    /// uncontracted.
+    /// uncontracted, unless the profile says braille.grade = 2, which is the same as "contracted".
     #[arg(long, value_name = "TABLE|contracted", hide_short_help = true)]
     pub(in crate::cli) braille_table: Option<String>,
 }
@@ -61,6 +68,7 @@ pub(in crate::cli) struct Given {
     labels: Vec<Label>,
     texts: bool,
     key: When,
+    number: Option<u32>,
 }
 
 impl Labels {
@@ -69,9 +77,14 @@ impl Labels {
         self.labels.as_deref().is_some_and(|labels| labels != TEXTS)
     }
 
+    /// Whether a page number is given.
+    pub(in crate::cli) fn is_numbered(&self) -> bool {
+        self.number.is_some()
+    }
+
     /// Whether there are any.
     pub(in crate::cli) fn are_given(&self) -> bool {
-        self.labels.is_some() || self.key == When::Always || self.braille_table.is_some()
+        self.labels.is_some() || self.key == When::Always || self.braille_table.is_some() || self.number.is_some()
     }
 
     /// Reads the file.
@@ -80,8 +93,8 @@ impl Labels {
     /// Everything that is wrong with it, each with its line.
     pub(in crate::cli) fn read(&self) -> Result<Given, Vec<String>> {
         match self.labels.as_deref() {
-            None => Ok(Given { key: self.key, ..Given::default() }),
-            Some(TEXTS) => Ok(Given { texts: true, key: self.key, ..Given::default() }),
+            None => Ok(Given { key: self.key, number: self.number, ..Given::default() }),
+            Some(TEXTS) => Ok(Given { texts: true, key: self.key, number: self.number, ..Given::default() }),
             Some(path) => {
                 let of_file = |what: String| vec![format!("--labels {path}: {what}")];
                 let bytes = input::read(Path::new(path), MOST_BYTES, "this is too large for a list of labels")
@@ -91,7 +104,7 @@ impl Labels {
                 let labels = Label::from_csv(&text).map_err(|faults| {
                     faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect::<Vec<_>>()
                 })?;
-                Ok(Given { labels, texts: false, key: self.key })
+                Ok(Given { labels, texts: false, key: self.key, number: self.number })
             }
         }
     }
@@ -105,6 +118,7 @@ impl Given {
             When::Always => KeySheets::Always,
             When::Never => KeySheets::Never,
         };
-        options.labels(self.labels.clone()).label_texts(self.texts).key(key)
+        let options = options.labels(self.labels.clone()).label_texts(self.texts).key(key);
+        self.number.into_iter().fold(options, Options::page_number)
     }
 }

@@ -60,6 +60,11 @@ impl Words {
         self.lang.iter().fold(options, |options, lang| options.language(lang))
     }
 
+    /// Whether there are titles, which are written in braille.
+    pub(in crate::cli) fn has_title(&self) -> bool {
+        self.title.is_some() || self.titles.is_some()
+    }
+
     /// The language of the words.
     pub(in crate::cli) fn language(&self) -> &str {
         self.lang.as_deref().unwrap_or("en")
@@ -82,8 +87,12 @@ impl Words {
 
     /// What is wrong if one picture's words are given to several.
     fn for_many(&self, labels: &Labels, pictures: usize, pages: usize) -> Option<String> {
-        let labels = labels.is_for_one_picture();
-        let given = [("--title", self.title.is_some()), ("--alt", self.alt.is_some()), ("--labels", labels)];
+        let given = [
+            ("--title", self.title.is_some()),
+            ("--alt", self.alt.is_some()),
+            ("--labels", labels.is_for_one_picture()),
+            ("--number", labels.is_numbered()),
+        ];
         let (count, what) = if pictures == 1 { (pages, " pages") } else { (pictures, "") };
         let given = given.iter().filter(|(_, given)| *given && count > 1).map(|(option, _)| *option);
         let given = given.collect::<Vec<_>>().join(" and ");

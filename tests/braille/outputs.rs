@@ -1,0 +1,210 @@
+//! Braille in each output: its measures to 0.05 mm as the file has them, its words as text, and what `check` says.
+
+use super::reading;
+use crate::common::samples;
+use crate::dots::reading as dots;
+use crate::pdf::reader::{Mark, Reader};
+use tactograph::internals::braille::CellSize;
+use tactograph::internals::page::cells::CellGrid;
+use tactograph::{
+    Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, Position, Profile, check, convert,
+    write_dots,
+};
+
+const TITLE: &str = "Trees, 12 of them";
+
+fn drawn(profile: &str, settings: &[(&str, &str)]) -> Drawing {
+    let mut profile = Profile::named(profile).expect("it is built in");
+    settings.iter().for_each(|(key, value)| profile.set(key, value).expect("a setting"));
+    let at = |x, y, text: &str| Label { x: Position::Percent(x), y: Position::Percent(y), text: text.to_owned() };
+    let labels = vec![at(80.0, 60.0, "fir tree"), at(50.0, 87.0, "pond")];
+    let options = Options::new(profile).fonts(Fonts::system()).title(TITLE).labels(labels);
+    convert(&samples::read("landscape.svg"), &options.key(KeySheets::Always).page_number(12)).expect("a page")
+}
+
+/// Dots that a file has for a text, nearest to where the page has them, all of them and none off by more than 0.05 mm.
+fn found(page: &Page, in_file: &[MmPoint], name: &str) {
+    let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+    for text in &page.braille {
+        let near = |at: &MmPoint| {
+            let off = |dot: &&MmPoint| (**dot - *at).length();
+            *in_file.iter().min_by(|a, b| off(a).total_cmp(&off(b))).expect("dots")
+        };
+        let dots: Vec<MmPoint> = text.dots.at.iter().map(near).collect();
+        let off = dots.iter().zip(&text.dots.at).map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max);
+        assert!(off < 0.05, "{name}: a dot of \"{}\" lies {off} mm off", text.text);
+        let lines = reading::lines(&dots, size);
+        let written: Vec<&str> = text.lines.iter().map(|line| line.trim_start_matches('\u{2800}')).collect();
+        assert_eq!(lines, written, "{name}: {}", text.text);
+    }
+}
+
+/// In the PDF: discs in its layers, hundredths of a millimetre.
+#[test]
+fn a_pdf_has_standard_cells_and_their_words() {
+    for cell in ["de", "fr", "us", "no", "large"] {
+        let drawing = drawn("swell-a4", &[("braille.cell", cell)]);
+        let reader = Reader::new(&drawing.page.to_pdf());
+        let page = reader.only("/Type/Page/");
+        let mut centres = Vec::new();
+        for mark in reader.marks(page) {
+            let is_braille = mark.layer().starts_with("Braille");
+            if let Mark::Fill { subpaths, .. } = mark
+                && is_braille
+            {
+                centres.extend(subpaths.iter().map(|disc| {
+                    let middle = |axis: usize| {
+                        let (least, most) = (disc.iter().map(|p| p[axis]).min(), disc.iter().map(|p| p[axis]).max());
+                        (least.expect("points") + most.expect("points")) as f32 / 200.0
+                    };
+                    MmPoint::new(middle(0), middle(1))
+                }));
+            }
+        }
+        let size = CellSize::named(cell).expect("in the table");
+        for text in &drawing.page.braille {
+            let lines = reading::lines(&text.dots.at, size);
+            assert_eq!(lines, text.lines, "{cell}");
+        }
+        if size == CellSize::MARBURG {
+            found(&drawing.page, &centres, cell);
+        }
+        let words = reader.words(page);
+        for text in &drawing.page.braille {
+            assert!(words.contains(&text.spoken()), "{cell}: {} is not in the PDF: {words:?}", text.text);
+        }
+    }
+}
+
+/// On a machine that takes dots anywhere, its G-code has them where the page has them.
+#[test]
+fn gcode_has_standard_cells() {
+    let page = drawn("braillerap", &[]).page;
+    let gcode = String::from_utf8(page.to_dots(DotFormat::Gcode).expect("its format")).expect("ASCII");
+    let all: Vec<MmPoint> = gcode
+        .lines()
+        .filter_map(|line| {
+            let (x, y) = line.strip_prefix("G1 X")?.trim_end().trim_end_matches(';').split_once(" Y")?;
+            Some(MmPoint::new(x.parse().ok()?, y.parse().ok()?))
+        })
+        .collect();
+    // the machine counts from its own corner, and may begin at another side of the sheet: the title says where it lies
+    let title = &page.braille[0];
+    let place = |dots: &[MmPoint]| tactograph::MmRect::from_points(dots);
+    let (of_page, of_file) = (place(&title.dots.at), place(&all));
+    let shift = of_file.min.x - page_dots(&page).min.x;
+    let up = of_file.min.y - page_dots(&page).min.y;
+    let moved: Vec<MmPoint> = all.iter().map(|at| MmPoint::new(at.x - shift, at.y - up)).collect();
+    assert!(of_page.width() > 20.0);
+    found(&page, &moved, "braillerap");
+}
+
+/// The box around all dots of a page.
+fn page_dots(page: &Page) -> tactograph::MmRect {
+    let dots = tactograph::internals::output::dots::dots(page);
+    tactograph::MmRect::from_points(dots.into_iter().map(|(at, _)| at))
+}
+
+/// Text cells: BRF and PEF have the title, the page number and all of the key as text.
+#[test]
+fn files_of_cells_have_title_and_key_as_text() {
+    let drawing = drawn("braille-cells", &[("figure.textures", "true")]);
+    let pages: Vec<Page> = std::iter::once(drawing.page).chain(drawing.overview).chain(drawing.key).collect();
+    for (format, name) in [(DotFormat::Brf, "brf"), (DotFormat::Pef, "pef")] {
+        let files = write_dots(TITLE, &pages, format, Default::default()).expect("its format");
+        let file: String = files.iter().map(|file| String::from_utf8(file.clone()).expect("text")).collect();
+        let text = if name == "brf" { unicode_of_brf(&file) } else { file };
+        for said in pages.iter().flat_map(|page| &page.braille) {
+            for line in &said.lines {
+                assert!(text.contains(line.trim_matches('\u{2800}')), "{name}: {} is missing", said.text);
+            }
+        }
+    }
+}
+
+fn unicode_of_brf(file: &str) -> String {
+    let mut text = String::new();
+    for matrix in dots::brf(file) {
+        for y in 0..matrix.rows() / 3 {
+            let cell = |x: usize| char::from_u32(0x2800 + u32::from(matrix.cell6(x, y))).expect("a cell");
+            text.extend((0..matrix.columns() / 2).map(cell));
+            text.push('\n');
+        }
+    }
+    text
+}
+
+fn has(checked: &Checked, rule: &str, words: &str) -> bool {
+    checked.findings.iter().any(|finding| finding.rule.id == rule && finding.to_string().contains(words))
+}
+
+/// What somebody may do to braille in an editor is found: a label moved on to a line, another size, a dot lost.
+#[test]
+fn faults_of_braille_are_found() {
+    let drawing = drawn("swell-a4", &[]);
+    let svg = drawing.page.to_svg();
+    let good = check(&svg, None).expect("it can be read");
+    for rule in ["braille-gap", "braille-cell"] {
+        assert!(!has(&good, rule, ""), "{good}");
+    }
+    let with = |id: &str, transform: &str| {
+        let changed = svg.replacen(&format!("id=\"{id}\""), &format!("id=\"{id}\" transform=\"{transform}\""), 1);
+        assert_ne!(svg, changed, "{id}");
+        check(changed, None).expect("it can be read")
+    };
+    let label = drawing.page.braille.iter().find(|text| text.text == "pond").expect("a label");
+    let (at, line) = (label.dots.at[0], &drawing.page.figure.lines[0].runs[0].points);
+    let onto = line[line.len() / 2] - at;
+    let number =
+        1 + drawing.page.braille.iter().filter(|text| text.lines != label.lines && text.role == label.role).count();
+    let id = format!("braille-labels-{number}");
+    let moved = with(&id, &format!("translate({},{})", onto.x, onto.y));
+    assert!(has(&moved, "braille-gap", "\"pond\""), "{moved}");
+    for scale in ["scale(1.1)", "scale(0.93,1)"] {
+        assert!(has(&with("braille-title-1", scale), "braille-cell", "the title"), "{scale}");
+    }
+    let onto_title = with("braille-page-number-1", "translate(-40,0)");
+    assert!(has(&onto_title, "braille-gap", "page number"), "{onto_title}");
+    // a dot less
+    let title = svg.find("braille-title-1").expect("the title");
+    let dot = title + svg[title..].find(" d=\"M").expect("its dots") + 4;
+    let end = dot + svg[dot + 1..].find('M').expect("a second dot") + 1;
+    let lost = check([&svg[..dot], &svg[end..]].concat(), None).expect("it can be read");
+    assert!(has(&lost, "braille-cell", "the title has"), "{lost}");
+}
+
+/// Page numbers stand at the top on the right, apart from the title and the mark, and go on from sheet to sheet.
+#[test]
+fn sheets_have_their_numbers() {
+    for profile in ["swell-a4", "index-basic-d", "viewplus-columbia", "braille-cells", "pins-120x60", "braillerap"] {
+        let drawing = drawn(profile, &[]);
+        let sheets: Vec<&Page> = std::iter::once(&drawing.page).chain(&drawing.overview).chain(&drawing.key).collect();
+        assert!(sheets.len() > 1, "{profile}");
+        for (number, page) in (12..).zip(sheets) {
+            let text = page.braille.iter().find(|text| text.role.name() == "braille page number");
+            let text = text.unwrap_or_else(|| panic!("{profile}: sheet {number} has no number"));
+            assert_eq!(text.text, number.to_string());
+            let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
+            let read = reading::lines(&text.dots.at, size);
+            assert_eq!(read, text.lines, "{profile}");
+            assert_eq!(super::back::english(&read[0]), number.to_string(), "{profile}");
+            let place = tactograph::MmRect::from_points(&text.dots.at);
+            for other in page.braille.iter().filter(|other| other.role != text.role) {
+                let right = other.dots.at.iter().map(|at| at.x).fold(0.0, f32::max);
+                let top = other.dots.at.iter().map(|at| at.y).fold(f32::MAX, f32::min);
+                let is_beside = top < place.max.y + 1.0;
+                assert!(!is_beside || right + 3.0 * size.cell < place.min.x, "{profile}: {} is too near", other.text);
+                assert!(top > place.min.y - 2.0 * size.dot - 0.1, "{profile}: {} is above the number", other.text);
+            }
+            for mark in page.orientation_mark.iter().flat_map(|mark| &mark.points) {
+                let near = (*mark - mark.clamp(place.min, place.max)).length();
+                assert!(near > 3.0, "{profile}: the mark is {near} mm from the number");
+            }
+        }
+    }
+    // a number alone, without a title
+    let options = Options::new(Profile::named("swell-a4").expect("built in")).page_number(7);
+    let page = convert(&samples::read("bars.svg"), &options).expect("a page").page;
+    assert_eq!(page.braille.iter().map(|text| text.text.as_str()).collect::<Vec<_>>(), ["7"]);
+    assert!(check(page.to_svg(), None).expect("read").errors() == 0);
+}
