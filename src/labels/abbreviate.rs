@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::braille::{Braille, Translator};
+use crate::braille::{Braille, Lacking, Translator};
 
 /// An abbreviation.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,8 @@ pub(super) fn all(
     for &text in texts {
         if !of_text.contains_key(text) {
             // what cannot be written cannot be abbreviated either
-            let proposals = known.get(text).is_some_and(Result::is_ok).then(|| proposals(text));
+            let written = known.get(text).and_then(|braille| braille.as_ref().ok());
+            let proposals = written.map(|braille| proposals(&without(text, &braille.lacking)));
             let short = proposals.into_iter().flatten().find_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
                 let is_whole = lacking.is_empty() && (2..=MOST_CELLS).contains(&cells.len());
@@ -47,8 +48,14 @@ pub(super) fn all(
     texts.iter().map(|text| of_text.get(text).cloned().flatten()).collect()
 }
 
+/// A text without the characters that its code lacks.
+fn without(text: &str, lacking: &[Lacking]) -> String {
+    let lacks = |at: usize| lacking.binary_search_by_key(&at, |lacking| lacking.at).is_ok();
+    (1..).zip(text.chars()).filter(|(at, _)| !lacks(*at)).map(|(_, letter)| letter).collect()
+}
+
 /// Abbreviations in the order in which they are read best: "nh" for "north hill", "ap" for "apple".
-fn proposals(text: &str) -> impl Iterator<Item = String> {
+fn proposals(text: &str) -> impl Iterator<Item = String> + use<> {
     let lower = text.to_lowercase();
     let words: Vec<Vec<char>> = lower
         .split(|letter: char| !letter.is_alphabetic())

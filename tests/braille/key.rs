@@ -22,7 +22,7 @@ fn read(key: &[Page], table: &Table) -> Vec<String> {
     let mut texts = Vec::new();
     for page in key {
         let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();
-        for text in &page.braille {
+        for text in page.braille.iter().filter(|text| text.role != TextRole::Number) {
             assert_eq!(text.role, TextRole::Key);
             let lines = reading::lines(&text.dots.at, size);
             // where a line begins is not read, and lines below an abbreviation are indented
@@ -118,6 +118,10 @@ fn a_text_longer_than_a_sheet_goes_on_on_the_next() {
         let picture = samples::read("landscape.svg");
         let drawing = convert(&picture, &options(profile, KeySheets::Auto).labels(vec![label.clone()])).expect("pages");
         let texts: Vec<_> = drawing.key.iter().flat_map(|page| &page.braille).collect();
+        // several sheets are numbered, in their order
+        let numbers = texts.iter().filter(|text| text.role == TextRole::Number).map(|text| text.text.as_str());
+        let wanted: Vec<String> = (1..=drawing.key.len()).map(|number| number.to_string()).collect();
+        assert_eq!(numbers.collect::<Vec<_>>(), if wanted.len() > 1 { wanted } else { Vec::new() }, "{profile}");
         let raised = |line: &String| line.chars().map(|cell| (cell as u32 - 0x2800).count_ones()).sum::<u32>();
         for text in &texts {
             let dots: u32 = text.lines.iter().map(raised).sum();

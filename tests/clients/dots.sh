@@ -183,6 +183,25 @@ page_is_valid_pef() {
   jing "$dots/pef.rng" "$dots/page.pef"
 }
 
+# Words in braille on real pages, read back by liblouis: title, labels, key and page numbers say what the page says they say.
+# Lines of a text are joined by a blank; a text with a hyphen at the end of a line, or an abbreviation in the key, is left to the
+# tests of our own.
+louis_reads_words() {
+  local sample profile count
+  for profile in swell-a4 index-basic-d viewplus-columbia pins-120x60; do
+    for sample in chart map cell; do
+      "$program" convert "samples/$sample.svg" --quiet --profile "$profile" --title "Sheet (a), 3 of 12: what it shows" \
+        --labels texts --key always --number 8 --format svg -o "$dots/words-$profile-$sample.svg" || return 1
+    done
+  done
+  cat "$dots"/words-*.svg | grep -o 'aria-label="[^"]*"[^>]*data-braille="[^"]*"' | grep -v 'data-abbreviation\|⠤ ' |
+    sed 's/aria-label="\([^"]*\)".*data-braille="\([^"]*\)"/\1\t\2/' | grep -v $'^[a-z]*: ' >"$dots/words.tsv"
+  count=$(wc -l <"$dots/words.tsv")
+  [ "$count" -ge 150 ] || { echo "only $count texts"; return 1; }
+  cut -f 2 "$dots/words.tsv" | sed 's/ /⠀/g' | lou_translate --backward unicode.dis,en-ueb-g1.ctb >"$dots/words.back" || return 1
+  cut -f 1 "$dots/words.tsv" | diff - "$dots/words.back"
+}
+
 # A real page for ViewPlus: its PDF drawn at 20 dots per inch has its ink where the picture of dots has its pixels.
 viewplus_agrees() {
   "$program" convert samples/coffee.png --quiet --profile viewplus-columbia --no-overview -o "$dots/tiger.pdf" || return 1
@@ -231,6 +250,7 @@ check_dots() {
   check "CUPS's driver and we agree on a real page, V4" pages_agree index-basic-d ibasicd4
   check "jing finds no fault in a real page" page_is_valid_pef
   check "a page for ViewPlus has its dots where the picture has its pixels" viewplus_agrees
+  check "liblouis reads the words of real pages" louis_reads_words
   check "jing finds faults in a faulty one" pef_faults_are_found
   check "pngcheck and ImageMagick see dots as pixels" greys_are_fine
   cups=$(mktemp -d)
