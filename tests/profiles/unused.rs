@@ -51,7 +51,9 @@ fn keys_that_do_not_count_move_no_mark_and_are_not_recorded() {
         let profile = named(file.name);
         let (plain, record) = (marks(&profile), recorded(&profile));
         let mut count = 0;
-        for key in Profile::keys().iter().filter(|key| key.limits.is_some()) {
+        // keys of braille are recorded where anything is written in it
+        let has_number = |key: &&Key| key.limits.is_some() && !key.path.starts_with("braille.");
+        for key in Profile::keys().iter().filter(has_number) {
             let mut given = profile.clone();
             given.set(key.path, &key.value(&profile).to_string()).expect("it has this value");
             let is_told = given.unused().iter().any(|fault| fault.what.starts_with(key.path));
