@@ -194,7 +194,7 @@ fn labels_that_are_not_there_are_told() {
     let drawing = convert(&picture, &Options::new(off).labels(labels)).expect("a page");
     assert_eq!(left_out(&drawing), [outside(), told("in", "braille is off (braille=false)")]);
     // of a text without cells, and of one that is abbreviated, every character is told
-    let labels = vec![at(50.0, 50.0, "\u{65e5}\u{672c}"), at(20.0, 50.0, &"long \u{65e5} words ".repeat(40))];
+    let labels = vec![at(50.0, 50.0, "\u{65e5}\u{672c}"), at(20.0, 50.0, &"long\u{65e5}".repeat(40))];
     let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
     assert_eq!(left_out(&drawing), [told("\u{65e5}\u{672c}", "their code has no cells for them")]);
     for label in &labels {
