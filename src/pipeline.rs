@@ -15,6 +15,7 @@ mod read;
 mod redraw;
 mod request;
 pub mod sheets;
+mod text_reader;
 mod texts;
 pub mod trace;
 mod unwritten;
@@ -28,6 +29,7 @@ pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
 pub use redraw::settle;
 pub use request::{Fit, Request};
+pub use text_reader::TextReader;
 pub use texts::Text;
 pub use words::Words;
 

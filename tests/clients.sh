@@ -33,8 +33,9 @@ check() { # check WHAT COMMAND...: runs the command and counts; its output is sh
   fi
 }
 
-TOOLS=(inkscape python3 rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck)
-PACKAGES=(inkscape python3 librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck)
+TOOLS=(inkscape python3 rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck tesseract)
+PACKAGES=(inkscape python3 librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck tesseract-ocr
+  tesseract-ocr-eng fonts-dejavu-core)
 get_tools() {
   local tool
   TOOLS+=("${DOT_TOOLS[@]}")
@@ -175,6 +176,18 @@ assert abs(u - x - 3) < 0.02 and abs(v - y) < 0.02, (x, y, u, v)
 PYTHON
 }
 
+# Tesseract reads the texts of a chart that is a bitmap, and most of them become labels.
+texts_are_read() {
+  local text found=0
+  sed 's/font-family="[^"]*"/font-family="DejaVu Sans"/' samples/chart.svg >"$out/chart.svg"
+  rsvg-convert -w 1800 -b white "$out/chart.svg" -o "$out/chart.png" || return 1
+  "$program" convert "$out/chart.png" -o "$out/read.svg" --ocr --labels texts 2>"$out/read.log" || { cat "$out/read.log"; return 1; }
+  for text in "Rain in mm" 100 50 Mar Apr May Jun Jul; do
+    grep -q "aria-label=\"$text\"" "$out/read.svg" && found=$((found + 1))
+  done
+  [ $found -ge 6 ] || { echo "$found of 8 texts are read"; cat "$out/read.log"; return 1; }
+}
+
 check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
   picture=$1
   name=$(basename "$1").$2
@@ -224,6 +237,7 @@ for sample in coffee.png.swell-a4 landscape.svg.swell-a4; do
   check "$sample comes back from other programs" comes_back "$out/$sample.svg"
 done
 check "what was edited in Inkscape is read" edits_are_read "$out/coffee.png.swell-a4.svg"
+check "texts of a bitmap are read" texts_are_read
 check_sheets
 check_layers samples/landscape.svg 12
 check_calibration

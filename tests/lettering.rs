@@ -83,6 +83,18 @@ impl Canvas {
     }
 }
 
+/// A chart with six texts, as PNG.
+pub(crate) fn labelled_chart() -> Vec<u8> {
+    let pixels: Vec<u8> = Canvas::labelled_chart().0.iter().map(|ink| if *ink { 20 } else { 255 }).collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, WIDTH as u32, HEIGHT as u32);
+    encoder.set_color(png::ColorType::Grayscale);
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&pixels).expect("the pixels");
+    writer.finish().expect("the end");
+    bytes
+}
+
 /// The page of a picture in greys.
 fn converted([width, height]: [usize; 2], grey: impl Fn(usize) -> u8, options: &Options) -> Drawing {
     let pixels: Vec<u8> = (0..width * height).flat_map(|i| [grey(i), grey(i), grey(i), 255]).collect();
@@ -128,6 +140,31 @@ fn a_chart_without_its_letters_is_the_chart() {
     let wanted =
         "6 texts left out, the largest in the upper middle, as fingers cannot read letters; --keep-text draws them";
     assert_eq!(told.as_deref(), Some(wanted));
+}
+
+/// Whoever reads gets a picture of each text, and the words are its string; a reader that gives too few is told.
+#[test]
+fn a_reader_gives_words_to_the_texts() {
+    let read = |chart: &[u8], reader: fn(&[Vec<u8>]) -> Result<Vec<String>, String>| {
+        tactograph::convert(chart, &Options::new(profile()).text_reader(reader)).expect("a page")
+    };
+    let chart = labelled_chart();
+    let drawing = read(&chart, |lines| {
+        let size = |line: &Vec<u8>| -> String {
+            let info = png::Decoder::new(std::io::Cursor::new(line)).read_info().expect("a PNG").info().size();
+            format!(" {}\n x ", info.0 / info.1)
+        };
+        Ok(lines.iter().map(size).collect())
+    });
+    let mut texts: Vec<(&str, i64)> =
+        drawing.texts.iter().map(|text| (text.string.as_str(), text.size.round() as i64)).collect();
+    texts.sort_unstable();
+    // in the end they are as long as they are: 1 letter, 3, 3, 3, 5 and 8
+    assert_eq!(texts.iter().map(|(string, _)| *string).collect::<Vec<_>>(), ["0 x", "1 x", "1 x", "1 x", "2 x", "4 x"]);
+    assert!(drawing.notes.iter().any(|note| matches!(note, Note::TextsLeftOut(texts) if texts.len() == 6)));
+    let drawing = read(&chart, |_| Ok(vec!["one".to_owned()]));
+    let told = Note::TextsNotRead("6 texts were given to be read, and 1 came back".to_owned());
+    assert!(drawing.notes.contains(&told) && is_told(&drawing).is_some(), "{:?}", drawing.notes);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::Translate;
 use crate::page::Page;
-use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Words};
+use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -116,8 +116,8 @@ impl Options {
         self
     }
 
-    /// Makes the texts of an SVG drawing or a page of PDF labels in braille, where they stand. Default: false, they are
-    /// left out.
+    /// Makes the texts of an SVG drawing or a page of PDF labels in braille, where they stand, and those of a bitmap
+    /// that a [text reader](Options::text_reader) has read. Default: false, they are left out.
     pub fn label_texts(mut self, label: bool) -> Self {
         self.label_texts = label;
         self
@@ -143,6 +143,18 @@ impl Options {
     /// table of the language.
     pub fn translator(mut self, translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static) -> Self {
         self.translate = Some(Arc::new(translate));
+        self
+    }
+
+    /// Reads the text that is found in pixels: gets pictures (PNG, black on white, level) of a line each, and gives as
+    /// many texts, empty where it cannot read one; or says why it cannot read at all, which is told in
+    /// [`Note::TextsNotRead`](crate::Note::TextsNotRead). Is called from the thread that converts, at most once for a
+    /// picture. Default: nobody knows what such texts say.
+    pub fn text_reader(
+        mut self,
+        read: impl Fn(&[Vec<u8>]) -> Result<Vec<String>, String> + Send + Sync + 'static,
+    ) -> Self {
+        self.given.text_reader = Some(TextReader::new(read));
         self
     }
 

@@ -12,7 +12,7 @@ use super::product::{Format, Product};
 use super::report::Exit;
 use super::session::Session;
 use super::titles::Titles;
-use super::{dots, louis, record, sheets, watch};
+use super::{dots, louis, record, sheets, tesseract, watch};
 
 /// Converts all pictures and tells what became of each, in their order; or those that are saved into a directory, until
 /// it is stopped.
@@ -56,6 +56,10 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         let has_words = args.words.has_title() || args.labels.are_given();
         if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) }
     };
+    let of_texts = match args.labels.ocr {
+        true => tesseract::language(args.words.language()).map_err(|fault| faults.push(fault)).ok(),
+        false => None,
+    };
     let order = Order {
         product: Product::Page(chosen.format),
         pictures,
@@ -84,6 +88,10 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
             Some(table) => options.translator(move |text| louis::translate(&table, text)),
             None => options,
         };
+        let options = of_texts.iter().fold(options, |options, language| {
+            let language = language.clone();
+            options.text_reader(move |lines| tesseract::read(&language, lines))
+        });
         let drawn = if args.fitting.is_for_several_sheets(options.profile()) {
             convert_to_sheets(bytes, args.fitting.sheets, &options).map(|drawn| (drawn.pages, drawn.notes))
         } else {

@@ -5,13 +5,17 @@
 //! many lines as were asked for, and each sign is looked at by itself.
 
 use std::collections::BTreeSet;
-use std::io::{ErrorKind, Write};
-use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use tactograph::{Profile, Value};
 
+use super::external::Program;
+
 /// The program of liblouis.
-const PROGRAM: &str = "lou_translate";
+const PROGRAM: Program =
+    Program { name: "lou_translate", remedy: "install liblouis (liblouis-bin), or write uncontracted braille" };
+/// How long a text may take; it takes some milliseconds.
+const LIMIT: Duration = Duration::from_secs(20);
 
 /// Contracted braille of a language, as liblouis calls its tables.
 const CONTRACTED: &[(&str, &str)] = &[
@@ -103,30 +107,18 @@ fn is_number(cells: &str) -> bool {
 /// What liblouis makes of lines of text, in Unicode braille.
 fn lines(table: &str, asked: &[String]) -> Result<Vec<String>, String> {
     let tables = format!("unicode.dis,{table}");
-    let run = Command::new(PROGRAM)
-        .args(["--forward", &tables])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn();
-    let mut run = run.map_err(|error| match error.kind() {
-        ErrorKind::NotFound => {
-            format!("there is no program {PROGRAM}; install liblouis (liblouis-bin), or write uncontracted braille")
-        }
-        _ => format!("{PROGRAM} cannot be run: {error}"),
-    })?;
     let text: String = asked.iter().map(|line| line.replace('\\', "\\\\") + "\n").collect();
-    if let Some(mut input) = run.stdin.take() {
-        input.write_all(text.as_bytes()).map_err(|error| format!("{PROGRAM} does not read: {error}"))?;
+    let done = PROGRAM.run(&["--forward", &tables], text.as_bytes(), LIMIT)?;
+    if let Some(line) = done.told.lines().next() {
+        return Err(format!("{} says: {}", PROGRAM.name, line.trim()));
     }
-    let done = run.wait_with_output().map_err(|error| format!("{PROGRAM} fails: {error}"))?;
-    let told = String::from_utf8_lossy(&done.stderr);
-    if let Some(line) = told.lines().next() {
-        return Err(format!("{PROGRAM} says: {}", line.trim()));
-    }
-    let written = String::from_utf8(done.stdout).map_err(|_| format!("{PROGRAM} writes no text"))?;
+    let written = String::from_utf8(done.out).map_err(|_| format!("{} writes no text", PROGRAM.name))?;
     let written: Vec<String> = written.lines().map(str::to_owned).collect();
-    if written.len() == asked.len() { Ok(written) } else { Err(format!("{PROGRAM} gives another number of lines")) }
+    if written.len() == asked.len() {
+        Ok(written)
+    } else {
+        Err(format!("{} gives another number of lines", PROGRAM.name))
+    }
 }
 
 #[cfg(test)]

@@ -56,21 +56,37 @@ use tips::Found;
 use crate::raster::Raster;
 use crate::units::Size;
 
+/// What kind of picture it is. Contours and letters are looked for by it.
+#[derive(Debug, Clone)]
+pub struct PictureKind {
+    noise: Noise,
+    /// Whether it is a drawing: mostly of flat areas, with little noise.
+    pub is_drawing: bool,
+}
+
+impl PictureKind {
+    /// Of a picture.
+    pub fn of(raster: &Raster) -> Self {
+        let noise = Noise::of(raster);
+        Self { is_drawing: stroke::is_drawing(raster, noise.pixel), noise }
+    }
+}
+
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
-    find_contours(raster, params, false)
+    find_of_kind(raster, &PictureKind::of(raster), params, false)
 }
 
 /// Finds the contours of a picture and, unless it is a drawing, the regions between them.
 pub fn find_with_regions(raster: &Raster, params: &Params) -> Edges {
-    find_contours(raster, params, true)
+    find_of_kind(raster, &PictureKind::of(raster), params, true)
 }
 
-fn find_contours(raster: &Raster, params: &Params, with_regions: bool) -> Edges {
+/// [`find`], or with `with_regions` [`find_with_regions`], where it is known what kind of picture it is.
+pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, with_regions: bool) -> Edges {
     let size = raster.size();
-    let noise = Noise::of(raster);
+    let (noise, drawn) = (&kind.noise, kind.is_drawing);
     let params = &noise.adapted(params);
-    let drawn = stroke::is_drawing(raster, noise.pixel);
     let strokes = if drawn { stroke::find(raster, noise.pixel, params) } else { Vec::new() };
     let (mut points, sides) = bands::scan(raster, &noise.weights, params);
     if drawn {
@@ -109,11 +125,6 @@ fn find_contours(raster: &Raster, params: &Params, with_regions: bool) -> Edges 
     }
     edges.regions = tree;
     edges
-}
-
-/// Whether a picture is a drawing: mostly of flat areas, with little noise.
-pub fn is_drawing(raster: &Raster) -> bool {
-    stroke::is_drawing(raster, Noise::of(raster).pixel)
 }
 
 /// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in

@@ -89,6 +89,73 @@ pub fn of_labels<L: PartialEq>(labels: &[L], size: Size, connectivity: Connectiv
     sets.components(&runs)
 }
 
+/// The connected components of the cells of a grid that are set, the lowest cell of each first, ordered by that: as
+/// [`of_labels`], without the work for those that are not.
+pub fn of_set(set: &[bool], size: Size, connectivity: Connectivity) -> Vec<Vec<usize>> {
+    let width = size.width as usize;
+    let corner = usize::from(connectivity == Connectivity::Eight);
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    let mut sets = DisjointSets::default();
+    let (mut above, mut row_start) = (0, 0);
+    for (y, row) in set.chunks(width.max(1)).enumerate() {
+        let last_row = row_start..runs.len();
+        above = above.max(last_row.start);
+        row_start = runs.len();
+        each_run(row, |run| {
+            let run = run.start + y * width..run.end + y * width;
+            let number = sets.add();
+            while above < last_row.end && runs[above].end + width + corner <= run.start {
+                above += 1;
+            }
+            let touches = |upper: &&Range<usize>| upper.start + width < run.end + corner;
+            for (upper, of) in runs[above..last_row.end].iter().take_while(touches).zip(above..) {
+                debug_assert!(upper.end + width + corner > run.start);
+                sets.join(of, number);
+            }
+            runs.push(run);
+        });
+    }
+    let mut components: Vec<Vec<usize>> = Vec::new();
+    let mut numbers: Vec<usize> = Vec::with_capacity(runs.len());
+    for (run, cells) in runs.into_iter().enumerate() {
+        let lowest = sets.lowest(run);
+        if lowest == run {
+            numbers.push(components.len());
+            components.push(cells.collect());
+        } else {
+            numbers.push(numbers[lowest]);
+            components[numbers[lowest]].extend(cells);
+        }
+    }
+    components
+}
+
+/// Cells that are looked at together, where none of them may be set.
+const TOGETHER: usize = 16;
+
+/// Visits the runs of cells of a row that are set.
+fn each_run(row: &[bool], mut of: impl FnMut(Range<usize>)) {
+    let mut start = None;
+    for (part, cells) in row.chunks(TOGETHER).enumerate() {
+        if start.is_none() && !cells.iter().fold(false, |any, set| any | set) {
+            continue;
+        }
+        for (x, &set) in (part * TOGETHER..).zip(cells) {
+            match (start, set) {
+                (None, true) => start = Some(x),
+                (Some(from), false) => {
+                    of(from..x);
+                    start = None;
+                }
+                _ => {}
+            }
+        }
+    }
+    if let Some(from) = start {
+        of(from..row.len());
+    }
+}
+
 /// The connected components of points, of which two are linked if `linked` accepts the vector between them, whichever
 /// way it points. It is asked for all pairs that are at most `reach` apart, and for some that are farther.
 pub fn of_points<U>(points: &[Point2D<f32, U>], reach: f32, linked: impl Fn(Vector2D<f32, U>) -> bool) -> Components {
@@ -275,6 +342,9 @@ mod tests {
             while pairs.iter().any(|&(a, b)| lowest[a] != lowest[b]) {
                 pairs.iter().for_each(|&(a, b)| lowest[b] = lowest[b].min(lowest[a]));
             }
+            let set: Vec<bool> = labels.iter().map(|label| *label == 1).collect();
+            let ones: Vec<&[usize]> = found.iter().filter(|cells| set[cells[0]]).collect();
+            prop_assert_eq!(of_set(&set, size, connectivity), ones);
             for cell in 0..labels.len() {
                 let own = &found[found.of(cell)];
                 prop_assert_eq!(own[0], lowest[cell]);

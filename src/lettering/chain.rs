@@ -77,6 +77,45 @@ fn follows(a: &Placed, b: &Placed) -> bool {
         && 0.5 * (b.along[0] + b.along[1]) > 0.5 * (a.along[0] + a.along[1])
 }
 
+/// Those of some letters that have others near them that are alike, so that `least` (at most 3) of them can follow one
+/// another at some angle.
+pub(super) fn in_groups(glyphs: &[Glyph], which: &[usize], least: usize) -> Vec<usize> {
+    // the middle of each and half its diagonal: it reaches no further, whatever the angle
+    let round = |&of: &usize| {
+        let Glyph { min, max, .. } = &glyphs[of];
+        let side = |axis: usize| (max[axis] + 1 - min[axis]) as f32;
+        let middle = |axis: usize| 0.5 * (min[axis] + max[axis] + 1) as f32;
+        ([middle(0), middle(1)], 0.5 * side(0).hypot(side(1)), of)
+    };
+    let mut all: Vec<([f32; 2], f32, usize)> = which.iter().map(round).collect();
+    all.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.2.cmp(&b.2)));
+    let reach = |a: f32, b: f32| a + b + 2.0 * GAP * a.max(b);
+    let most = all.iter().map(|(_, radius, _)| *radius).fold(0.0, f32::max);
+    let mut near: Vec<Vec<usize>> = vec![Vec::new(); all.len()];
+    for (i, &(a, radius, of)) in all.iter().enumerate() {
+        for (j, &(b, other_radius, other)) in all.iter().enumerate().skip(i + 1) {
+            if b[0] - a[0] > reach(radius, most) {
+                break;
+            }
+            let along = reach(radius, other_radius);
+            let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+            let across = radius + other_radius;
+            if dx * dx + dy * dy <= along * along + across * across && alike(&glyphs[of], &glyphs[other]) {
+                near[i].push(j);
+                near[j].push(i);
+            }
+        }
+    }
+    let is_in_group = |i: usize| match near[i][..] {
+        [] => least <= 1,
+        [only] => least <= 2 || near[only].len() > 1,
+        _ => true,
+    };
+    let mut stay: Vec<usize> = (0..all.len()).filter(|&i| is_in_group(i)).map(|i| all[i].2).collect();
+    stay.sort_unstable();
+    stay
+}
+
 /// Chains at an angle, of at least two.
 pub(super) fn chains(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Vec<Placed>> {
     let placed = placed(glyphs, which, angle);

@@ -4,6 +4,9 @@
 //! is. Half of the largest contrast nearby is where the edge of a smoothed letter lies, so that letters a pixel apart
 //! do not run together.
 
+use std::cell::OnceCell;
+
+use super::colours::Colours;
 use crate::geom::components::{self, Connectivity};
 use crate::raster::plane::Plane;
 use crate::raster::residue::{Polarity, residue, square_max};
@@ -35,29 +38,45 @@ const CORE: f32 = 0.85;
 pub(super) struct Glyph {
     /// Its pixels.
     pub(super) cells: Vec<usize>,
-    /// Corners of its convex hull, px.
-    pub(super) hull: Vec<Point>,
     /// First column and row.
     pub(super) min: [usize; 2],
     /// Last column and row.
     pub(super) max: [usize; 2],
+    /// Whether it is large and clear enough for a letter; dots are not. Of others, the numbers below are 0.
+    pub(super) is_letter: bool,
     /// Mean contrast with the ground, where it is greatest.
     pub(super) contrast: f32,
     /// Mean colour there: lightness and twice a and b.
     pub(super) colour: [f32; 3],
     /// Width of its stroke, px.
     pub(super) stroke: f32,
-    /// Share of its convex hull that it fills.
-    pub(super) solidity: f32,
-    /// Least width of its convex hull, px.
-    pub(super) breadth: f32,
     /// Standard deviation of its colour there, in contrasts.
     pub(super) unevenness: f32,
-    /// Whether it is large enough for a letter; dots are not.
-    pub(super) is_letter: bool,
+    /// Columns of the picture.
+    width: usize,
+    hull: OnceCell<Vec<Point>>,
 }
 
 impl Glyph {
+    /// Corners of its convex hull, px.
+    fn hull(&self) -> &[Point] {
+        self.hull.get_or_init(|| {
+            let mut rows = vec![[usize::MAX, 0]; self.max[1] + 1 - self.min[1]];
+            for &cell in &self.cells {
+                let (x, y) = (cell % self.width, cell / self.width);
+                let [low, high] = &mut rows[y - self.min[1]];
+                (*low, *high) = ((*low).min(x), (*high).max(x + 1));
+            }
+            hull(&rows, self.min[1])
+        })
+    }
+
+    /// Share of its convex hull that it fills.
+    pub(super) fn solidity(&self) -> f32 {
+        let count = self.cells.len() as f32;
+        count / area(self.hull()).max(count)
+    }
+
     /// The larger side of its box.
     pub(super) fn side(&self) -> f32 {
         [0, 1].map(|axis| (self.max[axis] + 1 - self.min[axis]) as f32).into_iter().fold(0.0, f32::max)
@@ -65,22 +84,23 @@ impl Glyph {
 
     /// Whether it has the shape of a bar or a dot.
     pub(super) fn is_solid(&self) -> bool {
-        self.solidity >= SOLID || self.breadth <= BAR * self.stroke + 1.0
+        self.solidity() >= SOLID || breadth(self.hull()) <= BAR * self.stroke + 1.0
     }
 
     /// How far it reaches along a direction.
     pub(super) fn reach(&self, direction: Point) -> [f32; 2] {
-        self.hull.iter().fold([f32::MAX, f32::MIN], |[low, high], at| {
+        self.hull().iter().fold([f32::MAX, f32::MIN], |[low, high], at| {
             let along = at[0] * direction[0] + at[1] * direction[1];
             [low.min(along), high.max(along)]
         })
     }
 }
 
-/// What is thin in a plane, and darker or lighter than its ground; none if nothing has this contrast.
-pub(super) fn thin(plane: &Plane, polarity: Polarity, least: f32) -> Option<Thin> {
+/// What is thin in a plane, and darker or lighter than its ground by `least`; none if nothing has the contrast
+/// `wanted`.
+pub(super) fn thin(plane: &Plane, polarity: Polarity, least: f32, wanted: f32) -> Option<Thin> {
     let contrast = residue(plane, RADIUS, polarity);
-    if contrast.values.iter().all(|value| *value < least) {
+    if contrast.values.iter().all(|value| *value < wanted) {
         return None;
     }
     let most = square_max(&contrast.values, plane.size, LOCAL);
@@ -100,19 +120,24 @@ pub(super) struct Thin {
     pub(super) contrast: Plane,
 }
 
-/// The connected parts of what is thin, but for those that are too large.
-pub(super) fn glyphs(thin: &Thin, plane: &Plane, planes: &[Plane]) -> Vec<Glyph> {
+/// The connected parts of what is thin, but for those that are too large. `is_clear` tells by contrast and unevenness
+/// whether one may be a letter.
+pub(super) fn glyphs(
+    thin: &Thin,
+    plane: &Plane,
+    colours: &Colours<'_>,
+    is_clear: impl Fn(f32, f32) -> bool,
+) -> Vec<Glyph> {
     let (set, contrast) = (&thin.set[..], &thin.contrast);
     let size = contrast.size;
     let width = size.width as usize;
-    let parts = components::of_labels(set, size, Connectivity::Eight);
     let mut found = Vec::new();
-    for cells in parts.iter().filter(|cells| set[cells[0]]) {
+    for cells in components::of_set(set, size, Connectivity::Eight) {
         if cells.len() > LARGEST * LONGEST {
             continue;
         }
         let (mut min, mut max) = ([usize::MAX; 2], [0; 2]);
-        for &cell in cells {
+        for &cell in &cells {
             for (axis, at) in [cell % width, cell / width].into_iter().enumerate() {
                 (min[axis], max[axis]) = (min[axis].min(at), max[axis].max(at));
             }
@@ -121,50 +146,57 @@ pub(super) fn glyphs(thin: &Thin, plane: &Plane, planes: &[Plane]) -> Vec<Glyph>
         if sides[0].max(sides[1]) > LONGEST || sides[0].min(sides[1]) > LARGEST {
             continue;
         }
-        found.push(glyph(cells, min, max, thin, plane, planes));
+        let mut glyph = Glyph {
+            cells,
+            min,
+            max,
+            is_letter: false,
+            contrast: 0.0,
+            colour: [0.0; 3],
+            stroke: 0.0,
+            unevenness: 0.0,
+            width,
+            hull: OnceCell::new(),
+        };
+        if glyph.cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= 4 {
+            measure(&mut glyph, thin, plane, colours, &is_clear);
+        }
+        found.push(glyph);
     }
     found
 }
 
-fn glyph(cells: &[usize], min: [usize; 2], max: [usize; 2], thin: &Thin, plane: &Plane, planes: &[Plane]) -> Glyph {
-    let (set, contrast) = (&thin.set[..], &thin.contrast);
-    let size = contrast.size;
+/// Whether something may be a letter, and its numbers if so.
+fn measure(glyph: &mut Glyph, thin: &Thin, plane: &Plane, colours: &Colours<'_>, is_clear: &impl Fn(f32, f32) -> bool) {
+    let core: Vec<usize> = glyph.cells.iter().copied().filter(|&cell| thin.core[cell]).collect();
+    let of_core = |plane: &Plane| core.iter().map(|&cell| plane.values[cell]).sum::<f32>() / core.len() as f32;
+    let contrast = of_core(&thin.contrast);
+    let middle = of_core(plane);
+    let variance = core.iter().map(|&cell| (plane.values[cell] - middle).powi(2)).sum::<f32>() / core.len() as f32;
+    let unevenness = variance.sqrt() / contrast;
+    if !is_clear(contrast, unevenness) {
+        return;
+    }
+    let set = &thin.set[..];
+    let size = thin.contrast.size;
     let (width, height) = (size.width as usize, size.height as usize);
-    let count = cells.len() as f32;
     // sides of pixels at its border, along x and along y
     let mut borders = 0;
-    let mut rows = vec![[usize::MAX, 0]; max[1] + 1 - min[1]];
-    for &cell in cells {
+    for &cell in &glyph.cells {
         let (x, y) = (cell % width, cell / width);
         borders += usize::from(x == 0 || !set[cell - 1]) + usize::from(x + 1 == width || !set[cell + 1]);
         borders += usize::from(y == 0 || !set[cell - width]) + usize::from(y + 1 == height || !set[cell + width]);
-        let [low, high] = &mut rows[y - min[1]];
-        (*low, *high) = ((*low).min(x), (*high).max(x + 1));
     }
-    let hull = hull(&rows, min[1]);
-    let hull_area = area(&hull).max(count);
     // Sides of pixels overstate a border that runs aslant: by 4 / pi on average. A stroke has two borders.
     let perimeter = borders as f32 * std::f32::consts::FRAC_PI_4;
-    let sides = [0, 1].map(|axis| max[axis] + 1 - min[axis]);
-    let core: Vec<usize> = cells.iter().copied().filter(|&cell| thin.core[cell]).collect();
-    let mut colour = [0.0; 3];
-    let of_core = |plane: &Plane| core.iter().map(|&cell| plane.values[cell]).sum::<f32>() / core.len() as f32;
-    colour.iter_mut().zip(planes).for_each(|(colour, plane)| *colour = of_core(plane));
-    let middle = of_core(plane);
-    let variance = core.iter().map(|&cell| (plane.values[cell] - middle).powi(2)).sum::<f32>() / core.len() as f32;
-    Glyph {
-        cells: cells.to_vec(),
-        min,
-        max,
-        contrast: of_core(contrast),
-        unevenness: variance.sqrt() / of_core(contrast),
-        breadth: breadth(&hull),
-        colour,
-        stroke: 2.0 * count / perimeter.max(1.0),
-        solidity: count / hull_area,
-        is_letter: cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= 4,
-        hull,
+    let mut sum = [0.0; 3];
+    for &cell in &core {
+        sum.iter_mut().zip(colours.at(cell)).for_each(|(sum, value)| *sum += value);
     }
+    glyph.is_letter = true;
+    (glyph.contrast, glyph.unevenness) = (contrast, unevenness);
+    glyph.colour = sum.map(|sum| sum / core.len() as f32);
+    glyph.stroke = 2.0 * glyph.cells.len() as f32 / perimeter.max(1.0);
 }
 
 /// Convex hull of rows of pixels (Andrew 1979), each from its first column to behind its last.

@@ -6,7 +6,6 @@
 
 use super::chain::{Placed, distance, placed};
 use super::glyph::{Glyph, LARGEST};
-use super::shape::shapes;
 
 /// Least height of letters, px.
 const LEAST_HEIGHT: f32 = 3.5;
@@ -25,6 +24,17 @@ pub(super) enum Strictness {
     Photograph,
     /// Beside text of the same style.
     Context,
+}
+
+impl Strictness {
+    /// How many letters a line has at least.
+    pub(super) fn least_letters(self) -> usize {
+        match self {
+            Self::Drawing => 2,
+            Self::Photograph => 3,
+            Self::Context => 1,
+        }
+    }
 }
 
 /// A row of things that may be a line of text.
@@ -58,8 +68,6 @@ pub(super) struct TextLine {
     aligned: f32,
     /// Share of letters that are neither bars nor dots.
     complex: f32,
-    /// Number of unlike shapes.
-    kinds: usize,
 }
 
 /// The middle one of some values; 0 of none.
@@ -86,9 +94,8 @@ fn slope(letters: &[Placed]) -> f32 {
     median(slopes).atan().to_degrees()
 }
 
-/// The line that a chain of letters is, if their heights, gaps and strokes are those of text. `width` is that of the
-/// picture.
-pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32, width: usize) -> Option<TextLine> {
+/// The line that a chain of letters is, if their heights, gaps and strokes are those of text.
+pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32) -> Option<TextLine> {
     let (letters, angle) = straightened(glyphs, chain, angle);
     let n = letters.len();
     let mut heights: Vec<f32> = letters.iter().map(Placed::height).collect();
@@ -108,8 +115,7 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32, width: usize)
     let top = median(letters.iter().map(|letter| letter.across[0]).collect());
     let low = letters.iter().map(|letter| letter.across[0]).fold(f32::MAX, f32::min);
     let high = letters.iter().map(|letter| letter.across[1]).fold(f32::MIN, f32::max);
-    let (kinds, commonest) = shapes(glyphs, &letters, width);
-    if high - low > 2.2 * height || (n >= 4 && 2 * commonest > n) {
+    if high - low > 2.2 * height {
         return None;
     }
     let share = |of: &dyn Fn(&Placed) -> bool| letters.iter().filter(|letter| of(letter)).count() as f32 / n as f32;
@@ -137,7 +143,6 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32, width: usize)
         stroke,
         aligned,
         complex,
-        kinds,
     })
 }
 
@@ -172,18 +177,11 @@ fn straightened(glyphs: &[Glyph], chain: &[Placed], angle: f32) -> (Vec<Placed>,
 }
 
 impl TextLine {
-    /// Whether it is text, if what lies around it has this `clutter` (thin things, in shares of its own pixels).
+    /// Whether it is text, if its letters are unlike one another and what lies around it has this `clutter` (thin
+    /// things, in shares of its own pixels).
     pub(super) fn is_text(&self, strict: Strictness, clutter: f32) -> bool {
         let n = self.letters.len();
         if strict == Strictness::Photograph && self.height > LARGEST_IN_PHOTOGRAPH {
-            return false;
-        }
-        let wanted_kinds = match n {
-            0..=3 => n.min(2),
-            4..=7 => 3,
-            _ => 4,
-        };
-        if self.kinds < wanted_kinds {
             return false;
         }
         let even = self.unevenness <= 0.1 && self.spread <= 0.25 && self.stroke_spread <= 0.45;

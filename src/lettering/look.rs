@@ -1,9 +1,11 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
 use super::area::each_cell;
-use super::chain::{axes, chains, distance, placed};
+use super::chain::{axes, chains, distance, in_groups, placed};
+use super::colours::Colours;
 use super::glyph::{Glyph, Thin, glyphs, thin};
 use super::line::{Strictness, TextLine, line, median};
+use super::shape::are_unlike;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
 
@@ -32,19 +34,19 @@ pub(super) struct Look {
 
 impl Look {
     /// Of a plane among those of a picture; none if nothing thin is in it.
-    pub(super) fn new(plane: &Plane, polarity: Polarity, planes: &[Plane], strict: Strictness) -> Option<Self> {
-        let thin = thin(plane, polarity, LEAST_CONTRAST)?;
-        let glyphs = glyphs(&thin, plane, planes);
-        let is_clear = |glyph: &Glyph| {
-            strict == Strictness::Drawing || glyph.contrast >= CONTRAST_IN_PHOTOGRAPH && glyph.unevenness <= UNEVEN
-        };
-        let letters = (0..glyphs.len()).filter(|&i| glyphs[i].is_letter && is_clear(&glyphs[i])).collect();
+    pub(super) fn new(plane: &Plane, polarity: Polarity, colours: &Colours<'_>, strict: Strictness) -> Option<Self> {
+        let is_drawing = strict == Strictness::Drawing;
+        let wanted = if is_drawing { LEAST_CONTRAST } else { CONTRAST_IN_PHOTOGRAPH };
+        let thin = thin(plane, polarity, LEAST_CONTRAST, wanted)?;
+        let is_clear = |contrast, unevenness| is_drawing || contrast >= wanted && unevenness <= UNEVEN;
+        let glyphs = glyphs(&thin, plane, colours, is_clear);
+        let letters = (0..glyphs.len()).filter(|&i| glyphs[i].is_letter).collect();
         Some(Self { thin, glyphs, letters, strict })
     }
 
     /// Lines of text: first those that lie level, then those that stand upright, then those aslant.
-    pub(super) fn lines(&self, planes: &[Plane]) -> Vec<TextLine> {
-        let mut left = self.letters.clone();
+    pub(super) fn lines(&self, colours: &Colours<'_>) -> Vec<TextLine> {
+        let mut left = in_groups(&self.glyphs, &self.letters, self.strict.least_letters());
         let mut lines: Vec<TextLine> = Vec::new();
         let aslant = (1..12).map(|step| STEP * step as f32).flat_map(|angle| [(angle, 4), (-angle, 4)]);
         for (angle, least) in [(0.0, 1), (90.0, 3), (-90.0, 3)].into_iter().chain(aslant) {
@@ -53,11 +55,11 @@ impl Look {
             }
             let mut used = vec![false; self.glyphs.len()];
             for chain in chains(&self.glyphs, &left, angle) {
-                let Some(line) = line(&self.glyphs, &chain, angle, self.width()) else { continue };
+                let Some(line) = line(&self.glyphs, &chain, angle) else { continue };
                 let fits = line.letters.len() >= least
                     && (line.angle - angle).abs() <= OFF
                     && (least == 1 || line.is_aligned(ALIGNED_ASLANT));
-                if fits && self.is_text(&line, self.strict, planes) {
+                if fits && self.is_text(&line, self.strict, colours) {
                     line.letters.iter().for_each(|letter| used[letter.of] = true);
                     lines.push(line);
                 }
@@ -68,7 +70,7 @@ impl Look {
     }
 
     /// Short labels, down to a single digit, in the style of others.
-    pub(super) fn in_style(&self, planes: &[Plane], others: &[TextLine]) -> Vec<TextLine> {
+    pub(super) fn in_style(&self, colours: &Colours<'_>, others: &[TextLine]) -> Vec<TextLine> {
         let mut angles: Vec<f32> = Vec::new();
         for other in others {
             if !angles.iter().any(|angle| (angle - other.angle).abs() < 2.0) {
@@ -80,13 +82,13 @@ impl Look {
             let mut chains = chains(&self.glyphs, &self.letters, angle);
             chains.extend(placed(&self.glyphs, &self.letters, angle).into_iter().map(|one| vec![one]));
             for chain in chains {
-                let Some(line) = line(&self.glyphs, &chain, angle, self.width()) else { continue };
+                let Some(line) = line(&self.glyphs, &chain, angle) else { continue };
                 let mut like = others.iter().filter(|other| line.is_styled_as(other));
                 let is_like = match line.letters.len() {
                     1 => like.any(|other| line.is_in_row_with(other)),
                     _ => like.next().is_some(),
                 };
-                if is_like && (line.angle - angle).abs() <= OFF && self.is_text(&line, Strictness::Context, planes) {
+                if is_like && (line.angle - angle).abs() <= OFF && self.is_text(&line, Strictness::Context, colours) {
                     lines.push(line);
                 }
             }
@@ -115,9 +117,12 @@ impl Look {
         self.thin.contrast.size.width as usize
     }
 
-    fn is_text(&self, line: &TextLine, strict: Strictness, planes: &[Plane]) -> bool {
+    fn is_text(&self, line: &TextLine, strict: Strictness, colours: &Colours<'_>) -> bool {
         // what costs more comes last
-        line.is_text(strict, 0.0) && line.is_text(strict, self.clutter(line)) && self.stands_out(line, planes)
+        line.is_text(strict, 0.0)
+            && are_unlike(&self.glyphs, &line.letters, self.width())
+            && line.is_text(strict, self.clutter(line))
+            && self.stands_out(line, colours)
     }
 
     /// Thin things around a line that are none of its own, in shares of its own pixels.
@@ -131,7 +136,7 @@ impl Look {
 
     /// Whether its letters have another colour than what is around them. The gaps between letters, which form rows as
     /// well, have the same.
-    fn stands_out(&self, line: &TextLine, planes: &[Plane]) -> bool {
+    fn stands_out(&self, line: &TextLine, colours: &Colours<'_>) -> bool {
         let size = self.thin.contrast.size;
         let mut is_inner = std::collections::BTreeSet::new();
         each_cell(size, &line.grown(0.1 * line.height + 1.0), |cell| {
@@ -140,13 +145,10 @@ impl Look {
         let mut ring = Vec::new();
         each_cell(size, &line.grown(0.3 * line.height + 3.0), |cell| {
             if !self.thin.set[cell] && !is_inner.contains(&cell) {
-                ring.push(cell);
+                ring.push(colours.at(cell));
             }
         });
-        let mut around = [0.0; 3];
-        for (around, plane) in around.iter_mut().zip(planes) {
-            *around = median(ring.iter().map(|&cell| plane.values[cell]).collect());
-        }
+        let around = [0, 1, 2].map(|axis| median(ring.iter().map(|colour| colour[axis]).collect()));
         !ring.is_empty() && distance(around, line.colour) >= 0.45 * line.contrast
     }
 }

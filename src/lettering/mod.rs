@@ -12,18 +12,22 @@
 
 mod area;
 mod chain;
+mod colours;
 mod erase;
 mod glyph;
 mod line;
 mod look;
 mod shape;
+mod straight;
 
 use self::area::{corners, each_cell};
+use self::colours::Colours;
 use self::erase::with_margin;
 use self::line::{Strictness, TextLine};
 use self::look::Look;
+pub use self::straight::LinePicture;
+use crate::raster::Raster;
 use crate::raster::residue::Polarity;
-use crate::raster::{Raster, lab};
 use crate::units::{PxPoint, Size};
 
 /// Text that was found in a picture.
@@ -59,18 +63,17 @@ impl Lettering {
     /// The text in a picture; of a drawing also where it differs from its ground in colour alone, and short labels.
     pub fn find(raster: &Raster, is_drawing: bool) -> Self {
         let size = raster.size();
-        let planes = lab::whole(raster);
+        let colours = Colours::new(raster, is_drawing);
         let strict = if is_drawing { Strictness::Drawing } else { Strictness::Photograph };
         let mut found = Self { lines: Vec::new(), mask: vec![false; size.len()] };
         let mut taken = Taken { size, cells: vec![false; size.len()] };
         let mut all: Vec<TextLine> = Vec::new();
-        let looked_at = if is_drawing { planes.len() } else { 1 };
-        for plane in &planes[..looked_at] {
-            let look = |polarity| Look::new(plane, polarity, &planes, strict);
+        for plane in &colours.planes {
+            let look = |polarity| Look::new(plane, polarity, &colours, strict);
             let looks: Vec<Look> = [Polarity::Below, Polarity::Above].into_iter().filter_map(look).collect();
             let mut lines: Vec<(usize, TextLine)> = Vec::new();
             for (of, look) in looks.iter().enumerate() {
-                lines.extend(look.lines(&planes).into_iter().map(|line| (of, line)));
+                lines.extend(look.lines(&colours).into_iter().map(|line| (of, line)));
             }
             lines.sort_by(|a, b| b.1.score.total_cmp(&a.1.score));
             for _ in 0..=ROUNDS {
@@ -86,7 +89,7 @@ impl Lettering {
                 }
                 let more = looks.iter().enumerate();
                 lines = more
-                    .flat_map(|(of, look)| look.in_style(&planes, &all).into_iter().map(move |line| (of, line)))
+                    .flat_map(|(of, look)| look.in_style(&colours, &all).into_iter().map(move |line| (of, line)))
                     .collect();
             }
         }
@@ -101,6 +104,11 @@ impl Lettering {
     /// The picture in which this was found, without it: the ground closes over the letters.
     pub fn erased_from(&self, raster: &Raster) -> Raster {
         erase::erased(raster, &self.mask)
+    }
+
+    /// Each line as a picture of its own, for somebody who reads it. `raster` is the picture in which it was found.
+    pub fn pictures(&self, raster: &Raster) -> Vec<LinePicture> {
+        self.lines.iter().map(|line| LinePicture::of(line, raster)).collect()
     }
 
     fn add(&mut self, look: &Look, line: &TextLine) {

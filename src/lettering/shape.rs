@@ -4,8 +4,20 @@
 use super::chain::Placed;
 use super::glyph::Glyph;
 
+/// Whether letters in a row are as unlike as those of a text.
+pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[Placed], width: usize) -> bool {
+    let n = letters.len();
+    let wanted = match n {
+        0..=3 => n.min(2),
+        4..=7 => 3,
+        _ => 4,
+    };
+    let (kinds, commonest) = shapes(glyphs, letters, width);
+    kinds >= wanted && (n < 4 || 2 * commonest <= n)
+}
+
 /// Number of unlike shapes, and how many letters have the commonest one.
-pub(super) fn shapes(glyphs: &[Glyph], letters: &[Placed], width: usize) -> (usize, usize) {
+fn shapes(glyphs: &[Glyph], letters: &[Placed], width: usize) -> (usize, usize) {
     let alike = |a: &Placed, b: &Placed| {
         let near = |a: f32, b: f32| (a - b).abs() <= (0.13 * a.max(b)).max(1.3);
         let (first, second) = (&glyphs[a.of], &glyphs[b.of]);
@@ -13,7 +25,7 @@ pub(super) fn shapes(glyphs: &[Glyph], letters: &[Placed], width: usize) -> (usi
         near(a.width(), b.width())
             && near(a.height(), b.height())
             && many as f32 <= 1.2 * few as f32 + 3.0
-            && (first.solidity - second.solidity).abs() <= 0.1
+            && (first.solidity() - second.solidity()).abs() <= 0.1
             && same_pixels(first, second, width)
     };
     let mut kinds: Vec<&Placed> = Vec::new();

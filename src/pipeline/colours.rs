@@ -2,7 +2,7 @@
 
 use super::draw::{find_edges, sort_colours, working_size};
 use super::progress::Watch;
-use super::read::read;
+use super::read::{Read, read};
 use super::request::Request;
 use crate::Error;
 use crate::classes::{self, Classes};
@@ -29,10 +29,9 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let fit = &request.fit;
     let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);
     let options = request.decoding(&working_size);
-    let picture = read(Picture::file(picture), &options, watch)?;
+    let Read { picture, is_flat, kind } = read(Picture::file(picture), &options, None, watch)?;
     let layout = fit.layout(picture.source.size, plan)?;
-    let is_flat = picture.raster.is_flat();
-    let edges = find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, false, watch);
+    let edges = find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, false, watch);
     let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
     Ok(Sorted { classes, place: layout.figure })
 }

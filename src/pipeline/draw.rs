@@ -3,11 +3,11 @@
 use super::dots;
 use super::given::{Given, SAME_SHAPE, erase, is_in, with_room};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
-use super::read::read;
+use super::read::{Read, read};
 use super::request::{Fit, Request};
 use super::texts::{self, Text, placed};
 use crate::classes::{self, Classes};
-use crate::edges::{self, Edges};
+use crate::edges::{self, Edges, PictureKind};
 use crate::lines::{self, Line, Lines, Lost, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium, Texture};
@@ -15,7 +15,6 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
-use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note, textures};
@@ -26,6 +25,8 @@ const MIN_PIXELS: u32 = 8;
 /// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
 /// 0.2 to 0.3 and lose little by it.
 const CROWDED: f32 = 0.35;
+/// ... of a drawing, that it is too dense for its size.
+const DENSE: f32 = 0.2;
 /// ... and length from which the maker of a drawing is told, mm: there every line is meant. Less is lost where lines
 /// meet.
 const LEAST_TOLD: f32 = 3.0;
@@ -62,20 +63,19 @@ pub(super) fn draw(
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
-    let picture = read(picture, &options, watch)?;
+    let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
     let layout = layout_of(picture.source.size)?;
     let mut notes = given.notes.clone();
-    notes.extend(picture.notes);
+    notes.extend(picture.notes.iter().cloned());
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
     notes.extend(texts::left_out(&texts, layout.figure));
 
-    let is_flat = picture.raster.is_flat();
     request.go_on()?;
     let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
     let mut edges = match (&given.lines, &given.drawn_lines) {
         (Some(lines), _) => Some(lines.edges(picture.raster.size())?),
         (None, Some(bytes)) => Some(edges_of_drawn(bytes, picture.raster.size(), request, px_per_mm)?),
-        (None, None) => find_edges(&picture.raster, picture.drawing.as_ref(), is_flat, &layout, plan, true, watch),
+        (None, None) => find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, true, watch),
     };
     if let Some(added) = &given.added {
         let edges = edges.get_or_insert_with(|| Edges::none(picture.raster.size()));
@@ -144,7 +144,7 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
     };
     let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
     let drawn = decode::decode(bytes, &options)?;
-    Ok(edges_of(&drawn.raster, drawn.drawing.as_ref(), &request.plan.edges(px_per_mm), false))
+    Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), false))
 }
 
 /// Leaves the cells in boxes, in shares of the picture, without a colour.
@@ -204,23 +204,25 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
     Ok(())
 }
 
-/// The contours of a picture: those of a vector drawing from its own geometry.
+/// The contours of a picture: those of a vector drawing from its own geometry. Its kind, where it is known, is not
+/// found out again.
 pub(super) fn edges_of(
-    raster: &Raster,
-    drawing: Option<&VectorDrawing>,
+    picture: &decode::Picture,
+    kind: Option<&PictureKind>,
     params: &edges::Params,
     with_regions: bool,
 ) -> Edges {
-    match drawing {
-        Some(drawing) => edges::find_drawn(raster, drawing, params),
-        None if with_regions => edges::find_with_regions(raster, params),
-        None => edges::find(raster, params),
+    let raster = &picture.raster;
+    match (&picture.drawing, kind) {
+        (Some(drawing), _) => edges::find_drawn(raster, drawing, params),
+        (None, Some(kind)) => edges::find_of_kind(raster, kind, params, with_regions),
+        (None, None) => edges::find_of_kind(raster, &PictureKind::of(raster), params, with_regions),
     }
 }
 
 pub(super) fn find_edges(
-    raster: &Raster,
-    drawing: Option<&VectorDrawing>,
+    picture: &decode::Picture,
+    kind: Option<&PictureKind>,
     is_flat: bool,
     layout: &Layout,
     plan: &Plan,
@@ -232,8 +234,8 @@ pub(super) fn find_edges(
     } else if is_flat {
         "the picture is of one colour"
     } else {
-        let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
-        return Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &plan.edges(px_per_mm), with_regions)));
+        let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
+        return Some(run(watch, Stage::Edges, || edges_of(picture, kind, &plan.edges(px_per_mm), with_regions)));
     };
     watch(Event::Skip(Stage::Edges, reason));
     None
@@ -271,12 +273,15 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
         Medium::Print(_) => LEAST_TOLD,
         Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
     };
-    let told = share >= CROWDED || (edges.is_some_and(Edges::of_drawing) && lost >= least);
-    told.then(|| Note::LinesLeftOut {
-        millimetres: lost.round() as u32,
-        percent: (100.0 * share).round() as u32,
-        place: drawn.lost.place_name(),
-    })
+    let of_drawing = edges.is_some_and(Edges::of_drawing);
+    let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
+    let place = drawn.lost.place_name();
+    if of_drawing && lost >= least && share >= DENSE {
+        let width = layout.figure.width().round() as u32;
+        let sheets = matches!(layout.medium, Medium::Print(_));
+        return Some(Note::TooDense { millimetres, percent, place, width, sheets });
+    }
+    (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
 }
 
 /// What is kept in the page of contours that are not drawn.

@@ -1,5 +1,6 @@
 //! What a person gives beside the picture: lines that are drawn in place of those that would be found.
 
+use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::{ChainKind, Edgel, Edges};
 use crate::geom::nearby::{Nearby, Segment};
@@ -23,6 +24,8 @@ pub struct Given {
     pub added: Option<HandLines>,
     /// The areas of textures; without them, colours of the picture are sorted.
     pub areas: Option<Classes>,
+    /// Who reads text in the pixels of the picture; without, nobody knows what it says.
+    pub text_reader: Option<TextReader>,
     /// What the maker should know of these files.
     pub notes: Vec<Note>,
     /// Parts of the picture, as it is drawn, that stay blank.

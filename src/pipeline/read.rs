@@ -1,14 +1,15 @@
 //! A picture is decoded, and the text in its pixels taken out of it.
 
 use super::progress::{Event, Stage, Watch, run};
-use crate::Error;
-use crate::edges;
+use super::text_reader::TextReader;
+use crate::edges::PictureKind;
 use crate::lettering::{FoundLine, Lettering};
 use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
+use crate::{Error, Note};
 
 /// Letters of a drawing are looked for in a picture so many times as fine as the working picture, where there is one:
 /// at 4 px a millimetre, a letter of 2 mm is too small to be told from its neighbours.
@@ -18,39 +19,65 @@ const LEAST_FINER: f32 = 1.15;
 /// Size of a font, in heights of its letters: between 1.4 (capitals) and 2 (small letters).
 const FONT_SIZE: f32 = 1.6;
 
+/// A picture, and what is known of it.
+pub(super) struct Read {
+    pub(super) picture: decode::Picture,
+    /// Whether it is of one colour.
+    pub(super) is_flat: bool,
+    /// What kind of picture it is, where that had to be known.
+    pub(super) kind: Option<PictureKind>,
+}
+
 /// Decodes a picture. Unless letters are to be kept, text in its pixels is taken out, and joins those texts that the
-/// decoder has left out, with no string.
+/// decoder has left out, with the words that `reader` gives.
 ///
 /// # Errors
 /// As [`decode::decode_picture`].
 pub(super) fn read(
-    picture: Picture<'_>,
+    given: Picture<'_>,
     options: &Options<'_>,
+    reader: Option<&TextReader>,
     watch: &mut Watch<'_>,
-) -> Result<decode::Picture, Error> {
-    let decoded = run(watch, Stage::Decode, || decode::decode_picture(picture, options))?;
+) -> Result<Read, Error> {
+    let picture = run(watch, Stage::Decode, || decode::decode_picture(given, options))?;
+    let is_flat = picture.raster.is_flat();
     if options.keep_text {
         watch(Event::Skip(Stage::Text, "letters are drawn"));
-    } else if !decoded.raster.is_flat() {
-        return Ok(run(watch, Stage::Text, || without_text(decoded, picture, options)));
+    } else if !is_flat {
+        return Ok(run(watch, Stage::Text, || without_text(picture, given, options, reader)));
     }
-    Ok(decoded)
+    Ok(Read { picture, is_flat, kind: None })
 }
 
-fn without_text(decoded: decode::Picture, picture: Picture<'_>, options: &Options<'_>) -> decode::Picture {
-    let is_drawing = edges::is_drawing(&decoded.raster);
+fn without_text(
+    decoded: decode::Picture,
+    picture: Picture<'_>,
+    options: &Options<'_>,
+    reader: Option<&TextReader>,
+) -> Read {
+    let kind = PictureKind::of(&decoded.raster);
+    let is_drawing = kind.is_drawing;
     let working = decoded.raster.size();
     let finer = if is_drawing { finer(picture, &decoded, options) } else { None };
     let raster = finer.as_ref().unwrap_or(&decoded.raster);
     let found = Lettering::find(raster, is_drawing);
     if found.is_empty() {
-        return decoded;
+        return Read { picture: decoded, is_flat: false, kind: Some(kind) };
     }
     let scale = working.width as f32 / raster.size().width as f32;
-    let texts = decoded.texts.into_iter().chain(found.lines.iter().map(|line| text(line, scale))).collect();
+    let mut notes = decoded.notes;
+    let mut words = reader.and_then(|reader| {
+        let why = |why| notes.push(Note::TextsNotRead(why));
+        reader.words(&found, raster).map_err(why).ok()
+    });
+    let word = |at: usize| words.as_mut().map_or_else(String::new, |words| std::mem::take(&mut words[at]));
+    let new = found.lines.iter().zip((0..).map(word)).map(|(line, string)| text(line, string, scale));
+    let texts = decoded.texts.into_iter().chain(new).collect();
     let erased = found.erased_from(raster);
     let raster = if finer.is_some() { shrunk(&erased, working) } else { erased };
-    decode::Picture { raster, texts, ..decoded }
+    // without its letters it may be of another kind
+    let is_flat = raster.is_flat();
+    Read { picture: decode::Picture { raster, texts, notes, ..decoded }, is_flat, kind: None }
 }
 
 /// The picture once more, finer than the working picture; none if there is no finer one, or it is over a limit.
@@ -77,11 +104,11 @@ fn shrunk(raster: &Raster, size: Size) -> Raster {
 }
 
 /// A line as a text of the working picture, which is smaller by `scale`.
-fn text(line: &FoundLine, scale: f32) -> DrawnText {
+fn text(line: &FoundLine, string: String, scale: f32) -> DrawnText {
     let corners = line.corners.map(|at| at * scale);
     let side = |of: fn(f32, f32) -> f32, axis: fn(&PxPoint) -> f32| corners.iter().map(axis).reduce(of).unwrap_or(0.0);
     DrawnText {
-        string: String::new(),
+        string,
         min: PxPoint::new(side(f32::min, |at| at.x), side(f32::min, |at| at.y)),
         max: PxPoint::new(side(f32::max, |at| at.x), side(f32::max, |at| at.y)),
         angle: line.angle,

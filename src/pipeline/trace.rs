@@ -2,16 +2,14 @@
 
 use super::draw::{draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::progress::{Event, Stage, Watch, run};
-use super::read::read;
+use super::read::{Read, read};
 use super::request::{Fit, Request};
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
 use crate::page::layout::Layout;
 use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::Raster;
 use crate::raster::decode::Source;
-use crate::raster::vector::VectorDrawing;
 use crate::units::PageTransform;
 use crate::{Error, Note};
 
@@ -103,13 +101,13 @@ pub fn trace<'p>(
         }
     };
     let options = request.decoding(&working_size);
-    let picture = read(picture.into(), &options, watch)?;
-    let (raster, drawing, source, mut notes) = (picture.raster, picture.drawing, picture.source.size, picture.notes);
+    let read = read(picture.into(), &options, None, watch)?;
+    let (source, mut notes) = (read.picture.source.size, read.picture.notes.clone());
 
     let layout = fit.layout(source, plan)?;
     request.go_on()?;
-    let edges = find_edges(&raster, drawing.as_ref(), tracing, &layout, plan, watch);
-    drop(raster);
+    let edges = find_edges(&read, tracing, &layout, plan, watch);
+    drop(read);
     request.go_on()?;
     let trace = match &edges {
         None => Trace { size: source, polylines: Vec::new() },
@@ -132,19 +130,13 @@ pub fn trace<'p>(
 }
 
 /// The contours that are asked for; none in a picture of one colour.
-fn find_edges(
-    raster: &Raster,
-    drawing: Option<&VectorDrawing>,
-    tracing: &Tracing,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> Option<Edges> {
-    if raster.is_flat() {
+fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Option<Edges> {
+    let Read { picture, kind, is_flat } = read;
+    if *is_flat {
         watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
         return None;
     }
-    let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
+    let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
     let mut params = match tracing.subject {
         Subject::ContoursAtFullResolution => edges::Params::default(),
         Subject::Contours | Subject::Lines => plan.edges(px_per_mm),
@@ -152,5 +144,6 @@ fn find_edges(
     if let Some(Thresholds { low, high }) = tracing.thresholds {
         (params.low, params.high) = (low, high);
     }
-    Some(run(watch, Stage::Edges, || edges_of(raster, drawing, &params, tracing.subject == Subject::Lines)))
+    let with_regions = tracing.subject == Subject::Lines;
+    Some(run(watch, Stage::Edges, || edges_of(picture, kind.as_ref(), &params, with_regions)))
 }

@@ -46,6 +46,26 @@ pub fn whole(raster: &Raster) -> Vec<Plane> {
     lab.into_iter().map(|values| Plane { size, values }).collect()
 }
 
+/// L of all of a picture.
+pub fn whole_lightness(raster: &Raster) -> Plane {
+    let size = raster.size();
+    let mut values = vec![0.0; size.len()];
+    match raster.planes().as_slice() {
+        [red, green, blue] => Arch::new().dispatch(LightnessRow { from: [red, green, blue], to: &mut values }),
+        [grey, ..] => Arch::new().dispatch(GreyRow { from: grey, to: &mut values }),
+        [] => {}
+    }
+    Plane { size, values }
+}
+
+/// L and, for colour pictures, 2a and 2b of one pixel.
+pub fn pixel(raster: &Raster, at: usize) -> [f32; 3] {
+    match raster.planes().as_slice() {
+        [red, green, blue] => colour([red[at], green[at], blue[at]]),
+        grey => [grey.first().map_or(0.0, |grey| lightness(grey[at])), 0.0, 0.0],
+    }
+}
+
 /// [`row`] for any pixels: one slice per plane, in linear light, all equally long. Those of `lab` are at least as long.
 pub fn convert(arch: Arch, from: &[&[f32]], lab: &mut [Vec<f32>]) {
     match (from, lab) {
@@ -69,6 +89,26 @@ impl WithSimd for GreyRow<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         self.to.iter_mut().zip(self.from).for_each(|(l, grey)| *l = lightness(*grey));
+    }
+}
+
+/// L of colours.
+struct LightnessRow<'a> {
+    from: [&'a [f32]; 3],
+    to: &'a mut [f32],
+}
+
+impl WithSimd for LightnessRow<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let n = self.to.len();
+        let [red, green, blue] = self.from.map(|plane| &plane[..n]);
+        let [r, g, b] = TO_XYZ[1];
+        for i in 0..n {
+            self.to[i] = lightness(r * red[i] + g * green[i] + b * blue[i]);
+        }
     }
 }
 

@@ -90,8 +90,8 @@ fn what_does_not_go_together_is_told_at_once() {
         let line = format!("invalid value '{value}' for '{option} <{unit}>': {what}; {see}");
         place.refuses(&["convert", "a.jpeg", "--alt", "x", option, value], 2, &[&line]);
     }
-    let line = "--lang is the language of --title, --alt, --titles and --labels, and none is given; give one, or leave \
-                --lang out";
+    let line = "--lang is the language of --title, --alt, --titles, --labels and --ocr, and none is given; give one, or \
+                leave --lang out";
     place.refuses(&["convert", "a.jpeg", "--lang", "de"], 2, &[line]);
     assert_eq!(place.names(), ["a.jpeg", "b.jpeg"]);
 }

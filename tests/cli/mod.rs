@@ -19,6 +19,7 @@ mod profiles;
 mod record;
 mod render;
 mod several;
+mod tesseract;
 mod titles;
 mod trace;
 mod watch;

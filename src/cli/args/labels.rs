@@ -19,7 +19,8 @@ pub(in crate::cli) struct Labels {
     ///
     /// The file has rows such as 30%,45%,apple: how far from the left and from the top of the picture (or of the part
     /// that --crop takes), in percent or in pixels, and what the label says. With the word texts in place of a
-    /// file, the texts of an SVG drawing or a page of PDF become labels where they stand.
+    /// file, the texts of an SVG drawing or a page of PDF become labels where they stand, and with --ocr those of a
+    /// bitmap.
     ///
     /// Each label is put beside its point, 3 mm from lines; textures make room. Where it has to lie further
     /// away, a thin line leads to its point; where there is no room for all of it, it is abbreviated, and you
@@ -48,6 +49,13 @@ pub(in crate::cli) struct Labels {
     /// uncontracted, unless the profile says braille.grade = 2, which is the same as "contracted".
     #[arg(long, value_name = "TABLE|contracted", hide_short_help = true)]
     pub(in crate::cli) braille_table: Option<String>,
+
+    /// Reads the texts of a bitmap with an installed Tesseract, in the language of --lang
+    ///
+    /// What it reads is listed, and with --labels texts written in braille where it stands. Look at it: letters in
+    /// pictures are small, and some are read wrongly. Needs the program tesseract with its data of the language.
+    #[arg(long, conflicts_with = "keep_text", hide_short_help = true)]
+    pub(in crate::cli) ocr: bool,
 }
 
 /// When there is a key.
@@ -84,7 +92,11 @@ impl Labels {
 
     /// Whether there are any.
     pub(in crate::cli) fn are_given(&self) -> bool {
-        self.labels.is_some() || self.key == When::Always || self.braille_table.is_some() || self.number.is_some()
+        self.labels.is_some()
+            || self.key == When::Always
+            || self.braille_table.is_some()
+            || self.number.is_some()
+            || self.ocr
     }
 
     /// Reads the file.

@@ -36,7 +36,7 @@ pub(in crate::cli) struct Words {
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["title", "alt"], hide_short_help = true)]
     pub(in crate::cli) titles: Option<PathBuf>,
 
-    /// Language of --title, --alt, --titles and --labels, such as de or fr-CA
+    /// Language of --title, --alt, --titles, --labels and --ocr, such as de or fr-CA
     ///
     /// With it a screen reader speaks them well, and braille is written in the code of the language.
     ///
@@ -74,8 +74,8 @@ impl Words {
     pub(super) fn faults(&self, labels: &Labels, pictures: usize, pages: Option<Pages>) -> Vec<String> {
         let has_words = self.title.is_some() || self.alt.is_some() || self.titles.is_some() || labels.are_given();
         let language = (self.lang.is_some() && !has_words).then(|| {
-            "--lang is the language of --title, --alt, --titles and --labels, and none is given; give one, or leave \
-             --lang out"
+            "--lang is the language of --title, --alt, --titles, --labels and --ocr, and none is given; give one, or \
+             leave --lang out"
                 .to_owned()
         });
         let pages = pages.map_or(1, |pages| pages.numbers().count());

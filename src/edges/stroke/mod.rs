@@ -103,10 +103,17 @@ pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
     }
     let tolerance = FLAT.max(FLAT_NOISE * noise);
     let width = raster.size().width as usize;
-    let (mut flat, mut all) = (0_usize, 0_usize);
-    let mut lab = [(); 2].map(|()| vec![vec![0.0; width]; lab::planes(raster)]);
     // every third row tells as much
-    for y in (1..raster.size().height as usize).step_by(3) {
+    let rows = || (1..raster.size().height as usize).step_by(3);
+    let all = rows().count() * (width - 1);
+    let wanted = FLAT_SHARE * all as f32;
+    let (mut flat, mut left) = (0_usize, all);
+    let mut lab = [(); 2].map(|()| vec![vec![0.0; width]; lab::planes(raster)]);
+    for y in rows() {
+        // the rest changes nothing
+        if flat as f32 >= wanted || ((flat + left) as f32) < wanted {
+            break;
+        }
         let [above, here] = &mut lab;
         lab::row(Arch::new(), raster, y - 1, above);
         lab::row(Arch::new(), raster, y, here);
@@ -115,9 +122,9 @@ pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
             let step = planes.map(|(here, above)| (here[x] - here[x - 1]).abs().max((here[x] - above[x]).abs()));
             flat += usize::from(step.fold(0.0, f32::max) <= tolerance);
         }
-        all += width - 1;
+        left -= width - 1;
     }
-    flat as f32 >= FLAT_SHARE * all as f32
+    flat as f32 >= wanted
 }
 
 /// What is thin in one plane and looks like a stroke.
@@ -131,14 +138,13 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
     let most = square_max(&residue.values, plane.size, LOCAL);
     let set: Vec<bool> =
         residue.values.iter().zip(&most).map(|(value, most)| *value >= params.low.max(SHARE * most)).collect();
-    let components = components::of_labels(&set, plane.size, Connectivity::Eight);
-    let things: Vec<&[usize]> = components.iter().filter(|cells| set[cells[0]]).collect();
-    let strokes = |cells: &&[usize]| -> Vec<Stroke> {
+    let things = components::of_set(&set, plane.size, Connectivity::Eight);
+    let strokes = |cells: &[usize]| -> Vec<Stroke> {
         let (paths, nodes) = thinned(cells, &residue);
         let arms = arms::joined(paths, &nodes);
         arms.into_iter().flat_map(|strand| centre::strokes(strand, &residue, planes, radius, params)).collect()
     };
-    things.par_iter().flat_map_iter(strokes).collect()
+    things.par_iter().flat_map_iter(|cells| strokes(cells)).collect()
 }
 
 /// The skeleton of a connected part of a mask, given by its cells: its paths and junctions.

@@ -1,0 +1,104 @@
+//! A line of text as a picture of its own: level, black on white, as programs that read text like it best.
+
+use super::FoundLine;
+use crate::raster::plane::Plane;
+use crate::raster::{Raster, lab};
+use crate::units::Size;
+
+/// Height of letters, px: capitals of 30 to 40 px are read best (Tesseract's own advice).
+const HEIGHT: f32 = 34.0;
+/// Letters are enlarged by no more than this.
+const MOST: f32 = 6.0;
+/// What is around the line in its picture, in heights of its letters; and white around that, px.
+const AROUND: f32 = 0.15;
+const WHITE: usize = 14;
+/// Share of the pixels that are less far from the ground than black letters: what is further is black as well.
+const BLACK: f32 = 0.97;
+
+/// A picture of one line of text, a grey a byte, row by row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LinePicture {
+    /// Width and height, px.
+    pub size: Size,
+    /// 0 is black.
+    pub pixels: Vec<u8>,
+}
+
+impl LinePicture {
+    /// Of a line that was found in a picture. The colour of most pixels is the ground, whatever it is; the further
+    /// another colour is from it, the darker is the grey.
+    pub(super) fn of(line: &FoundLine, raster: &Raster) -> Self {
+        let scale = (HEIGHT / line.height).min(MOST);
+        let around = AROUND * line.height;
+        let [corner, right, _, below] = line.corners;
+        let unit = |to: crate::units::PxVector| to.try_normalize().unwrap_or_default();
+        let (along, across) = (unit(right - corner), unit(below - corner));
+        let side = |length: f32| ((length + 2.0 * around) * scale).ceil().max(1.0) as usize;
+        let (columns, rows) = (side((right - corner).length()), side((below - corner).length()));
+        // of letters that are made smaller, means
+        let steps = (1.0 / scale).ceil().max(1.0) as usize;
+        let mut colours: Vec<[f32; 3]> = Vec::with_capacity(columns * rows);
+        for y in 0..rows {
+            for x in 0..columns {
+                let mut sum = [0.0; 3];
+                for (i, j) in (0..steps * steps).map(|k| (k % steps, k / steps)) {
+                    let step =
+                        |at: usize, part: usize| (at as f32 + (part as f32 + 0.5) / steps as f32) / scale - around;
+                    let at = corner + along * step(x, i) + across * step(y, j);
+                    let planes = raster.planes().as_ref();
+                    let planes = planes.map(|plane| Plane::look_up(plane, raster.size(), at.x, at.y)).as_colour();
+                    sum.iter_mut().zip(planes).for_each(|(sum, value)| *sum += value / (steps * steps) as f32);
+                }
+                colours.push(lab::colour(sum));
+            }
+        }
+        let middle = |axis: usize| super::line::median(colours.iter().map(|colour| colour[axis]).collect());
+        let ground = [middle(0), middle(1), middle(2)];
+        let far: Vec<f32> = colours.iter().map(|colour| super::chain::distance(*colour, ground)).collect();
+        let mut sorted = far.clone();
+        sorted.sort_by(f32::total_cmp);
+        let black = sorted[((BLACK * sorted.len() as f32) as usize).min(sorted.len() - 1)].max(1.0);
+        let size = Size::new((columns + 2 * WHITE) as u32, (rows + 2 * WHITE) as u32);
+        let mut pixels = vec![255; size.len()];
+        for (row, far) in pixels.chunks_exact_mut(size.width as usize).skip(WHITE).zip(far.chunks_exact(columns)) {
+            let grey = |far: &f32| (255.0 * (1.0 - (far / black).min(1.0))).round() as u8;
+            row[WHITE..].iter_mut().zip(far).for_each(|(pixel, far)| *pixel = grey(far));
+        }
+        Self { size, pixels }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::PxPoint;
+
+    /// Two bars of 3 x 10 px, 4 px apart, along a line that rises by 45 degrees, light on a dark ground.
+    #[test]
+    fn light_bars_aslant_become_black_bars_that_stand() {
+        let size = Size::new(60, 60);
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let place = |x: f32, y: f32| {
+            let (dx, dy) = (x - 20.0, y - 40.0);
+            (half * dx - half * dy, half * dx + half * dy)
+        };
+        let value = |cell: usize| {
+            let (along, across) = place((cell % 60) as f32 + 0.5, (cell / 60) as f32 + 0.5);
+            let is_bar = (0.0..3.0).contains(&along) || (7.0..10.0).contains(&along);
+            if is_bar && (0.0..10.0).contains(&across) { 0.8 } else { 0.1 }
+        };
+        let raster = Raster::grey(size, (0..size.len()).map(value).collect());
+        let at = |along: f32, across: f32| PxPoint::new(20.0 + half * (along + across), 40.0 + half * (across - along));
+        let corners = [at(0.0, 0.0), at(10.0, 0.0), at(10.0, 10.0), at(0.0, 10.0)];
+        let picture = LinePicture::of(&FoundLine { corners, angle: 45.0, height: 10.0 }, &raster);
+        let width = picture.size.width as usize;
+        // the row through the middle: white, bar, white, bar, white
+        let row = &picture.pixels[picture.size.height as usize / 2 * width..][..width];
+        let runs: Vec<bool> = row.iter().map(|grey| *grey < 128).collect();
+        let runs: Vec<usize> = runs.chunk_by(|a, b| a == b).map(<[bool]>::len).collect();
+        assert_eq!(runs.len(), 5, "{row:?}");
+        let near = |length: usize, wanted: f32| (length as f32 - 3.4 * wanted).abs() < 4.0;
+        assert!(near(runs[1], 3.0) && near(runs[2], 4.0) && near(runs[3], 3.0), "{runs:?}");
+        assert!(row[0] == 255 && row[WHITE + 10] < 40, "{row:?}");
+    }
+}
