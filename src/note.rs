@@ -26,6 +26,8 @@ pub enum Note {
         /// Where in the figure the largest of them is, in words.
         place: &'static str,
     },
+    /// Text in the pixels of the picture is not read, though it should have been: why, in the words of the reader.
+    TextsNotRead(String),
     /// There is no braille code for the language of the words, so they are not written on the page.
     NoBrailleCode(String),
     /// The braille code lacks characters of a text, so they are left out of its braille.
@@ -79,6 +81,19 @@ pub enum Note {
         /// Where in the figure most of them are, in words.
         place: &'static str,
     },
+    /// A drawing has so many lines for its size that at least a fifth of them has no room.
+    TooDense {
+        /// Length of those that are not drawn, on the sheet, mm.
+        millimetres: u32,
+        /// Percent of the length of all.
+        percent: u32,
+        /// Where in the figure most of them are, in words.
+        place: &'static str,
+        /// Width of the figure, mm.
+        width: u32,
+        /// Whether the picture can be spread over several sheets.
+        sheets: bool,
+    },
     /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
     ShapesNotInOverview(usize),
     /// There is nothing on the page but its frame.
@@ -117,6 +132,7 @@ impl std::fmt::Display for Note {
                 "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; --keep-text draws \
                  them"
             ),
+            Self::TextsNotRead(why) => write!(f, "the texts in the pixels are not read: {why}"),
             Self::NoBrailleCode(language) => {
                 let codes: Vec<&str> = Code::all().iter().map(|code| code.language).collect();
                 write!(
@@ -160,7 +176,7 @@ impl std::fmt::Display for Note {
             }
             Self::NoTexts => f.write_str(
                 "there are no texts for labels: only SVG drawings and pages of PDF have texts, in other pictures \
-                 letters are pixels; write a list of labels",
+                 letters are pixels, which have to be read first; write a list of labels",
             ),
             Self::LabelsLeftOut { texts, why } => {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });
@@ -185,6 +201,14 @@ impl std::fmt::Display for Note {
                 "{millimetres} mm of contours, {percent} percent, were left out, most of them {place}: they lie too \
                  close to others for fingers, or are too short; a larger figure, on larger paper if there is any, or \
                  only a part of the picture keeps more of them"
+            ),
+            Self::TooDense { millimetres, percent, place, width, sheets } => write!(
+                f,
+                "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} \
+                 percent, had no room and were left out, most of them {place}; make the figure wider \
+                 (--width-mm){}, draw only a part (--crop), or leave details out on purpose (--detail 0.3), so that \
+                 what is left is whole",
+                if *sheets { ", spread it over several sheets (--sheets 2x2)" } else { "" },
             ),
             Self::ShapesNotInOverview(count) => write!(
                 f,

@@ -282,11 +282,30 @@ fn shapes_that_touch_are_not_lost_one_after_another() {
         let options = Options::new(profile.clone()).width_mm(width as f32);
         let drawing = tactograph::convert(flower.as_bytes(), &options).expect("a page");
         let lost = drawing.notes.iter().find_map(|note| match note {
-            Note::LinesLeftOut { percent, .. } => Some(*percent),
+            Note::LinesLeftOut { percent, .. } | Note::TooDense { percent, .. } => Some(*percent),
             _ => None,
         });
         assert!(lost.unwrap_or(0) <= 30, "{width} mm wide: {lost:?} percent are left out");
     }
+}
+
+/// Rules of 0.5 mm, so many side by side on a figure of 120 mm.
+#[test]
+fn a_drawing_too_dense_for_its_size_is_told_with_what_to_do() {
+    let note = |count: u32, profile: &str| {
+        let rules: String =
+            (0..count).map(|i| format!("<rect x='{}' y='20' width='4' height='552'/>", 20 + i * 800 / count)).collect();
+        let ruled = format!("<svg xmlns='http://www.w3.org/2000/svg' width='840' height='592'>{rules}</svg>");
+        let options = Options::new(Profile::named(profile).expect("it is built in")).width_mm(120.0);
+        let drawing = tactograph::convert(ruled.as_bytes(), &options).expect("a page");
+        drawing.notes.iter().find(|note| matches!(note, Note::TooDense { .. })).map(ToString::to_string)
+    };
+    let told = note(64, "swell-a4").expect("it is too dense");
+    assert!(told.starts_with("the drawing is too dense for a figure of 120 mm: "), "{told}");
+    assert!(told.contains("--width-mm") && told.contains("--sheets 2x2") && told.contains("--detail"), "{told}");
+    let told = note(64, "index-basic-d").expect("it is too dense");
+    assert!(told.contains("--width-mm") && !told.contains("--sheets"), "{told}");
+    assert_eq!(note(16, "swell-a4"), None);
 }
 
 #[test]
