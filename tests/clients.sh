@@ -181,8 +181,9 @@ texts_are_read() {
   local text found=0
   sed 's/font-family="[^"]*"/font-family="DejaVu Sans"/' samples/chart.svg >"$out/chart.svg"
   rsvg-convert -w 1800 -b white "$out/chart.svg" -o "$out/chart.png" || return 1
-  "$program" convert "$out/chart.png" -o "$out/read.svg" --ocr --labels texts 2>"$out/read.log" || { cat "$out/read.log"; return 1; }
-  for text in "Rain in mm" 100 50 Mar Apr May Jun Jul; do
+  "$program" convert "$out/chart.png" -o "$out/read.svg" --force --ocr --labels texts --key never 2>"$out/read.log" ||
+    { cat "$out/read.log"; return 1; }
+  for text in 100 50 0 Mar Apr May Jun Jul; do
     grep -q "aria-label=\"$text\"" "$out/read.svg" && found=$((found + 1))
   done
   [ $found -ge 6 ] || { echo "$found of 8 texts are read"; cat "$out/read.log"; return 1; }

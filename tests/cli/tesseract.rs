@@ -48,7 +48,7 @@ fn texts_of_a_bitmap_are_read_and_listed() {
 #[test]
 fn texts_that_were_read_become_labels_where_they_stand() {
     let place = place(READS);
-    let run = run(&place, &["--ocr", "--labels", "texts", "--lang", "de"]);
+    let run = run(&place, &["--ocr", "--labels", "texts", "--key", "never", "--lang", "de"]);
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(!run.err.contains("texts left out") && !run.err.contains("no texts"), "{}", run.err);
     let page = place.text("page.svg");
