@@ -25,7 +25,7 @@ use self::colours::Colours;
 use self::erase::with_margin;
 use self::line::{Strictness, TextLine};
 use self::look::Look;
-pub use self::straight::LinePicture;
+pub use self::straight::{FoundLine, LinePicture};
 use crate::raster::Raster;
 use crate::raster::residue::Polarity;
 use crate::units::{PxPoint, Size};
@@ -37,18 +37,6 @@ pub struct Lettering {
     pub lines: Vec<FoundLine>,
     /// The pixels of all letters, with a margin.
     mask: Vec<bool>,
-}
-
-/// A line of text.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FoundLine {
-    /// Corners of the box around its letters: top left as it is read, then clockwise.
-    pub corners: [PxPoint; 4],
-    /// Direction in which it is read, degrees counter-clockwise from left to right; upside down it is not told from
-    /// upright.
-    pub angle: f32,
-    /// Height of its letters, px: that of small letters or of capitals, whichever are more.
-    pub height: f32,
 }
 
 /// Lines that overlap by more than this share are one, found twice.

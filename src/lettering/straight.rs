@@ -1,9 +1,8 @@
 //! A line of text as a picture of its own: level, black on white, as programs that read text like it best.
 
-use super::FoundLine;
 use crate::raster::plane::Plane;
 use crate::raster::{Raster, lab};
-use crate::units::Size;
+use crate::units::{PxPoint, PxVector, Size};
 
 /// Height of letters, px: capitals of 30 to 40 px are read best (Tesseract's own advice).
 const HEIGHT: f32 = 34.0;
@@ -14,6 +13,18 @@ const AROUND: f32 = 0.15;
 const WHITE: usize = 14;
 /// Share of the pixels that are less far from the ground than black letters: what is further is black as well.
 const BLACK: f32 = 0.97;
+
+/// A line of text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundLine {
+    /// Corners of the box around its letters: top left as it is read, then clockwise.
+    pub corners: [PxPoint; 4],
+    /// Direction in which it is read, degrees counter-clockwise from left to right; upside down it is not told from
+    /// upright.
+    pub angle: f32,
+    /// Height of its letters, px: that of small letters or of capitals, whichever are more.
+    pub height: f32,
+}
 
 /// A picture of one line of text, a grey a byte, row by row.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,7 +42,7 @@ impl LinePicture {
         let scale = (HEIGHT / line.height).min(MOST);
         let around = AROUND * line.height;
         let [corner, right, _, below] = line.corners;
-        let unit = |to: crate::units::PxVector| to.try_normalize().unwrap_or_default();
+        let unit = |to: PxVector| to.try_normalize().unwrap_or_default();
         let (along, across) = (unit(right - corner), unit(below - corner));
         let side = |length: f32| ((length + 2.0 * around) * scale).ceil().max(1.0) as usize;
         let (columns, rows) = (side((right - corner).length()), side((below - corner).length()));
@@ -71,7 +82,6 @@ impl LinePicture {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::PxPoint;
 
     /// Two bars of 3 x 10 px, 4 px apart, along a line that rises by 45 degrees, light on a dark ground.
     #[test]
