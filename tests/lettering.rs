@@ -145,7 +145,8 @@ fn a_chart_without_its_letters_is_the_chart() {
 /// Whoever reads gets a picture of each text, and the words are its string; a reader that gives too few is told.
 #[test]
 fn a_reader_gives_words_to_the_texts() {
-    let read = |chart: &[u8], reader: fn(&[Vec<u8>]) -> Result<Vec<String>, String>| {
+    type Reader = fn(&[Vec<u8>]) -> Result<Vec<String>, String>;
+    let read = |chart: &[u8], reader: Reader| {
         tactograph::convert(chart, &Options::new(profile()).text_reader(reader)).expect("a page")
     };
     let chart = labelled_chart();

@@ -36,8 +36,8 @@ pub struct LinePicture {
 }
 
 impl LinePicture {
-    /// Of a line that was found in a picture. The colour of most pixels is the ground, whatever it is; the further
-    /// another colour is from it, the darker is the grey.
+    /// Of a line that was found in a picture. The colour of most pixels around it is the ground, whatever it is; the
+    /// further another colour is from it, the darker is the grey.
     pub(super) fn of(line: &FoundLine, raster: &Raster) -> Self {
         let scale = (HEIGHT / line.height).min(MOST);
         let around = AROUND * line.height;
@@ -63,7 +63,12 @@ impl LinePicture {
                 colours.push(lab::colour(sum));
             }
         }
-        let middle = |axis: usize| super::line::median(colours.iter().map(|colour| colour[axis]).collect());
+        // bold letters cover more of their box than the ground does, but not of what is around it
+        let frame = ((around * scale) as usize).max(1);
+        let is_frame = |at: usize, count: usize| at < frame || at + frame >= count;
+        let is_around = |cell: usize| is_frame(cell % columns, columns) || is_frame(cell / columns, rows);
+        let around: Vec<&[f32; 3]> = (0..).zip(&colours).filter(|(at, _)| is_around(*at)).map(|(_, of)| of).collect();
+        let middle = |axis: usize| super::line::median(around.iter().map(|colour| colour[axis]).collect());
         let ground = [middle(0), middle(1), middle(2)];
         let far: Vec<f32> = colours.iter().map(|colour| super::chain::distance(*colour, ground)).collect();
         let mut sorted = far.clone();
