@@ -7,13 +7,13 @@ use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A program, and how somebody gets it.
+/// A program, and what to do without it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Program {
     /// As it is called.
     pub(super) name: &'static str,
-    /// What to install for it.
-    pub(super) install: &'static str,
+    /// What to do where it is not there.
+    pub(super) remedy: &'static str,
 }
 
 /// What a program wrote.
@@ -42,11 +42,11 @@ impl Program {
     /// In one line: it is not there or cannot be run, takes longer than `limit`, or ends with another status than 0;
     /// then with what it says.
     pub(super) fn run<A: AsRef<OsStr>>(self, args: &[A], input: &[u8], limit: Duration) -> Result<Written, String> {
-        let Self { name, install } = self;
+        let Self { name, remedy } = self;
         let mut command = Command::new(name);
         command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut run = command.spawn().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => format!("there is no program {name}; install {install}, or leave this out"),
+            ErrorKind::NotFound => format!("there is no program {name}; {remedy}"),
             _ => format!("{name} cannot be run: {error}"),
         })?;
         if let Some(mut pipe) = run.stdin.take() {
@@ -100,7 +100,7 @@ fn read(mut pipe: impl Read + Send + 'static) -> Receiver<Vec<u8>> {
 mod tests {
     use super::*;
 
-    const SHELL: Program = Program { name: "sh", install: "a shell" };
+    const SHELL: Program = Program { name: "sh", remedy: "install a shell" };
     const LONG: Duration = Duration::from_secs(60);
 
     fn shell(script: &str, input: &[u8], limit: Duration) -> Result<Written, String> {
@@ -138,8 +138,8 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_told_with_what_to_install() {
-        let none = Program { name: "no-such-program", install: "it" };
+        let none = Program { name: "no-such-program", remedy: "install it" };
         let refused = none.run::<&str>(&[], &[], LONG).expect_err("no program");
-        assert_eq!(refused, "there is no program no-such-program; install it, or leave this out");
+        assert_eq!(refused, "there is no program no-such-program; install it");
     }
 }

@@ -7,12 +7,13 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use super::external::Program;
-
 use tactograph::{Profile, Value};
 
+use super::external::Program;
+
 /// The program of liblouis.
-const PROGRAM: Program = Program { name: "lou_translate", install: "liblouis (liblouis-bin)" };
+const PROGRAM: Program =
+    Program { name: "lou_translate", remedy: "install liblouis (liblouis-bin), or write uncontracted braille" };
 /// How long a text may take; it takes some milliseconds.
 const LIMIT: Duration = Duration::from_secs(20);
 

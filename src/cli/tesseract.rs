@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::external::Program;
 
 /// The program.
-const PROGRAM: Program = Program { name: "tesseract", install: "Tesseract (tesseract-ocr)" };
+const PROGRAM: Program = Program { name: "tesseract", remedy: "install Tesseract (tesseract-ocr), or leave --ocr out" };
 /// Its three letters of a language for the two of a tag (ISO 639-2).
 const LANGUAGES: &[(&str, &str)] = &[
     ("bg", "bul"),

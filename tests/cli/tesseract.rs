@@ -76,7 +76,7 @@ fn without_tesseract_or_its_language_there_is_one_line_and_no_page() {
     let mut command = place.command(&["convert", "chart.png", "-o", "page.svg", "--ocr"]);
     let none = ended(command.env("PATH", place.path("nothing")).output().expect("the program starts"));
     let told =
-        "tactograph: --ocr: there is no program tesseract; install Tesseract (tesseract-ocr), or leave this out\n";
+        "tactograph: --ocr: there is no program tesseract; install Tesseract (tesseract-ocr), or leave --ocr out\n";
     assert_eq!((none.code, none.err.as_str()), (2, told));
     assert!(!place.names().contains(&"page.svg".to_owned()));
 }

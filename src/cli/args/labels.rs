@@ -92,8 +92,11 @@ impl Labels {
 
     /// Whether there are any.
     pub(in crate::cli) fn are_given(&self) -> bool {
-        let is_asked_for = self.number.is_some() || self.ocr;
-        self.labels.is_some() || self.key == When::Always || self.braille_table.is_some() || is_asked_for
+        self.labels.is_some()
+            || self.key == When::Always
+            || self.braille_table.is_some()
+            || self.number.is_some()
+            || self.ocr
     }
 
     /// Reads the file.

@@ -81,7 +81,7 @@ impl With {
                 let drawing = tactograph::render(bytes, None).map_err(said)?;
                 std::hint::black_box(drawing.page.to_pdf());
                 std::hint::black_box(tactograph::check(bytes, None).map_err(said)?);
-                std::hint::black_box(tactograph::describe(bytes, None).map_err(said)?);
+                std::hint::black_box(tactograph::describe(bytes, None, None).map_err(said)?);
                 Ok(())
             }
             Input::Lines => convert(&self.picture, &self.options.clone().lines(bytes).map_err(said)?),
