@@ -7,6 +7,7 @@ pub mod colours;
 mod described;
 mod dots;
 mod draw;
+mod drawn_areas;
 mod finish;
 mod given;
 mod key;
@@ -19,6 +20,7 @@ pub mod sheets;
 mod text_reader;
 mod texts;
 pub mod trace;
+mod typed;
 mod unwritten;
 mod words;
 

@@ -33,9 +33,9 @@ check() { # check WHAT COMMAND...: runs the command and counts; its output is sh
   fi
 }
 
-TOOLS=(inkscape python3 rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck tesseract)
-PACKAGES=(inkscape python3 librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck tesseract-ocr
-  tesseract-ocr-eng fonts-dejavu-core)
+TOOLS=(inkscape potrace convert python3 rsvg-convert xmllint qpdf pdftoppm mutool gs pngcheck tesseract)
+PACKAGES=(inkscape potrace imagemagick python3 librsvg2-bin libxml2-utils qpdf poppler-utils mupdf-tools ghostscript pngcheck
+  tesseract-ocr tesseract-ocr-eng fonts-dejavu-core)
 get_tools() {
   local tool
   TOOLS+=("${DOT_TOOLS[@]}")
@@ -189,6 +189,48 @@ texts_are_read() {
   [ $found -ge 6 ] || { echo "$found of 8 texts are read"; cat "$out/read.log"; return 1; }
 }
 
+# A correction by hand (tools/src/correction.rs), opened and saved in Inkscape, is written as it is without Inkscape; a
+# line deleted and a shape coloured there are read.
+correction_is_read() {
+  local stage=$out/stage-4.svg
+  "$correction" "$out" || return 1
+  "$program" render "$stage" -o "$out/corrected.svg" || return 1
+  inkscape "$stage" --export-filename="$out/stage-saved.svg" || return 1
+  "$program" render "$out/stage-saved.svg" -o "$out/corrected-saved.svg" || return 1
+  cmp "$out/corrected.svg" "$out/corrected-saved.svg" || return 1
+  inkscape "$stage" --actions="select-by-id:line-5;delete;select-clear;select-by-id:cloth;object-set-attribute:fill,#108030;\
+export-filename:$out/stage-changed.svg;export-do" || return 1
+  "$program" render "$out/stage-changed.svg" -o "$out/changed.svg" || return 1
+  python3 - "$out/corrected.svg" "$out/changed.svg" <<'PYTHON'
+import re, sys
+was, now = (open(name).read() for name in sys.argv[1:])
+lines = lambda page: len(re.findall(r'id="line-\d+"', page))
+of = lambda page, colour: page.count(f'data-class="{colour}"')
+assert lines(now) == lines(was) - 1, (lines(was), lines(now))
+assert of(was, "blue") == 1 and of(now, "blue") == 0 and of(now, "green") == of(was, "green") + 1
+PYTHON
+}
+
+# What other programs trace is no page that fingers can read, and the check says so.
+tracing_fails() { # tracing_fails SVG
+  local code=0
+  "$program" check "$1" >"$out/tracing.txt" || code=$?
+  [ $code = 1 ] && grep -q '^error ' "$out/tracing.txt" || { echo "exit code $code"; tail -n 3 "$out/tracing.txt"; return 1; }
+}
+tracings_fail() { # tracings_fail SAMPLE
+  case $1 in
+    *.svg) rsvg-convert -w 600 "samples/$1" -o "$out/tracing.png" ;;
+    *) cp "samples/$1" "$out/tracing.png" ;;
+  esac || return 1
+  convert "$out/tracing.png" -colorspace Gray -threshold 50% "$out/tracing.pbm" || return 1
+  potrace --svg "$out/tracing.pbm" -o "$out/potrace.svg" && tracing_fails "$out/potrace.svg" || return 1
+  # Inkscape traces without a window since 1.3
+  inkscape --action-list 2>/dev/null | grep -q '^selection-trace' || return 0
+  inkscape "$out/tracing.png" --actions="select-all;selection-trace:8,true,true,false,2,1.0,0.2;\
+export-filename:$out/inkscape-traced.svg;export-do" || return 1
+  tracing_fails "$out/inkscape-traced.svg"
+}
+
 check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
   picture=$1
   name=$(basename "$1").$2
@@ -215,9 +257,10 @@ check_page() { # check_page PICTURE PROFILE WIDTH_MM HEIGHT_MM
 . tests/clients/prints.sh
 . tests/clients/dots.sh
 get_tools
-cargo build --quiet -p tactograph -p tactograph-tools --bin tactograph --bin render --bin dot_files
+cargo build --quiet -p tactograph -p tactograph-tools --bin tactograph --bin render --bin dot_files --bin correction
 program=target/debug/tactograph
 render=target/debug/render
+correction=target/debug/correction
 dot_files=target/debug/dot_files
 out=${KEEP:-$(mktemp -d)}
 mkdir -p "$out"
@@ -239,6 +282,10 @@ for sample in coffee.png.swell-a4 landscape.svg.swell-a4; do
 done
 check "what was edited in Inkscape is read" edits_are_read "$out/coffee.png.swell-a4.svg"
 check "texts of a bitmap are read" texts_are_read
+check "a correction by hand goes through Inkscape" correction_is_read
+for sample in coffee.png chart.svg; do
+  check "a tracing of $sample is found faulty" tracings_fail "$sample"
+done
 check_sheets
 check_layers samples/landscape.svg 12
 check_calibration

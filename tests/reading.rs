@@ -200,7 +200,7 @@ fn what_is_drawn_by_hand_is_read_by_its_kind() {
     assert!(told.contains("3 lines") && told.contains("outside of the layers"), "{told}");
 
     let (page, told) = drawn(
-        "<circle cx=\"100\" cy=\"100\" r=\"0.75\"/><path d=\"M20,20h10v10z\" fill=\"#c00\"/>\
+        "<circle cx=\"100\" cy=\"100\" r=\"0.75\"/><path d=\"M20,20h6v6z\" fill=\"#c00\"/>\
          <text x=\"20\" y=\"20\">Cup</text><path d=\"M-20,20h10\" stroke=\"#000\"/><image href=\"x.png\"/>",
     );
     let dots = page.labels.last().expect("a dot");

@@ -223,13 +223,20 @@ impl Options {
     }
 
     /// Takes the areas of textures from a page that somebody changed, in place of the colours of the picture: an
-    /// area that was deleted stays blank, one that was moved to another group of textures has the colour of that.
+    /// area that was deleted stays blank, one that was moved to another group of textures has the colour of that,
+    /// and a shape that was drawn and filled with a colour is an area of it.
     ///
     /// # Errors
     /// As [`Options::lines`].
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        let Reading { page, notes } = reading::read(svg.as_ref())?;
+        let Reading { page, mut notes, areas, .. } = reading::read(svg.as_ref())?;
+        // drawn areas have signs only then
+        let (page, more) = match areas.is_empty() {
+            true => (page, Vec::new()),
+            false => pipeline::settle(&page, (&areas, &[]), &Plan::new(&Profile::of_page(&page.origin)?)?)?,
+        };
         self.given.areas = Some(pipeline::areas_of(&page));
+        notes.extend(more);
         self.add_notes(notes);
         Ok(self)
     }
@@ -292,7 +299,7 @@ impl Options {
 
     /// The lines of a page as its own profile means them.
     fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
-        let Reading { page, notes } = reading::read(svg)?;
+        let Reading { page, notes, .. } = reading::read(svg)?;
         let lines = HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?);
         self.add_notes(notes);
         Ok(lines)

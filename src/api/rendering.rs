@@ -31,9 +31,9 @@ use crate::reading::{self, Reading};
 /// # Errors
 /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; faults of the profile.
 pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawing, Error> {
-    let Reading { page, mut notes } = reading::read(svg.as_ref())?;
+    let Reading { page, mut notes, areas, texts } = reading::read(svg.as_ref())?;
     let own = Plan::new(&Profile::of_page(&page.origin)?)?;
-    let (page, more) = pipeline::settle(&page, &own)?;
+    let (page, more) = pipeline::settle(&page, (&areas, &texts), &own)?;
     notes.extend(more);
     let Some(profile) = profile else {
         return Ok(Drawing { page, overview: None, key: Vec::new(), texts: Vec::new(), notes });

@@ -139,6 +139,12 @@ impl<'t> Writer<'t> {
             let drops_space = rule.joins_right && self.text.get(i + length) == Some(&' ');
             return length + usize::from(drops_space);
         }
+        // a cell that is written as such stands for itself; there is no room for the lower two dots of eight
+        if let '\u{2800}'..='\u{283f}' = character {
+            self.out.cells.push((u32::from(character) - 0x2800) as u8);
+            self.in_number = false;
+            return 1;
+        }
         let small = small(character);
         match small.and_then(|small| table.letters.get(&small)) {
             Some(cells) => {

@@ -3,19 +3,22 @@
 use super::areas;
 use super::described::{described, is_made};
 use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
+use super::drawn_areas;
 use super::given::HandLines;
 use super::label::{Label, Position};
 use super::progress::Watch;
 use super::request::Request;
+use super::typed;
 use super::words::Words;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture};
 use crate::profile::Plan;
+use crate::reading::{DrawnArea, TypedText};
 use crate::units::{MmPoint, MmRect, Size};
 use crate::wording::Wording;
-use crate::{Error, Note, dots, textures};
+use crate::{Error, Note, dots};
 
 /// Pixels for a millimetre in which the shape of a figure is said.
 const PX_PER_MM: f32 = 20.0;
@@ -24,11 +27,12 @@ const PX_PER_MM: f32 = 20.0;
 const TURNED: f32 = 15.0;
 
 /// The page as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page of dots as
-/// dots, areas that were moved to another colour with the signs of that. Says what was changed.
+/// dots, areas that were moved to another colour or `drawn` by hand with the signs of that, typed texts in braille. Says what was
+/// changed.
 ///
 /// # Errors
 /// If a mark is off the sheet then.
-pub fn settle(page: &Page, plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
+pub fn settle(page: &Page, drawn: (&[DrawnArea], &[TypedText]), plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
     let mut parts = Parts::clone(page);
     let mut notes = Vec::new();
     let classes = wrong_signs(page);
@@ -75,6 +79,8 @@ pub fn settle(page: &Page, plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
             parts.figure.lines = rows;
         }
     }
+    notes.extend(drawn_areas::lay(&mut parts, drawn.0, plan));
+    notes.extend(typed::write(&mut parts, drawn.1, plan));
     let made = is_made(page);
     let page = Page::new(parts)?;
     let wording = Wording::nearest(&page.description_language);
@@ -107,11 +113,8 @@ fn wrong_signs(page: &Page) -> Vec<usize> {
 fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> {
     let mut one = areas.clone();
     one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
-    let drawn = textures::fill(&one, page.figure.place, &page.figure.lines, &plan.textures());
-    let mut glyphs: Vec<Glyph> = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
-    let swell = plan.profile().print.swell;
-    glyphs.iter_mut().for_each(|glyph| glyph.shape = glyph.shape.narrowed(swell));
-    glyphs
+    let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
+    drawn.into_iter().flat_map(|texture| texture.glyphs).collect()
 }
 
 /// Brings the widths of a line into a range, mm; tells whether any was outside.

@@ -3,6 +3,7 @@
 use resvg::tiny_skia::{Point, Transform};
 use usvg::roxmltree::Node;
 
+use super::areas::{self, DrawnArea};
 use super::document::Elements;
 use super::marks::{Mark, Marks};
 use super::outline::{Outline, clean};
@@ -33,7 +34,7 @@ const GLYPH_AREA: f32 = 11.2;
 /// Pixels for a millimetre of a picture that is not known.
 const PX_PER_MM: f32 = 4.0;
 
-/// The page of these marks.
+/// The page of these marks, what is told, and areas that a person drew.
 ///
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
@@ -42,7 +43,7 @@ pub(super) fn page(
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
-) -> Result<(Page, Vec<Note>), Error> {
+) -> Result<(Page, Vec<Note>, Vec<DrawnArea>), Error> {
     let Marks { marks, transforms, clipped, pictures, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
@@ -55,7 +56,7 @@ pub(super) fn page(
     for (_, layer, strength, of_object) in runs {
         builder.add_lines(layer, strength, of_object);
     }
-    let Builder { mut parts, tally, overview, overview_frame, mut regions, .. } = builder;
+    let Builder { mut parts, tally, overview, overview_frame, mut regions, areas, .. } = builder;
     regions.sort_by_key(|(number, _)| *number);
     parts.figure.textures = regions.into_iter().map(|(_, texture)| texture).collect();
     parts.figure.place = on_sheet(place(Layer::Figure), sheet);
@@ -68,8 +69,6 @@ pub(super) fn page(
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
     let mut notes: Vec<Note> = tally.notes().collect();
-    let texts = elements.texts();
-    notes.extend((!texts.is_empty()).then_some(Note::TextsLeftOut(texts)));
     let more = [
         (pictures, "pictures on the page: convert them to lines first"),
         (far, "marks that reach far beyond the sheet"),
@@ -83,7 +82,7 @@ pub(super) fn page(
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    Ok((Page::new(parts)?, notes))
+    Ok((Page::new(parts)?, notes, areas))
 }
 
 /// What the page is made for, as it says itself.
@@ -147,6 +146,8 @@ struct Builder<'m> {
     regions: Vec<(usize, Texture)>,
     /// Which text is which object.
     texts: Vec<usize>,
+    /// Areas that a person drew.
+    areas: Vec<DrawnArea>,
     /// Which dots of labels are which object.
     labels: Vec<usize>,
     tally: Tally,
@@ -164,6 +165,7 @@ impl<'m> Builder<'m> {
             overview_frame: Dots::default(),
             regions: Vec::new(),
             texts: Vec::new(),
+            areas: Vec::new(),
             labels: Vec::new(),
             tally: Tally::default(),
         }
@@ -177,6 +179,12 @@ impl<'m> Builder<'m> {
         }
         let has_heights = self.medium.has_heights();
         let first = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+        let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
+        let is_area = area.is_some();
+        if let Some(area) = area {
+            self.tally.add(What::Area, first);
+            self.areas.push(area);
+        }
         if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
             if stroke.shade > BLACK && !has_heights {
                 self.tally.add(What::Shaded, first);
@@ -188,7 +196,7 @@ impl<'m> Builder<'m> {
             self.add_strokes(mark, of_path, runs);
             return;
         }
-        let Some(shade) = mark.fill.filter(|shade| *shade < WHITE) else { return };
+        let Some(shade) = mark.fill.filter(|shade| *shade < WHITE && !is_area) else { return };
         if shade > BLACK && !has_heights {
             self.tally.add(What::Shaded, first);
         }

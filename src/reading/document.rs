@@ -53,7 +53,55 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
     Ok(document)
 }
 
+/// Begins the id of the mark that stands before a text where it begins: without fonts usvg places no texts.
+pub(super) const PLACE_OF: &str = "place-of-";
+
+/// A mark at the place of a text, under the transforms that the text has.
+fn place_mark(text: Node<'_, '_>, id: &str) -> String {
+    let first = |name: &str| {
+        let value = text.descendants().filter(Node::is_element).find_map(|part| part.attribute(name));
+        let number = value.and_then(|value| value.split([' ', ',']).find(|number| !number.is_empty()));
+        number.unwrap_or("0").to_owned()
+    };
+    let transform = text.attribute("transform").unwrap_or_default();
+    let attributes = [
+        ("id", format!("{PLACE_OF}{id}")),
+        ("x", first("x")),
+        ("y", first("y")),
+        ("width", "0.01".into()),
+        ("height", "0.01".into()),
+        ("fill", "#000".into()),
+        ("transform", transform.into()),
+    ];
+    let escaped = |value: &str| value.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    let attributes = attributes.iter().map(|(name, value)| format!(" {name}=\"{}\"", escaped(value)));
+    format!("<rect{}/>", attributes.collect::<String>())
+}
+
+/// Whether an element is a text that is shown, and no part of a definition.
+fn is_seen_text(node: Node<'_, '_>) -> bool {
+    let hides = |above: Node<'_, '_>| {
+        let style = above.attribute("style").unwrap_or_default().replace(' ', "");
+        ["defs", "clipPath", "mask", "symbol", "pattern", "marker"].contains(&above.tag_name().name())
+            || above.attribute("display") == Some("none")
+            || style.contains("display:none")
+    };
+    node.tag_name().name() == "text" && !node.ancestors().any(hides)
+}
+
+/// A text that is shown.
+pub(super) struct Typed<'a> {
+    pub(super) id: &'a str,
+    pub(super) string: String,
+    /// Whether it lies in the layer of texts that are labels.
+    pub(super) is_label: bool,
+}
+
+/// The layer in which texts are labels to be written in braille.
+const LABELS: &str = "labels-text";
+
 /// The same text, in which each element has an id: usvg keeps ids and no other attributes, and plain editors give none.
+/// Before each text stands a mark of its place.
 ///
 /// # Errors
 /// As [`parse`].
@@ -64,25 +112,32 @@ pub(super) fn with_ids(text: &str) -> Result<String, Error> {
         return Ok(text.to_owned());
     }
     let all: HashSet<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
-    let mut places: Vec<usize> = document
-        .descendants()
-        .filter(|node| node.is_element() && node.attribute("id").is_none())
-        .map(|node| node.range().start)
-        .collect();
-    places.sort_unstable();
-    let mut out = String::with_capacity(text.len() + 24 * places.len());
+    let mut out = String::with_capacity(text.len() + text.len() / 8);
     let (mut done, mut number) = (0, 0);
-    for place in places {
-        let name = text[place + 1..].find(|c: char| c.is_whitespace() || c == '/' || c == '>').unwrap_or(0);
-        let end = place + 1 + name;
-        out.push_str(&text[done..end]);
-        done = end;
-        number += 1;
-        while all.contains(format!("unnamed-{number}").as_str()) {
-            number += 1;
-        }
+    for node in document.descendants().filter(Node::is_element) {
+        let (own, is_text) = (node.attribute("id"), is_seen_text(node));
+        let start = node.range().start;
+        let id = own.map_or_else(
+            || {
+                number += 1;
+                while all.contains(format!("unnamed-{number}").as_str()) {
+                    number += 1;
+                }
+                format!("unnamed-{number}")
+            },
+            str::to_owned,
+        );
         // Writing to a String cannot fail.
-        let _ = write!(out, " id=\"unnamed-{number}\"");
+        if is_text {
+            let _ = write!(out, "{}{}", &text[done..start], place_mark(node, &id));
+            done = start;
+        }
+        if own.is_none() {
+            let name = text[start + 1..].find(|c: char| c.is_whitespace() || c == '/' || c == '>').unwrap_or(0);
+            let end = start + 1 + name;
+            let _ = write!(out, "{} id=\"{id}\"", &text[done..end]);
+            done = end;
+        }
     }
     out.push_str(&text[done..]);
     Ok(out)
@@ -130,23 +185,22 @@ impl<'a> Elements<'a> {
         self.by_id.values().any(|node| node.tag_name().name() == "g" && layer_of(*node).is_some())
     }
 
-    /// How many elements of this name there are outside of definitions, or their contents where they are texts.
-    pub(super) fn texts(&self) -> Vec<String> {
-        let mut found: Vec<(usize, String)> = Vec::new();
-        for node in self.by_id.values().filter(|node| node.tag_name().name() == "text") {
-            let hidden = node.ancestors().any(|above| {
-                let style = above.attribute("style").unwrap_or_default().replace(' ', "");
-                above.tag_name().name() == "defs"
-                    || above.attribute("display") == Some("none")
-                    || style.contains("display:none")
-            });
+    /// The texts that are shown, in their order.
+    pub(super) fn texts(&self) -> Vec<Typed<'a>> {
+        let mut found: Vec<(usize, Typed<'a>)> = Vec::new();
+        for (id, node) in self.by_id.iter().filter(|(_, node)| is_seen_text(**node)) {
             let letters = node.descendants().filter(Node::is_text).filter_map(|node| node.text());
-            let text = letters.collect::<Vec<_>>().join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
-            if !hidden && !text.is_empty() {
-                found.push((node.range().start, text));
+            let string = letters.collect::<Vec<_>>().join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+            let named = |name: &str| name.trim().to_lowercase().replace([' ', '_'], "-") == LABELS;
+            let is_label = node.ancestors().any(|above| {
+                let names = [above.attribute("id"), above.attribute((INKSCAPE, "label"))];
+                names.into_iter().flatten().any(named)
+            });
+            if !string.is_empty() {
+                found.push((node.range().start, Typed { id, string, is_label }));
             }
         }
-        found.sort();
+        found.sort_by_key(|(start, _)| *start);
         found.into_iter().map(|(_, text)| text).collect()
     }
 }

@@ -2,15 +2,15 @@
 
 use std::collections::HashMap;
 
-use resvg::tiny_skia::Transform;
+use resvg::tiny_skia::{Point, Transform};
 use usvg::roxmltree::Node;
 use usvg::{Group, Paint, Tree};
 
-use super::document::{Elements, layer_of};
+use super::document::{Elements, PLACE_OF, layer_of};
 use super::outline::{Outline, clean, outlines};
 use crate::Error;
 use crate::output::layer::Layer;
-use crate::units::MM_PER_CSS_PX;
+use crate::units::{MM_PER_CSS_PX, MmPoint};
 
 /// Most points of all paths together: a page of ours has 100 000 at most.
 const MOST_POINTS: usize = 5_000_000;
@@ -34,6 +34,8 @@ pub(super) struct Mark<'a> {
     pub(super) outlines: Vec<Outline>,
     /// Lightness of what fills it, 0 black.
     pub(super) fill: Option<u8>,
+    /// The colour of that, on white.
+    pub(super) colour: [u8; 3],
     pub(super) stroke: Option<Stroke>,
     /// By how much its area is larger than its element says.
     pub(super) area_scale: f32,
@@ -60,6 +62,8 @@ pub(super) struct Marks<'a> {
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
     pub(super) far: usize,
+    /// Where texts begin, by their ids.
+    pub(super) texts: HashMap<String, MmPoint>,
     points: usize,
     objects: usize,
 }
@@ -86,6 +90,7 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<Marks<'a>, 
         pictures: 0,
         patterned: 0,
         far: 0,
+        texts: HashMap::new(),
         points: 0,
         objects: 0,
     };
@@ -139,6 +144,13 @@ impl<'a> Marks<'a> {
             return Ok(());
         }
         let transform = to_mm(path.abs_transform());
+        if let Some(text) = path.id().strip_prefix(PLACE_OF) {
+            let corner = path.data().bounds();
+            let mut at = [Point::from_xy(corner.left(), corner.top())];
+            transform.map_points(&mut at);
+            self.texts.insert(text.to_owned(), MmPoint::new(clean(at[0].x), clean(at[0].y)));
+            return Ok(());
+        }
         let Some(geometry) = path.data().clone().transform(transform) else { return Ok(()) };
         let bounds = geometry.bounds();
         let far = [bounds.left(), bounds.top(), bounds.right(), bounds.bottom()].iter().any(|side| side.abs() > FAR);
@@ -161,6 +173,14 @@ impl<'a> Marks<'a> {
             _ => (self.next_object(), own),
         };
         let area_scale = (transform.sx * transform.sy - transform.kx * transform.ky).abs();
+        let opacity = around.opacity;
+        let colour = path.fill().map_or([0; 3], |fill| match fill.paint() {
+            Paint::Color(colour) => {
+                let seen = |channel: u8| 255.0 - (255.0 - f32::from(channel)) * fill.opacity().get() * opacity;
+                [colour.red, colour.green, colour.blue].map(|channel| seen(channel).round() as u8)
+            }
+            _ => [0; 3],
+        });
         let mut shade = |paint: &Paint, opacity: f32| match paint {
             Paint::Color(colour) => {
                 let light =
@@ -180,7 +200,7 @@ impl<'a> Marks<'a> {
         });
         let is_direct = own.parent() == Some(element) || own == element;
         let layer = around.layer;
-        self.marks.push(Mark { layer, object, element, is_direct, outlines, fill, stroke, area_scale });
+        self.marks.push(Mark { layer, object, element, is_direct, outlines, fill, colour, stroke, area_scale });
         Ok(())
     }
 }

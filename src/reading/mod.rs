@@ -10,15 +10,17 @@
 //!
 //! What is drawn counts, not what was written once: a mark is taken as it is now, of any width and colour, and as
 //! what the layer says in which it lies. What lies in no layer is taken by its kind: a stroke is a line, a disc is a
-//! dot, and any other filled shape a line around it. What is taken otherwise than it looks, or not at all, is told in
+//! dot, a large filled shape in a colour an area of that colour, and any other a line around it. What is taken otherwise than it looks, or not at all, is told in
 //! a [`Note`].
 
+mod areas;
 mod build;
 mod document;
 mod marks;
 mod outline;
 mod shapes;
 mod tally;
+mod typed;
 mod words;
 
 use usvg::{ImageHrefResolver, Tree};
@@ -28,6 +30,9 @@ use crate::raster::decode::unless_beyond_numbers;
 use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use document::Elements;
+
+pub use areas::DrawnArea;
+pub use typed::TypedText;
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
 const LEAST_SHEET: f32 = 5.0;
@@ -41,6 +46,10 @@ pub struct Reading {
     pub page: Page,
     /// What was taken otherwise than it looks, or left out.
     pub notes: Vec<Note>,
+    /// Areas that a person drew, which are not on the page as long as they have no signs.
+    pub areas: Vec<DrawnArea>,
+    /// Texts that a person typed and that are to be written in braille, which are not on the page either.
+    pub texts: Vec<TypedText>,
 }
 
 /// Reads a page from an SVG that [`svg::write`](crate::output::svg::write) wrote, changed by an editor or not.
@@ -70,8 +79,10 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
         return Err(Error::NotAPage("its sheet is smaller than 5 mm or larger than 2500 mm; check its size in mm"));
     }
     let words = words::of(&document);
-    let (page, notes) = build::page(marks, words, &elements, sheet)?;
-    Ok(Reading { page, notes })
+    let (texts, told) = typed::sorted(elements.texts(), &marks.texts);
+    let (page, mut notes, areas) = build::page(marks, words, &elements, sheet)?;
+    notes.extend(told);
+    Ok(Reading { page, notes, areas, texts })
 }
 
 /// Whether bytes are text in XML, as all pages are.

@@ -56,7 +56,7 @@ lines-more = { $lines ->
 }
 
 area = Die Farbe { $colour } bedeckt { $share } der Abbildung{ $areas ->
-    [one] {" "}{ $place }
+    [one] , vor allem { $place }
    *[other] {" "}in { $areas } Flächen, die größte { $place }
 }.
 blank = { $share } der Abbildung haben keine Textur.

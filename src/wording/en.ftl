@@ -61,7 +61,7 @@ lines-more = { $lines ->
 }
 
 area = The colour { $colour } covers { $share } of the figure{ $areas ->
-    [one] {" "}{ $place }
+    [one] , mainly { $place }
    *[other] {" "}in { $areas } areas, the largest { $place }
 }.
 blank = { $share } of the figure has no texture.

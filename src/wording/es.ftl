@@ -56,7 +56,7 @@ lines-more = { $lines ->
 }
 
 area = El color { $colour } cubre { $share } de la figura{ $areas ->
-    [one] {" "}{ $place }
+    [one] , sobre todo { $place }
    *[other] {" "}en { $areas } superficies, la mayor { $place }
 }.
 blank = Sin textura: { $share } de la figura.

@@ -56,7 +56,7 @@ lines-more = { $lines ->
 }
 
 area = La couleur { $colour } couvre { $share } de la figure{ $areas ->
-    [one] {" "}{ $place }
+    [one] , surtout { $place }
    *[other] {" "}en { $areas } surfaces, la plus grande { $place }
 }.
 blank = Sans texture : { $share } de la figure.

@@ -52,7 +52,7 @@ lines-more = { $lines ->
 }
 
 area = Kolor { $colour } zajmuje { $share } rysunku{ $areas ->
-    [one] {" "}{ $place }
+    [one] , głównie { $place }
     [few] {" "}w { $areas } polach, największe { $place }
    *[other] {" "}w { $areas } polach, największe { $place }
 }.

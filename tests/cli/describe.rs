@@ -52,7 +52,7 @@ fn a_page_is_told_in_other_languages() {
     place.refuses(
         &["describe", "page.svg", "--lang", "tlh"],
         1,
-        &["no sentences in the language tlh; take one of en, de, es, fr, pl"],
+        &["page.svg: there are no sentences in the language tlh; take one of en, de, es, fr, pl"],
     );
 }
 
@@ -65,5 +65,9 @@ fn pages_are_told_while_they_are_made() {
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.err);
     let told = |page: &str| place.run(&["describe", page]).out;
     assert_eq!(run.out, format!("{}\n{}", told("pages/sea.svg"), told("pages/lake.svg")));
-    place.refuses(&["convert", "sea.svg", "-o", "-", "--describe"], 2, &["--describe writes to standard output"]);
+    place.refuses(
+        &["convert", "sea.svg", "-o", "-", "--describe"],
+        2,
+        &["--describe writes to standard output, and so does -o -; name a file with -o"],
+    );
 }

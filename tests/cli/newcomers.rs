@@ -8,9 +8,12 @@ fn lang_goes_with_a_title_alone() {
     let run = place.run(&["convert", "a.png", "--title", "Karte", "--lang", "de"]);
     assert_eq!((run.code, run.err.as_str()), (0, "wrote a.svg\n"));
     let page = place.text("a.svg");
-    // The description is generated, in English.
+    // The description is made in the same language, where the program has its words; otherwise in English.
     assert!(page.contains("<title xml:lang=\"de\">"), "{page}");
-    assert!(page.contains("<desc xml:lang=\"en\">") && page.contains(">A sheet upright, "), "{page}");
+    assert!(page.contains("<desc xml:lang=\"de\">Ein Blatt im Hochformat, "), "{page}");
+    let run = place.run(&["convert", "a.png", "--title", "Mapa", "--lang", "cs"]);
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.svg\n"));
+    assert!(place.text("a.svg").contains("<desc xml:lang=\"en\">A sheet upright, "), "{}", place.text("a.svg"));
     let run = place.run(&["convert", "a.png", "--alt", "Eine Karte", "--lang", "de"]);
     assert_eq!((run.code, run.err.as_str()), (0, "wrote a.svg\n"));
     assert!(place.text("a.svg").contains("<desc xml:lang=\"de\">"), "{}", place.text("a.svg"));

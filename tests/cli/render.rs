@@ -15,7 +15,10 @@ fn with_page(profile: &str) -> Place {
 }
 
 fn read(place: &Place, name: &str) -> Page {
-    let svg = place.text(name);
+    reading(&place.text(name))
+}
+
+fn reading(svg: &str) -> Page {
     tactograph::internals::reading::read(svg.as_bytes()).expect("it is a page").page
 }
 
@@ -207,6 +210,119 @@ fn what_is_erased_is_blank() {
     assert!(runs(&page).iter().flat_map(|run| &run.points).all(|at| at.x > middle - 1.0));
     assert!(page.figure.textures.iter().flat_map(|texture| &texture.glyphs).all(|glyph| glyph.at.x > middle));
     assert!(!page.figure.lines.is_empty() && !page.figure.textures.is_empty());
+}
+
+/// How many signs of a class have their middle in a box: left, top, right, bottom in mm.
+fn signs(page: &Page, class: Class, [left, top, right, bottom]: [f32; 4]) -> usize {
+    let of_class = page.figure.textures.iter().filter(|texture| texture.class == class);
+    let inside = |at: tactograph::MmPoint| (left..=right).contains(&at.x) && (top..=bottom).contains(&at.y);
+    of_class.flat_map(|texture| &texture.glyphs).filter(|glyph| inside(glyph.at)).count()
+}
+
+#[test]
+fn a_shape_that_is_drawn_and_filled_is_an_area_of_its_colour() {
+    let place = with_page("swell-a4");
+    let within = [31.0, 101.0, 59.0, 129.0];
+    let with = |added: &str| place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1);
+    let square = "<path d=\"M30,100h30v30h-30z\" fill=\"#1040d0\"/>";
+    place.put("blue.svg", with(square).as_bytes());
+    let told = done(&place, &["render", "blue.svg", "-o", "done.svg"]);
+    assert!(told.contains("1 filled shape (the first at 30, 100 mm), taken as areas of their colour"), "{told}");
+    assert!(told.contains("1 drawn area filled with the texture of its colour"), "{told}");
+    let page = read(&place, "done.svg");
+    assert!(signs(&page, Class::Blue, within) > 20);
+    for other in [Class::Green, Class::Yellow, Class::Red, Class::Grey] {
+        assert_eq!(signs(&page, other, within), 0, "{other:?}");
+    }
+    assert_eq!(page.figure.lines.len(), read(&place, "cup.svg").figure.lines.len(), "no line is drawn around it");
+    let area: f32 = page.figure.textures.iter().filter(|of| of.class == Class::Blue).map(|of| of.area).sum();
+    assert!((area - 900.0).abs() < 10.0, "{area}");
+    // what is written is a page like any other
+    let again = done(&place, &["render", "done.svg", "-o", "again.svg"]);
+    assert!(!again.contains("note") && place.text("again.svg") == place.text("done.svg"), "{again}");
+    // as dots, and in a rerun
+    done(&place, &["render", "blue.svg", "--profile", "index-basic-d", "--set", "overview=false", "-o", "dots.svg"]);
+    let dots = read(&place, "dots.svg");
+    assert!(dots.figure.textures.iter().any(|texture| texture.class == Class::Blue));
+    done(&place, &["convert", "cup.png", "--regions", "blue.svg", "--no-overview", "-o", "new.svg"]);
+    assert!(signs(&read(&place, "new.svg"), Class::Blue, within) > 20);
+    // with a stroke there is a line too; in a layer of textures the colour is that of the layer
+    let ring = square.replace("fill=", "stroke=\"#000\" stroke-width=\"1.2\" fill=");
+    place.put("ring.svg", with(&ring).as_bytes());
+    done(&place, &["render", "ring.svg", "-o", "ringed.svg"]);
+    let ringed = read(&place, "ringed.svg");
+    assert_eq!(ringed.figure.lines.len(), page.figure.lines.len() + 1);
+    assert!(signs(&ringed, Class::Blue, within) > 10);
+    let layer = format!(
+        "<g inkscape:groupmode=\"layer\" inkscape:label=\"Texture green\">{}</g>",
+        square.replace("#1040d0", "#000")
+    );
+    place.put("green.svg", with(&layer).as_bytes());
+    done(&place, &["render", "green.svg", "-o", "greened.svg"]);
+    assert!(signs(&read(&place, "greened.svg"), Class::Green, within) > 20);
+    // what has no texture is told
+    let thin = "<path d=\"M30,100h60v0.9h-60z\" fill=\"#1040d0\"/>";
+    place.put("thin.svg", with(thin).as_bytes());
+    let told = done(&place, &["render", "thin.svg", "-o", "x.svg"]);
+    assert!(told.contains("1 drawn area (the first at 60, 100 mm), too small for a texture"), "{told}");
+}
+
+#[test]
+fn typed_texts_are_written_in_braille_or_told_with_their_place() {
+    let place = with_page("swell-a4");
+    let added = "<g id=\"labels-text\" transform=\"translate(10 20)\"><text x=\"90\" y=\"120\"><tspan>cup</tspan></text></g>\
+                 <text transform=\"scale(2)\" x=\"12\" y=\"60\">\u{2813}\u{280a}</text>\
+                 <text x=\"30\" y=\"60\">Oven</text><text x=\"31\" y=\"61\" style=\"display:none\">never</text>";
+    place.put("typed.svg", place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1).as_bytes());
+    let told = done(&place, &["render", "typed.svg", "-o", "done.svg"]);
+    assert!(told.contains("2 texts that were typed are written in braille beside their places"), "{told}");
+    assert!(told.contains("text \"Oven\" at 30, 60 mm: fingers read no print letters"), "{told}");
+    assert!(!told.contains("never"), "{told}");
+    let page = read(&place, "done.svg");
+    let [cup, hi] = &page.braille[..] else { panic!("{:?}", page.braille) };
+    assert_eq!((cup.text.as_str(), cup.lines.join(" ")), ("cup", "\u{2809}\u{2825}\u{280f}".to_owned()));
+    assert_eq!(hi.lines.join(" "), "\u{2813}\u{280a}");
+    // not far from where they were typed, or led there
+    for (text, at) in [(cup, [100.0, 140.0]), (hi, [24.0, 120.0])] {
+        let at = tactograph::MmPoint::new(at[0], at[1]);
+        let ends = text.leader.iter().flat_map(|run| &run.points);
+        let nearest = text.dots.at.iter().chain(ends).map(|dot| (*dot - at).length()).fold(f32::MAX, f32::min);
+        assert!(nearest < 15.0, "{}: {nearest} mm away", text.text);
+    }
+    let checked = place.run(&["check", "done.svg"]);
+    assert!(!checked.out.contains("error braille"), "{}", checked.out);
+    let again = done(&place, &["render", "done.svg", "--profile", "index-basic-d", "-o", "dots.svg"]);
+    assert!(!again.contains("no cells for it"), "{again}");
+}
+
+#[test]
+fn a_page_that_is_corrected_by_hand_is_written_for_printer_and_embosser() {
+    let place = Place::new();
+    place.put("coffee.png", &samples::read("coffee.png"));
+    done(&place, &["convert", "coffee.png", "-o", "cup.svg"]);
+    let stages = tactograph_tools::correction::stages(&place.text("cup.svg")).expect("it is the page of the sample");
+    let last = &stages[stages.len() - 1];
+    place.put("cup.svg", last.svg.as_bytes());
+    done(&place, &["render", "cup.svg", "-o", "cup.pdf"]);
+    done(&place, &["render", "cup.svg", "--profile", "index-basic-d", "-o", "cup.idx"]);
+    done(&place, &["render", "cup.svg", "-o", "done.svg"]);
+    done(&place, &["render", "cup.svg", "--profile", "index-basic-d", "-o", "dots.svg"]);
+    let (before, after) = (reading(&stages[0].svg), read(&place, "done.svg"));
+    // seven pieces of clutter and two of the saucer less, one curve more
+    assert_eq!(after.figure.lines.len(), before.figure.lines.len() - 8);
+    let left = [21.0, 84.0, 40.0, 118.0];
+    assert!(signs(&before, Class::Yellow, left) > 10 && signs(&before, Class::Red, left) == 0);
+    assert!(signs(&after, Class::Red, left) > 10 && signs(&after, Class::Yellow, left) == 0);
+    assert!(signs(&after, Class::Blue, [25.0, 125.0, 50.0, 147.0]) > 5);
+    assert_eq!(after.labels.last().map(|dots| (dots.diameter, dots.at.len())), Some((1.5, 1)));
+    let dots = read(&place, "dots-1.svg");
+    let classes: Vec<Class> = dots.figure.textures.iter().map(|texture| texture.class).collect();
+    assert!(classes.contains(&Class::Blue) && classes.contains(&Class::Red), "{classes:?}");
+    let file = |name: &str| std::fs::read(place.path(name)).expect("it is there");
+    assert!(file("cup.pdf").starts_with(b"%PDF") && file("cup.idx").starts_with(b"\x1b"));
+    // and no line of the correction breaks a rule
+    let run = place.run(&["check", "done.svg"]);
+    assert!(!run.out.contains("error line-"), "{}", run.out);
 }
 
 #[test]

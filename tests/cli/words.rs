@@ -89,7 +89,7 @@ fn help_teaches_every_option() {
         ("--format <FORMAT>", "svg"),
         ("--dpi <N>", "300"),
         ("--title <TEXT>", "the picture's file name"),
-        ("--alt <TEXT>", "sizes, number of contours and shares of the colours, in English"),
+        ("--alt <TEXT>", "what \"tactograph describe\" says of the page"),
         ("--profile <NAME|FILE.toml>", "swell-a4"),
         ("--max-megapixels <N>", &megapixels),
         ("--max-memory <MB>", &memory),

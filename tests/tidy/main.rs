@@ -91,6 +91,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "labels",
             "contours",
             "output",
+            "reading",
             "touch",
             "description",
             "profile",

@@ -2,12 +2,14 @@
 
 pub mod cjpeg;
 pub mod cores;
+pub mod correction;
 pub mod drawn;
 pub mod full_page;
 pub mod near;
 pub mod photo;
 pub mod plot;
 pub mod rng;
+pub mod scenes;
 pub mod touch;
 pub mod travel;
 pub mod words;

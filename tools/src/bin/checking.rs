@@ -1,5 +1,5 @@
-//! How long a check takes, and how far its distances lie from those of a search of all pairs in f64: the figures of
-//! docs/checking.md.
+//! How long a check takes, how far its distances lie from those of a search of all pairs in f64, and whether pages of random
+//! pictures pass: the figures of docs/checking.md.
 //!
 //! ```text
 //! cargo run -p tactograph-tools --bin checking
@@ -13,14 +13,16 @@ use tactograph::internals::legibility::{check, too_near};
 use tactograph::internals::page::{Line, Run};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::units::MmPoint;
-use tactograph_tools::full_page;
 use tactograph_tools::rng::Rng;
+use tactograph_tools::{full_page, scenes};
 
 /// Times of which the least counts.
 const ROUNDS: usize = 15;
 /// Random pages that are held against the search, and lines on each.
 const PAGES: u64 = 200;
 const LINES: usize = 30;
+/// Random pictures whose pages are checked.
+const SCENES: u64 = 200;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let plan = Plan::new(&Profile::named("swell-a4")?)?;
@@ -40,7 +42,30 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let (pairs, worst) = exactness();
     println!("\n{PAGES} random pages, {pairs} pairs of lines that are too near: at most {worst:.5} mm off.");
+    let (pages, errors) = own_pages()?;
+    println!("\n{pages} pages of {SCENES} random scenes and noise: {} errors.", errors.len());
+    errors.iter().for_each(|error| println!("{error}"));
     Ok(())
+}
+
+/// The errors of pages of the program itself.
+fn own_pages() -> Result<(usize, Vec<String>), Box<dyn std::error::Error>> {
+    let (mut count, mut errors) = (0, Vec::new());
+    for seed in 0..SCENES {
+        let name = scenes::PROFILES[seed as usize % scenes::PROFILES.len()];
+        let profile = Profile::named(name)?;
+        let limits = Plan::new(&profile)?.limits();
+        let pixels = scenes::picture(seed, 240);
+        let picture = tactograph::Picture::rgba8(240, 240, &pixels)?;
+        let drawing = tactograph::convert(picture, &tactograph::Options::new(profile))?;
+        for page in std::iter::once(&drawing.page).chain(&drawing.overview) {
+            count += 1;
+            let found = check(page, &limits, None).findings;
+            let found = found.iter().filter(|finding| finding.is_error());
+            errors.extend(found.map(|error| format!("scene {seed}, {name}: {error}")));
+        }
+    }
+    Ok((count, errors))
 }
 
 /// How many pairs of straight lines on random pages are too near, and how far the distance of any of them is off.

@@ -1,0 +1,45 @@
+//! Filled shapes that a person drew to be areas of a colour: they have no signs yet, so a page cannot hold them.
+
+use super::marks::Mark;
+use crate::output::layer::Layer;
+use crate::page::Class;
+use crate::units::MmPoint;
+
+/// A shape is an area from so much on, mm2: smaller ones are marks. No profile has textures for less.
+const LEAST: f32 = 25.0;
+
+/// A filled shape that stands for an area.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnArea {
+    /// The class of the layer in which it lies; none if its colour decides.
+    pub class: Option<Class>,
+    /// Its colour, sRGB.
+    pub colour: [u8; 3],
+    /// Its outlines; what lies in an even number of them is outside.
+    pub outlines: Vec<Vec<MmPoint>>,
+}
+
+/// The area that a mark is. One in a layer of textures has the class of that; elsewhere it must have a colour, or be
+/// grey: what is black is ink.
+pub(super) fn of(mark: &Mark<'_>, is_ink: impl Fn(u8) -> bool) -> Option<DrawnArea> {
+    let shade = mark.fill?;
+    let is_own = ["data-class", "data-braille", "data-strength"].iter().any(|name| mark.element.has_attribute(*name));
+    let class = match mark.layer {
+        Some(Layer::Texture(class)) => Some(class),
+        None | Some(Layer::Figure | Layer::Textures | Layer::Lines) => None,
+        Some(_) => return None,
+    };
+    if is_own || (class.is_none() && is_ink(shade)) {
+        return None;
+    }
+    let outlines: Vec<Vec<MmPoint>> = mark.outlines.iter().map(|outline| outline.points.clone()).collect();
+    let is_large = |outline: &Vec<MmPoint>| area(outline) >= LEAST;
+    let all_large = !outlines.is_empty() && outlines.iter().all(is_large);
+    all_large.then_some(DrawnArea { class, colour: mark.colour, outlines })
+}
+
+/// The area inside a ring, mm2.
+fn area(points: &[MmPoint]) -> f32 {
+    let Some(&first) = points.first() else { return 0.0 };
+    0.5 * points.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<f32>().abs()
+}

@@ -1,0 +1,40 @@
+//! Texts that a person typed into a page: braille is written as it is, and so are labels; print letters are told.
+
+use std::collections::HashMap;
+
+use super::document::Typed;
+use crate::Note;
+use crate::units::MmPoint;
+
+/// A text that is to be written in braille.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TypedText {
+    /// What it says, in letters or in Unicode braille.
+    pub string: String,
+    /// Where it begins, mm on the sheet.
+    pub at: MmPoint,
+}
+
+/// Most texts that are told one by one.
+const MOST: usize = 5;
+
+/// Texts that are to be written, and what is told of the others.
+pub(super) fn sorted(texts: Vec<Typed<'_>>, places: &HashMap<String, MmPoint>) -> (Vec<TypedText>, Option<Note>) {
+    let is_braille = |text: &str| text.chars().all(|c| c == ' ' || ('\u{2800}'..='\u{28ff}').contains(&c));
+    let (mut written, mut left) = (Vec::new(), Vec::new());
+    for Typed { id, string, is_label } in texts {
+        match places.get(id) {
+            Some(&at) if is_label || is_braille(&string) => written.push(TypedText { string, at }),
+            Some(at) => left.push(format!("\"{string}\" at {:.0}, {:.0} mm", at.x, at.y)),
+            None => left.push(format!("\"{string}\"")),
+        }
+    }
+    let more = left.len().saturating_sub(MOST);
+    left.truncate(MOST);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let told = (!left.is_empty()).then(|| {
+        let what = "fingers read no print letters; in a layer called labels-text they are written in braille";
+        Note::LeftOut(format!("text {}{more}: {what}", left.join(", ")))
+    });
+    (written, told)
+}
