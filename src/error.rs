@@ -77,8 +77,8 @@ pub enum Error {
     },
     /// The part of the figure that is asked for is not in it.
     #[error(
-        "the part {part} reaches beyond the figure, which is {width:.1} x {height:.1} mm and {size} pixels; give a part \
-         that lies in it, from the figure's top left corner"
+        "the part {part} reaches beyond the figure, which is {width:.1} x {height:.1} mm and {size} pixels; give a \
+         part that lies in it, from the figure's top left corner"
     )]
     NotInFigure {
         /// The part, as it was asked for.

@@ -225,7 +225,7 @@ pub(super) struct Convert {
     pub(super) words: Words,
 
     /// Tells on standard output what is on each page, as "tactograph describe" does
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(super) describe: bool,
 
     #[command(flatten)]

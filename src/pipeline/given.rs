@@ -35,8 +35,8 @@ pub struct Given {
 }
 
 impl Given {
-    /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on the
-    /// sheet.
+    /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on
+    /// the sheet.
     ///
     /// # Errors
     /// If a part reaches beyond the picture.

@@ -27,8 +27,8 @@ const PX_PER_MM: f32 = 20.0;
 const TURNED: f32 = 15.0;
 
 /// The page as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page of dots as
-/// dots, areas that were moved to another colour or `drawn` by hand with the signs of that, typed texts in braille. Says what was
-/// changed.
+/// dots, areas that were moved to another colour or `drawn` by hand with the signs of that, typed texts in braille.
+/// Says what was changed.
 ///
 /// # Errors
 /// If a mark is off the sheet then.

@@ -10,8 +10,8 @@ use crate::profile::Plan;
 use crate::reading::TypedText;
 use crate::units::{MmPoint, MmRect};
 
-/// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is there,
-/// nearest to where they were typed. Tells what has no room, and what its code cannot write.
+/// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is
+/// there, nearest to where they were typed. Tells what has no room, and what its code cannot write.
 pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<Note> {
     if texts.is_empty() {
         return Vec::new();

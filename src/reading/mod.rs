@@ -10,8 +10,8 @@
 //!
 //! What is drawn counts, not what was written once: a mark is taken as it is now, of any width and colour, and as
 //! what the layer says in which it lies. What lies in no layer is taken by its kind: a stroke is a line, a disc is a
-//! dot, a large filled shape in a colour an area of that colour, and any other a line around it. What is taken otherwise than it looks, or not at all, is told in
-//! a [`Note`].
+//! dot, a large filled shape in a colour an area of that colour, and any other a line around it. What is taken
+//! otherwise than it looks, or not at all, is told in a [`Note`].
 
 mod areas;
 mod build;
