@@ -157,17 +157,6 @@ pub enum Error {
         /// The sheet's size.
         sheet: String,
     },
-    /// Calibration is about widths, sizes and gaps of ink; those of dots are the device's own.
-    #[error(
-        "calibration sheets are for printed pages, and {device} makes dots of one diameter, in {heights}; take a \
-         profile for printing, such as swell-a4"
-    )]
-    NotPrinted {
-        /// The device that makes the dots.
-        device: &'static str,
-        /// How many heights its dots have, in words.
-        heights: &'static str,
-    },
     /// The device cannot press what is asked for.
     #[error("{0}")]
     CannotPress(String),

@@ -1,8 +1,11 @@
 //! The calibration sheet has what it says, with gaps that a finger can tell apart.
 
 use tactograph::Error;
+use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::calibration::sheets;
 use tactograph::internals::output;
+use tactograph::internals::page::Medium;
+use tactograph::internals::page::cells::CellGrid;
 use tactograph::internals::page::{Class, Glyph, Page, Shape};
 use tactograph::internals::profile::{Plan, Profile, built_in};
 use tactograph::internals::units::MmPoint;
@@ -43,13 +46,9 @@ fn labels(page: &Page) -> Vec<(MmPoint, f32)> {
 fn every_profile_has_its_sheets_within_their_margins() {
     for profile in built_in() {
         let plan = plan(profile.name, &[]);
-        if let Some(device) = plan.profile().dots.device {
-            let refused = sheets(&plan).map_err(|error| error.to_string());
-            assert!(refused.is_err_and(|error| error.contains(device.name)));
-            continue;
-        }
         let pages = sheets(&plan).expect("the samples have room");
-        assert!((1..=4).contains(&pages.len()), "{}: {} sheets", profile.name, pages.len());
+        let most = if plan.profile().dots.device.is_some() { 14 } else { 6 };
+        assert!((1..=most).contains(&pages.len()), "{}: {} sheets", profile.name, pages.len());
         let margin = plan.profile().page.margin;
         for page in &pages {
             assert!(!page.labels.is_empty() && page.description.contains(profile.name), "{}", page.description);
@@ -92,7 +91,9 @@ fn lines_have_all_widths_and_pairs_all_gaps() {
         let between = pair[1].points[0].x - pair[0].points[0].x - 0.5 * (pair[0].width + pair[1].width);
         assert!((between - f32::from(gap)).abs() < 0.001 && (pair[0].width - 1.6).abs() < 1e-6, "{between}, not {gap}");
     }
-    assert!(page.description.contains(" a: lines 0.3, 0.4, 0.5, 0.6, 0.75, 1, 1.25, 1.5, 1.6, 2, 2.5, 3 mm wide."));
+    assert!(page.description.contains(
+        " a (lines.width_min, lines.width_max): lines 0.3, 0.4, 0.5, 0.6, 0.75, 1, 1.25, 1.5, 1.6, 2, 2.5, 3 mm wide."
+    ));
 }
 
 #[test]
@@ -164,5 +165,105 @@ fn sheets_are_one_document_or_one_drawing_each() {
         let discs: usize =
             labels.children().filter_map(|path| path.attribute("d")).map(|d| d.matches('M').count()).sum();
         assert_eq!(discs, page.labels.iter().map(|dots| dots.at.len()).sum::<usize>());
+    }
+}
+
+/// Every device with every pitch that it has.
+fn device_plans() -> Vec<Plan> {
+    let devices = built_in().iter().filter(|profile| plan(profile.name, &[]).profile().dots.device.is_some());
+    devices
+        .flat_map(|profile| match profile.name {
+            name if name.starts_with("index") => vec![(name, "1.6"), (name, "2.0"), (name, "2.5")],
+            "braillerap" => vec![("braillerap", "2.0"), ("braillerap", "2.5")],
+            name => vec![(name, "")],
+        })
+        .map(|(name, pitch)| if pitch.is_empty() { plan(name, &[]) } else { plan(name, &[("dots.pitch", pitch)]) })
+        .collect()
+}
+
+#[test]
+fn sheets_of_dots_are_what_the_device_can_raise() {
+    for plan in device_plans() {
+        let (name, pages) = (&plan.profile().name, sheets(&plan).expect("the samples have room"));
+        for format in tactograph::DotFormat::ALL {
+            let device = plan.profile().dots.device.expect("a device");
+            if format.refusal(device).is_none() {
+                let files = tactograph::write_dots("c", &pages, format, tactograph::Embossing::default());
+                assert!(files.is_ok(), "{name} as {}: {:?}", format.name(), files.err());
+            }
+        }
+        for page in &pages {
+            let Medium::Dots(medium) = &page.medium else { panic!("{name}: not of dots") };
+            // no two dots are nearer than the pitch: labels, lines and textures keep clear of one another
+            let mut all: Vec<MmPoint> = labels(page).into_iter().map(|(at, _)| at).collect();
+            all.extend(page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.iter().copied()));
+            all.extend(glyphs(page).map(|glyph| glyph.at));
+            all.sort_by(|a, b| a.x.total_cmp(&b.x));
+            let least = if name == "braillerap" { 1.5 } else { 0.99 * medium.pitch };
+            for (i, at) in all.iter().enumerate() {
+                for other in all[i + 1..].iter().take_while(|other| other.x - at.x < least) {
+                    assert!((*other - *at).length() >= least, "{name}: dots at {at:?} and {other:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_row_names_its_key_and_every_sample_its_number() {
+    let table = Code::of_language("en").and_then(Code::table).expect("a table");
+    let of_paper = ["a lines.width_min lines.width_max", "b lines.min_gap", "d frame.pitch", "e textures.min_glyph"];
+    let of_dots = [
+        "a dots.pitch",
+        "b dots.line_gap",
+        "c dots.heavy_from",
+        "d frame.pitch",
+        "e dots.texture_gap",
+        "f textures.palette",
+    ];
+    for (plan, headings) in [
+        (plan("swell-a4", &[]), &of_paper[..]),
+        (plan("index-basic-d", &[]), &of_dots),
+        (plan("braillerap", &[]), &of_dots),
+    ] {
+        let pages = sheets(&plan).expect("the samples have room");
+        let told: String = pages.iter().map(|page| page.description.as_str()).collect();
+        for heading in headings {
+            let keys: Vec<&str> = heading.split(' ').skip(1).collect();
+            assert!(told.contains(&format!(" {} ({}): ", &heading[..1], keys.join(", "))), "{heading}: {told}");
+            // somewhere the cells of the heading stand dot for dot
+            let cells = vec![table.translate(heading).cells];
+            let found = pages.iter().any(|page| {
+                let grid = CellGrid::of(&page.medium, CellSize::MARBURG);
+                let shape = grid.dots(&cells, MmPoint::new(30.0, 30.0));
+                let dots: Vec<MmPoint> = labels(page).into_iter().map(|(at, _)| at).collect();
+                let is_at = |from: &MmPoint| {
+                    shape.iter().all(|at| dots.iter().any(|dot| (*dot - (*at + (*from - shape[0]))).length() < 0.05))
+                };
+                dots.iter().any(is_at)
+            });
+            assert!(found, "{}: {heading} stands nowhere in braille", plan.profile().name);
+        }
+    }
+}
+
+#[test]
+fn pairs_of_dots_are_as_far_apart_as_told() {
+    for name in ["index-basic-d", "viewplus-columbia", "monarch", "braillerap"] {
+        let plan = plan(name, &[]);
+        let pages = sheets(&plan).expect("the samples have room");
+        let pitch = plan.profile().dots.pitch;
+        let columns = |run: &[MmPoint]| {
+            let mut columns: Vec<f32> = run.iter().map(|at| at.x).collect();
+            columns.sort_by(f32::total_cmp);
+            columns.dedup_by(|a, b| (*a - *b).abs() < 0.01);
+            columns
+        };
+        let runs = pages.iter().flat_map(|page| &page.figure.lines).flat_map(|line| &line.runs);
+        let upright: Vec<Vec<f32>> =
+            runs.map(|run| columns(&run.points)).filter(|columns| columns.len() == 2).collect();
+        let gaps: Vec<i32> = upright.iter().map(|pair| ((pair[1] - pair[0]) / pitch).round() as i32 - 1).collect();
+        let heavy = if plan.profile().dots.device.is_some_and(|device| device.has_heights()) { &[][..] } else { &[0] };
+        assert_eq!(gaps, [&[1, 2, 3, 4, 5], heavy].concat(), "{name}");
     }
 }

@@ -109,11 +109,11 @@ pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &O
 }
 
 /// Makes the calibration sheets of a profile: samples of lines, gaps, braille, frames, glyphs and textures, to be
-/// printed once and felt, so that a workshop finds the numbers for its own paper. One page a sheet, as many as the
-/// samples take.
+/// printed once and felt, so that a workshop finds the numbers for its own paper; for a device of dots samples of its
+/// pitch, gaps, weights of lines, frames and textures. One page a sheet, as many as the samples take.
 ///
 /// # Errors
-/// If the profile has faults, its pages are of dots (which have one size), or its sheet has no room for a sample.
+/// If the profile has faults, or its sheet has no room for a sample.
 pub fn calibrate(profile: &Profile) -> Result<Calibration, Error> {
     let plan = Plan::new(profile)?;
     Ok(Calibration { title: calibration::title(&plan), pages: calibration::sheets(&plan)? })

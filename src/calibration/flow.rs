@@ -22,6 +22,8 @@ pub(super) struct Block {
     pub(super) section: usize,
     /// Whether it begins a new row.
     pub(super) starts_row: bool,
+    /// Whether its row stays on one sheet with the next.
+    pub(super) keeps: bool,
 }
 
 /// Blank between blocks side by side, mm. Chosen by us: well over 3.2 mm, the least gap of the guidelines.
@@ -82,9 +84,12 @@ pub(super) fn place(blocks: Vec<Block>, area: MmVector) -> Result<Vec<Sheet>, To
     }
     let mut sheets: Vec<Sheet> = Vec::new();
     let mut bottom = f32::INFINITY;
-    for (_, height, row) in rows {
+    let heights: Vec<f32> = rows.iter().map(|(_, height, _)| *height).collect();
+    for (number, (_, height, row)) in rows.into_iter().enumerate() {
         let mut top = bottom + BETWEEN_ROWS;
-        if top + height > area.y {
+        let keeps = row.iter().any(|(block, _)| block.keeps);
+        let with_next = heights.get(number + 1).filter(|_| keeps).map_or(0.0, |next| BETWEEN_ROWS + next);
+        if top + height + with_next > area.y {
             sheets.push(Vec::new());
             top = 0.0;
         }
@@ -117,6 +122,10 @@ mod tests {
         let corners = |sheet: &Sheet| sheet.iter().map(|(_, at)| (at.x, at.y)).collect::<Vec<_>>();
         assert_eq!(corners(&sheets[0]), [(0.0, 0.0), (55.0, 0.0), (0.0, 28.0), (0.0, 46.0)]);
         assert_eq!(corners(&sheets[1]), [(0.0, 0.0)]);
+        let heading = Block { keeps: true, ..block(10.0, 10.0, true) };
+        let kept = place(vec![block(1.0, 80.0, true), heading, block(1.0, 20.0, true)], MmVector::new(100.0, 120.0));
+        let kept: Vec<usize> = kept.expect("all fit").iter().map(Vec::len).collect();
+        assert_eq!(kept, [1, 2], "a heading stays with what it is of");
         assert!(place(vec![block(101.0, 1.0, true)], MmVector::new(100.0, 120.0)).is_err());
     }
 }

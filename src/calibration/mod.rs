@@ -12,21 +12,23 @@
 //! The marks come from the same code as those of a page, with the profile's numbers wherever a sample does not vary
 //! them.
 //!
-//! Labels are in braille: a letter for each section, a number for each sample. The alternative was as many dots as the
+//! Above each section stand its letter and the keys of the profile that it decides, in braille; each sample has a number. The alternative was as many dots as the
 //! number says. Nobody has to know braille for these, but a finger has to count up to eleven dots, and at a pitch of
 //! 2.5 mm they are wider than the samples. The description of the sheet says the same as the labels.
 
+mod dotted;
 mod flow;
 mod samples;
 
 use flow::{Block, Marks, Sheet};
 
 use crate::Error;
+use crate::braille::{self, Code};
 use crate::classes::Class;
 use crate::page::layout::FrameParams;
-use crate::page::{Dots, Figure, MediumParams, Page, Parts};
+use crate::page::{DotMedium, Dots, Figure, MediumParams, Page, Parts};
 use crate::profile::{Plan, Profile};
-use crate::textures;
+use crate::textures::{self, Sign};
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
 /// Widths of single lines, mm: from the least that a profile accepts (`lines.width_min`) to that of thick pens for
@@ -51,28 +53,37 @@ const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.95];
 /// Spacing of the glyphs of the middle density as a multiple of the dense one; the sparse texture has half the rows.
 const WIDER: f32 = 1.25;
 
-/// A group of samples, and its description.
+/// Blank between a sample and its label, mm: as other programs leave around braille on graphics.
+const BLANK: f32 = 3.0;
+
+/// The keys of a profile that a section decides; none where the program decides.
+type Decides = &'static [&'static str];
+
+/// A group of samples, what it decides, and its description.
 struct Section {
     blocks: Vec<Block>,
+    keys: Decides,
     key: String,
 }
 
 /// The calibration sheets for a profile, one page each.
 ///
 /// # Errors
-/// [`Error::NoRoom`] if the profile's sheet is too small for a sample, [`Error::NotPrinted`] if its pages are of
-/// dots, whose size is fixed by the device.
+/// [`Error::NoRoom`] if the profile's sheet is too small for a sample.
 pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let profile = plan.profile();
-    if let MediumParams::Dots { device, .. } = plan.medium() {
-        let heights = if device.has_heights() { "three heights" } else { "one height" };
-        return Err(Error::NotPrinted { device: device.name, heights });
-    }
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
+    if let MediumParams::Dots { device, pitch } = plan.medium() {
+        let dots = DotMedium::on(device, pitch, [width, height])
+            .ok_or_else(|| Error::NoRoom { sample: "dot".to_owned(), sheet: format!("{width} x {height} mm") })?;
+        return dotted::sheets(plan, dots);
+    }
     let area = MmVector::new(width - 2.0 * margin, height - 2.0 * margin);
     let sections = sections(plan);
     let blocks = sections.iter().enumerate().flat_map(|(number, section)| {
-        section.blocks.iter().map(move |block| Block { section: number, ..block.clone() })
+        let heading = samples::heading(&heading_of(number, section.keys, samples::cells_in(area.x)));
+        let blocks = [heading].into_iter().chain(section.blocks.iter().cloned());
+        blocks.map(move |block| Block { section: number, ..block })
     });
     let sheets = flow::place(blocks.collect(), area).map_err(|flow::TooLarge(size)| Error::NoRoom {
         sample: format!("{:.0} x {:.0} mm", size.x.ceil(), size.y.ceil()),
@@ -83,9 +94,43 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     pages.collect()
 }
 
-/// The title of the document of all sheets for a profile.
+/// The title of the document of all sheets for a profile; for a device, with the distance of its dots.
 pub fn title(plan: &Plan) -> String {
-    format!("Calibration sheet for {}", plan.profile().name)
+    let name = &plan.profile().name;
+    match plan.medium() {
+        MediumParams::Print(_) => format!("Calibration sheet for {name}"),
+        MediumParams::Dots { pitch, .. } => format!("Calibration sheet for {name}, dots {pitch} mm apart"),
+    }
+}
+
+/// What stands above a section, in lines of so many cells: its letter, and the keys of a profile that it decides.
+fn heading_of(section: usize, keys: Decides, cells: usize) -> Vec<Vec<u8>> {
+    let text = [&[&*char::from(b'a' + section as u8).to_string()], keys].concat().join(" ");
+    let table = Code::of_language("en").and_then(Code::table);
+    table.map_or_else(Vec::new, |table| braille::wrap(&table.translate(&text), cells).lines)
+}
+
+/// The same in the description of the sheet.
+fn told(section: usize, keys: Decides, key: &str) -> String {
+    let decides = if keys.is_empty() { String::new() } else { format!(" ({})", keys.join(", ")) };
+    format!(" {}{decides}: {key}.", char::from(b'a' + section as u8))
+}
+
+/// Title, description and origin of one sheet of several; `keys` says what is on it.
+fn words_of(plan: &Plan, (number, count): (usize, usize), keys: &str) -> (String, String, Vec<(String, String)>) {
+    let profile = plan.profile();
+    let title = match count {
+        1 => title(plan),
+        _ => format!("{}, {number} of {count}", title(plan)),
+    };
+    let mut origin = vec![
+        ("program".into(), concat!("tactograph ", env!("CARGO_PKG_VERSION")).into()),
+        ("calibration sheet".into(), format!("{number} of {count}")),
+        ("profile".into(), profile.name.clone()),
+    ];
+    origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));
+    let description = format!("{title}.{keys} Letters and numbers are in braille.");
+    (title, description, origin)
 }
 
 fn sections(plan: &Plan) -> Vec<Section> {
@@ -93,20 +138,15 @@ fn sections(plan: &Plan) -> Vec<Section> {
     let textures = plan.textures();
     let mut sections = vec![single_lines(profile), pairs(profile), braille_dots(), frames(profile), glyphs(&textures)];
     for class in Class::ALL {
-        let number = sections.len();
-        sections.push(textured(class, number, &textures));
+        sections.push(textured(class, &textures));
     }
     sections
 }
 
-/// Numbered samples in rows, the first with the section's letter.
-fn row(section: usize, samples: impl IntoIterator<Item = Block>) -> Vec<Block> {
-    let numbered = samples.into_iter().enumerate().map(|(i, sample)| samples::numbered(i + 1, &sample));
-    let lettered = numbered.enumerate().map(|(i, block)| match i {
-        0 => Block { starts_row: true, ..samples::lettered(section, &block) },
-        _ => block,
-    });
-    lettered.collect()
+/// Numbered samples in rows.
+fn row(samples: impl IntoIterator<Item = Block>) -> Vec<Block> {
+    let numbered = samples.into_iter().enumerate();
+    numbered.map(|(i, sample)| Block { starts_row: i == 0, ..samples::numbered(i + 1, &sample) }).collect()
 }
 
 fn single_lines(profile: &Profile) -> Section {
@@ -116,21 +156,25 @@ fn single_lines(profile: &Profile) -> Section {
     widths.dedup_by(|a, b| (*a - *b).abs() < 0.005);
     let strength = profile.lines.full_strength;
     let key = format!("lines {} mm wide", listed(&widths));
-    Section { blocks: row(0, widths.iter().map(|&width| samples::lines(&[width], 0.0, strength))), key }
+    Section {
+        keys: &["lines.width_min", "lines.width_max"],
+        blocks: row(widths.iter().map(|&width| samples::lines(&[width], 0.0, strength))),
+        key,
+    }
 }
 
 fn pairs(profile: &Profile) -> Section {
     let width = profile.lines.width_max;
     let key = format!("pairs of lines {width} mm wide with gaps of {} mm", listed(&GAPS));
     let pair = |gap| samples::lines(&[width; 2], gap, profile.lines.full_strength);
-    let blocks = row(1, GAPS.map(pair)).into_iter().map(|block| samples::apart(PAIR_GAP, block));
-    Section { blocks: blocks.collect(), key }
+    let blocks = row(GAPS.map(pair)).into_iter().map(|block| samples::apart(PAIR_GAP, block));
+    Section { blocks: blocks.collect(), keys: &["lines.min_gap"], key }
 }
 
 fn braille_dots() -> Section {
     let key = format!("a full braille cell and the word dot, in dots of {} mm", listed(&BRAILLE_DOTS));
-    let blocks = row(2, BRAILLE_DOTS.map(samples::braille_trial)).into_iter();
-    Section { blocks: blocks.map(|block| samples::apart(WORD_GAP, block)).collect(), key }
+    let blocks = row(BRAILLE_DOTS.map(samples::braille_trial)).into_iter();
+    Section { blocks: blocks.map(|block| samples::apart(WORD_GAP, block)).collect(), keys: &[], key }
 }
 
 fn frames(profile: &Profile) -> Section {
@@ -138,7 +182,7 @@ fn frames(profile: &Profile) -> Section {
     let pitches = FRAME_PITCHES.map(|share| (100.0 * share * frame.pitch).round() / 100.0);
     let key = format!("frames of dots of {} mm, {} mm from dot to dot", frame.dot, listed(&pitches));
     let sample = |pitch| samples::frame(&FrameParams { width: frame.width, dot: frame.dot, pitch, gap: 0.0 });
-    Section { blocks: row(3, pitches.map(sample)), key }
+    Section { blocks: row(pitches.map(sample)), keys: &["frame.pitch"], key }
 }
 
 fn glyphs(params: &textures::Params) -> Section {
@@ -150,11 +194,11 @@ fn glyphs(params: &textures::Params) -> Section {
         let of = |class| samples::texture(class, 0.0, 1.0, side, &params);
         samples::stacked(&of(Class::Blue), &of(Class::Grey))
     };
-    Section { blocks: row(4, GLYPHS.map(sample)), key }
+    Section { blocks: row(GLYPHS.map(sample)), keys: &["textures.min_glyph"], key }
 }
 
 /// The table of one class. Pages never have the middle density: it shows a profile with wider textures.
-fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
+fn textured(class: Class, params: &textures::Params) -> Section {
     let wider = textures::Params {
         along: WIDER * params.along,
         across: WIDER * params.across,
@@ -173,8 +217,15 @@ fn textured(class: Class, number: usize, params: &textures::Params) -> Section {
         class.name(),
         listed(&lightness)
     );
-    let table = samples::table(number, &rows);
-    Section { blocks: vec![Block { starts_row: class == Class::ALL[0], ..table }], key }
+    let keys: Decides = match params.palette.sign(class) {
+        Sign::Dot => &["textures.dot_pitch", "textures.white_from"],
+        _ => &["textures.along", "textures.across", "textures.white_from"],
+    };
+    Section { blocks: vec![Block { starts_row: true, ..samples::table(&rows) }], keys, key }
+}
+
+fn listed_counts(values: &[usize]) -> String {
+    values.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
 }
 
 fn listed(values: &[f32]) -> String {
@@ -193,17 +244,8 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
     marks.textures.sort_by_key(|texture| texture.class);
     let on_sheet = |section: usize| sheet.iter().any(|(block, _)| block.section == section);
     let keys = sections.iter().enumerate().filter(|(section, _)| on_sheet(*section));
-    let keys = keys.map(|(section, Section { key, .. })| format!(" {}: {key}.", char::from(b'a' + section as u8)));
-    let own_title = match count {
-        1 => title(plan),
-        _ => format!("{}, {number} of {count}", title(plan)),
-    };
-    let mut origin = vec![
-        ("program".into(), concat!("tactograph ", env!("CARGO_PKG_VERSION")).into()),
-        ("calibration sheet".into(), format!("{number} of {count}")),
-        ("profile".into(), profile.name.clone()),
-    ];
-    origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));
+    let keys: String = keys.map(|(section, Section { keys, key, .. })| told(section, keys, key)).collect();
+    let (title, description, origin) = words_of(plan, (number, count), &keys);
     let figure = Figure {
         place,
         source: Size::new(place.width().round().max(1.0) as u32, place.height().round().max(1.0) as u32),
@@ -212,8 +254,8 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
     };
     // no orientation mark: the letters of the labels show which side is up
     let parts = Parts {
-        description: format!("{own_title}.{} Letters and numbers are in braille.", keys.collect::<String>()),
-        title: own_title,
+        title,
+        description,
         origin,
         frame: Dots { diameter: profile.frame.dot, at: marks.frame },
         labels: marks.labels,

@@ -1,5 +1,6 @@
 //! The samples themselves, each with its label.
 
+use super::BLANK as LABEL_GAP;
 use super::flow::{Block, Marks};
 use crate::braille::{self, CellSize};
 use crate::classes::Class;
@@ -13,11 +14,6 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// Length of a sample of lines, mm, round ends included. Chosen by us: twice 12.5 mm, which is quoted from BANA for
 /// main lines.
 const LENGTH: f32 = 25.0;
-/// Blank around a label, mm: as other programs leave around braille on graphics.
-const LABEL_GAP: f32 = 3.0;
-/// Blank between a section's letter and its first sample, mm. Chosen by us: more than the 6 mm from one braille cell
-/// to the next, so that the letter is not read as part of a sample.
-const LETTER_GAP: f32 = 8.0;
 /// Blank between the samples of a table, mm. A study of guide maps found 5 mm between textures easiest to read.
 const CELL_GAP: f32 = 5.0;
 /// Least side of a texture's sample, mm: 13 x 13 mm is quoted as the smallest area whose texture can be identified.
@@ -50,14 +46,20 @@ pub(super) fn apart(blank: f32, block: Block) -> Block {
     Block { size: block.size + MmVector::new(blank, 0.0), ..block }
 }
 
-/// A section's letter to the left of its first sample.
-pub(super) fn lettered(section: usize, sample: &Block) -> Block {
-    let letter = label(&braille::letter(section), braille::PRINTED);
-    let left = letter.size.x + LETTER_GAP;
-    let size = MmVector::new(left + sample.size.x, letter.size.y.max(sample.size.y));
-    let mut block = Block { size, ..Block::default() };
-    block.marks.add(&letter.marks, MmVector::zero());
-    block.marks.add(&sample.marks, MmVector::new(left, 0.0));
+/// How many cells of braille a line of this width holds.
+pub(super) fn cells_in(width: f32) -> usize {
+    CellSize::MARBURG.cells_in(width, braille::PRINTED)
+}
+
+/// What stands above a section, in lines of cells.
+pub(super) fn heading(lines: &[Vec<u8>]) -> Block {
+    let mut block = Block { starts_row: true, keeps: true, ..Block::default() };
+    for (i, line) in lines.iter().enumerate() {
+        let line = label(line, braille::PRINTED);
+        let top = i as f32 * CellSize::MARBURG.line;
+        block.marks.add(&line.marks, MmVector::new(0.0, top));
+        block.size = block.size.max(line.size + MmVector::new(0.0, top));
+    }
     block
 }
 
@@ -112,9 +114,8 @@ pub(super) fn stacked(above: &Block, below: &Block) -> Block {
     block
 }
 
-/// A table of samples of one size with a letter in its corner, the numbers of the columns above and of the rows to
-/// the left.
-pub(super) fn table(section: usize, rows: &[Vec<Block>]) -> Block {
+/// A table of samples of one size with the numbers of the columns above and of the rows to the left.
+pub(super) fn table(rows: &[Vec<Block>]) -> Block {
     let number = |n: usize| label(&braille::number(n + 1), braille::PRINTED);
     let cell = rows.iter().flatten().fold(MmVector::zero(), |size, block| size.max(block.size));
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -123,7 +124,6 @@ pub(super) fn table(section: usize, rows: &[Vec<Block>]) -> Block {
         MmVector::new(left + column as f32 * (cell.x + CELL_GAP), top + row as f32 * (cell.y + CELL_GAP))
     };
     let mut block = Block { size: at(columns, rows.len()) - MmVector::splat(CELL_GAP), ..Block::default() };
-    block.marks.add(&label(&braille::letter(section), braille::PRINTED).marks, MmVector::zero());
     for column in 0..columns {
         let number = number(column);
         block.marks.add(&number.marks, MmVector::new(at(column, 0).x + 0.5 * (cell.x - number.size.x), 0.0));

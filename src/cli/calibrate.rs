@@ -2,33 +2,25 @@
 
 use tactograph::Embossing;
 
-use super::args::Calibrate;
-use super::product::{Format, Product};
+use super::args::{Calibrate, Embossing as EmbossingOptions};
+use super::product::Product;
 use super::report::{Exit, Report};
 use super::settings::Change;
 use super::sheets::Failure;
-use super::{places, settings, sheets};
+use super::{dots, places, settings, sheets};
 
 /// Makes the sheets and tells what is on them.
 pub(super) fn run(args: &Calibrate) -> Exit {
     let report = Report::of_pictures(1, args.quiet);
     let (chosen, mut faults) = args.writing.choose(Some(&args.output));
-    let drawing = match chosen.format {
-        Format::Drawing(_) => true,
-        Format::Dots(format) => {
-            faults.push(format!(
-                "calibration sheets are for printed pages, not written as {}; give a name that ends in .pdf, .svg or \
-                 .png",
-                format.name().to_uppercase()
-            ));
-            false
-        }
-    };
     faults.extend(places::wrong_ending(&args.output, Product::Page(chosen.format)));
-    faults.iter().for_each(|what| report.usage(what));
     let changes: Vec<Change> = args.set.iter().map(|set| Change::set(set)).collect();
-    let profile = match settings::profile(&args.profile, &changes) {
-        Ok(profile) if faults.is_empty() && drawing => profile,
+    let profile = settings::profile(&args.profile, &changes);
+    let not_given = EmbossingOptions { copies: None, impact: None };
+    faults.extend(profile.iter().flat_map(|profile| dots::faults(chosen.format, profile, &not_given)));
+    faults.iter().for_each(|what| report.usage(what));
+    let profile = match profile {
+        Ok(profile) if faults.is_empty() => profile,
         profile => {
             profile.err().iter().flatten().for_each(|fault| report.error(&fault.place, &fault.what));
             return Exit::Usage;

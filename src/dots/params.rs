@@ -57,7 +57,7 @@ impl Params {
     }
 
     /// A run of dots.
-    pub(super) fn run(&self, points: Vec<MmPoint>, height: Height) -> Run {
+    pub fn run(&self, points: Vec<MmPoint>, height: Height) -> Run {
         Run::dots(self.diameter, points, height)
     }
 }

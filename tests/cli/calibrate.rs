@@ -12,7 +12,11 @@ fn a_pdf_has_all_sheets_and_their_key_is_told() {
     let lines: Vec<&str> = run.err.lines().collect();
     let (key, rest) = lines.split_at(lines.len() - 1);
     assert!(key.iter().all(|line| line.starts_with("Calibration sheet for swell-a4, ")), "{}", run.err);
-    assert!(key[0].contains(" a: lines 0.3, ") && rest == ["wrote sheet.pdf, 4 sheets"], "{}", run.err);
+    assert!(
+        key[0].contains(" a (lines.width_min, lines.width_max): lines 0.3, ") && rest == ["wrote sheet.pdf, 4 sheets"],
+        "{}",
+        run.err
+    );
     let bytes = fs::read(place.path("sheet.pdf")).expect("the file");
     assert!(bytes.starts_with(b"%PDF") && String::from_utf8_lossy(&bytes).contains(&format!("/Count {}", key.len())));
     assert_eq!(place.names(), ["sheet.pdf"]);
@@ -71,4 +75,26 @@ fn wrong_usage_is_told() {
         run.err
     );
     assert_eq!(place.names(), [""; 0]);
+}
+
+#[test]
+fn a_device_gets_its_own_sheets() {
+    let place = Place::new();
+    let run = place.run(&["calibrate", "--profile", "index-basic-d", "-o", "s.idx", "--preview", "pdf"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let wrote: Vec<&str> = run.err.lines().filter(|line| line.starts_with("wrote ")).collect();
+    assert!(
+        wrote.len() == 2 && wrote[0].starts_with("wrote s.idx") && wrote[1].starts_with("wrote s.preview.pdf"),
+        "{}",
+        run.err
+    );
+    assert!(
+        run.err.contains("dots 2 mm apart") && run.err.contains(" b (dots.line_gap): pairs of lines"),
+        "{}",
+        run.err
+    );
+    let run = place.run(&["calibrate", "-o", "s.idx"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("IDX holds dots, and the profile swell-a4 is for printing"), "{}", run.err);
+    assert_eq!(place.names(), ["s.idx", "s.preview.pdf"]);
 }

@@ -70,7 +70,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     // Samples on sheets: from a profile straight to pages.
-    ("calibration", &["units", "braille", "raster", "classes", "lines", "textures", "page", "profile"]),
+    (
+        "calibration",
+        &["units", "braille", "raster", "devices", "classes", "lines", "textures", "dots", "page", "profile"],
+    ),
     (
         "pipeline",
         &[

@@ -9,18 +9,19 @@ use super::writing::Writing;
 
 pub(super) const LONG_ABOUT: &str = "\
 Makes a sheet of samples to be printed once: lines of every width, gaps, braille, frames, the smallest glyphs, and all \
-textures.
+textures. For an embosser or a pin display: its pitch, empty dots between lines, weak and heavy lines or heights, \
+frames, and its textures.
 
-Print it on your paper, heat it as you always do, and feel it together with a blind reader: the thinnest line that \
-can be \
-followed, the narrowest gap that parts two lines, the smallest glyph that is felt. Write these numbers into a profile \
-of \
-your own; everything else stays.
+Print it on your paper, heat it as you always do, and feel it together with a blind reader: the thinnest line that can \
+be followed, the narrowest gap that parts two lines, the smallest glyph that is felt. Write these numbers into a \
+profile of your own; everything else stays.
 
-Every sample has its number below it, and every group its letter, in braille. What they are is told here and in the \
-file's own description. Samples that do not find room on one sheet go on on another: as PDF in the same file, as SVG \
-or \
-PNG in files with numbers, sheet-1.svg, sheet-2.svg.";
+Above every group stand, in braille, its letter and the keys of the profile that it decides, such as lines.min_gap; \
+every sample has its number below it. What they are is told here and in the file's own description. Samples that do \
+not find room on one sheet go on on another: as PDF or for most embossers in the same file, as SVG or PNG in files \
+with numbers, sheet-1.svg, sheet-2.svg.
+
+A sheet of dots has one pitch. To feel others, make more sheets, such as with --set dots.pitch=1.6.";
 
 pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:
@@ -30,6 +31,8 @@ Examples:
         with the numbers of your own profile, to see what it makes of them
   tactograph calibrate --profile swell-a3 -o sheet.svg
         on larger paper, as a drawing
+  tactograph calibrate --profile index-basic-d -o sheet.idx --preview png
+        for an embosser, and as pictures to look at
 
 Exit codes:
   0  the sheets are written
@@ -41,7 +44,8 @@ Exit codes:
 pub(in crate::cli) struct Calibrate {
     /// Where the sheets go; - for standard output
     ///
-    /// The name ends in .svg, .pdf or .png, which says the format, or has no ending. Existing files are replaced.
+    /// The name ends in .svg, .pdf or .png, or in that of a format of dots, which says the format, or has no ending.
+    /// Existing files are replaced.
     #[arg(short, long, value_name = "SHEET")]
     pub(in crate::cli) output: PathBuf,
 
