@@ -33,6 +33,8 @@ const LENGTH: f32 = 25.0;
 const PATCH: [f32; 2] = [22.0, 16.0];
 /// Empty dots between two lines.
 const GAPS: [usize; 5] = [1, 2, 3, 4, 5];
+/// Additional empty dots after a pair of lines: with the blank between samples, more than the widest gap in a pair.
+const PAIR_GAP: usize = 3;
 /// Every how many dots a line has one.
 const EVERY: [usize; 4] = [1, 2, 3, 4];
 /// Empty dots between a line and a texture.
@@ -160,7 +162,7 @@ impl Bed<'_> {
         let [_, long] = self.count(LENGTH);
         let upright = |column: usize| (0..=long).map(move |row| (column, row, Height::High));
         let sample = |dots: Vec<_>, columns| Sample { dots, columns, rows: long, ..Sample::default() };
-        let pair = |gap: usize| sample(upright(0).chain(upright(gap + 1)).collect(), gap + 1);
+        let pair = |gap: usize| sample(upright(0).chain(upright(gap + 1)).collect(), gap + 1 + PAIR_GAP);
         sections.push(Section {
             keys: &["dots.line_gap"],
             samples: GAPS.map(pair).to_vec(),
