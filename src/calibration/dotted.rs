@@ -14,7 +14,7 @@
 //! All is counted in columns and rows; a device without a grid gets one of its own pitch.
 
 use super::flow::{self, Block};
-use super::{BLANK, Decides, heading_of};
+use super::headings::{self, BLANK, Decides, heading_of};
 use crate::braille;
 use crate::classes::Class;
 use crate::devices::{DotArea, Grid, Pitches};
@@ -117,8 +117,8 @@ pub(super) fn sheets(plan: &Plan, dots: DotMedium) -> Result<Vec<Page>, Error> {
         let with_items: Vec<_> = on_sheet.iter().zip(items.by_ref()).collect();
         let has = |section: usize| on_sheet.iter().any(|(block, _)| block.section == section);
         let keys = sections.iter().enumerate().filter(|(section, _)| has(*section));
-        let keys: String = keys.map(|(i, section)| super::told(i, section.keys, &section.key)).collect();
-        let words = super::words_of(plan, (index + 1, count), &keys);
+        let keys: String = keys.map(|(i, section)| headings::told(i, section.keys, &section.key)).collect();
+        let words = headings::words_of(plan, (index + 1, count), &keys);
         pages.push(bed.page(&with_items, &cells, words)?);
     }
     Ok(pages)
@@ -166,7 +166,7 @@ impl Bed<'_> {
         sections.push(Section {
             keys: &["dots.line_gap"],
             samples: GAPS.map(pair).to_vec(),
-            key: format!("pairs of lines with {} empty dots between them", super::listed_counts(&GAPS)),
+            key: format!("pairs of lines with {} empty dots between them", headings::listed(&GAPS)),
         });
         let of_height = |height| sample(upright(0).map(|(x, y, _)| (x, y, height)).collect(), 0);
         let (samples, key) = if self.params.has_heights {
@@ -193,11 +193,8 @@ impl Bed<'_> {
                 let sample = self.textured(class, 1.0, gap + 1);
                 Sample { dots: (0..sample.rows).map(|row| (0, row, Height::High)).collect(), ..sample }
             };
-            let key = format!(
-                "the texture of {} {} empty dots from a line",
-                class.name(),
-                super::listed_counts(&TEXTURE_GAPS)
-            );
+            let key =
+                format!("the texture of {} {} empty dots from a line", class.name(), headings::listed(&TEXTURE_GAPS));
             sections.push(Section { keys: &["dots.texture_gap"], samples: TEXTURE_GAPS.map(beside).to_vec(), key });
             let names = classes.iter().map(|class| class.name()).collect::<Vec<_>>().join(", ");
             for (density, how) in [(1.0, "dense"), (0.0, "sparse")] {
@@ -226,7 +223,7 @@ impl Bed<'_> {
                 Section {
                     keys: &["dots.pitch"],
                     samples,
-                    key: format!("lines of dots {} mm apart", super::listed(&pitches)),
+                    key: format!("lines of dots {} mm apart", headings::listed(&pitches)),
                 }
             }
             Pitches::Listed(_) => {

@@ -12,18 +12,21 @@
 //! The marks come from the same code as those of a page, with the profile's numbers wherever a sample does not vary
 //! them.
 //!
-//! Above each section stand its letter and the keys of the profile that it decides, in braille; each sample has a number. The alternative was as many dots as the
-//! number says. Nobody has to know braille for these, but a finger has to count up to eleven dots, and at a pitch of
-//! 2.5 mm they are wider than the samples. The description of the sheet says the same as the labels.
+//! Above each section stand its letter and the keys of the profile that it decides, in braille; each sample has a
+//! number. The alternative was as many dots as the number says. Nobody has to know braille for these, but a finger has
+//! to count up to eleven dots, and at a pitch of 2.5 mm they are wider than the samples. The description of the sheet
+//! says the same as the labels.
 
 mod dotted;
 mod flow;
+mod headings;
 mod samples;
 
 use flow::{Block, Marks, Sheet};
+pub use headings::title;
+use headings::{Decides, heading_of, listed, told, words_of};
 
 use crate::Error;
-use crate::braille::{self, Code};
 use crate::classes::Class;
 use crate::page::layout::FrameParams;
 use crate::page::{DotMedium, Dots, Figure, MediumParams, Page, Parts};
@@ -52,12 +55,6 @@ const GLYPHS: [f32; 6] = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
 const LIGHTNESS: [f32; 5] = [0.25, 0.45, 0.65, 0.8, 0.95];
 /// Spacing of the glyphs of the middle density as a multiple of the dense one; the sparse texture has half the rows.
 const WIDER: f32 = 1.25;
-
-/// Blank between a sample and its label, mm: as other programs leave around braille on graphics.
-const BLANK: f32 = 3.0;
-
-/// The keys of a profile that a section decides; none where the program decides.
-type Decides = &'static [&'static str];
 
 /// A group of samples, what it decides, and its description.
 struct Section {
@@ -92,45 +89,6 @@ pub fn sheets(plan: &Plan) -> Result<Vec<Page>, Error> {
     let count = sheets.len();
     let pages = sheets.iter().enumerate().map(|(index, sheet)| page(sheet, index + 1, count, &sections, plan));
     pages.collect()
-}
-
-/// The title of the document of all sheets for a profile; for a device, with the distance of its dots.
-pub fn title(plan: &Plan) -> String {
-    let name = &plan.profile().name;
-    match plan.medium() {
-        MediumParams::Print(_) => format!("Calibration sheet for {name}"),
-        MediumParams::Dots { pitch, .. } => format!("Calibration sheet for {name}, dots {pitch} mm apart"),
-    }
-}
-
-/// What stands above a section, in lines of so many cells: its letter, and the keys of a profile that it decides.
-fn heading_of(section: usize, keys: Decides, cells: usize) -> Vec<Vec<u8>> {
-    let text = [&[&*char::from(b'a' + section as u8).to_string()], keys].concat().join(" ");
-    let table = Code::of_language("en").and_then(Code::table);
-    table.map_or_else(Vec::new, |table| braille::wrap(&table.translate(&text), cells).lines)
-}
-
-/// The same in the description of the sheet.
-fn told(section: usize, keys: Decides, key: &str) -> String {
-    let decides = if keys.is_empty() { String::new() } else { format!(" ({})", keys.join(", ")) };
-    format!(" {}{decides}: {key}.", char::from(b'a' + section as u8))
-}
-
-/// Title, description and origin of one sheet of several; `keys` says what is on it.
-fn words_of(plan: &Plan, (number, count): (usize, usize), keys: &str) -> (String, String, Vec<(String, String)>) {
-    let profile = plan.profile();
-    let title = match count {
-        1 => title(plan),
-        _ => format!("{}, {number} of {count}", title(plan)),
-    };
-    let mut origin = vec![
-        ("program".into(), concat!("tactograph ", env!("CARGO_PKG_VERSION")).into()),
-        ("calibration sheet".into(), format!("{number} of {count}")),
-        ("profile".into(), profile.name.clone()),
-    ];
-    origin.extend(profile.counting_parameters().map(|(key, value)| (key.to_owned(), value)));
-    let description = format!("{title}.{keys} Letters and numbers are in braille.");
-    (title, description, origin)
 }
 
 fn sections(plan: &Plan) -> Vec<Section> {
@@ -222,14 +180,6 @@ fn textured(class: Class, params: &textures::Params) -> Section {
         _ => &["textures.along", "textures.across", "textures.white_from"],
     };
     Section { blocks: vec![Block { starts_row: true, ..samples::table(&rows) }], keys, key }
-}
-
-fn listed_counts(values: &[usize]) -> String {
-    values.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
-}
-
-fn listed(values: &[f32]) -> String {
-    values.iter().map(f32::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// One sheet as a page: a figure that fills it. As there is no picture, a pixel of the source is a millimetre.

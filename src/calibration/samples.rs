@@ -1,7 +1,7 @@
 //! The samples themselves, each with its label.
 
-use super::BLANK as LABEL_GAP;
 use super::flow::{Block, Marks};
+use super::headings::BLANK as LABEL_GAP;
 use crate::braille::{self, CellSize};
 use crate::classes::Class;
 use crate::lines::{Line, Run};

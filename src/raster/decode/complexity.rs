@@ -19,8 +19,8 @@ const MOST_ELEMENTS: u64 = 1_000_000;
 /// bits. Each costs as much as the first.
 const MOST_OCTAVES: f64 = 16.0;
 
-/// Largest radius of a dilation or an erosion, as a share of the drawing's longest side. resvg looks at the whole square
-/// of it for each pixel, which takes some seconds at this share.
+/// Largest radius of a dilation or an erosion, as a share of the drawing's longest side. resvg looks at the whole
+/// square of it for each pixel, which takes some seconds at this share.
 const MOST_RADIUS: f64 = 0.02;
 
 /// Most rules of style sheets. usvg's parser keeps them sorted as they come: 10 000 take 2 s, 20 000 7 s. Drawings of

@@ -17,9 +17,9 @@ pub(super) fn of_tree(tree: &Tree, transform: Transform) -> Option<VectorDrawing
     (found.paths.len() <= MOST_PATHS).then_some(found)
 }
 
-/// Longest paths together, in longest sides of the canvas. resvg sorts the edges of a path anew in each row of pixels: a
-/// filled path of a million random corners (200 000 sides) takes a minute. On a figure of 200 mm this is 4 km of line;
-/// an ink drawing of 5000 strokes across the whole sheet has a quarter of it.
+/// Longest paths together, in longest sides of the canvas. resvg sorts the edges of a path anew in each row of pixels:
+/// a filled path of a million random corners (200 000 sides) takes a minute. On a figure of 200 mm this is 4 km of
+/// line; an ink drawing of 5000 strokes across the whole sheet has a quarter of it.
 const MOST_SIDES: f64 = 20_000.0;
 
 /// # Errors
@@ -30,15 +30,15 @@ pub(super) fn check_length(tree: &Tree, transform: Transform, target: Size) -> R
     let sides = length(tree.root(), transform, canvas) / f64::from(side);
     if sides > MOST_SIDES {
         return Err(format!(
-            "its lines and outlines are {sides:.0} times as long as its longest side, and more than {MOST_SIDES} are not \
-             drawn; simplify its paths, or give a picture of it (PNG)"
+            "its lines and outlines are {sides:.0} times as long as its longest side, and more than {MOST_SIDES} are \
+             not drawn; simplify its paths, or give a picture of it (PNG)"
         ));
     }
     Ok(())
 }
 
-/// Length of all paths of a group on a canvas, px: that of their control polygons. A leg beside the canvas has none, and
-/// one that leaves it at most that of the canvas's two sides.
+/// Length of all paths of a group on a canvas, px: that of their control polygons. A leg beside the canvas has none,
+/// and one that leaves it at most that of the canvas's two sides.
 fn length(group: &Group, transform: Transform, canvas: [f32; 2]) -> f64 {
     let of_leg = |a: Point, b: Point| {
         let beside = |a: f32, b: f32, side: f32| a.max(b) < 0.0 || a.min(b) > side;
