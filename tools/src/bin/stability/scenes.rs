@@ -6,9 +6,12 @@ use tactograph_tools::rng::Rng;
 
 use crate::picture::{Fault, Picture};
 
+/// A grey value at a place, px.
+type Grey = dyn Fn(f32, f32) -> f32;
+
 /// Names and pictures of all scenes.
 pub(crate) fn all() -> Result<Vec<(&'static str, Picture)>, Fault> {
-    let painted: [(&str, &dyn Fn(f32, f32) -> f32); 6] = [
+    let painted: [(&'static str, &Grey); 6] = [
         // steps of one grey value: plateaus, equal neighbours, a gradient of 1/255 over many pixels
         ("ramp of 1/255 every 12 px", &|x, _| 100.0 + (x / 12.0).floor()),
         ("checkerboard of 16 px", &|x, y| {
