@@ -175,8 +175,8 @@ impl std::fmt::Display for Note {
                 write!(f, "abbreviated for want of room: {}", all.join(", "))
             }
             Self::NoTexts => f.write_str(
-                "there are no texts for labels: only SVG drawings and pages of PDF have texts, in other pictures \
-                 letters are pixels, which have to be read first; write a list of labels",
+                "there are no texts for labels: none was found in this picture, or its letters are pixels that \
+                 nobody has read; write a list of labels",
             ),
             Self::LabelsLeftOut { texts, why } => {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });

@@ -2,7 +2,8 @@
 
 use super::checking::check;
 use crate::description::{self, Description};
-use crate::profile::Profile;
+use crate::pipeline;
+use crate::profile::{Plan, Profile};
 use crate::wording::Wording;
 use crate::{Error, reading};
 
@@ -30,5 +31,12 @@ pub fn describe(
     let read = reading::read(bytes)?;
     let checked = check(bytes, profile)?;
     let wording = wording.unwrap_or_else(|| Wording::nearest(&read.page.description_language));
-    Ok(description::describe(&read.page, &checked.verdict, wording))
+    // what somebody drew or typed is told as render makes it
+    let page = if read.areas.is_empty() && read.texts.is_empty() {
+        read.page
+    } else {
+        let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
+        pipeline::settle(&read.page, (&read.areas, &read.texts), &plan)?.0
+    };
+    Ok(description::describe(&page, &checked.verdict, wording))
 }

@@ -238,10 +238,22 @@ pub(super) struct Convert {
 impl Convert {
     /// Everything that is wrong with the words for a page, and with `--describe`.
     pub(super) fn faults_of_words(&self) -> Vec<String> {
-        let both = self.describe && self.output.as_deref().is_some_and(|path| path.as_os_str() == "-");
-        let output =
-            both.then(|| "--describe writes to standard output, and so does -o -; name a file with -o".to_owned());
-        output.into_iter().chain(self.words.faults(&self.labels, self.pictures.len(), self.shared.page)).collect()
+        let is_std = |path: &PathBuf| path.as_os_str() == "-";
+        let is_page = match &self.output {
+            Some(path) => is_std(path),
+            None => self.out_dir.is_none() && self.pictures.iter().any(is_std),
+        };
+        let is_report = self.running.report.as_ref().is_some_and(is_std);
+        let other = is_page.then_some(match self.output {
+            Some(_) => "-o -; name a file with -o",
+            None => "the page of a picture from there; name a file with -o",
+        });
+        let other = other.or(is_report.then_some("--report -; name a file for the report"));
+        let pictures = self.running.watch.is_none().then_some(self.pictures.len());
+        let output = other
+            .filter(|_| self.describe)
+            .map(|other| format!("--describe writes to standard output, and so does {other}"));
+        output.into_iter().chain(self.words.faults(&self.labels, pictures, self.shared.page)).collect()
     }
 }
 

@@ -160,7 +160,7 @@ fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
             return Err(Exit::Usage);
         }
     };
-    let made = out_dir.map(|dir| (dir, output::make_directory(dir)));
+    let made = out_dir.map(|dir| (dir, output::make_directory(dir))).filter(|(_, made)| made.is_err());
     let record = record.filter(|path| !places::is_std(path));
     let record = || record.map(|path| (path, output::check_place(path, "report").map(drop)));
     match made.or_else(record) {

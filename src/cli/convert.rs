@@ -1,6 +1,7 @@
 //! `tactograph convert`: pictures in, pages out.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use tactograph::{
     Drawing, Error, Options, Page, Profile, built_in, convert, convert_to_sheets, profile_of_page, render,
@@ -30,8 +31,7 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         faults.extend(more);
         Default::default()
     });
-    let count = if args.running.watch.is_some() { usize::MAX } else { pictures.len() };
-    let corrections = args.correcting.read(count).unwrap_or_else(|more| {
+    let corrections = args.correcting.read(pictures.len(), args.running.watch.is_some()).unwrap_or_else(|more| {
         faults.extend(more);
         Corrections::default()
     });
@@ -60,6 +60,8 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         true => tesseract::language(args.words.language()).map_err(|fault| faults.push(fault)).ok(),
         false => None,
     };
+    // asked for once, before the first picture
+    let known = OnceLock::new();
     let order = Order {
         product: Product::Page(chosen.format),
         pictures,
@@ -75,7 +77,7 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         check: &|profile| {
             let mut faults = dots::faults(chosen.format, profile, &args.embossing);
             faults.extend(args.fitting.fault(profile));
-            faults.extend(table(profile).err());
+            faults.extend(table(profile).map(|table| drop(known.set(table))).err());
             faults
         },
     };
@@ -83,11 +85,12 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
         let options = labels.add_to(args.fitting.add_to(options));
         let options = corrections.add_to(options).map_err(|(_, error)| error)?;
-        // a fault of the table was told before the first picture
-        let options = match table(options.profile()).ok().flatten() {
-            Some(table) => options.translator(move |text| louis::translate(&table, text)),
-            None => options,
-        };
+        let options = known
+            .get()
+            .cloned()
+            .flatten()
+            .into_iter()
+            .fold(options, |options, table: String| options.translator(move |text| louis::translate(&table, text)));
         let options = of_texts.iter().fold(options, |options, language| {
             let language = language.clone();
             options.text_reader(move |lines| tesseract::read(&language, lines))

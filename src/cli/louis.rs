@@ -26,7 +26,7 @@ const CONTRACTED: &[(&str, &str)] = &[
     ("pt", "pt-pt-g2.ctb"),
     ("sv", "sv-g2.ctb"),
 ];
-/// Longest text, bytes: more than any page has room for, and less than a pipe holds.
+/// Longest text, bytes: more than any page has room for.
 const LONGEST: usize = 4000;
 /// The word for these tables.
 const BY_LANGUAGE: &str = "contracted";

@@ -52,7 +52,7 @@ impl Session {
         known.is_some_and(|known| File::open(path).and_then(content_of).is_ok_and(|content| content == known))
     }
 
-    /// Takes note of a file before it is written. Returns the picture that it was made of before, if that is another
+    /// Takes note of a file that was written. Returns the picture that it was made of before, if that is another
     /// one.
     pub(super) fn writes(&self, path: &Path, bytes: &[u8], picture: &Path) -> Option<PathBuf> {
         let mut hasher = DefaultHasher::new();

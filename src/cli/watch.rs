@@ -38,10 +38,6 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
     let report = Report::of_pictures(1, quiet);
     let name = dir.display().to_string();
     let session = Session::default();
-    let exit = convert(&[], &session);
-    if exit != Exit::Done {
-        return exit;
-    }
     let whole = match fs::canonicalize(dir) {
         Ok(whole) if whole.is_dir() => whole,
         Ok(_) => {
@@ -53,6 +49,10 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
             return Exit::Usage;
         }
     };
+    let exit = convert(&[], &session);
+    if exit != Exit::Done {
+        return exit;
+    }
     let since = SystemTime::now();
     let (send, receive) = mpsc::channel();
     let (stop, stopped) = (Arc::clone(&session.stop), send.clone());

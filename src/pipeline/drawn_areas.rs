@@ -1,7 +1,9 @@
 //! Areas that a person drew as filled shapes: they get the textures of their colours.
 
+use super::words::CLEARANCE;
 use crate::classes::{self, Classes, Region};
-use crate::page::{DotMedium, Glyph, Line, Medium, Parts, Texture};
+use crate::geom::nearest_on_segment;
+use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Parts, Texture};
 use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::reading::DrawnArea;
@@ -42,7 +44,9 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
             lightness: Plane::filled(inside.size, 0.5 * (low + high)),
             fringe: Vec::new(),
         };
-        let textures = fill(&of_area, place, &parts.figure.lines, &parts.medium, plan);
+        let mut textures = fill(&of_area, place, &parts.figure.lines, &parts.medium, plan);
+        textures.iter_mut().for_each(|texture| clear_of_braille(&mut texture.glyphs, &parts.braille));
+        textures.retain(|texture| !texture.glyphs.is_empty());
         if textures.is_empty() {
             lost.push((at, "too narrow for a texture"));
         } else {
@@ -57,6 +61,22 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
         Note::LeftOut(format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(lost.len()), at.x, at.y))
     });
     told.into_iter().chain(gone).collect()
+}
+
+/// Takes out the signs that are too near to braille or its leader lines.
+pub(super) fn clear_of_braille(glyphs: &mut Vec<Glyph>, braille: &[BrailleText]) {
+    let boxes: Vec<MmRect> = braille
+        .iter()
+        .filter(|text| !text.dots.at.is_empty())
+        .map(|text| MmRect::from_points(&text.dots.at).inflate(0.5 * text.dots.diameter, 0.5 * text.dots.diameter))
+        .collect();
+    let leaders = || braille.iter().filter_map(|text| text.leader.as_ref()).flat_map(|run| run.points.windows(2));
+    let is_clear = |glyph: &Glyph| {
+        let least = CLEARANCE + glyph.radius();
+        boxes.iter().all(|place| (glyph.at - glyph.at.clamp(place.min, place.max)).length() >= least)
+            && leaders().all(|ends| nearest_on_segment(glyph.at, ends[0], ends[1]).0 >= least)
+    };
+    glyphs.retain(is_clear);
 }
 
 /// The signs of one area, as its paper or device takes them.

@@ -114,7 +114,9 @@ fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> 
     let mut one = areas.clone();
     one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
     let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
-    drawn.into_iter().flat_map(|texture| texture.glyphs).collect()
+    let mut glyphs = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
+    drawn_areas::clear_of_braille(&mut glyphs, &page.braille);
+    glyphs
 }
 
 /// Brings the widths of a line into a range, mm; tells whether any was outside.

@@ -47,7 +47,7 @@ impl Words<'_> {
 }
 
 /// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
-const CLEARANCE: f32 = 3.0;
+pub(super) const CLEARANCE: f32 = 3.0;
 /// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
 const STEP: f32 = 1.0;
 

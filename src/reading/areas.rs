@@ -34,8 +34,9 @@ pub(super) fn of(mark: &Mark<'_>, is_ink: impl Fn(u8) -> bool) -> Option<DrawnAr
     }
     let outlines: Vec<Vec<MmPoint>> = mark.outlines.iter().map(|outline| outline.points.clone()).collect();
     let is_large = |outline: &Vec<MmPoint>| area(outline) >= LEAST;
-    let all_large = !outlines.is_empty() && outlines.iter().all(is_large);
-    all_large.then_some(DrawnArea { class, colour: mark.colour, outlines })
+    // a hole may be small
+    let is_area = outlines.iter().any(is_large);
+    is_area.then_some(DrawnArea { class, colour: mark.colour, outlines })
 }
 
 /// The area inside a ring, mm2.

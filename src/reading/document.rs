@@ -11,6 +11,7 @@ use crate::raster::decode::{checked_document, no_longer_than};
 
 /// Namespace of Inkscape's attributes.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+const SODIPODI: &str = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd";
 
 /// Most clones of clones.
 const MOST_CLONES: usize = 20;
@@ -87,6 +88,17 @@ fn is_seen_text(node: Node<'_, '_>) -> bool {
             || style.contains("display:none")
     };
     node.tag_name().name() == "text" && !node.ancestors().any(hides)
+}
+
+/// The letters of a part of a text, and a blank before each line: a part that has a place of its own, or is a line of
+/// Inkscape's. Other parts, such as an index, belong to the word that they stand in.
+fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
+    let is_line =
+        || part.attribute("x").or(part.attribute("y")).is_some() || part.attribute((SODIPODI, "role")) == Some("line");
+    match part.is_text() {
+        true => part.text(),
+        false => (part != text && is_line()).then_some(" "),
+    }
 }
 
 /// A text that is shown.
@@ -189,8 +201,8 @@ impl<'a> Elements<'a> {
     pub(super) fn texts(&self) -> Vec<Typed<'a>> {
         let mut found: Vec<(usize, Typed<'a>)> = Vec::new();
         for (id, node) in self.by_id.iter().filter(|(_, node)| is_seen_text(**node)) {
-            let letters = node.descendants().filter(Node::is_text).filter_map(|node| node.text());
-            let string = letters.collect::<Vec<_>>().join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+            let letters: String = node.descendants().filter_map(|part| letters(part, *node)).collect();
+            let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
             let named = |name: &str| name.trim().to_lowercase().replace([' ', '_'], "-") == LABELS;
             let is_label = node.ancestors().any(|above| {
                 let names = [above.attribute("id"), above.attribute((INKSCAPE, "label"))];

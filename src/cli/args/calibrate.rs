@@ -62,7 +62,7 @@ pub(in crate::cli) struct Calibrate {
     #[arg(long, value_name = "KEY=VALUE")]
     pub(in crate::cli) set: Vec<String>,
 
-    /// Replaces numbered files that are there already, whoever wrote them
+    /// Replaces numbered files and previews that are there already, whoever wrote them
     #[arg(long, visible_alias = "overwrite")]
     pub(in crate::cli) force: bool,
 

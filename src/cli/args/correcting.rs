@@ -62,7 +62,7 @@ impl Correcting {
     ///
     /// # Errors
     /// Everything that is wrong with them, also that they are for one picture.
-    pub(in crate::cli) fn read(&self, pictures: usize) -> Result<Corrections, Vec<String>> {
+    pub(in crate::cli) fn read(&self, pictures: usize, is_watched: bool) -> Result<Corrections, Vec<String>> {
         let files: [(&str, &Option<PathBuf>, Change); 3] = [
             ("--lines", &self.lines, |options, bytes| options.lines(bytes)),
             ("--add-lines", &self.add_lines, |options, bytes| options.add_lines(bytes)),
@@ -71,7 +71,9 @@ impl Correcting {
         let (mut read, mut faults) = (Vec::new(), Vec::new());
         for (option, path, change) in files {
             let Some(path) = path else { continue };
-            if pictures > 1 {
+            if is_watched {
+                faults.push(format!("{option}: this is of one picture, and --watch is for many; convert it by itself"));
+            } else if pictures > 1 {
                 faults.push(format!(
                     "{option}: this is of one picture, but there are {pictures}; convert them one by one"
                 ));

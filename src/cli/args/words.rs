@@ -71,8 +71,9 @@ impl Words {
         self.lang.as_deref().unwrap_or("en")
     }
 
-    /// Everything that is wrong with words for so many pictures, or so many pages of one.
-    pub(super) fn faults(&self, labels: &Labels, pictures: usize, pages: Option<Pages>) -> Vec<String> {
+    /// Everything that is wrong with words for so many pictures, or so many pages of one; for a directory that is
+    /// watched, nobody knows how many.
+    pub(super) fn faults(&self, labels: &Labels, pictures: Option<usize>, pages: Option<Pages>) -> Vec<String> {
         let pages = pages.map_or(1, |pages| pages.numbers().count());
         let of_pages = (self.titles.is_some() && pages > 1).then(|| {
             format!("--titles: a row is for one page, but there are {pages} of each picture; convert them one by one")
@@ -81,19 +82,22 @@ impl Words {
     }
 
     /// What is wrong if one picture's words are given to several.
-    fn for_many(&self, labels: &Labels, pictures: usize, pages: usize) -> Option<String> {
+    fn for_many(&self, labels: &Labels, pictures: Option<usize>, pages: usize) -> Option<String> {
         let given = [
             ("--title", self.title.is_some()),
             ("--alt", self.alt.is_some()),
             ("--labels", labels.is_for_one_picture()),
             ("--number", labels.is_numbered()),
         ];
-        let (count, what) = if pictures == 1 { (pages, " pages") } else { (pictures, "") };
-        let given = given.iter().filter(|(_, given)| *given && count > 1).map(|(option, _)| *option);
-        let given = given.collect::<Vec<_>>().join(" and ");
-        (!given.is_empty()).then(|| {
-            format!("{given}: these words are for one picture, but there are {count}{what}; convert them one by one")
-        })
+        let given: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(option, _)| *option).collect();
+        let given = given.join(" and ");
+        let many = match pictures {
+            None => "and --watch is for many; convert it by itself".to_owned(),
+            Some(1) if pages > 1 => format!("but there are {pages} pages; convert them one by one"),
+            Some(pictures) if pictures > 1 => format!("but there are {pictures}; convert them one by one"),
+            Some(_) => return None,
+        };
+        (!given.is_empty()).then(|| format!("{given}: these words are for one picture, {many}"))
     }
 }
 

@@ -12,9 +12,9 @@
 
 use std::error::Error;
 
-use tactograph::{Options, Picture, Profile, Run};
+use tactograph::{Options, Picture, Profile};
 use tactograph_tools::cores::on_all_cores;
-use tactograph_tools::drawn::{Point, share_near};
+use tactograph_tools::drawn::{Point, lines_of, share_near};
 use tactograph_tools::rng::Rng;
 use tactograph_tools::words::Words;
 
@@ -116,13 +116,7 @@ fn found(width: f64, contrast: u8, noise: f64, width_mm: f32) -> Result<f64, Fau
     let scale = f64::from(place.width()) / SIZE[0] as f64;
     let on_sheet = |at: &Point| [f64::from(place.min.x) + scale * at[0], f64::from(place.min.y) + scale * at[1]];
     let truth: Vec<Vec<Point>> = strokes.iter().map(|stroke| stroke.iter().map(on_sheet).collect()).collect();
-    let line = |run: &Run| -> Vec<Point> {
-        let points = run.points.iter().chain(run.points.first().filter(|_| run.closed));
-        points.map(|at| [f64::from(at.x), f64::from(at.y)]).collect()
-    };
-    let lines: Vec<Vec<Point>> =
-        drawing.page.figure.lines.iter().flat_map(|found| found.runs.iter().map(line)).collect();
-    Ok(share_near(&truth, &lines).unwrap_or(0.0))
+    Ok(share_near(&truth, &lines_of(&drawing.page)).unwrap_or(0.0))
 }
 
 /// Covers the pixels of a straight stroke; of those at its border as much as it covers of them.
