@@ -260,6 +260,25 @@ fn a_shape_that_is_drawn_and_filled_is_an_area_of_its_colour() {
     place.put("green.svg", with(&layer).as_bytes());
     done(&place, &["render", "green.svg", "-o", "greened.svg"]);
     assert!(signs(&read(&place, "greened.svg"), Class::Green, within) > 20);
+    // a small hole is a part of it
+    let holed = square.replace("h-30z", "h-30z m10,10h4v4h-4z").replace("fill=", "fill-rule=\"evenodd\" fill=");
+    place.put("holed.svg", with(&holed).as_bytes());
+    let told = done(&place, &["render", "holed.svg", "-o", "filled.svg"]);
+    assert!(told.contains("1 drawn area filled with the texture of its colour"), "{told}");
+    // braille that is there already keeps its blank
+    let at = page.figure.place;
+    let share = [(45.0 - at.min.x) / at.width(), (115.0 - at.min.y) / at.height()].map(|share| 100.0 * share);
+    place.put("cup.csv", format!("{}%,{}%,cup\n", share[0], share[1]).as_bytes());
+    let labels = ["--labels", "cup.csv", "--key", "never", "--no-overview", "--force", "-o", "cup.svg"];
+    done(&place, &[&["convert", "cup.png"][..], &labels].concat());
+    place.put("labelled.svg", with(square).as_bytes());
+    done(&place, &["render", "labelled.svg", "-o", "labelled-done.svg"]);
+    let page = read(&place, "labelled-done.svg");
+    let label = page.braille.iter().find(|text| text.text == "cup").expect("the label stays");
+    let glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs);
+    let nearest = glyphs.flat_map(|glyph| label.dots.at.iter().map(|dot| (*dot - glyph.at).length()));
+    let nearest = nearest.fold(f32::MAX, f32::min);
+    assert!(nearest >= 3.0, "a sign is {nearest} mm from a dot of braille");
     // what has no texture is told
     let thin = "<path d=\"M30,100h60v0.9h-60z\" fill=\"#1040d0\"/>";
     place.put("thin.svg", with(thin).as_bytes());
@@ -270,7 +289,7 @@ fn a_shape_that_is_drawn_and_filled_is_an_area_of_its_colour() {
 #[test]
 fn typed_texts_are_written_in_braille_or_told_with_their_place() {
     let place = with_page("swell-a4");
-    let added = "<g id=\"labels-text\" transform=\"translate(10 20)\"><text x=\"90\" y=\"120\"><tspan>cup</tspan></text></g>\
+    let added = "<g id=\"labels-text\" transform=\"translate(10 20)\"><text x=\"90\" y=\"120\"><tspan>c</tspan>u<tspan>p</tspan></text></g>\
                  <text transform=\"scale(2)\" x=\"12\" y=\"60\">\u{2813}\u{280a}</text>\
                  <text x=\"30\" y=\"60\">Oven</text><text x=\"31\" y=\"61\" style=\"display:none\">never</text>";
     place.put("typed.svg", place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1).as_bytes());
