@@ -48,16 +48,17 @@ words_are_tagged() { # words_are_tagged PAGES
   tags=$(pdfinfo -struct "$pdf" | sed -n 's/^ *\(Document\|Figure\).*/\1/p' | tr '\n' ' ')
   wanted="Document $(printf 'Figure %.0s' $(seq "$1"))"
   [ "$tags" = "$wanted" ] || { echo "tags $tags, wanted $wanted"; return 1; }
-  told=$(mutool show "$pdf" trailer/Root/StructTreeRoot/K/K/1/Alt 2>/dev/null)
+  told=$(mutool show "$pdf" trailer/Root/StructTreeRoot/K/K/1/Alt 2>/dev/null | sed 's/\\\([()]\)/\1/g')
   wanted=$(xpath 'string(/*/*[local-name()="desc"])' | tr '\n' ' ' | sed 's/^ *//; s/ *$//')
   [ "$told" = "($wanted)" ] || { echo "alternative text $told, wanted $wanted"; return 1; }
 }
 
-# Every operator that sets a colour, in any content of the file, sets DeviceGray black; no ink but black comes out.
+# Every operator that sets a colour, in any content of the file, sets DeviceGray black; no ink but black comes out. Words in
+# strings are no operators.
 is_black_alone() {
   local operators ink
   qpdf --qdf --object-streams=disable "$pdf" "$out/$name.qdf.pdf" || return 1
-  operators=$(LC_ALL=C tr -cs '[:graph:]' '\n' <"$out/$name.qdf.pdf" | LC_ALL=C awk '
+  operators=$(LC_ALL=C sed 's/\\[()]//g; s/([^()]*)//g' "$out/$name.qdf.pdf" | LC_ALL=C tr -cs '[:graph:]' '\n' | LC_ALL=C awk '
     /^(g|G|rg|RG|k|K|cs|CS|sc|SC|scn|SCN|sh|ri)$/ { print before, $0 } { before = $0 }' | sort -u | tr '\n' ' ')
   [ "$operators" = "0 G 0 g " ] || { echo "colour operators: $operators"; return 1; }
   ink=$(gs -q -o - -sDEVICE=inkcov "$pdf" | awk '$1 + $2 + $3 != 0 || !/CMYK OK/')
