@@ -54,6 +54,10 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
     }
     for (number, at_start, path) in extensions {
         let polyline = &mut polylines[number];
+        if polyline.closed {
+            // its other end was extended to this one
+            continue;
+        }
         if at_start {
             polyline.vertices.splice(0..0, path.into_iter().rev());
         } else {
@@ -120,4 +124,22 @@ pub(super) fn straight(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
     let steps = ((to - tip.at).length() / SPACING).ceil().max(1.0) as usize;
     let at = |k: usize| if k == steps { to } else { tip.at.lerp(to, k as f32 / steps as f32) };
     (1..=steps).map(|k| Vertex { at: at(k), ..*tip }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ring_without_its_corner_is_closed_once() {
+        let vertex = |at: MmPoint| Vertex { at, strength: 60.0, contrast: [60.0, 0.0, 0.0], width: 1.5, exact: false };
+        let corners = [(10.0, 12.0), (10.0, 40.0), (40.0, 40.0), (40.0, 10.0), (12.0, 10.0)];
+        let mut ring = Polyline::open(corners.map(|(x, y)| vertex(MmPoint::new(x, y))).to_vec());
+        ring.subdivide(SPACING);
+        let mut lines = [ring];
+        extend(&mut lines, MmRect::new(MmPoint::zero(), MmPoint::new(50.0, 50.0)), 3.0);
+        // both ends point at one another, and the way between them is drawn once
+        assert!(lines[0].closed);
+        assert!((lines[0].length() - (4.0 * 30.0 - 2.0 * 2.0 + 8.0_f32.sqrt())).abs() < 0.1, "{}", lines[0].length());
+    }
 }

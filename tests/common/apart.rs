@@ -182,6 +182,22 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
     found
 }
 
+/// The vertices of a line, each with the piece that comes to it and the one that goes on.
+fn corners(way: &Way) -> impl Iterator<Item = [&Segment; 2]> {
+    let over_start = way.segments.last().zip(way.segments.first()).filter(|_| way.closed);
+    way.segments.windows(2).map(|pair| [&pair[0], &pair[1]]).chain(over_start.map(|(last, first)| [last, first]))
+}
+
+/// Whether two lines cross in a vertex that both have: one of them comes and goes on different sides of the other.
+fn cross_in_a_vertex(one: [&Segment; 2], other: [&Segment; 2]) -> bool {
+    let at = one[1].a;
+    let direction = |to: MmPoint| f64::from(to.y - at.y).atan2(f64::from(to.x - at.x));
+    let from = direction(one[0].a);
+    let round = |to: MmPoint| (direction(to) - from).rem_euclid(std::f64::consts::TAU);
+    let beyond = |to: MmPoint| round(to) > round(one[1].b);
+    other[1].a == at && beyond(other[0].a) != beyond(other[1].b)
+}
+
 /// Where a line ends on another, or crosses it.
 struct Junction {
     arc: f32,
@@ -207,6 +223,11 @@ fn junctions(ways: &[Way], all: &[Segment], min_gap: f32) -> Vec<Vec<Junction>> 
                 {
                     add(segment.arc + (at - a).length(), other.arc + (at - other.a).length(), other);
                 }
+            }
+        }
+        for here in corners(way) {
+            for there in ways.iter().flat_map(corners).filter(|there| cross_in_a_vertex(here, *there)) {
+                add(here[1].arc, there[1].arc, there[1]);
             }
         }
         if let (Some(first), Some(last), false) = (way.segments.first(), way.segments.last(), way.closed) {
