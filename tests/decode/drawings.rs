@@ -231,6 +231,7 @@ fn drawings_that_grow_without_end_are_refused() {
         (format!("{start}<style>{}</style></svg>", ".a{fill:red}".repeat(8001)), "rules"),
         (format!("{start}<text>{}<tspan>a</tspan></text></svg>", "a ".repeat(15_000)), "letters"),
         (format!("{start}<path d='M0 0{}'/></svg>", "L9 9L0 0".repeat(8000)), "times as long"),
+        (format!("{start}<path d='{}'/></svg>", "M0 0L9 9z".repeat(8000)), "times as long"),
     ] {
         let got =
             decode_to(text.as_bytes(), &|_| Ok(Size::new(2000, 2000))).map(|_| ()).map_err(|fault| fault.to_string());
@@ -251,6 +252,10 @@ fn drawings_of_many_plain_parts_are_drawn() {
         format!("<style>{}</style><rect width='9' height='9'/>", ".a{fill:red}".repeat(500)),
         format!("<text>{}</text><rect width='9' height='9'/>", "a ".repeat(5000)),
         format!("<path d='M0 0{}' fill='none' stroke='#000'/>", "L900 600L0 0".repeat(500)),
+        // letters of three bytes each
+        format!("<text>{}</text><rect width='9' height='9'/>", "字".repeat(12_000)),
+        // dots far from one another
+        format!("<path d='{}' fill='none' stroke='#000'/>", "M1 1h1M899 599h1".repeat(15_000)),
         // beyond the canvas
         format!("<path d='M0 0{}' fill='none' stroke='#000'/>", "L90000000 6L0 0".repeat(500)),
     ] {

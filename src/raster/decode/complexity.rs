@@ -55,12 +55,13 @@ pub(super) fn check(document: &Document<'_>, most_levels: u32) -> Result<(), Str
     if largest_radius(document, &elements) > MOST_RADIUS {
         return Err("a morphology filter has a radius of more than 2 % of the drawing's longest side".into());
     }
-    let letters = |text: &Node<'_, '_>| text.descendants().filter_map(|node| node.text()).map(str::len).sum::<usize>();
+    let letters = |text: &Node<'_, '_>| {
+        text.descendants().filter_map(|node| node.text()).map(|text| text.chars().count()).sum::<usize>()
+    };
     if elements.iter().filter(|node| node.has_tag_name((SVG, "text"))).any(|text| letters(text) > MOST_LETTERS) {
         return Err(format!("a text has more than {MOST_LETTERS} letters"));
     }
-    let sheets = elements.iter().filter(|node| node.has_tag_name((SVG, "style"))).flat_map(Node::children);
-    if sheets.filter_map(|node| node.text()).map(|sheet| sheet.matches('{').count()).sum::<usize>() > MOST_RULES {
+    if style_sheets(&elements).map(|sheet| sheet.matches('{').count()).sum::<usize>() > MOST_RULES {
         return Err(format!("its style sheets have more than {MOST_RULES} rules"));
     }
     let total = Graph::new(document, &elements)?.total(document.root_element().id());
@@ -244,6 +245,12 @@ impl<'a> Ids<'a> {
     }
 }
 
+/// The texts of all style sheets.
+fn style_sheets<'a>(elements: &[Node<'a, '_>]) -> impl Iterator<Item = &'a str> {
+    let sheets = elements.iter().filter(|node| node.tag_name().name() == "style").flat_map(Node::children);
+    sheets.filter_map(|node| node.text())
+}
+
 /// The ids that the attributes of an element name as `url(#id)`.
 fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     node.attributes().flat_map(|attribute| urls(attribute.value()))
@@ -262,8 +269,7 @@ struct Rules<'a>(Vec<(&'a str, Vec<&'a str>)>);
 
 impl<'a> Rules<'a> {
     fn of(elements: &[Node<'a, '_>]) -> Self {
-        let sheets = elements.iter().filter(|node| node.tag_name().name() == "style").flat_map(Node::children);
-        let rules = sheets.filter_map(|node| node.text()).flat_map(|sheet| sheet.split('}'));
+        let rules = style_sheets(elements).flat_map(|sheet| sheet.split('}'));
         Self(
             rules
                 .filter_map(|rule| rule.rsplit_once('{'))

@@ -1,6 +1,6 @@
 //! The paths of a drawing, as they are painted: what its outlines and strokes propose as contours.
 
-use resvg::tiny_skia::{Path, Point, Rect, Transform};
+use resvg::tiny_skia::{Path, PathSegment, Point, Rect, Transform};
 use usvg::{Group, Node, Paint, Tree};
 
 use crate::raster::vector::{PaintedPath, PixelArea, VectorDrawing};
@@ -40,7 +40,7 @@ pub(super) fn check_length(tree: &Tree, transform: Transform, target: Size) -> R
 /// Length of all paths of a group on a canvas, px: that of their control polygons. A leg beside the canvas has none,
 /// and one that leaves it at most that of the canvas's two sides.
 fn length(group: &Group, transform: Transform, canvas: [f32; 2]) -> f64 {
-    let of_leg = |a: Point, b: Point| {
+    let of_leg = |[a, b]: [Point; 2]| {
         let beside = |a: f32, b: f32, side: f32| a.max(b) < 0.0 || a.min(b) > side;
         if beside(a.x, b.x, canvas[0]) || beside(a.y, b.y, canvas[1]) {
             return 0.0;
@@ -49,9 +49,8 @@ fn length(group: &Group, transform: Transform, canvas: [f32; 2]) -> f64 {
     };
     let of_path = |path: &usvg::Path| {
         let to_pixels = transform.pre_concat(path.abs_transform());
-        let mut points = path.data().points().to_vec();
-        to_pixels.map_points(&mut points);
-        points.windows(2).map(|pair| of_leg(pair[0], pair[1])).sum::<f64>()
+        let outline = path.data().clone().transform(to_pixels);
+        outline.iter().flat_map(Path::segments).scan([Point::zero(); 2], legs).flatten().map(of_leg).sum::<f64>()
     };
     let of_node = |node: &Node| match node {
         Node::Group(group) => length(group, transform, canvas),
@@ -60,6 +59,22 @@ fn length(group: &Group, transform: Transform, canvas: [f32; 2]) -> f64 {
         Node::Image(_) => 0.0,
     };
     group.children().iter().map(of_node).sum()
+}
+
+/// The legs of the control polygon of a segment. `ends` are where its part of the path begins and where the segment
+/// does; it moves the second one to its end.
+#[allow(clippy::unnecessary_wraps, reason = "scan asks for it")]
+fn legs(ends: &mut [Point; 2], segment: PathSegment) -> Option<impl Iterator<Item = [Point; 2]> + use<>> {
+    let [start, from] = *ends;
+    let points = match segment {
+        PathSegment::MoveTo(to) => [to; 4],
+        PathSegment::LineTo(to) => [from, to, to, to],
+        PathSegment::QuadTo(a, to) => [from, a, to, to],
+        PathSegment::CubicTo(a, b, to) => [from, a, b, to],
+        PathSegment::Close => [from, start, start, start],
+    };
+    *ends = [if let PathSegment::MoveTo(to) = segment { to } else { start }, points[3]];
+    Some([[points[0], points[1]], [points[1], points[2]], [points[2], points[3]]].into_iter())
 }
 
 /// Adds what is painted by the children of a group.

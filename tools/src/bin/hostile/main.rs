@@ -28,6 +28,7 @@ use std::time::Duration;
 use seeds::{Input, Seed};
 use tactograph_tools::cores::on_all_cores;
 use tactograph_tools::rng::Rng;
+use tactograph_tools::words::Words;
 
 /// What went wrong with this program itself.
 pub(crate) type Fault = Box<dyn std::error::Error>;
@@ -112,16 +113,15 @@ struct Args {
 impl Args {
     fn read() -> Result<Self, Fault> {
         let mut args = Self { files: 20_000, seed: 1, keep: None, is_worker: false };
-        let mut words = std::env::args().skip(1);
+        let mut words = Words::of_program("tools/src/bin/hostile/main.rs");
         while let Some(word) = words.next() {
-            let mut next = || words.next().ok_or_else(|| format!("{word} lacks its value"));
             match word.as_str() {
-                "--files" => args.files = next()?.parse()?,
-                "--seed" => args.seed = next()?.parse()?,
-                "--keep" => args.keep = Some(next()?.into()),
+                "--files" => args.files = words.number(&word)?,
+                "--seed" => args.seed = words.number(&word)?,
+                "--keep" => args.keep = Some(words.value(&word)?.into()),
                 "--bombs" => args.files = 0,
                 "--worker" => args.is_worker = true,
-                _ => return Err(format!("{word} is not known; see the top of tools/src/bin/hostile/main.rs").into()),
+                _ => return Err(words.unknown(&word).into()),
             }
         }
         Ok(args)
