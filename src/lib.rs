@@ -92,8 +92,8 @@
 //! # What grows
 //!
 //! Enums and structs that later releases add to are `#[non_exhaustive]`: errors, notes, events, formats, media and
-//! devices, and what functions give. The marks of a page are a closed set ([`Shape`], [`Pen`], [`Sign`], [`Class`]),
-//! so that whoever draws them can see that none is missing.
+//! devices, and what functions give. The marks of a page are a closed set ([`marks::Shape`], [`marks::Pen`],
+//! [`marks::Sign`], [`Class`]), so that whoever draws them can see that none is missing.
 //!
 //! # Points and units
 //!
@@ -142,28 +142,43 @@ pub use page::spread::Grid as SheetGrid;
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
 pub use pipeline::{Event, Key as KeySheets, Label, Position, Stage};
-pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value, built_in, is_path};
+pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value};
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;
 // What they give.
 pub use contours::{Polyline, Trace};
 pub use description::Description;
-pub use devices::{Device, DotArea, Family, Grid as DotGrid, Paper, Pitches};
 pub use error::Error;
-pub use legibility::{Checked, Finding, Rule, Severity, Textures as FeltTextures, Verdict};
+pub use legibility::{Checked, Finding, Rule, Severity, Verdict};
 pub use note::Note;
-pub use page::{
-    BrailleText, Class, DotMedium, Dots, Figure, Glyph, Height, Line, Medium, Overview, Page, Parts, Pen, Print, Run,
-    Shape, Sign, TextRole, Texture,
-};
+pub use page::{Class, Page};
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;
 pub use pipeline::{Drawing, Text};
-pub use touch::report::{Areas as FeltAreas, OfClass as FeltClass};
-pub use touch::{FINGERS, FeltAs, Report as FeelReport};
 // Points and sizes: those of euclid, which is part of the interface.
 pub use lyon::geom::euclid;
-pub use units::{Mm, MmPoint, MmRect, MmVector, Px, PxPoint, PxVector, Size};
+pub use units::{MmPoint, MmRect, PxPoint, Size};
+
+/// What a [`Page`] consists of: its figure and overview, and the lines, signs and braille in them, in millimetres. For
+/// whoever draws or changes a page by a program.
+pub mod marks {
+    pub use crate::page::{
+        BrailleText, Dots, Figure, Glyph, Height, Line, Overview, Parts, Pen, Run, Shape, Sign, TextRole, Texture,
+    };
+}
+
+/// What a [`Page`] is made for: paper that is printed, or the dots of an embosser or a pin display.
+pub mod medium {
+    pub use crate::devices::{Device, DotArea, Family, Grid, Paper, Pitches};
+    pub use crate::page::{DotMedium, Medium, Print};
+}
+
+/// What [`feel`] gives as data: how much of the textured area a fingertip tells, and where.
+pub mod felt {
+    pub use crate::legibility::Textures;
+    pub use crate::touch::report::{Areas, OfClass};
+    pub use crate::touch::{FINGERS, FeltAs, Report};
+}
 
 /// The stages, for this project's own tests, benchmarks and measuring programs. No part of the public interface:
 /// anything in here may change with any release.

@@ -108,7 +108,7 @@ fn profile() -> Profile {
 
 fn lines(drawing: &Drawing) -> Vec<Vec<Point>> {
     let runs = drawing.page.figure.lines.iter().flat_map(|line| &line.runs);
-    let points = |run: &tactograph::Run| {
+    let points = |run: &tactograph::marks::Run| {
         let points = run.points.iter().chain(run.points.first().filter(|_| run.closed));
         points.map(|at| [f64::from(at.x), f64::from(at.y)]).collect()
     };

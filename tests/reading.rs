@@ -6,7 +6,8 @@ use tactograph::internals::page::{Class, Page, Run, Shape, Sign};
 use tactograph::internals::profile::Profile;
 use tactograph::internals::reading::{Reading, read};
 use tactograph::internals::units::MmPoint;
-use tactograph::{Error, Label, Medium, Note, Options};
+use tactograph::medium::Medium;
+use tactograph::{Error, Label, Note, Options};
 
 fn reading(svg: &str) -> Reading {
     read(svg.as_bytes()).expect("it is a page")

@@ -3,10 +3,11 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
+use tactograph::marks::{Figure, Parts};
+use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
-    Class, Crop, Device, DotArea, DotFormat, DotMedium, Drawing, Embossing, Error, Event, FeelReport, Felt, Figure,
-    Fonts, Limits, Medium, MmPoint, MmRect, Note, Options, Page, Parts, Picture, Profile, Sheets, Size, Stage, Trace,
-    Traced, Tracing, write_dots, write_pdf,
+    Class, Crop, DotFormat, Drawing, Embossing, Error, Event, Felt, Fonts, Limits, MmPoint, MmRect, Note, Options,
+    Page, Picture, Profile, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -23,7 +24,7 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<Traced>();
     can_be_wrapped::<Trace>();
     can_be_wrapped::<Felt>();
-    can_be_wrapped::<FeelReport>();
+    can_be_wrapped::<felt::Report>();
     can_be_wrapped::<Fonts>();
     can_be_wrapped::<Note>();
     can_be_wrapped::<Error>();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tactograph::{Checked, Profile, built_in, check_marked, rules};
+use tactograph::{Checked, Profile, check_marked, rules};
 
 use super::args::{Check, CheckFormat};
 use super::report::{Exit, Report};
@@ -40,7 +40,7 @@ pub(super) fn run(args: &Check) -> Exit {
 }
 
 fn list(profile: Option<Profile>, report: &Report) -> Exit {
-    let profile = profile.map_or_else(|| Profile::named(built_in()[0].name), Ok);
+    let profile = profile.map_or_else(|| Profile::named(Profile::built_in()[0].name), Ok);
     match profile.and_then(|profile| rules(&profile)) {
         Ok(text) => written(&text, "rules", Exit::Done, report),
         Err(error) => {

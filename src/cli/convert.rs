@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use tactograph::{
-    Drawing, Error, Options, Page, Profile, built_in, convert, convert_to_sheets, profile_of_page, render,
-};
+use tactograph::{Drawing, Error, Options, Page, Profile, convert, convert_to_sheets, profile_of_page, render};
 
 use super::args::{Convert, Corrections};
 use super::batch::{self, Input, Made, Order};
@@ -139,6 +137,6 @@ fn pages_of(drawing: &Drawing) -> Vec<Page> {
 
 /// What is wrong with the files of a person's corrections.
 fn trial(corrections: &Corrections) -> Option<(&Path, Error)> {
-    let profile = Profile::named(built_in()[0].name).ok()?;
+    let profile = Profile::named(Profile::built_in()[0].name).ok()?;
     corrections.add_to(Options::new(profile)).err()
 }

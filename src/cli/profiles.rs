@@ -1,6 +1,6 @@
 //! `tactograph profiles`: which there are, and what is in them.
 
-use tactograph::{BuiltIn, Profile, built_in};
+use tactograph::{BuiltIn, Profile};
 
 use super::output;
 use super::report::{Exit, Report};
@@ -8,7 +8,7 @@ use super::settings;
 
 /// Lists the built-in profiles on standard output, one a line.
 pub(super) fn list(report: &Report) -> Exit {
-    print(&listing(built_in()), report)
+    print(&listing(Profile::built_in()), report)
 }
 
 fn listing(profiles: &[BuiltIn]) -> String {
@@ -29,7 +29,7 @@ pub(super) fn keys(report: &Report) -> Exit {
 /// Prints a profile on standard output: a built-in one as it was written, with its comments and the range of every key;
 /// a file with all that it inherits.
 pub(super) fn show(name: &str, report: &Report) -> Exit {
-    if let Some(profile) = built_in().iter().find(|profile| profile.name == name) {
+    if let Some(profile) = Profile::built_in().iter().find(|profile| profile.name == name) {
         return print(&with_ranges(profile.text), report);
     }
     match settings::load(name) {
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn a_shown_profile_tells_every_range_and_is_a_profile_still() {
-        let shown = with_ranges(built_in()[0].text);
+        let shown = with_ranges(Profile::built_in()[0].text);
         for key in Profile::keys() {
             let line = format!("{} = ", key.name());
             let told = |text: &str| text.starts_with(&line) && text.ends_with(&format!(" # {}", key.range()));

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use tactograph::{Error, Fault, Profile, built_in, is_path};
+use tactograph::{Error, Fault, Profile};
 
 use super::input;
 
@@ -65,7 +65,7 @@ pub(super) fn profile(profile: &str, changes: &[Change]) -> Result<Profile, Vec<
     for change in changes {
         let target = match &mut profile {
             Some(profile) => profile,
-            None => match Profile::named(built_in()[0].name) {
+            None => match Profile::named(Profile::built_in()[0].name) {
                 Ok(default) => stand_in.get_or_insert(default),
                 Err(more) => {
                     faults.extend(faults_of(more));
@@ -95,7 +95,7 @@ pub(super) fn faults_of(error: Error) -> Vec<Fault> {
 /// # Errors
 /// Every fault at once.
 pub(super) fn load(profile: &str) -> Result<Profile, Vec<Fault>> {
-    if !is_path(profile) {
+    if !Profile::is_path(profile) {
         return Profile::named(profile).map_err(|error| {
             let mut faults = faults_of(error);
             faults.iter_mut().for_each(|fault| fault.what += "; for a file of your own give a name that ends in .toml");

@@ -60,6 +60,6 @@ pub(super) fn text_of(name: &str) -> Option<&'static str> {
 }
 
 /// Whether a profile's name is the path of a file: it ends in `.toml`, or has a folder in it.
-pub fn is_path(name: &str) -> bool {
+pub(super) fn is_path(name: &str) -> bool {
     name.contains(['/', '\\']) || name.to_ascii_lowercase().ends_with(".toml")
 }

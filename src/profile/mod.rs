@@ -21,7 +21,7 @@ mod suggest;
 mod syntax;
 mod unused;
 
-pub use built_in::{BuiltIn, built_in, is_path};
+pub use built_in::{BuiltIn, built_in};
 pub use fault::Fault;
 pub(crate) use fault::faults_in_one_line;
 pub use inherit::FindFile;
@@ -39,6 +39,16 @@ impl Profile {
     /// Every key there is, in a fixed order.
     pub fn keys() -> &'static [Key] {
         keys::KEYS
+    }
+
+    /// The profiles that come with the library; the first is the one to use when none is asked for.
+    pub fn built_in() -> &'static [BuiltIn] {
+        built_in::built_in()
+    }
+
+    /// Whether a profile's name is the path of a file: it ends in `.toml`, or has a folder in it.
+    pub fn is_path(name: &str) -> bool {
+        built_in::is_path(name)
     }
 
     /// The built-in profile of this name, such as `swell-a4`.

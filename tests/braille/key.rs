@@ -5,9 +5,8 @@ use crate::common::samples;
 use std::collections::BTreeSet;
 use tactograph::internals::braille::{CellSize, Code, Table};
 use tactograph::internals::page::cells::CellGrid;
-use tactograph::{
-    Class, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Options, Page, Position, Profile, TextRole, convert,
-};
+use tactograph::marks::TextRole;
+use tactograph::{Class, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Options, Page, Position, Profile, convert};
 
 fn options(profile: &str, key: KeySheets) -> Options {
     Options::new(Profile::named(profile).expect("it is built in")).title("Trees").fonts(Fonts::system()).key(key)

@@ -5,10 +5,9 @@ use crate::common::samples;
 use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::internals::page::cells::CellGrid;
-use tactograph::{
-    BrailleText, Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, MmVector, Note, Options, Pen, Position, Profile,
-    TextRole, convert,
-};
+use tactograph::internals::units::MmVector;
+use tactograph::marks::{BrailleText, Pen, TextRole};
+use tactograph::{Drawing, Fonts, KeySheets, Label, MmPoint, MmRect, Note, Options, Position, Profile, convert};
 
 /// Blank that labels keep to lines and textures, mm.
 const CLEARANCE: f32 = 3.0;

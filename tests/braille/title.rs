@@ -4,7 +4,9 @@ use super::reading;
 use crate::common::samples;
 use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::page::cells::CellGrid;
-use tactograph::{DotFormat, Drawing, Medium, MmPoint, Note, Options, Page, Profile, TextRole, convert};
+use tactograph::marks::TextRole;
+use tactograph::medium::Medium;
+use tactograph::{DotFormat, Drawing, MmPoint, Note, Options, Page, Profile, convert};
 
 const TITLE: &str = "Rain in mm, March to July 2024";
 

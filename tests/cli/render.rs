@@ -3,7 +3,8 @@
 use crate::cli::common::*;
 use crate::common::samples;
 use tactograph::internals::page::Class;
-use tactograph::{Page, Profile, Run};
+use tactograph::marks::{Line, Pen, Run};
+use tactograph::{Page, Profile};
 
 /// A folder with a picture and its page.
 fn with_page(profile: &str) -> Place {
@@ -80,7 +81,7 @@ fn a_printed_page_is_laid_out_anew_for_a_device() {
         let (print, dots, direct) = (share(&print, class), share(&dots, class), share(&direct, class));
         assert!((dots - direct).abs() < 0.1 && (dots - print).abs() < 0.1, "{class:?}: {print} {dots} {direct}");
     }
-    let is_dot = |run: &Run| run.pen != tactograph::Pen::Stroke;
+    let is_dot = |run: &Run| run.pen != Pen::Stroke;
     assert!(dots.figure.lines.len() * 2 > direct.figure.lines.len() && runs(&dots).into_iter().all(is_dot));
 }
 
@@ -194,7 +195,7 @@ fn lines_that_are_added_win() {
         .lines
         .iter()
         .filter(|line| line.runs.iter().flat_map(|run| &run.points).all(|at| (at.y - y).abs() < 0.1));
-    let length: f32 = mine.map(tactograph::Line::length).sum();
+    let length: f32 = mine.map(Line::length).sum();
     assert!((length / box_of.width() - 0.9).abs() < 0.01, "all of it is drawn, not {length} mm");
     assert!(page.figure.lines.len() > 5, "the others are there as well");
 }

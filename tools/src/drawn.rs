@@ -1,7 +1,8 @@
 //! How much of some lines lies near to others: how much of a drawing's contours is on its page, and how much on the page
 //! is no contour of the drawing.
 
-use tactograph::{Page, Run};
+use tactograph::Page;
+use tactograph::marks::Run;
 
 /// A point of a line, mm.
 pub type Point = [f64; 2];

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use tactograph::built_in;
+use tactograph::Profile;
 
 use super::writing::Writing;
 
@@ -53,7 +53,7 @@ pub(in crate::cli) struct Calibrate {
     pub(in crate::cli) writing: Writing,
 
     /// Paper and settings: a name from "tactograph profiles" or a .toml file of your own
-    #[arg(long, value_name = "NAME|FILE.toml", default_value = built_in()[0].name)]
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = Profile::built_in()[0].name)]
     pub(in crate::cli) profile: String,
 
     /// Changes one value of the profile; can be given several times

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use tactograph::FINGERS;
+use tactograph::felt::FINGERS;
 
 pub(super) const LONG_ABOUT: &str = "\
 Tells what a fingertip would feel of a page's textures: which colours are told right.

@@ -1,7 +1,7 @@
 //! Options that all commands on pictures have.
 
 use clap::Args;
-use tactograph::{Limits, built_in};
+use tactograph::{Limits, Profile};
 
 use super::pages::Pages;
 use super::quality::Quality;
@@ -18,7 +18,7 @@ pub(in crate::cli) struct Shared {
     /// A value that ends in .toml or has a directory in it is a file. Begin your own with a line such as
     /// inherits = "swell-a4" and write down only what differs; "tactograph profiles show swell-a4" prints every key
     /// with its unit, range and reason.
-    #[arg(long, value_name = "NAME|FILE.toml", default_value = built_in()[0].name)]
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = Profile::built_in()[0].name)]
     pub(in crate::cli) profile: String,
 
     /// Changes one value of the profile; can be given several times

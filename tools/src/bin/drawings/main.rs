@@ -24,7 +24,8 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use scenes::{Kind, Point, Scene};
-use tactograph::{Line, Options, Profile, Run};
+use tactograph::marks::{Line, Run};
+use tactograph::{Options, Profile};
 use tactograph_tools::cores::on_all_cores;
 use tactograph_tools::drawn::{Shares, shares};
 

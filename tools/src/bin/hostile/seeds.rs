@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tactograph::{Options, Profile, built_in};
+use tactograph::{Options, Profile};
 
 use crate::Fault;
 
@@ -119,7 +119,7 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Seed>, Fault> {
         bytes: read(&root.join("tests/pictures/grey.png"))?,
     });
     seeds.push(text("labels.csv", "--labels", Input::Labels, LABELS));
-    for profile in built_in() {
+    for profile in Profile::built_in() {
         seeds.push(text(&format!("{}.toml", profile.name), "profiles", Input::Profile, profile.text));
     }
     seeds.push(text("own.toml", "profiles", Input::Profile, OWN));

@@ -154,7 +154,7 @@ impl Laid {
         let scale = f64::from(WIDTH / place.width());
         let laid = |at: Point| [scale * (at[0] - f64::from(place.min.x)), scale * (at[1] - f64::from(place.min.y))];
         let lines = lines_of(&drawing.page).into_iter().map(|line| line.into_iter().map(laid).collect()).collect();
-        let of_texture = |texture: &tactograph::Texture| -> Vec<(Class, Point)> {
+        let of_texture = |texture: &tactograph::marks::Texture| -> Vec<(Class, Point)> {
             texture
                 .glyphs
                 .iter()
