@@ -5,7 +5,8 @@
 //! Rataj (2004). The page is in true millimetres: an SVG drawing, a PDF or a PNG for swell paper, or dots for a
 //! braille embosser or a pin display.
 //!
-//! Five tasks, each of which runs as it stands. First the usual one, a picture to a page:
+//! Five tasks, each of which runs as it stands in a checkout, where `samples/` is. First the usual one, a picture to a
+//! page:
 //!
 //! ```
 //! use tactograph::{Options, Profile};
@@ -88,6 +89,19 @@
 //! * `pdf`: pages of PDF documents as pictures; see [`Options::page`]. Part of `cli`. It brings 30 more crates, all
 //!   of them Rust.
 //! * `turbojpeg`: JPEGs through the C library libjpeg-turbo, built by cmake and nasm.
+//!
+//! # Wrapping it for other languages
+//!
+//! * What is given to [`Options::progress`], [`Options::translator`] and [`Options::text_reader`] is called while
+//!   `convert` runs, progress also from threads of its own, one call at a time. A caller that holds a lock which these
+//!   functions take (Python's interpreter lock, say) has to let go of it before it converts. In a browser there are no
+//!   threads, and a function of JavaScript needs a wrapper that promises so.
+//! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
+//!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
+//!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
+//!   What is known to panic is refused before.
+//! * Profiles, rules of [`check`] and languages can be listed for forms: [`Profile::keys`], [`Profile::built_in`],
+//!   [`Rule::all`], [`Description::languages`].
 //!
 //! # What grows
 //!

@@ -89,6 +89,11 @@ impl PageTransform {
         self.mm_per_px
     }
 
+    /// Pixels of the picture for one millimetre on the sheet, likewise.
+    pub fn px_per_mm(&self) -> f32 {
+        1.0 / self.mm_per_px
+    }
+
     /// The point on the sheet of a point in the picture.
     pub fn to_mm(&self, at: PxPoint) -> MmPoint {
         MmPoint::new(self.origin.x + at.x * self.across, self.origin.y + at.y * self.down)

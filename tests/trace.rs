@@ -6,6 +6,7 @@ use crate::common::{page, samples};
 use tactograph::internals::contours::{Polyline, Trace};
 use tactograph::internals::note::Note;
 use tactograph::internals::output::json;
+use tactograph::internals::pipeline::Given;
 use tactograph::internals::pipeline::trace::trace;
 use tactograph::internals::pipeline::{Event, Request, Stage, Watch};
 use tactograph::internals::profile::{Plan, Profile};
@@ -34,7 +35,7 @@ fn try_trace(picture: &[u8], tracing: Tracing, limits: Limits, watch: &mut Watch
         fit: Default::default(),
         cancelled: &|| false,
     };
-    trace(picture, &tracing, &request, watch)
+    trace(picture, &tracing, &Given::default(), &request, watch)
 }
 
 fn traced(picture: &[u8], tracing: Tracing) -> Trace {

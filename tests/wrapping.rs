@@ -140,6 +140,36 @@ fn progress_is_told_of_and_tracing_takes_the_same_options() {
     assert_eq!(part.size, Size::new(60, 90));
 }
 
+#[test]
+fn contours_are_those_of_the_page_that_a_person_corrects() {
+    let right: Crop = "0,0,50%,100%".parse().expect("a part");
+    let traced = |tracing: Tracing, options: &Options| {
+        let traced = tactograph::trace(&png(), &tracing, options).expect("contours");
+        traced.trace.polylines.into_iter().flat_map(|line| line.points).map(|at| at.x).collect::<Vec<f32>>()
+    };
+    let least = |xs: Vec<f32>| xs.into_iter().fold(f32::INFINITY, f32::min);
+    for tracing in [Tracing::contours(), Tracing::contours_at_full_resolution(), Tracing::lines()] {
+        assert!(least(traced(tracing, &options())) < 40.0);
+        assert!((59.0..89.0).contains(&least(traced(tracing, &options().erase(right)))), "{tracing:?}");
+    }
+    // lines of a page in place of what the picture has
+    let page = tactograph::convert(&png(), &options()).expect("a page").page;
+    let moved = page.to_svg().replace("id=\"lines\"", "transform=\"translate(3 0)\" id=\"lines\"");
+    let by = least(traced(Tracing::lines(), &options().lines(&moved).expect("a page")))
+        - least(traced(Tracing::lines(), &options()));
+    let px = 3.0 * 120.0 / page.figure.place.width();
+    assert!((by - px).abs() < 0.5, "{by} px in place of {px}");
+}
+
+#[test]
+fn a_page_is_no_picture_wherever_one_is_asked_for() {
+    let page = tactograph::convert(&png(), &options()).expect("a page").page.to_svg();
+    let page = page.as_bytes();
+    assert_eq!(tactograph::convert(page, &options()).err(), Some(Error::IsAPage));
+    assert_eq!(tactograph::convert_to_sheets(page, None, &options()).err(), Some(Error::IsAPage));
+    assert_eq!(tactograph::trace(page, &Tracing::contours(), &options()).err(), Some(Error::IsAPage));
+}
+
 /// A page of a device with nothing on it.
 fn page_of(medium: DotMedium, sheet: [f32; 2]) -> Page {
     let place = MmRect::new(MmPoint::new(30.0, 30.0), MmPoint::new(50.0, 50.0));

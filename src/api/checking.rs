@@ -14,10 +14,10 @@ use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 /// Fingertip by which textures are judged, mm.
 const FINGER: f32 = 1.0;
 
-/// Holds a page against the rules of legibility: the SVG of a page, as
-/// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. Its numbers are those of
-/// `profile` or, without one, of the profile that the page says it was made with. A drawing that has no layers of a
-/// page is judged as ink.
+/// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`](crate::Page::to_svg) writes it
+/// or as somebody changed it in an editor. Its numbers are those of `profile` or, without one, of the profile that the
+/// page says it was made with; a page of an unknown profile, and a drawing, are held against the first of
+/// [`Profile::built_in`]. A drawing that has no layers of a page is judged as ink.
 ///
 /// ```
 /// use tactograph::{Options, Profile};

@@ -46,12 +46,7 @@ use crate::{Error, Note, calibration, reading};
 /// If the profile has faults (all of them at once), the picture cannot be read or is over a limit, or the page has no
 /// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
-    let picture = picture.into();
-    if let Source::File(bytes) = picture.0
-        && reading::is_page(bytes)
-    {
-        return Err(Error::IsAPage);
-    }
+    let picture = not_a_page(picture)?;
     let drawing = with_request(options, options.name(), |request| {
         pipeline::convert_with_words(picture, &options.words(), &options.given, request, &mut |event| {
             options.tell(event)
@@ -76,8 +71,9 @@ pub fn convert_to_sheets<'p>(
     grid: Option<Grid>,
     options: &Options,
 ) -> Result<Sheets, Error> {
+    let picture = not_a_page(picture)?;
     let drawn = with_request(options, options.document_title(), |request| {
-        sheets::convert(picture.into(), &options.given, grid, request, &mut |event| options.tell(event))
+        sheets::convert(picture, &options.given, grid, request, &mut |event| options.tell(event))
     })?;
     // The maker's words are about the picture, which all sheets show together.
     let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();
@@ -86,8 +82,9 @@ pub fn convert_to_sheets<'p>(
     Ok(Sheets { pages, notes })
 }
 
-/// Finds the contours of a picture, as data: for programs that go on with them. Of the options title, description,
-/// language and mirroring have no meaning here.
+/// Finds the contours of a picture, as data: for programs that go on with them. Lines that are given or added, and what
+/// is erased, count as on a page. All words (title, description, language, labels, key, page number and what goes with
+/// them), areas, mirroring and what reads text have no meaning here.
 ///
 /// ```
 /// use tactograph::{Options, Profile, Tracing};
@@ -101,10 +98,11 @@ pub fn convert_to_sheets<'p>(
 /// ```
 ///
 /// # Errors
-/// If the profile has faults, or the picture cannot be read, is over a limit or is too small; see [`Error`].
+/// If the profile has faults, or the picture cannot be read, is a page, is over a limit or is too small; see [`Error`].
 pub fn trace<'p>(picture: impl Into<Picture<'p>>, tracing: &Tracing, options: &Options) -> Result<Traced, Error> {
+    let picture = not_a_page(picture)?;
     with_request(options, options.name(), |request| {
-        trace::trace(picture.into(), tracing, request, &mut |event| options.tell(event))
+        trace::trace(picture, tracing, &options.given, request, &mut |event| options.tell(event))
     })
 }
 
@@ -127,6 +125,18 @@ pub struct Calibration {
     pub title: String,
     /// The sheets, each with what is on it in its description.
     pub pages: Vec<Page>,
+}
+
+/// A picture that is none of our pages: converting one would draw its frame as lines.
+///
+/// # Errors
+/// [`Error::IsAPage`] if it is one.
+fn not_a_page<'p>(picture: impl Into<Picture<'p>>) -> Result<Picture<'p>, Error> {
+    let picture = picture.into();
+    match picture.0 {
+        Source::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
+        _ => Ok(picture),
+    }
 }
 
 /// Calls `work` with what the pipeline needs.

@@ -274,10 +274,9 @@ impl Options {
         self
     }
 
-    /// Is asked between stages, from any thread, whether the result is still wanted; once it is not, the work ends with
-    /// [`Error::Cancelled`](crate::Error::Cancelled). A stage takes a fraction of a second on a photo of 12 megapixels;
-    /// where many labels look for room, the last one takes longer.
-    /// Default: it is always wanted.
+    /// Is asked between stages, from the thread that converts, whether the result is still wanted; once it is not, the
+    /// work ends with [`Error::Cancelled`](crate::Error::Cancelled). A stage takes a fraction of a second on a photo of
+    /// 12 megapixels; where many labels look for room, the last one takes longer. Default: it is always wanted.
     ///
     /// ```
     /// use std::sync::Arc;

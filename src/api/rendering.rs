@@ -56,7 +56,8 @@ pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawin
     Ok(Drawing { notes, ..drawing })
 }
 
-/// The profile that a page was made with, as its SVG says: what [`render`] takes if no other is given.
+/// The profile that a page was made with, as its SVG says: what [`render`] takes if no other is given. What the page
+/// does not say, or says of a profile that is not known, is that of the first of [`Profile::built_in`].
 ///
 /// # Errors
 /// As [`render`].

@@ -28,6 +28,11 @@ pub struct Description {
 }
 
 impl Description {
+    /// The languages that [`describe`](crate::describe) speaks, as tags of BCP 47.
+    pub fn languages() -> impl Iterator<Item = &'static str> {
+        Wording::languages()
+    }
+
     /// The same as JSON: a list of `about` and `text`.
     pub fn to_json(&self) -> String {
         let list: Vec<_> = self.sentences.iter().map(|(about, text)| json!({ "about": about, "text": text })).collect();

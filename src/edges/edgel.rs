@@ -36,6 +36,8 @@ pub struct ChainKind {
     pub drawn: bool,
     /// Width of the stroke of which it is the centre line, px; none of an edge.
     pub stroke: Option<f32>,
+    /// Whether a person added it to those that were found.
+    pub added: bool,
 }
 
 /// The edgels of one chain.
@@ -62,14 +64,14 @@ pub struct Edges {
     pub regions: Option<Tree>,
     /// Boxes in which nothing is drawn, in shares of the picture: left, top, right, bottom.
     pub erased: Vec<[f32; 4]>,
-    /// How many of the last chains a person added, and how near to them, px, nothing else is drawn.
-    pub added: Option<(usize, f32)>,
+    /// How near to chains that a person added nothing else is drawn, px.
+    pub room: f32,
 }
 
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, erased: Vec::new(), added: None }
+        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, erased: Vec::new(), room: 0.0 }
     }
 
     /// Appends an edge that was found in the pixels.

@@ -121,7 +121,11 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, with_r
     let mut edges = Edges::none(size);
     for (contour, &stroke) in contours.iter().zip(&widths) {
         let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
-        edges.push_as(ChainKind { exact: false, drawn, stroke }, contour.vertices.iter().map(edgel), contour.closed);
+        edges.push_as(
+            ChainKind { exact: false, drawn, stroke, added: false },
+            contour.vertices.iter().map(edgel),
+            contour.closed,
+        );
     }
     edges.regions = tree;
     edges

@@ -2,6 +2,7 @@
 //! transform, millimetres after it.
 
 pub mod components;
+pub mod distance;
 pub mod link;
 pub mod nearby;
 pub mod ninths;

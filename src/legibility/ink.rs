@@ -10,6 +10,7 @@ use super::finding::Found;
 use super::limits::{Limits, MediumLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
 use crate::geom::components::{self, Connectivity};
+use crate::geom::distance::squared_distances;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
 
 /// Pixels for a millimetre.
@@ -79,10 +80,11 @@ impl Ink {
     fn narrow(&self, black: bool, diameter: f32) -> Vec<bool> {
         let radius = 0.5 * (diameter - BLUR).max(0.0) * PX_PER_MM;
         let outside = self.black.iter().map(|pixel| *pixel != black).collect::<Vec<_>>();
-        let inner: Vec<bool> = squares(&outside, self.size).into_iter().map(|d| d > radius * radius).collect();
+        let inner: Vec<bool> =
+            squared_distances(&outside, self.size).into_iter().map(|to| to as f32 > radius * radius).collect();
         let reach = (radius + 1.0) * (radius + 1.0);
-        let to_inner = squares(&inner, self.size);
-        outside.iter().zip(to_inner).map(|(outside, square)| !outside && square > reach).collect()
+        let to_inner = squared_distances(&inner, self.size);
+        outside.iter().zip(to_inner).map(|(outside, square)| !outside && square as f32 > reach).collect()
     }
 
     /// A finding for each connected place that is large enough; of many, the largest and the sum of the others.
@@ -111,73 +113,5 @@ impl Ink {
             |node: usize, by: f32| MmPoint::new((node % width) as f32 + by, (node / width) as f32 + by) / PX_PER_MM;
         let first = MmRect::new(corner(nodes[0], 0.0), corner(nodes[0], 1.0));
         nodes.iter().fold(first, |all, &node| all.union(&MmRect::new(corner(node, 0.0), corner(node, 1.0))))
-    }
-}
-
-/// The square of the distance of each pixel to the nearest marked one, px^2; very large where there is none.
-fn squares(marked: &[bool], size: Size) -> Vec<f32> {
-    let (width, height) = (size.width as usize, size.height as usize);
-    let far = 4.0 * (width + height) as f32 * (width + height) as f32;
-    let mut plane: Vec<f32> = marked.iter().map(|marked| if *marked { 0.0 } else { far }).collect();
-    let mut line = vec![0.0; width.max(height)];
-    for column in 0..width {
-        (0..height).for_each(|row| line[row] = plane[row * width + column]);
-        for (row, value) in parabolas(&line[..height]).into_iter().enumerate() {
-            plane[row * width + column] = value;
-        }
-    }
-    for row in plane.chunks_exact_mut(width) {
-        let values = parabolas(row);
-        row.copy_from_slice(&values);
-    }
-    plane
-}
-
-/// The lower envelope of parabolas that stand on the values: the least of (x - i)^2 + value(i) at each x.
-fn parabolas(values: &[f32]) -> Vec<f32> {
-    let mut standing: Vec<(usize, f32)> = Vec::with_capacity(values.len()); // and from where each is lowest
-    for (i, value) in values.iter().enumerate() {
-        let height = |at: usize, value: f32| f64::from(value) + (at * at) as f64;
-        loop {
-            let Some(&(last, from)) = standing.last() else {
-                standing.push((i, f32::NEG_INFINITY));
-                break;
-            };
-            let meet = ((height(i, *value) - height(last, values[last])) / (2.0 * (i - last) as f64)) as f32;
-            if meet > from {
-                standing.push((i, meet));
-                break;
-            }
-            standing.pop();
-        }
-    }
-    let mut lowest = 0;
-    let value = |x: usize| {
-        while lowest + 1 < standing.len() && standing[lowest + 1].1 <= x as f32 {
-            lowest += 1;
-        }
-        let (i, _) = standing[lowest];
-        let apart = x as f32 - i as f32;
-        apart * apart + values[i]
-    };
-    (0..values.len()).map(value).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn distances_are_those_of_a_search() {
-        let size = Size::new(23, 17);
-        let marked: Vec<bool> = (0..size.area()).map(|i| (i * i + 3 * i) % 41 == 0).collect();
-        let found = squares(&marked, size);
-        let place = |i: usize| ((i % 23) as f32, (i / 23) as f32);
-        for (i, square) in found.iter().enumerate() {
-            let (x, y) = place(i);
-            let to = |j: usize| (place(j).0 - x).powi(2) + (place(j).1 - y).powi(2);
-            let least = (0..marked.len()).filter(|&j| marked[j]).map(to).fold(f32::MAX, f32::min);
-            assert!((square - least).abs() < 1e-3, "{i}: {square} in place of {least}");
-        }
     }
 }

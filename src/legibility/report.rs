@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::finding::Finding;
 use super::limits::Limits;
 use super::rules::{RULES, Rule, Severity};
-use super::verdict::Verdict;
+use super::verdict::{Textures, Verdict};
 use crate::Note;
 use crate::units::{MmPoint, MmRect};
 
@@ -18,7 +18,7 @@ pub struct Checked {
     /// Every breach of a rule: errors first, in the order of the rules, then from the top of the sheet down.
     pub findings: Vec<Finding>,
     /// The numbers that the page was held against.
-    pub limits: Limits,
+    pub(crate) limits: Limits,
     /// All of it in one sentence.
     pub verdict: Verdict,
     /// What of the page was taken otherwise than it looks, or left out, when it was read.
@@ -36,8 +36,15 @@ impl Checked {
         self.findings.len() - self.errors()
     }
 
-    /// The same as JSON: `verdict`, and `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the
-    /// sheet's top left), `what`, `measured`, `limit`, `unit`, `remedy`.
+    /// The number that a rule asks for on this page and its unit (`mm`, `mm2`, `%`, `dots`); none where it has none.
+    pub fn limit(&self, rule: &Rule) -> Option<(f32, &'static str)> {
+        rule.number(&self.limits)
+    }
+
+    /// The same as JSON: how many `errors` and `warnings`; `verdict`, and the shares 0..=1 that it tells of: `faulty`
+    /// of the figure, and of `textures` what is `of_figure`, `judged` and `right` (null where none were felt);
+    /// `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the sheet's top left), `what`,
+    /// `measured`, `limit`, `unit`, `remedy`; and `notes`, what was taken otherwise than it looks.
     pub fn to_json(&self) -> String {
         let finding = |finding: &Finding| {
             let (limit, unit) = self.number(&finding.rule);
@@ -56,11 +63,17 @@ impl Checked {
         };
         let findings: Vec<Value> = self.findings.iter().map(finding).collect();
         let (errors, warnings) = (self.errors(), self.warnings());
+        let textures = self.verdict.textures.map(|Textures { of_figure, judged, right }| {
+            json!({ "of_figure": rounded(of_figure), "judged": rounded(judged), "right": rounded(right) })
+        });
         let all = json!({
             "errors": errors,
             "warnings": warnings,
             "verdict": self.verdict.to_string(),
+            "faulty": rounded(self.verdict.faulty),
+            "textures": textures,
             "findings": findings,
+            "notes": self.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
         });
         format!("{all:#}\n")
     }
@@ -100,7 +113,7 @@ impl Checked {
     }
 
     fn number(&self, rule: &Rule) -> (Option<f64>, Option<&'static str>) {
-        rule.number(&self.limits).map_or((None, None), |(number, unit)| (Some(rounded(number)), Some(unit)))
+        self.limit(rule).map_or((None, None), |(number, unit)| (Some(rounded(number)), Some(unit)))
     }
 }
 

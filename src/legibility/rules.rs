@@ -39,8 +39,13 @@ pub struct Rule {
 }
 
 impl Rule {
+    /// All rules, in the order in which their findings are told.
+    pub fn all() -> &'static [Self] {
+        RULES
+    }
+
     /// Its number and the unit of it on pages of a profile; none where it has none.
-    pub fn number(&self, limits: &Limits) -> Option<(f32, &'static str)> {
+    pub(crate) fn number(&self, limits: &Limits) -> Option<(f32, &'static str)> {
         (self.number)(limits)
     }
 }

@@ -215,7 +215,7 @@ impl Page {
     /// The same page with a description that was made of its marks, in this language; `made` is the entry of its origin
     /// that tells so, in place of one of its name.
     #[must_use]
-    pub fn described(mut self, description: String, language: &str, made: (String, String)) -> Self {
+    pub(crate) fn described(mut self, description: String, language: &str, made: (String, String)) -> Self {
         self.parts.description = description;
         language.clone_into(&mut self.parts.description_language);
         self.parts.origin.retain(|(name, _)| *name != made.0);

@@ -69,16 +69,10 @@ pub(super) fn draw(
     notes.extend(texts::left_out(&texts, layout.figure));
 
     request.go_on()?;
-    let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
-    let mut edges = match (&given.lines, &given.drawn_lines) {
-        (Some(lines), _) => Some(lines.edges(picture.raster.size())?),
-        (None, Some(bytes)) => Some(edges_of_drawn(bytes, picture.raster.size(), request, px_per_mm)?),
-        (None, None) => find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, true, watch),
-    };
-    if let Some(added) = &given.added {
-        let edges = edges.get_or_insert_with(|| Edges::none(picture.raster.size()));
-        added.add_to(edges, plan.lines().max_spacing() * px_per_mm)?;
-    }
+    let erased = given.boxes(picture.source.size, layout.figure)?;
+    let edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
+        find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, true, watch)
+    })?;
     let least = plan.profile().lines.min_length;
     let short = given.lines.iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
     let short: usize = short.sum();
@@ -86,10 +80,6 @@ pub(super) fn draw(
         let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
         let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
         notes.push(Note::LeftOut(format!("{short} {noun} of those given, as {why}")));
-    }
-    let erased = given.boxes(picture.source.size, layout.figure)?;
-    if let Some(edges) = &mut edges {
-        erase(edges, erased.clone());
     }
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
@@ -118,6 +108,35 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, layout, is_flat, left_out, texts, notes })
+}
+
+/// The contours of a picture of this size: what a person gave, or what `find` finds, with the lines that were added,
+/// and without what is erased.
+///
+/// # Errors
+/// If what was given cannot be read or is of another shape than the picture.
+pub(super) fn contours_of(
+    given: &Given,
+    size: Size,
+    layout: &Layout,
+    erased: &[[f32; 4]],
+    request: &Request<'_>,
+    find: impl FnOnce() -> Option<Edges>,
+) -> Result<Option<Edges>, Error> {
+    let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
+    let mut edges = match (&given.lines, &given.drawn_lines) {
+        (Some(lines), _) => Some(lines.edges(size)?),
+        (None, Some(bytes)) => Some(edges_of_drawn(bytes, size, request, px_per_mm)?),
+        (None, None) => find(),
+    };
+    if let Some(added) = &given.added {
+        let edges = edges.get_or_insert_with(|| Edges::none(size));
+        added.add_to(edges, request.plan.lines().max_spacing() * px_per_mm)?;
+    }
+    if let Some(edges) = &mut edges {
+        erase(edges, erased.to_vec());
+    }
+    Ok(edges)
 }
 
 /// The lines of a picture of lines, as contours of a picture of this size.
@@ -223,7 +242,7 @@ pub(super) fn find_edges(
     } else if is_flat {
         "the picture is of one colour"
     } else {
-        let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
+        let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
         return Some(run(watch, Stage::Edges, || edges_of(picture, kind, &plan.edges(px_per_mm), with_regions)));
     };
     watch(Event::Skip(Stage::Edges, reason));
@@ -234,10 +253,10 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
-            let frame = PageTransform::new(edges.size, layout.figure);
+            let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
-                let outlines = outlines_of(edges, &frame, plan, false);
-                let drawn = lines::draw_with(edges, &outlines, &frame, layout.figure, &plan.lines());
+                let outlines = outlines_of(edges, &transform, plan, false);
+                let drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
                 dots::pressed(drawn, layout.figure, layout, plan)
             });
         }
@@ -291,11 +310,11 @@ pub(super) fn draw_overview(
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
-            let frame = PageTransform::new(edges.size, place);
+            let transform = PageTransform::new(edges.size, place);
             let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
             let (lines, Lost { rings, .. }) = run(watch, Stage::Overview, || {
-                let outlines = outlines_of(edges, &frame, plan, true);
-                let drawn = lines::draw_with(edges, &outlines, &frame, place, &params);
+                let outlines = outlines_of(edges, &transform, plan, true);
+                let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
                 (dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
             });
             let left_out = if params.whole_rings { rings } else { 0 };
@@ -321,7 +340,7 @@ pub(super) fn sort_colours(
     if raster.is_grey() {
         watch(Event::Skip(Stage::Hues, "the picture is grey"));
     }
-    let px_per_mm = 1.0 / PageTransform::new(raster.size(), layout.figure).mm_per_px();
+    let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
     Some(run(watch, Stage::Classes, || {
         let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
         let contours = edges.map(Edges::borders).unwrap_or_default();

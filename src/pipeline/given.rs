@@ -141,7 +141,7 @@ impl HandLines {
     /// # Errors
     /// If the picture has another shape than the figure of the page.
     pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
-        self.edges_of(size, true)
+        self.edges_of(size, ChainKind { exact: true, drawn: true, ..ChainKind::default() })
     }
 
     /// Adds the lines to contours that were found, of which the parts nearer than `reach`, px, give way.
@@ -149,7 +149,7 @@ impl HandLines {
     /// # Errors
     /// As [`HandLines::edges`].
     pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<(), Error> {
-        let own = self.edges_of(found.size, false)?;
+        let own = self.edges_of(found.size, ChainKind { exact: true, added: true, ..ChainKind::default() })?;
         let near = near(&own);
         let is_near = |at: PxPoint| near.nearest(at, reach, |_| true).is_some();
         let mut left = Edges::none(found.size);
@@ -164,7 +164,7 @@ impl HandLines {
         }
         left.regions = found.regions.take();
         left.erased = std::mem::take(&mut found.erased);
-        left.added = Some((own.chains.len(), reach));
+        left.room = reach;
         *found = left;
         Ok(())
     }
@@ -178,13 +178,12 @@ impl HandLines {
         self.lines.iter().filter(|line| length(line) < share).count()
     }
 
-    fn edges_of(&self, size: Size, drawn: bool) -> Result<Edges, Error> {
+    fn edges_of(&self, size: Size, kind: ChainKind) -> Result<Edges, Error> {
         let [width, height] = [size.width as f32, size.height as f32];
         if (self.aspect / (width / height) - 1.0).abs() > SAME_SHAPE + 1.0 / width.min(height) {
             return Err(Error::OtherShape { lines: self.aspect, picture: width / height });
         }
         let mut edges = Edges::none(size);
-        let kind = ChainKind { exact: true, drawn, stroke: None };
         for line in self.lines.iter().filter(|line| line.vertices.len() > 1) {
             let edgel = |&([x, y], strength): &([f32; 2], f32)| Edgel {
                 at: PxPoint::new(x * width, y * height),
@@ -255,7 +254,7 @@ pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
     if boxes.is_empty() {
         return;
     }
-    let mut left = Edges { added: edges.added, ..Edges::none(edges.size) };
+    let mut left = Edges { room: edges.room, ..Edges::none(edges.size) };
     for range in &edges.chains {
         let chain = edges.chain(range);
         let inside = |edgel: &Edgel| is_in(share(edgel.at, edges.size), &boxes);
@@ -270,17 +269,16 @@ pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.
 pub(super) fn with_room(traces: Vec<Trace>, edges: &Edges) -> Vec<Trace> {
-    if edges.erased.is_empty() && edges.added.is_none() {
-        return traces;
-    }
-    let (count, reach) = edges.added.unwrap_or_default();
     let mut own = Edges::none(edges.size);
-    for range in &edges.chains[edges.chains.len() - count.min(edges.chains.len())..] {
+    for range in edges.chains.iter().filter(|range| range.kind.added) {
         own.push_as(range.kind, edges.chain(range).vertices.iter().copied(), range.closed);
+    }
+    if edges.erased.is_empty() && own.is_empty() {
+        return traces;
     }
     let near = near(&own);
     let gone = |point: &TracePoint| {
-        is_in(share(point.at, edges.size), &edges.erased) || near.nearest(point.at, reach, |_| true).is_some()
+        is_in(share(point.at, edges.size), &edges.erased) || near.nearest(point.at, edges.room, |_| true).is_some()
     };
     let parts = |trace: &Trace| {
         let parts = outside(&trace.vertices, trace.closed, gone);
@@ -313,6 +311,24 @@ pub(super) fn is_in([x, y]: [f32; 2], boxes: &[[f32; 4]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_line_that_was_added_and_erased_again_takes_no_room() {
+        let size = Size::new(200, 100);
+        let row = |y: f32| (10..190).map(move |x| PxPoint::new(x as f32, y));
+        let edgels = |y: f32| row(y).map(|at| Edgel { at, strength: 40.0, contrast: [0.0; 3] });
+        let mut edges = Edges { room: 8.0, ..Edges::none(size) };
+        edges.push(edgels(20.0), false);
+        edges.push_as(ChainKind { added: true, ..ChainKind::default() }, edgels(70.0), false);
+        let outline =
+            |y: f32| Trace { vertices: row(y).map(|at| TracePoint { at, strength: 40.0 }).collect(), closed: false };
+        let room = |edges: &Edges| [22.0, 72.0].map(|y| with_room(vec![outline(y)], edges).len());
+        assert_eq!(room(&edges), [1, 0], "only what was added takes room");
+        erase(&mut edges, vec![[0.0, 0.6, 1.0, 0.65]]);
+        assert_eq!(room(&edges), [1, 0], "nothing was erased");
+        erase(&mut edges, vec![[0.0, 0.68, 1.0, 0.71]]);
+        assert_eq!(room(&edges), [1, 1]);
+    }
 
     #[test]
     fn what_is_around_boxes_is_everything_else() {

@@ -1,6 +1,7 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::draw::{draw_lines, edges_of, enough_pixels, told_left_out, working_size};
+use super::draw::{contours_of, draw_lines, edges_of, enough_pixels, told_left_out, working_size};
+use super::given::Given;
 use super::progress::{Event, Stage, Watch, run};
 use super::read::{Read, read};
 use super::request::{Fit, Request};
@@ -80,13 +81,15 @@ impl Thresholds {
     }
 }
 
-/// Traces the contours of a picture, or of the part that [`Request::fit`] names. `watch` is told of every stage.
+/// Traces the contours of a picture, or of the part that [`Request::fit`] names, or those that are given in their
+/// place. `watch` is told of every stage.
 ///
 /// # Errors
 /// When the picture cannot be read or is too small; see [`Error`].
 pub fn trace<'p>(
     picture: impl Into<Picture<'p>>,
     tracing: &Tracing,
+    given: &Given,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Traced, Error> {
@@ -106,7 +109,11 @@ pub fn trace<'p>(
 
     let layout = fit.layout(source, plan)?;
     request.go_on()?;
-    let edges = find_edges(&read, tracing, &layout, plan, watch);
+    let erased = given.boxes(source, layout.figure)?;
+    let edges = contours_of(given, read.picture.raster.size(), &layout, &erased, request, || {
+        find_edges(&read, tracing, &layout, plan, watch)
+    })?;
+    notes.extend(given.notes.iter().cloned());
     drop(read);
     request.go_on()?;
     let trace = match &edges {
@@ -136,7 +143,7 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
         return None;
     }
-    let px_per_mm = 1.0 / PageTransform::new(picture.raster.size(), layout.figure).mm_per_px();
+    let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
     let mut params = match tracing.subject {
         Subject::ContoursAtFullResolution => edges::Params::default(),
         Subject::Contours | Subject::Lines => plan.edges(px_per_mm),

@@ -113,7 +113,8 @@ impl Profile {
     }
 
     /// The profile that a page was made with, from how it says that it was made: the profile of its name with every
-    /// value that stands there. What is missing, or of an unknown name, is that of the default profile.
+    /// value that stands there. What is missing, or of an unknown name, is that of the default profile; values that do
+    /// not go together (of another version) all give way to those of the profile of that name.
     pub(crate) fn of_page(origin: &[(String, String)]) -> Result<Self, Error> {
         let value = |value: &str| value.trim_matches('"').to_owned();
         let name = origin.iter().find(|(known, _)| known == "profile").map(|(_, name)| value(name));

@@ -25,7 +25,6 @@ pub(super) struct Crack {
     pub(super) cell: u32,
     /// Whether the cells lie side by side, so that it runs down.
     pub(super) is_upright: bool,
-    pub(super) strength: f32,
 }
 
 impl Crack {
@@ -111,7 +110,7 @@ pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plan
         for (is_there, next, is_upright) in [(right, cell + 1, true), (below, cell + width, false)] {
             if is_there && basin[cell] != basin[next] {
                 let ends = [basin[cell].min(basin[next]), basin[cell].max(basin[next])];
-                found.push((ends, Crack { cell: cell as u32, is_upright, strength: 0.0 }));
+                found.push((ends, Crack { cell: cell as u32, is_upright }));
             }
         }
     }
@@ -119,8 +118,8 @@ pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plan
     let measured: Vec<([u32; 2], Vec<Crack>, Sums)> = found
         .par_chunk_by(|a, b| a.0 == b.0)
         .map(|of_arc| {
-            let (ends, mut cracks) = (of_arc[0].0, of_arc.iter().map(|(_, crack)| *crack).collect::<Vec<_>>());
-            let sums = measure(&mut cracks, ends, basin, grid, traces, colours);
+            let (ends, cracks) = (of_arc[0].0, of_arc.iter().map(|(_, crack)| *crack).collect::<Vec<_>>());
+            let sums = measure(&cracks, ends, basin, grid, traces, colours);
             (ends, cracks, sums)
         })
         .collect();
@@ -133,21 +132,13 @@ pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plan
     (cracks, arcs)
 }
 
-/// Gives the cracks of one arc their strength, and sums up.
-fn measure(
-    cracks: &mut [Crack],
-    ends: [u32; 2],
-    basin: &[u32],
-    grid: Grid,
-    traces: &TraceMap,
-    colours: &[Plane],
-) -> Sums {
+/// Sums up what is seen at the cracks of one arc.
+fn measure(cracks: &[Crack], ends: [u32; 2], basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plane]) -> Sums {
     let mut sums = Sums::default();
     let tangents: Vec<PxVector> = (0..cracks.len()).map(|i| tangent(cracks, i, grid)).collect();
-    for (crack, tangent) in cracks.iter_mut().zip(tangents) {
+    for (crack, tangent) in cracks.iter().zip(tangents) {
         let middle = crack.middle(grid);
         let strength = traces.seen(middle, tangent).1;
-        crack.strength = strength;
         // from the first cell to the second
         let across = PxVector::new(-tangent.y, tangent.x);
         let along_axis = if crack.is_upright { across.x } else { across.y };

@@ -5,9 +5,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::arcs::Crack;
-use super::distance::nearest;
 use super::merge::Node;
 use super::tree::Tree;
+use crate::geom::distance::squared_distances;
 use crate::units::Size;
 
 /// What is asked of the regions that get an outline. Lengths are in millimetres on the sheet.
@@ -52,7 +52,7 @@ const KEPT: f64 = 0.6;
 const WIDE: f64 = 2.5;
 /// Outlines within this distance are the same, cells.
 const SAME: f32 = 4.0;
-/// Most of an outline that may be the same as those before it, or too near to them.
+/// Most of an outline that may be the same as those before it.
 const MOST_SAME: f64 = 0.7;
 /// What an outline loses that is as near to others as it may be.
 const NEAR: f64 = 0.7;
@@ -100,7 +100,9 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params) -> Vec<u32> {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
         }
-        // gains only fall as more is chosen: one that was computed for what is chosen now, and is the best, is the best
+        // A gain that was computed before the last choice is computed anew, and a region that is too near to what is
+        // chosen is out for good. (Gains fall as more is chosen but for an outline that was near to one and is the same
+        // as the next; it waits behind its older gain.)
         if candidate.round < chosen.len() {
             let own = score(&tree.nodes[candidate.node as usize], tree.basin.len(), mm);
             if let Some(gain) = gain(own, &members.outline(tree, candidate.node), near.as_deref(), tree, mm, params) {
@@ -119,7 +121,7 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params) -> Vec<u32> {
         for crack in members.outline(tree, candidate.node) {
             crack.cells(tree.grid).into_iter().for_each(|cell| is_outline[halved(cell, tree.grid.cells)] = true);
         }
-        near = nearest(&is_outline, half(tree.grid.cells));
+        near = Some(squared_distances(&is_outline, half(tree.grid.cells)));
     }
     chosen
 }
@@ -164,21 +166,14 @@ fn halved(cell: usize, cells: Size) -> usize {
 }
 
 /// What a region adds to those that are chosen; none if its outline is one of theirs or too near to them.
-fn gain(
-    score: f64,
-    outline: &[Crack],
-    near: Option<&[(u32, u32)]>,
-    tree: &Tree,
-    mm: f32,
-    params: &Params,
-) -> Option<f64> {
+fn gain(score: f64, outline: &[Crack], near: Option<&[u32]>, tree: &Tree, mm: f32, params: &Params) -> Option<f64> {
     let Some(near) = near else { return Some(score) };
     let (mut same, mut too_near) = (0.0, 0.0);
     let (same_square, near_square) = ((0.5 * SAME).powi(2), (0.5 * params.spacing / mm).powi(2));
     for crack in outline {
         let square = crack
             .cells(tree.grid)
-            .map(|cell| near[halved(cell, tree.grid.cells)].1)
+            .map(|cell| near[halved(cell, tree.grid.cells)])
             .into_iter()
             .min()
             .unwrap_or(u32::MAX) as f32;
@@ -208,9 +203,6 @@ fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
             rows = (rows.0.min(y), y);
         }
     }
-    if rows.0 > rows.1 {
-        return false;
-    }
     // with a margin, where there is one
     let (left, top) = (columns.0.saturating_sub(1), rows.0.saturating_sub(1));
     let right = (columns.1 + 2).min(width);
@@ -219,10 +211,8 @@ fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
     let is_outside: Vec<bool> = cells.map(|&basin| !is_in[basin as usize]).collect();
     let size = Size::new((right - left) as u32, (bottom - top) as u32);
     let square = (OPENING / mm).powi(2);
-    let Some(to_outside) = nearest(&is_outside, size) else { return true };
-    let is_core: Vec<bool> = to_outside.iter().map(|(_, distance)| *distance as f32 > square).collect();
-    let Some(to_core) = nearest(&is_core, size) else { return false };
-    let kept = to_core.iter().filter(|(_, distance)| *distance as f32 <= square).count();
+    let is_core: Vec<bool> = squared_distances(&is_outside, size).iter().map(|to| *to as f32 > square).collect();
+    let kept = squared_distances(&is_core, size).iter().filter(|to| **to as f32 <= square).count();
     kept as f64 >= KEPT * of.area
 }
 

@@ -1,8 +1,8 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
 use super::choose::Members;
-use super::distance::nearest;
 use super::tree::Tree;
+use crate::geom::distance::squared_distances;
 use crate::raster::shrink::Shrinker;
 use crate::units::Size;
 
@@ -87,12 +87,9 @@ fn opened(labels: &[u8], count: usize, size: Size, radius: f32) -> Vec<(u8, bool
     let mut nearest_core: Vec<(u8, u32, bool)> = labels.iter().map(|&label| (label, u32::MAX, false)).collect();
     for label in 0..=count as u8 {
         let is_other: Vec<bool> = labels.iter().map(|&other| other != label).collect();
-        let is_core: Vec<bool> = match nearest(&is_other, padded) {
-            Some(to_other) => to_other.iter().map(|(_, distance)| *distance as f32 > square).collect(),
-            None => vec![true; labels.len()],
-        };
-        let to_core = nearest(&is_core, padded).into_iter().flatten();
-        for ((core, own), (_, distance)) in nearest_core.iter_mut().zip(&labels).zip(to_core) {
+        let is_core: Vec<bool> = squared_distances(&is_other, padded).iter().map(|to| *to as f32 > square).collect();
+        let to_core = squared_distances(&is_core, padded);
+        for ((core, own), distance) in nearest_core.iter_mut().zip(&labels).zip(to_core) {
             // of two that are as near, its own
             if distance < core.1 || (distance == core.1 && label == *own) {
                 *core = (label, distance, distance as f32 <= square);

@@ -150,8 +150,13 @@ mod tests {
 
     #[test]
     fn what_is_as_thin_as_a_stroke_is_no_region() {
-        let traces = [trace(&[(58.0, 5.0), (58.0, 85.0)], false), trace(&[(62.0, 5.0), (62.0, 85.0)], false)];
-        let outlines = outlines(&traces, |x, _| if (58.0..62.0).contains(&x) { 90.0 } else { 20.0 });
-        assert!(outlines.iter().all(|outline| !outline.closed), "{outlines:?}");
+        let strip = |width: f32| {
+            let (left, right) = (60.0 - 0.5 * width, 60.0 + 0.5 * width);
+            let traces = [trace(&[(left, 15.0), (right, 15.0), (right, 75.0), (left, 75.0)], true)];
+            let is_light = |x: f32, y: f32| (left..right).contains(&x) && (15.0..75.0).contains(&y);
+            outlines(&traces, |x, y| if is_light(x, y) { 90.0 } else { 20.0 })
+        };
+        assert_eq!(strip(4.0), [], "2 mm wide");
+        assert!(strip(20.0).iter().any(|outline| outline.closed && outline.length() > 140.0), "10 mm wide");
     }
 }

@@ -1,9 +1,9 @@
 //! A page as a fingertip feels it: which class is meant and which is felt, cell by cell.
 
-use super::distance::distances;
 use super::ink::{Error, Ink};
 use super::measure::{self, CELLS_PER_MM, FINGERS, Feel};
 use super::signs::Signs;
+use crate::geom::distance::distances;
 use crate::page::Class;
 use crate::raster::plane::Plane;
 use crate::units::{MmPoint, MmRect, Size};

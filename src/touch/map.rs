@@ -6,13 +6,13 @@
 
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
-use super::distance::distances;
 use super::felt::{Cell, Felt};
 use super::ink::Ink;
 use super::letters;
 use super::measure::CELLS_PER_MM;
 use super::signs::Signs;
 use crate::geom::components::{self, Connectivity};
+use crate::geom::distance::distances;
 use crate::page::{Class, Sign};
 use crate::units::Size;
 

@@ -12,7 +12,6 @@
 //! [`measure`] defines the model. It knows slopes of a blurred surface, not skin. It serves to compare textures and
 //! to find areas whose class cannot be told.
 
-mod distance;
 mod felt;
 mod ink;
 mod letters;
@@ -21,7 +20,6 @@ pub mod measure;
 pub mod report;
 mod signs;
 
-pub use distance::distances;
 pub use felt::{Cell, Felt, JUDGED_FROM, feel};
 pub use ink::{Error, Ink};
 pub use measure::{CELLS_PER_MM, FINGERS, Feel};

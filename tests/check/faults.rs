@@ -109,6 +109,13 @@ fn findings_are_data_too() {
     assert_eq!(json["errors"].as_u64(), Some(checked.errors() as u64));
     let finding = &json["findings"][0];
     assert!(finding["rule"].is_string() && finding["place"].is_string() && finding["remedy"].is_string(), "{finding}");
+    assert!(json["faulty"].as_f64().is_some_and(|share| share > 0.0), "{}", json["faulty"]);
+    assert_eq!(json["notes"].as_array().map(Vec::len), Some(checked.notes.len()));
+    for finding in &checked.findings {
+        let of_json = json["findings"].as_array().expect("findings").iter().find(|one| one["rule"] == finding.rule.id);
+        let unit = of_json.expect("each is there")["unit"].as_str();
+        assert_eq!(unit, checked.limit(&finding.rule).map(|(_, unit)| unit));
+    }
     let sarif: serde_json::Value = serde_json::from_str(&checked.to_sarif("page.svg")).expect("JSON");
     let run = &sarif["runs"][0];
     assert_eq!(run["results"].as_array().map(Vec::len), Some(checked.findings.len()));

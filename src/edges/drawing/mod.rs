@@ -32,7 +32,11 @@ pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> 
         proposals.iter().flat_map(|proposal| confirm::confirmed(proposal, &picture, params)).collect();
     let mut edges = Edges::none(size);
     for Confirmed { line, stroke } in unite::united(confirmed, size) {
-        edges.push_as(ChainKind { exact: true, drawn: true, stroke }, line.vertices.into_iter(), line.closed);
+        edges.push_as(
+            ChainKind { exact: true, drawn: true, stroke, added: false },
+            line.vertices.into_iter(),
+            line.closed,
+        );
     }
     if drawing.pixel_areas.iter().any(|area| area.is_seen(size)) {
         add_from_pixels(raster, drawing, params, &mut edges);

@@ -1,7 +1,8 @@
 //! Is what is felt what was painted?
 
+use tactograph::internals::geom::distance::distances;
 use tactograph::internals::page::{Class, Page};
-use tactograph::internals::touch::{Felt, distances};
+use tactograph::internals::touch::Felt;
 use tactograph::internals::units::{MmPoint, Size};
 
 use super::scenes::{Scene, Truth};

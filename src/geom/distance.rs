@@ -1,10 +1,24 @@
-//! Distances on the grid of cells: for every cell the nearest of some, exactly (Felzenszwalb and Huttenlocher 2012).
+//! The exact Euclidean distance transform of a grid of cells: along the columns, then by the lower envelope of
+//! parabolas along the rows (P. Felzenszwalb and D. Huttenlocher, Distance transforms of sampled functions, 2012).
 
 use crate::units::Size;
 
-/// For every cell the nearest of those that `is_set`, and the square of its distance; none if no cell is set.
-pub(super) fn nearest(is_set: &[bool], size: Size) -> Option<Vec<(u32, u32)>> {
+/// Stands for the squared distance of cells that are nowhere.
+pub const FAR: u32 = u32::MAX;
+
+/// For every cell the distance of the nearest that `is_set`, in cells between their centres; infinite if none is set.
+pub fn distances(is_set: &[bool], size: Size) -> Vec<f32> {
+    let root = |square: u32| if square == FAR { f32::INFINITY } else { (square as f32).sqrt() };
+    squared_distances(is_set, size).into_iter().map(root).collect()
+}
+
+/// For every cell the square of the distance of the nearest that `is_set`, in cells between their centres; [`FAR`] if
+/// none is set.
+pub fn squared_distances(is_set: &[bool], size: Size) -> Vec<u32> {
     let (width, height) = (size.width as usize, size.height as usize);
+    if !is_set.contains(&true) {
+        return vec![FAR; is_set.len()];
+    }
     let columns = nearest_in_columns(is_set, width, height);
     let mut out = Vec::with_capacity(is_set.len());
     // parabolas of the row's lower envelope: their columns, and from where on each is the lowest
@@ -35,12 +49,13 @@ pub(super) fn nearest(is_set: &[bool], size: Size) -> Option<Vec<(u32, u32)>> {
             while at + 1 < lowest.len() && from[at + 1] < x as f64 {
                 at += 1;
             }
-            let column = *lowest.get(at)?;
+            // a column that has a set cell: there is one, or the grid would have none
+            let column = lowest[at];
             let (dx, dy) = (column.abs_diff(x) as u32, row[column].abs_diff(y as u32));
-            out.push((row[column] * width as u32 + column as u32, dx * dx + dy * dy));
+            out.push(dx * dx + dy * dy);
         }
     }
-    Some(out)
+    out
 }
 
 /// No row.
@@ -85,13 +100,13 @@ mod tests {
                 let ((ax, ay), (bx, by)) = (place(a), place(b));
                 (ax.abs_diff(bx).pow(2) + ay.abs_diff(by).pow(2)) as u32
             };
-            let found = nearest(&is_set, size).expect("some are set");
-            for (cell, &(near, distance)) in found.iter().enumerate() {
+            for (cell, &distance) in squared_distances(&is_set, size).iter().enumerate() {
                 let least = (0..size.len()).filter(|&other| is_set[other]).map(|other| square(cell, other)).min();
                 assert_eq!(Some(distance), least);
-                assert_eq!(square(cell, near as usize), distance);
             }
         }
-        assert_eq!(nearest(&vec![false; size.len()], size), None);
+        let none = vec![false; size.len()];
+        assert!(squared_distances(&none, size).iter().all(|&distance| distance == FAR));
+        assert!(distances(&none, size).iter().all(|distance| distance.is_infinite()));
     }
 }
