@@ -53,6 +53,10 @@ pub enum Note {
     },
     /// The page number is not written in braille, as there is no room for it above the figure.
     NoRoomForNumber,
+    /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
+    NoSubject([i32; 2]),
+    /// Weak lines and textures around the subject are left out, as was asked: how much of lines, mm on the sheet.
+    BackgroundCalmed(u32),
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
     Abbreviated(Vec<(String, String)>),
     /// The texts of the picture were to be labels, and it has none.
@@ -168,6 +172,16 @@ impl std::fmt::Display for Note {
             Self::NoRoomForNumber => f.write_str(
                 "the page number is not written in braille, as it has no room above the figure; take a larger sheet, \
                  or leave the number out",
+            ),
+            Self::NoSubject([x, y]) => write!(
+                f,
+                "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a \
+                 place in the middle of a thing that stands out from what is around it"
+            ),
+            Self::BackgroundCalmed(millimetres) => write!(
+                f,
+                "around the subject {millimetres} mm of weak lines, the outlines of other regions and all textures are \
+                 left out, as was asked"
             ),
             Self::Abbreviated(labels) => {
                 let all: Vec<String> =

@@ -17,6 +17,7 @@ mod read;
 mod redraw;
 mod request;
 pub mod sheets;
+mod subject;
 mod text_reader;
 mod texts;
 pub mod trace;

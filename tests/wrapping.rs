@@ -7,7 +7,7 @@ use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
     Class, Crop, DotFormat, Drawing, Embossing, Error, Event, Felt, Fonts, Limits, MmPoint, MmRect, Note, Options,
-    Page, Picture, Profile, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
+    Page, Picture, Position, Profile, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -159,6 +159,34 @@ fn contours_are_those_of_the_page_that_a_person_corrects() {
         - least(traced(Tracing::lines(), &options()));
     let px = 3.0 * 120.0 / page.figure.place.width();
     assert!((by - px).abs() < 0.5, "{by} px in place of {px}");
+}
+
+#[test]
+fn what_is_around_the_subject_is_left_calm() {
+    let coffee = std::fs::read("samples/coffee.png").expect("a sample");
+    let at = |x: f32, y: f32| options().subject(Position::Percent(x), Position::Percent(y));
+    let convert = |options: &Options| tactograph::convert(&coffee, options).expect("a page");
+    let (plain, subject) = (convert(&options()), convert(&at(40.0, 20.0)));
+    assert!(plain.page.figure.lines != subject.page.figure.lines, "another outline comes first");
+    assert!(subject.notes.iter().all(|note| !matches!(note, Note::NoSubject(_) | Note::BackgroundCalmed(_))));
+    let calm = convert(&at(40.0, 20.0).calm_background(true));
+    let left_out = calm.notes.iter().find_map(|note| match note {
+        Note::BackgroundCalmed(millimetres) => Some(*millimetres),
+        _ => None,
+    });
+    assert!(left_out.is_some_and(|mm| mm > 100), "{:?}", calm.notes);
+    let glyphs = |drawing: &Drawing| -> Vec<MmPoint> {
+        drawing.page.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at).collect()
+    };
+    let (all, few) = (glyphs(&subject), glyphs(&calm));
+    assert!(!few.is_empty() && few.len() < all.len() / 4, "{} of {}", few.len(), all.len());
+    // a place where there is nothing, and one in a drawing
+    let white = Picture::rgba8(120, 90, &[255; 4 * 120 * 90]).expect("a picture");
+    let of_white = tactograph::convert(white, &at(40.0, 20.0)).expect("a page");
+    assert!(of_white.notes.contains(&Note::NoSubject([40, 20])), "{:?}", of_white.notes);
+    let disc = tactograph::convert(&png(), &at(50.0, 50.0).calm_background(true)).expect("a page");
+    assert!(!disc.notes.iter().any(|note| matches!(note, Note::NoSubject(_))), "{:?}", disc.notes);
+    assert!(!glyphs(&disc).is_empty());
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::Translate;
 use crate::page::{LANGUAGE, Page};
-use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, TextReader, Words};
+use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -252,6 +252,22 @@ impl Options {
     /// [`Options::erase`]. Called several times, what is in any of the parts is kept.
     pub fn keep(mut self, part: Crop) -> Self {
         self.given.kept.push(part);
+        self
+    }
+
+    /// Says what the picture is about, by a place on it, from the left and from the top: the smallest thing around it
+    /// that stands out is outlined before all else, in figure and overview. Can be called several times. Where nothing
+    /// is found, [`Note::NoSubject`](crate::Note::NoSubject) tells. Default: what stands out most comes first.
+    pub fn subject(mut self, x: Position, y: Position) -> Self {
+        self.given.subjects.push([x, y]);
+        self
+    }
+
+    /// Leaves out what is not of the [subject](Options::subject): textures, weak lines (narrower than
+    /// `lines.width_max`) and outlines of other regions. Without a subject that is found nothing changes. Default:
+    /// false.
+    pub fn calm_background(mut self, calm: bool) -> Self {
+        self.given.calm_background = calm;
         self
     }
 

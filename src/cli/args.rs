@@ -13,6 +13,7 @@ mod quality;
 mod render;
 mod running;
 mod shared;
+mod subject;
 mod trace;
 mod words;
 mod writing;
@@ -35,6 +36,7 @@ pub(super) use self::pages::Pages;
 pub(super) use self::render::Render;
 pub(super) use self::running::Running;
 pub(super) use self::shared::Shared;
+pub(super) use self::subject::Subject;
 pub(super) use self::trace::Trace;
 pub(super) use self::words::Words;
 pub(super) use self::writing::{Chosen, Writing};
@@ -110,6 +112,8 @@ Examples:
         takes the lines of a page that was corrected in an editor, and makes the rest anew
   tactograph convert coffee.png --erase 0,0,30%,100% -o less.svg
         leaves a part of the picture blank
+  tactograph convert coffee.png --subject 40%,20% --calm-background
+        outlines first what is at that place, and leaves what is around it calm
   tactograph convert coffee.png --sheets 2x2 -o large.pdf
         spreads the picture over two by two sheets, and the overview on another
   tactograph convert coffee.png --outlines --set page.orientation=landscape
@@ -211,6 +215,9 @@ pub(super) struct Convert {
 
     #[command(flatten)]
     pub(super) fitting: Fitting,
+
+    #[command(flatten)]
+    pub(super) subject: Subject,
 
     #[command(flatten)]
     pub(super) correcting: Correcting,

@@ -25,6 +25,7 @@ pub(super) fn run(args: &Convert) -> Exit {
 fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exit {
     let (chosen, mut faults) = args.writing.choose(args.output.as_deref());
     faults.extend(args.faults_of_words());
+    faults.extend(args.subject.check().err());
     let labels = args.labels.read().unwrap_or_else(|more| {
         faults.extend(more);
         Default::default()
@@ -82,7 +83,7 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
     batch::run(&order, |&Input { job, bytes, options, timings }| {
         let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
         let options = labels.add_to(args.fitting.add_to(options));
-        let options = corrections.add_to(options).map_err(|(_, error)| error)?;
+        let options = corrections.add_to(args.subject.add_to(options)).map_err(|(_, error)| error)?;
         let options = known
             .get()
             .cloned()

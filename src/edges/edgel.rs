@@ -64,6 +64,10 @@ pub struct Edges {
     pub regions: Option<Tree>,
     /// Boxes in which nothing is drawn, in shares of the picture: left, top, right, bottom.
     pub erased: Vec<[f32; 4]>,
+    /// Regions whose outlines come before all others.
+    pub subjects: Vec<u32>,
+    /// Whether no other region has an outline.
+    pub only_subjects: bool,
     /// How near to chains that a person added nothing else is drawn, px.
     pub room: f32,
 }
@@ -71,7 +75,16 @@ pub struct Edges {
 impl Edges {
     /// No contours, for a picture of `size`.
     pub fn none(size: Size) -> Self {
-        Self { size, edgels: Vec::new(), chains: Vec::new(), regions: None, erased: Vec::new(), room: 0.0 }
+        Self {
+            size,
+            edgels: Vec::new(),
+            chains: Vec::new(),
+            regions: None,
+            erased: Vec::new(),
+            subjects: Vec::new(),
+            only_subjects: false,
+            room: 0.0,
+        }
     }
 
     /// Appends an edge that was found in the pixels.

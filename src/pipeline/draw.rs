@@ -1,10 +1,11 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::dots;
-use super::given::{Given, SAME_SHAPE, erase, is_in, with_room};
+use super::given::{Given, SAME_SHAPE, blank, erase, with_room};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Read, read};
 use super::request::{Fit, Request};
+use super::subject;
 use super::texts::{self, Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, PictureKind};
@@ -70,7 +71,7 @@ pub(super) fn draw(
 
     request.go_on()?;
     let erased = given.boxes(picture.source.size, layout.figure)?;
-    let edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
+    let mut edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
         find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, true, watch)
     })?;
     let least = plan.profile().lines.min_length;
@@ -80,6 +81,12 @@ pub(super) fn draw(
         let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
         let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
         notes.push(Note::LeftOut(format!("{short} {noun} of those given, as {why}")));
+    }
+    let (subject, told) = subject::find(given, edges.as_mut(), picture.source.size, &layout);
+    notes.extend(told);
+    let background = subject.filter(|_| given.calm_background);
+    if let (Some(edges), Some(subject)) = (&mut edges, &background) {
+        notes.push(Note::BackgroundCalmed(subject::calm(edges, subject, &layout, plan).round() as u32));
     }
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
@@ -94,6 +101,9 @@ pub(super) fn draw(
                 None => sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch),
             };
             classes.iter_mut().for_each(|classes| blank(classes, &erased));
+            if let (Some(classes), Some(subject)) = (&mut classes, &background) {
+                subject::blank_around(classes, subject, picture.raster.size());
+            }
             (overview, classes)
         },
     );
@@ -153,21 +163,6 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
     let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
     let drawn = decode::decode(bytes, &options)?;
     Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), false))
-}
-
-/// Leaves the cells in boxes, in shares of the picture, without a colour.
-fn blank(classes: &mut Classes, boxes: &[[f32; 4]]) {
-    if boxes.is_empty() {
-        return;
-    }
-    let [width, height] = [classes.size.width, classes.size.height].map(|side| side as usize);
-    for (cell, region) in classes.region.iter_mut().enumerate() {
-        let at = [((cell % width) as f32 + 0.5) / width as f32, ((cell / width) as f32 + 0.5) / height as f32];
-        if let Some(number) = region.filter(|_| is_in(at, boxes)) {
-            classes.regions[number as usize].cells -= 1;
-            *region = None;
-        }
-    }
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
@@ -269,7 +264,11 @@ pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, wa
 /// The outlines of the most telling regions, for a figure or an overview where `transform` puts it.
 fn outlines_of(edges: &Edges, transform: &PageTransform, plan: &Plan, of_overview: bool) -> Outlines {
     let Some(tree) = &edges.regions else { return Outlines::default() };
-    let traces = with_room(tree.outlines(transform.mm_per_px(), &plan.regions(of_overview)), edges);
+    let mut params = plan.regions(of_overview);
+    if edges.only_subjects {
+        params.most = edges.subjects.len();
+    }
+    let traces = with_room(tree.outlines(transform.mm_per_px(), &params, &edges.subjects), edges);
     Outlines { traces, others: of_overview.then_some((OTHERS, OTHERS_LENGTH)) }
 }
 

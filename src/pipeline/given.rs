@@ -1,8 +1,9 @@
 //! What a person gives beside the picture: lines that are drawn in place of those that would be found.
 
+use super::label::Position;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
-use crate::edges::{ChainKind, Edgel, Edges};
+use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::{Line, Pen, Run};
 use crate::page::Page;
@@ -32,6 +33,10 @@ pub struct Given {
     pub erased: Vec<Crop>,
     /// Parts outside which it stays blank; without any, it does so nowhere.
     pub kept: Vec<Crop>,
+    /// Places on what the picture is about: from the left and from the top.
+    pub subjects: Vec<[Position; 2]>,
+    /// Whether weak lines and textures around it are left out.
+    pub calm_background: bool,
 }
 
 impl Given {
@@ -152,20 +157,11 @@ impl HandLines {
         let own = self.edges_of(found.size, ChainKind { exact: true, added: true, ..ChainKind::default() })?;
         let near = near(&own);
         let is_near = |at: PxPoint| near.nearest(at, reach, |_| true).is_some();
-        let mut left = Edges::none(found.size);
-        for range in &found.chains {
-            let chain = found.chain(range);
-            for (vertices, closed) in outside(chain.vertices, chain.closed, |edgel| is_near(edgel.at)) {
-                left.push_as(range.kind, vertices.into_iter(), closed);
-            }
-        }
+        without(found, |_, _, edgel| is_near(edgel.at));
         for range in &own.chains {
-            left.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
+            found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
         }
-        left.regions = found.regions.take();
-        left.erased = std::mem::take(&mut found.erased);
-        left.room = reach;
-        *found = left;
+        found.room = reach;
         Ok(())
     }
 
@@ -254,17 +250,39 @@ pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
     if boxes.is_empty() {
         return;
     }
-    let mut left = Edges { room: edges.room, ..Edges::none(edges.size) };
-    for range in &edges.chains {
-        let chain = edges.chain(range);
-        let inside = |edgel: &Edgel| is_in(share(edgel.at, edges.size), &boxes);
-        for (vertices, closed) in outside(chain.vertices, chain.closed, inside) {
-            left.push_as(range.kind, vertices.into_iter(), closed);
+    let size = edges.size;
+    without(edges, |_, _, edgel| is_in(share(edgel.at, size), &boxes));
+    edges.erased = boxes;
+}
+
+/// Takes the parts of contours out that are `gone`; each chain has its number.
+pub(super) fn without(edges: &mut Edges, gone: impl Fn(usize, &ChainRange, &Edgel) -> bool) {
+    let (edgels, chains) = (std::mem::take(&mut edges.edgels), std::mem::take(&mut edges.chains));
+    for (number, range) in chains.iter().enumerate() {
+        let vertices = &edgels[range.edgels.clone()];
+        for (vertices, closed) in outside(vertices, range.closed, |edgel| gone(number, range, edgel)) {
+            edges.push_as(range.kind, vertices.into_iter(), closed);
         }
     }
-    left.regions = edges.regions.take();
-    left.erased = boxes;
-    *edges = left;
+}
+
+/// Leaves the cells in boxes, in shares of the picture, without a colour.
+pub(super) fn blank(classes: &mut Classes, boxes: &[[f32; 4]]) {
+    if !boxes.is_empty() {
+        blank_where(classes, |at| is_in(at, boxes));
+    }
+}
+
+/// Leaves the cells at some places, in shares of the picture, without a colour.
+pub(super) fn blank_where(classes: &mut Classes, is_blank: impl Fn([f32; 2]) -> bool) {
+    let [width, height] = [classes.size.width, classes.size.height].map(|side| side as usize);
+    for (cell, region) in classes.region.iter_mut().enumerate() {
+        let at = [((cell % width) as f32 + 0.5) / width as f32, ((cell / width) as f32 + 0.5) / height as f32];
+        if let Some(number) = region.filter(|_| is_blank(at)) {
+            classes.regions[number as usize].cells -= 1;
+            *region = None;
+        }
+    }
 }
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.

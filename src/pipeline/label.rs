@@ -23,8 +23,8 @@ pub enum Position {
 }
 
 impl Position {
-    /// From "30%" or "412.5".
-    fn of(text: &str) -> Option<Self> {
+    /// From "30%" or "412.5"; none if it is no number.
+    pub fn of(text: &str) -> Option<Self> {
         let (number, position): (&str, fn(f32) -> Self) = match text.strip_suffix('%') {
             Some(number) => (number.trim_end(), Self::Percent),
             None => (text, Self::Pixels),
@@ -33,7 +33,7 @@ impl Position {
     }
 
     /// Share of the side, 0 to 1 within the picture.
-    fn share(self, pixels: u32) -> f32 {
+    pub(super) fn share(self, pixels: u32) -> f32 {
         match self {
             Self::Percent(percent) => 0.01 * percent,
             Self::Pixels(at) => at / pixels as f32,

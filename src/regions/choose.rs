@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::arcs::Crack;
+use super::members::Members;
 use super::merge::Node;
 use super::tree::Tree;
 use crate::geom::distance::squared_distances;
@@ -86,16 +87,21 @@ impl PartialEq for Candidate {
 
 impl Eq for Candidate {}
 
-/// The numbers of the most telling regions, the first first. `mm` is the side of a cell on the sheet.
-pub(super) fn choose(tree: &Tree, mm: f32, params: &Params) -> Vec<u32> {
+/// The numbers of the most telling regions, the first first, after those of `subjects`, which come first whatever they
+/// tell. `mm` is the side of a cell on the sheet.
+pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32]) -> Vec<u32> {
     let members = Members::of(tree);
     let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(of, tree.basin.len(), mm), of.area));
     let mut heap: BinaryHeap<Candidate> = scores
         .filter(|(_, gain, _)| *gain > 0.0)
         .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 })
         .collect();
-    let (mut chosen, mut first, mut near) = (Vec::new(), None, None);
+    let (mut chosen, mut first) = (subjects.to_vec(), None);
     let mut is_outline = vec![false; half(tree.grid.cells).len()];
+    let mut near = None;
+    for &subject in subjects {
+        near = Some(with_outline(&mut is_outline, tree, &members.outline(tree, subject)));
+    }
     while let Some(candidate) = heap.pop() {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
@@ -118,16 +124,21 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params) -> Vec<u32> {
         if chosen.len() == params.most {
             break;
         }
-        for crack in members.outline(tree, candidate.node) {
-            crack.cells(tree.grid).into_iter().for_each(|cell| is_outline[halved(cell, tree.grid.cells)] = true);
-        }
-        near = Some(squared_distances(&is_outline, half(tree.grid.cells)));
+        near = Some(with_outline(&mut is_outline, tree, &members.outline(tree, candidate.node)));
     }
     chosen
 }
 
+/// Adds an outline to those of the chosen regions. Returns the squared distance from them, in cells of the halved grid.
+fn with_outline(is_outline: &mut [bool], tree: &Tree, outline: &[Crack]) -> Vec<u32> {
+    for crack in outline {
+        crack.cells(tree.grid).into_iter().for_each(|cell| is_outline[halved(cell, tree.grid.cells)] = true);
+    }
+    squared_distances(is_outline, half(tree.grid.cells))
+}
+
 /// How much a region tells, by itself.
-fn score(node: &Node, cells: usize, mm: f32) -> f64 {
+pub(super) fn score(node: &Node, cells: usize, mm: f32) -> f64 {
     let length = STEPS * node.outline.length;
     let (share, square_mm) = (node.area / cells as f64, node.area * f64::from(mm * mm));
     if node.outline.length < 1.0 || square_mm < LEAST_AREA {
@@ -187,7 +198,7 @@ fn gain(score: f64, outline: &[Crack], near: Option<&[u32]>, tree: &Tree, mm: f3
 }
 
 /// Whether a region is more than a stroke. The frame narrows nothing.
-fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
+pub(super) fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
     let of = &tree.nodes[node as usize];
     let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.frame);
     if mean_width >= WIDE * f64::from(2.0 * OPENING / mm) {
@@ -214,51 +225,4 @@ fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
     let is_core: Vec<bool> = squared_distances(&is_outside, size).iter().map(|to| *to as f32 > square).collect();
     let kept = squared_distances(&is_core, size).iter().filter(|to| **to as f32 <= square).count();
     kept as f64 >= KEPT * of.area
-}
-
-/// Which basins each region is made of.
-pub(super) struct Members {
-    /// The place of each basin in an order in which those of every region follow one another.
-    place: Vec<u32>,
-    /// The places of each region.
-    range: Vec<std::ops::Range<u32>>,
-}
-
-impl Members {
-    pub(super) fn of(tree: &Tree) -> Self {
-        let count = tree.nodes.len();
-        let mut is_child = vec![false; count];
-        for [a, b] in tree.nodes.iter().filter_map(|node| node.children) {
-            (is_child[a as usize], is_child[b as usize]) = (true, true);
-        }
-        let mut place = vec![0; count];
-        let mut range = vec![0..0; count];
-        let mut next = 0;
-        let mut todo: Vec<(u32, bool)> =
-            (0..count as u32).filter(|&node| !is_child[node as usize]).map(|node| (node, false)).collect();
-        while let Some((node, is_done)) = todo.pop() {
-            let at = node as usize;
-            match tree.nodes[at].children {
-                None => {
-                    place[at] = next;
-                    range[at] = next..next + 1;
-                    next += 1;
-                }
-                Some([a, b]) if is_done => range[at] = range[b as usize].start..range[a as usize].end,
-                Some([a, b]) => todo.extend([(node, true), (a, false), (b, false)]),
-            }
-        }
-        Self { place, range }
-    }
-
-    /// Whether a basin is in a region.
-    pub(super) fn has(&self, node: u32, basin: u32) -> bool {
-        self.range[node as usize].contains(&self.place[basin as usize])
-    }
-
-    /// The cracks around a region.
-    fn outline(&self, tree: &Tree, node: u32) -> Vec<Crack> {
-        let around = tree.arcs.iter().filter(|arc| self.has(node, arc.ends[0]) != self.has(node, arc.ends[1]));
-        around.flat_map(|arc| tree.cracks[arc.cracks.clone()].iter().copied()).collect()
-    }
 }

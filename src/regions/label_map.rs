@@ -1,6 +1,6 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
-use super::choose::Members;
+use super::members::Members;
 use super::tree::Tree;
 use crate::geom::distance::squared_distances;
 use crate::raster::shrink::Shrinker;

@@ -18,8 +18,11 @@ mod border;
 mod choose;
 mod grid;
 mod label_map;
+mod mask;
+mod members;
 mod merge;
 mod outline;
+mod subject;
 mod trace;
 mod traces;
 mod tree;
@@ -27,5 +30,6 @@ mod watershed;
 
 pub use choose::Params;
 pub use grid::Grid;
+pub use mask::Mask;
 pub use trace::{Trace, TracePoint};
 pub use tree::Tree;

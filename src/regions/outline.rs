@@ -18,9 +18,10 @@ impl Tree {
     /// The outlines of the most telling regions, the first first, for a sheet with so many millimetres for a pixel of
     /// the picture. Neighbours share one border, which belongs to the first of them; one that is not closed ends on the
     /// frame or on others. The strength is the mean of what is seen along the line.
-    pub fn outlines(&self, mm_per_px: f32, params: &Params) -> Vec<Trace> {
-        let mm = mm_per_px * self.grid.picture.width as f32 / self.grid.cells.width as f32;
-        let chosen = choose(self, mm, params);
+    /// The regions of `subjects` come before those that tell most.
+    pub fn outlines(&self, mm_per_px: f32, params: &Params, subjects: &[u32]) -> Vec<Trace> {
+        let mm = self.mm_of_cell(mm_per_px);
+        let chosen = choose(self, mm, params, subjects);
         let labels = label_map(self, &chosen, mm, params.narrowest);
         let mut placed = vec![None; (self.grid.cells.width as usize + 1) * (self.grid.cells.height as usize + 1)];
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
@@ -98,7 +99,7 @@ mod tests {
         let size = Size::new(120, 90);
         let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
         let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
-        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS)
+        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS, &[])
     }
 
     fn circle(x: f32, y: f32, radius: f32) -> Trace {
@@ -146,6 +147,44 @@ mod tests {
             let near = ring.vertices.iter().map(|v| (v.at - end).length()).fold(f32::MAX, f32::min);
             assert!(near < 0.6, "an end lies {near} px from the ring");
         }
+    }
+
+    #[test]
+    fn a_subject_is_the_smallest_salient_region_and_comes_first() {
+        // a small square in a large one; the small one is paler than the large one is dark
+        let (large, small) = ((20.0..100.0, 10.0..80.0), (30.0..50.0, 30.0..50.0));
+        let square = |(x, y): &(std::ops::Range<f32>, std::ops::Range<f32>)| {
+            trace(&[(x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end)], true)
+        };
+        let size = Size::new(120, 90);
+        let lightness = |cell: usize| {
+            let (x, y) = ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
+            let is_in = |(across, down): &(std::ops::Range<f32>, std::ops::Range<f32>)| {
+                across.contains(&x) && down.contains(&y)
+            };
+            if is_in(&small) {
+                60.0
+            } else if is_in(&large) {
+                10.0
+            } else {
+                95.0
+            }
+        };
+        let plane = Plane { size, values: (0..size.len()).map(lightness).collect() };
+        let tree = Tree::new(&[square(&large), square(&small)], &[plane], Grid::new(size));
+        let cells = |x: f32, y: f32| {
+            let subject = tree.subject_at(PxPoint::new(x, y), 0.5).expect("something is there");
+            (subject, tree.mask(&[subject]).cells() as f32)
+        };
+        let (inner, area) = cells(40.0, 40.0);
+        assert!((area / 400.0 - 1.0).abs() < 0.15, "{area}");
+        let (_, area) = cells(80.0, 60.0);
+        assert!(area > 4500.0, "{area}");
+        assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5), None, "beyond the picture");
+        let one = Params { most: 1, ..PARAMS };
+        let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
+        assert!(area_of(tree.outlines(0.5, &one, &[])) > 250.0, "the large one tells most");
+        assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner]))), "the subject comes first");
     }
 
     #[test]

@@ -45,6 +45,11 @@ impl Tree {
         let nodes = merge(empty_nodes(&basin, count, colours, grid), &arcs, basin.len());
         Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
     }
+
+    /// The side of a cell on the sheet, mm.
+    pub(super) fn mm_of_cell(&self, mm_per_px: f32) -> f32 {
+        mm_per_px * self.grid.picture.width as f32 / self.grid.cells.width as f32
+    }
 }
 
 /// High where traces run and colours change, smooth, so that every basin is worth one.

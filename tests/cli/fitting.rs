@@ -1,6 +1,7 @@
 //! Parts of a picture, sizes on the sheet, and pages with less or the other way round.
 
 use crate::cli::common::*;
+use crate::common::samples;
 
 fn page(place: &Place, words: &[&str]) -> String {
     let run = place.run(&[&["convert", "a.png", "-q", "-o", "-"], words].concat());
@@ -103,4 +104,22 @@ fn several_sheets_are_one_pdf_or_files_with_numbers() {
         assert_eq!(run.code, 2);
         assert!(run.err.contains("give how many sheets across and down"), "{}", run.err);
     }
+}
+
+#[test]
+fn the_subject_is_a_place_on_the_picture() {
+    let place = Place::new();
+    place.put("a.png", &samples::read("coffee.png"));
+    for wrong in ["40%", "40%,", "a,b", "140%,20%", "-3,20%", "nan%,20%"] {
+        let run = place.run(&["convert", "a.png", "--subject", wrong]);
+        assert_eq!(run.code, 2, "{wrong}");
+        assert!(run.err.contains("such as 50%,40%"), "{wrong}: {}", run.err);
+    }
+    let nine: Vec<&str> = ["convert", "a.png"].into_iter().chain(["--subject", "40%,20%"].repeat(9)).collect();
+    let run = place.run(&nine);
+    assert!(run.code == 2 && run.err.contains("at most 8"), "{}", run.err);
+    let run = place.run(&["convert", "a.png", "--calm-background"]);
+    assert!(run.code == 2 && run.err.contains("--subject"), "{}", run.err);
+    let run = place.run(&["convert", "a.png", "--subject", "240,80", "--calm-background"]);
+    assert!(run.code == 0 && run.err.contains("around the subject"), "{}", run.err);
 }

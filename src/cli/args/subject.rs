@@ -1,0 +1,57 @@
+//! Options that say what the picture is about.
+
+use clap::Args;
+use tactograph::{Options, Position};
+
+/// Options of `tactograph convert` for what the picture is about.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Subject {
+    /// Says what the picture is about: a place on it; can be given several times
+    ///
+    /// How far from the left and from the top of the part that is drawn, in percent (50%,40%) or in pixels of the
+    /// picture. The smallest thing around the place that stands out is outlined before all else, in figure and
+    /// overview.
+    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true, hide_short_help = true)]
+    subject: Vec<Place>,
+
+    /// Leaves textures and weak lines around the subject out
+    #[arg(long, requires = "subject", hide_short_help = true)]
+    calm_background: bool,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Place([Position; 2]);
+
+/// Most subjects: more than that is what a picture has, not what it is about.
+const MOST: usize = 8;
+
+impl Subject {
+    /// # Errors
+    /// That there are too many.
+    pub(in crate::cli) fn check(&self) -> Result<(), String> {
+        match self.subject.len() {
+            count if count > MOST => Err(format!("--subject: there are {count}; give at most {MOST}")),
+            _ => Ok(()),
+        }
+    }
+
+    /// Puts them into the options of the library.
+    pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
+        let options = self.subject.iter().fold(options, |options, Place([x, y])| options.subject(*x, *y));
+        options.calm_background(self.calm_background)
+    }
+}
+
+fn place(text: &str) -> Result<Place, String> {
+    let within = |text: &str| {
+        let position = Position::of(text.trim())?;
+        let is_within = match position {
+            Position::Percent(percent) => (0.0..=100.0).contains(&percent),
+            Position::Pixels(at) => at >= 0.0,
+        };
+        is_within.then_some(position)
+    };
+    let wanted = "give how far it is from the left and from the top, such as 50%,40% or, in pixels, 300,220";
+    let (x, y) = text.split_once(',').ok_or(wanted)?;
+    Ok(Place([within(x).ok_or(wanted)?, within(y).ok_or(wanted)?]))
+}

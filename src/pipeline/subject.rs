@@ -1,0 +1,85 @@
+//! What the picture is about, as its maker says by places on it.
+
+use super::given::{Given, blank_where, without};
+use crate::Note;
+use crate::classes::Classes;
+use crate::edges::{Edgel, Edges};
+use crate::geom::polyline::Located;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::regions::{Grid, Mask};
+use crate::units::{PageTransform, PxPoint, Size};
+
+/// A ring around the subject has at least this area, mm2: smaller ones are dots for a finger.
+const LEAST_AREA: f32 = 15.0;
+/// Lines this near to the subject belong to it, cells: its own contours run along its border.
+const MARGIN: f32 = 3.0;
+
+/// Finds the subjects among regions, or within closed contours, and tells the contours of them. Returns their cells;
+/// none if no subject is asked for or none is found.
+pub(super) fn find(
+    given: &Given,
+    mut edges: Option<&mut Edges>,
+    source: Size,
+    layout: &Layout,
+) -> (Option<Mask>, Vec<Note>) {
+    let (mut all, mut notes) = (None::<Mask>, Vec::new());
+    for [x, y] in &given.subjects {
+        let share = [x.share(source.width), y.share(source.height)];
+        match edges.as_mut().and_then(|edges| subject_at(edges, share, layout)) {
+            Some(mask) => all = Some(all.map_or(mask.clone(), |all| all.with(&mask))),
+            None => notes.push(Note::NoSubject(share.map(|share| (100.0 * share).round() as i32))),
+        }
+    }
+    (all, notes)
+}
+
+/// The cells of the subject at a place, in shares of the picture.
+fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout) -> Option<Mask> {
+    let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
+    let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
+    let found = edges.regions.as_ref().and_then(|tree| {
+        let region = tree.subject_at(at, mm_per_px)?;
+        Some((region, tree.mask(&[region])))
+    });
+    let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px) };
+    if !edges.subjects.contains(&region) {
+        edges.subjects.push(region);
+    }
+    Some(mask)
+}
+
+/// The inside of the smallest closed contour around a place.
+fn ring_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
+    let grid = Grid::new(edges.size);
+    let rings = edges.chains.iter().filter(|range| range.closed).map(|range| edges.chain(range));
+    let inside = rings.map(|ring| {
+        let points: Vec<PxPoint> = ring.vertices.iter().map(Located::at).collect();
+        Mask::of_ring(grid, &points)
+    });
+    let cell = mm_per_px * edges.size.width as f32 / grid.cells.width as f32;
+    let least = (LEAST_AREA / (cell * cell)) as usize;
+    inside.filter(|mask| mask.contains(at) && mask.cells() >= least).min_by_key(Mask::cells)
+}
+
+/// Takes weak lines that are not of the subject out, and the outlines of other regions. Returns how much, mm.
+pub(super) fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 {
+    let (strong, near) = (plan.lines().full_strength, subject.clone().grown(MARGIN));
+    let length = |edges: &Edges| edges.chains().map(|chain| chain.length()).sum::<f32>();
+    let before = length(edges);
+    let mean = |edges: &Edges| -> Vec<f32> {
+        let mean = |strengths: &[Edgel]| {
+            strengths.iter().map(|edgel| edgel.strength).sum::<f32>() / strengths.len().max(1) as f32
+        };
+        edges.chains().map(|chain| mean(chain.vertices)).collect()
+    };
+    let is_weak: Vec<bool> = mean(edges).into_iter().map(|strength| strength < strong).collect();
+    without(edges, |number, range, edgel| is_weak[number] && !range.kind.added && !near.contains(edgel.at));
+    edges.only_subjects = true;
+    (before - length(edges)) * PageTransform::new(edges.size, layout.figure).mm_per_px()
+}
+
+/// Leaves the cells of colours that are not of the subject blank.
+pub(super) fn blank_around(classes: &mut Classes, subject: &Mask, picture: Size) {
+    blank_where(classes, |[x, y]| !subject.contains(PxPoint::new(x * picture.width as f32, y * picture.height as f32)));
+}

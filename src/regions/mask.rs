@@ -1,0 +1,86 @@
+//! A part of a picture, cell by cell.
+
+use super::grid::Grid;
+use crate::geom::distance::squared_distances;
+use crate::units::PxPoint;
+
+/// Some cells of a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mask {
+    grid: Grid,
+    is_in: Vec<bool>,
+}
+
+impl Mask {
+    pub(super) fn new(grid: Grid, is_in: Vec<bool>) -> Self {
+        Self { grid, is_in }
+    }
+
+    /// The cells whose middles lie inside a ring, whose points are in pixels of the picture: those from which a ray to
+    /// the right crosses it an odd number of times.
+    pub fn of_ring(grid: Grid, ring: &[PxPoint]) -> Self {
+        let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
+        let corners: Vec<PxPoint> = ring.iter().map(|&at| grid.to_cells(at)).collect();
+        let sides: Vec<[PxPoint; 2]> =
+            corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]).collect();
+        let mut is_in = vec![false; width * height];
+        for (y, row) in is_in.chunks_exact_mut(width).enumerate() {
+            let middle = y as f32 + 0.5;
+            let crossed = sides.iter().filter(|[a, b]| (a.y <= middle) != (b.y <= middle));
+            let mut at: Vec<f32> = crossed.map(|[a, b]| a.x + (middle - a.y) / (b.y - a.y) * (b.x - a.x)).collect();
+            at.sort_by(f32::total_cmp);
+            for pair in at.chunks_exact(2) {
+                let column = |x: f32| ((x + 0.5).floor().max(0.0) as usize).min(width);
+                row[column(pair[0])..column(pair[1])].fill(true);
+            }
+        }
+        Self { grid, is_in }
+    }
+
+    /// The cells of both, which are of the same picture.
+    #[must_use]
+    pub fn with(mut self, other: &Self) -> Self {
+        self.is_in.iter_mut().zip(&other.is_in).for_each(|(own, other)| *own |= other);
+        self
+    }
+
+    /// The cells no further than so many cells from it.
+    #[must_use]
+    pub fn grown(mut self, cells: f32) -> Self {
+        let to = squared_distances(&self.is_in, self.grid.cells);
+        self.is_in.iter_mut().zip(to).for_each(|(is_in, to)| *is_in = to as f32 <= cells * cells);
+        self
+    }
+
+    /// Whether a place of the picture is in it.
+    pub fn contains(&self, at: PxPoint) -> bool {
+        self.grid.cell_at(self.grid.to_cells(at)).is_some_and(|cell| self.is_in[cell])
+    }
+
+    /// How many cells it has.
+    pub fn cells(&self) -> usize {
+        self.is_in.iter().filter(|is_in| **is_in).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Size;
+
+    #[test]
+    fn inside_of_a_ring_is_what_it_surrounds() {
+        let grid = Grid::new(Size::new(40, 30));
+        // an L
+        let ring = [(5.0, 5.0), (15.0, 5.0), (15.0, 20.0), (30.0, 20.0), (30.0, 25.0), (5.0, 25.0)];
+        let mask = Mask::of_ring(grid, &ring.map(|(x, y)| PxPoint::new(x, y)));
+        assert_eq!(mask.cells(), 10 * 20 + 15 * 5);
+        for (x, y, is_in) in [(6.0, 6.0, true), (29.0, 24.0, true), (29.0, 10.0, false), (2.0, 10.0, false)] {
+            assert_eq!(mask.contains(PxPoint::new(x, y)), is_in, "{x}, {y}");
+        }
+        let square = [(20.0, 5.0), (30.0, 5.0), (30.0, 15.0), (20.0, 15.0)].map(|(x, y)| PxPoint::new(x, y));
+        // each side but the corner inside, where two meet
+        assert_eq!(mask.clone().grown(1.0).cells(), mask.cells() + 10 + 20 + 25 + 5 + 15 + 15 - 1);
+        assert_eq!(mask.with(&Mask::of_ring(grid, &square)).cells(), 10 * 20 + 15 * 5 + 100);
+    }
+}
