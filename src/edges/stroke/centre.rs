@@ -15,6 +15,8 @@ pub(in crate::edges) struct Stroke {
     pub(in crate::edges) contour: Contour,
     /// Its width, px.
     pub(in crate::edges) width: f32,
+    /// Length of the stroke that was found, of which this may be a part, px.
+    pub(in crate::edges) whole: f32,
 }
 
 /// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
@@ -116,7 +118,8 @@ fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, params: 
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
     corner::sharpen(&mut contour);
-    Stroke { contour, width }
+    let whole = contour.length();
+    Stroke { contour, width, whole }
 }
 
 /// The stretches of a line that have a contrast of at least `least`, or that are no longer than `passed` px and beside
