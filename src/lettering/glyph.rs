@@ -103,7 +103,7 @@ pub(super) fn thin(plane: &Plane, polarity: Polarity, least: f32, wanted: f32) -
     if contrast.values.iter().all(|value| *value < wanted) {
         return None;
     }
-    let most = square_max(&contrast.values, plane.size, LOCAL);
+    let most = square_max(&contrast.values, plane.size, LOCAL, 1.0);
     let share = |share: f32| -> Vec<bool> {
         contrast.values.iter().zip(&most).map(|(value, most)| *value >= least.max(share * most)).collect()
     };

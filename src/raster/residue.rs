@@ -7,7 +7,7 @@
 
 use pulp::{Arch, Simd, WithSimd};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-use rayon::slice::{ParallelSlice, ParallelSliceMut};
+use rayon::slice::ParallelSliceMut;
 
 use super::plane::Plane;
 use crate::units::Size;
@@ -23,45 +23,47 @@ pub enum Polarity {
 
 /// Contrast of structures that are narrower than `2 radius + 1` px, and 0 elsewhere.
 pub fn residue(plane: &Plane, radius: usize, polarity: Polarity) -> Plane {
-    let values = match polarity {
-        Polarity::Below => plane.values.clone(),
-        Polarity::Above => plane.values.iter().map(|value| -value).collect(),
-    };
     let size = plane.size;
-    let dilated = square_max(&values, size, radius);
-    let negated: Vec<f32> = dilated.iter().map(|value| -value).collect();
-    let closed = square_max(&negated, size, radius);
-    let residue = closed.iter().zip(&values).map(|(closed, value)| (-closed - value).max(0.0)).collect();
+    // of two signs, the one that makes thin structures low
+    let sign: f32 = match polarity {
+        Polarity::Below => 1.0,
+        Polarity::Above => -1.0,
+    };
+    let mut dilated = square_max(&plane.values, size, radius, sign);
+    dilated.iter_mut().for_each(|value| *value = -*value);
+    let mut residue = square_max(&dilated, size, radius, 1.0);
+    let closed = residue.iter_mut().zip(&plane.values);
+    closed.for_each(|(closed, value)| *closed = (-*closed - sign * value).max(0.0));
     Plane { size, values: residue }
 }
 
-/// The greatest value within a square of `2 radius + 1` pixels around each pixel.
-pub fn square_max(values: &[f32], size: Size, radius: usize) -> Vec<f32> {
+/// The greatest value within a square of `2 radius + 1` pixels around each pixel, of values times `sign`.
+pub fn square_max(values: &[f32], size: Size, radius: usize, sign: f32) -> Vec<f32> {
     let (width, height) = (size.width as usize, size.height as usize);
-    let arch = Arch::new();
     let window = 2 * radius + 1;
-    let mut along = vec![0.0; values.len()];
-    along.par_chunks_mut(width).zip(values.par_chunks(width)).for_each(|(out, row)| {
-        let mut padded = vec![f32::NEG_INFINITY; width + 2 * radius];
-        padded[radius..radius + width].copy_from_slice(row);
-        let mut spare = Vec::with_capacity(padded.len());
-        arch.dispatch(RowMax { padded: &mut padded, spare: &mut spare, window });
-        out.copy_from_slice(&padded[..width]);
-    });
-    let mut both = vec![0.0; values.len()];
+    let arch = Arch::new();
+    let mut most = vec![0.0; values.len()];
     // bands of rows, each with the rows around it that it needs
-    both.par_chunks_mut(BAND * width).enumerate().for_each(|(band, out)| {
-        let rows = out.len() / width;
+    let bands = most.par_chunks_mut(BAND * width).enumerate();
+    bands.for_each_init(<[Vec<f32>; 3]>::default, |[padded, spare, along], (band, out)| {
         let first = band * BAND;
-        let mut padded = vec![f32::NEG_INFINITY; (rows + 2 * radius) * width];
-        let from = first.saturating_sub(radius);
-        let to = (first + rows + radius).min(height);
-        let start = (from + radius - first) * width;
-        padded[start..start + (to - from) * width].copy_from_slice(&along[from * width..to * width]);
-        arch.dispatch(ColumnMax { padded: &mut padded, width, window });
-        out.copy_from_slice(&padded[..rows * width]);
+        let rows = out.len() / width;
+        along.clear();
+        let beyond = |rows: usize| std::iter::repeat_n(f32::NEG_INFINITY, rows * width);
+        along.extend(beyond(radius.saturating_sub(first)));
+        let last = (first + rows + radius).min(height);
+        for row in values[first.saturating_sub(radius) * width..last * width].chunks_exact(width) {
+            padded.clear();
+            padded.resize(radius, f32::NEG_INFINITY);
+            padded.extend(row.iter().map(|value| sign * value));
+            padded.resize(width + 2 * radius, f32::NEG_INFINITY);
+            arch.dispatch(RowMax { padded: &mut *padded, spare: &mut *spare, window });
+            along.extend_from_slice(&padded[..width]);
+        }
+        along.extend(beyond((first + rows + radius).saturating_sub(height)));
+        arch.dispatch(ColumnMax { padded: along, out, width, window });
     });
-    both
+    most
 }
 
 /// Rows that are taken at a time.
@@ -91,9 +93,10 @@ impl WithSimd for RowMax<'_> {
     }
 }
 
-/// [`RowMax`] down the columns.
+/// [`RowMax`] down the columns, the last step of which is written to `out`.
 struct ColumnMax<'a> {
     padded: &'a mut [f32],
+    out: &'a mut [f32],
     width: usize,
     window: usize,
 }
@@ -103,18 +106,27 @@ impl WithSimd for ColumnMax<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        for step in steps(self.window) {
-            let rows = self.padded.len() / self.width;
-            for row in 0..rows.saturating_sub(step) {
-                let (above, below) = self.padded.split_at_mut((row + step) * self.width);
-                let here = &mut above[row * self.width..][..self.width];
-                here.iter_mut().zip(&*below).for_each(|(here, there)| *here = greater(*here, *there));
+        let Self { padded, out, width, window } = self;
+        let mut reached = 1;
+        for step in steps(window) {
+            reached += step;
+            if reached == window {
+                let ahead = &padded[step * width..];
+                let both = padded.iter().zip(ahead);
+                out.iter_mut().zip(both).for_each(|(out, (here, there))| *out = greater(*here, *there));
+            } else {
+                let rows = padded.len() / width;
+                for row in 0..rows.saturating_sub(step) {
+                    let (above, below) = padded.split_at_mut((row + step) * width);
+                    let here = &mut above[row * width..][..width];
+                    here.iter_mut().zip(&*below).for_each(|(here, there)| *here = greater(*here, *there));
+                }
             }
         }
     }
 }
 
-/// The steps by which windows grow from 1 to `window`.
+/// The steps by which windows grow from 1 to `window`, which is at least 2.
 #[inline(always)]
 fn steps(window: usize) -> impl Iterator<Item = usize> {
     let mut reached = 1;
@@ -145,7 +157,7 @@ mod tests {
     #[test]
     fn the_greatest_value_around_each_pixel_is_that_of_its_square() {
         let plane = plane(|x, y| ((x * 7 + y * 13) % 17) as f32);
-        let most = square_max(&plane.values, SIZE, 2);
+        let most = square_max(&plane.values, SIZE, 2, 1.0);
         for (y, x) in (0..20_usize).flat_map(|y| (0..30_usize).map(move |x| (y, x))) {
             let rows = y.saturating_sub(2)..(y + 3).min(20);
             let around = rows.flat_map(|y| (x.saturating_sub(2)..(x + 3).min(30)).map(move |x| (y, x)));
