@@ -9,7 +9,6 @@ use pulp::{Arch, Simd, WithSimd};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
-use super::plane::Plane;
 use crate::units::Size;
 
 /// Which structures are looked for.
@@ -21,46 +20,79 @@ pub enum Polarity {
     Above,
 }
 
-/// Contrast of structures that are narrower than `2 radius + 1` px, and 0 elsewhere.
-pub fn residue(plane: &Plane, radius: usize, polarity: Polarity) -> Plane {
-    let size = plane.size;
-    // of two signs, the one that makes thin structures low
-    let sign: f32 = match polarity {
-        Polarity::Below => 1.0,
-        Polarity::Above => -1.0,
-    };
-    let mut dilated = square_max(&plane.values, size, radius, sign);
-    dilated.iter_mut().for_each(|value| *value = -*value);
-    let mut residue = square_max(&dilated, size, radius, 1.0);
-    let closed = residue.iter_mut().zip(&plane.values);
-    closed.for_each(|(closed, value)| *closed = (-*closed - sign * value).max(0.0));
-    Plane { size, values: residue }
+/// A value of a pixel: a number, or a level of 256.
+pub trait Level: Copy + Default + PartialOrd + Send + Sync {
+    /// None is less.
+    const LEAST: Self;
+    /// Opposites are in the opposite order, and as far apart.
+    fn opposite(self) -> Self;
+    /// How far it is above another one; 0 if it is below.
+    fn above(self, other: Self) -> Self;
 }
 
-/// The greatest value within a square of `2 radius + 1` pixels around each pixel, of values times `sign`.
-pub fn square_max(values: &[f32], size: Size, radius: usize, sign: f32) -> Vec<f32> {
+impl Level for f32 {
+    const LEAST: Self = Self::NEG_INFINITY;
+
+    fn opposite(self) -> Self {
+        -self
+    }
+
+    fn above(self, other: Self) -> Self {
+        (self - other).max(0.0)
+    }
+}
+
+impl Level for u8 {
+    const LEAST: Self = 0;
+
+    fn opposite(self) -> Self {
+        Self::MAX - self
+    }
+
+    fn above(self, other: Self) -> Self {
+        self.saturating_sub(other)
+    }
+}
+
+/// Contrast of structures that are narrower than `2 radius + 1` px, and 0 elsewhere.
+pub fn residue<V: Level>(values: &[V], size: Size, radius: usize, polarity: Polarity) -> Vec<V> {
+    // thin structures are made low
+    let is_opposite = polarity == Polarity::Above;
+    let dilated = square_max(values, size, radius, is_opposite);
+    let mut residue = square_max(&dilated, size, radius, true);
+    for (closed, &value) in residue.iter_mut().zip(values) {
+        *closed = closed.opposite().above(if is_opposite { value.opposite() } else { value });
+    }
+    residue
+}
+
+/// The greatest value within a square of `2 radius + 1` pixels around each pixel, of values or of their opposites.
+pub fn square_max<V: Level>(values: &[V], size: Size, radius: usize, of_opposites: bool) -> Vec<V> {
     let (width, height) = (size.width as usize, size.height as usize);
     let window = 2 * radius + 1;
     let arch = Arch::new();
-    let mut most = vec![0.0; values.len()];
+    let mut most = vec![V::default(); values.len()];
     // bands of rows, each with the rows around it that it needs
     let bands = most.par_chunks_mut(BAND * width).enumerate();
-    bands.for_each_init(<[Vec<f32>; 3]>::default, |[padded, spare, along], (band, out)| {
+    bands.for_each_init(<[Vec<V>; 3]>::default, |[padded, spare, along], (band, out)| {
         let first = band * BAND;
         let rows = out.len() / width;
-        along.clear();
-        let beyond = |rows: usize| std::iter::repeat_n(f32::NEG_INFINITY, rows * width);
-        along.extend(beyond(radius.saturating_sub(first)));
         let last = (first + rows + radius).min(height);
+        along.clear();
+        along.resize(radius.saturating_sub(first) * width, V::LEAST);
         for row in values[first.saturating_sub(radius) * width..last * width].chunks_exact(width) {
             padded.clear();
-            padded.resize(radius, f32::NEG_INFINITY);
-            padded.extend(row.iter().map(|value| sign * value));
-            padded.resize(width + 2 * radius, f32::NEG_INFINITY);
+            padded.resize(radius, V::LEAST);
+            if of_opposites {
+                padded.extend(row.iter().map(|value| value.opposite()));
+            } else {
+                padded.extend_from_slice(row);
+            }
+            padded.resize(width + 2 * radius, V::LEAST);
             arch.dispatch(RowMax { padded: &mut *padded, spare: &mut *spare, window });
             along.extend_from_slice(&padded[..width]);
         }
-        along.extend(beyond((first + rows + radius).saturating_sub(height)));
+        along.resize((rows + 2 * radius) * width, V::LEAST);
         arch.dispatch(ColumnMax { padded: along, out, width, window });
     });
     most
@@ -71,13 +103,13 @@ const BAND: usize = 64;
 
 /// Each value becomes the greatest of those in a window that begins with it: of two windows of half the width, again
 /// and again.
-struct RowMax<'a> {
-    padded: &'a mut Vec<f32>,
-    spare: &'a mut Vec<f32>,
+struct RowMax<'a, V> {
+    padded: &'a mut Vec<V>,
+    spare: &'a mut Vec<V>,
     window: usize,
 }
 
-impl WithSimd for RowMax<'_> {
+impl<V: Level> WithSimd for RowMax<'_, V> {
     type Output = ();
 
     #[inline(always)]
@@ -94,14 +126,14 @@ impl WithSimd for RowMax<'_> {
 }
 
 /// [`RowMax`] down the columns, the last step of which is written to `out`.
-struct ColumnMax<'a> {
-    padded: &'a mut [f32],
-    out: &'a mut [f32],
+struct ColumnMax<'a, V> {
+    padded: &'a mut [V],
+    out: &'a mut [V],
     width: usize,
     window: usize,
 }
 
-impl WithSimd for ColumnMax<'_> {
+impl<V: Level> WithSimd for ColumnMax<'_, V> {
     type Output = ();
 
     #[inline(always)]
@@ -139,13 +171,14 @@ fn steps(window: usize) -> impl Iterator<Item = usize> {
 
 /// One instruction, which `f32::max` is not.
 #[inline(always)]
-fn greater(a: f32, b: f32) -> f32 {
+fn greater<V: Level>(a: V, b: V) -> V {
     if a > b { a } else { b }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::plane::Plane;
 
     const SIZE: Size = Size::new(30, 20);
 
@@ -157,7 +190,7 @@ mod tests {
     #[test]
     fn the_greatest_value_around_each_pixel_is_that_of_its_square() {
         let plane = plane(|x, y| ((x * 7 + y * 13) % 17) as f32);
-        let most = square_max(&plane.values, SIZE, 2, 1.0);
+        let most = square_max(&plane.values, SIZE, 2, false);
         for (y, x) in (0..20_usize).flat_map(|y| (0..30_usize).map(move |x| (y, x))) {
             let rows = y.saturating_sub(2)..(y + 3).min(20);
             let around = rows.flat_map(|y| (x.saturating_sub(2)..(x + 3).min(30)).map(move |x| (y, x)));
@@ -170,10 +203,21 @@ mod tests {
     fn a_thin_stroke_between_two_grounds_is_left_and_their_edge_is_not() {
         let ground = |x: usize| if x < 15 { 80.0 } else { 60.0 };
         let edge = plane(|x, _| ground(x));
-        assert!(residue(&edge, 3, Polarity::Below).values.iter().all(|value| *value == 0.0));
+        assert!(residue(&edge.values, SIZE, 3, Polarity::Below).iter().all(|value| *value == 0.0));
         let stroke = plane(|x, _| if (14..16).contains(&x) { 10.0 } else { ground(x) });
-        let below = residue(&stroke, 3, Polarity::Below);
-        assert_eq!(below.values[5 * 30..][12..18], [0.0, 0.0, 50.0, 50.0, 0.0, 0.0]);
-        assert!(residue(&stroke, 3, Polarity::Above).values.iter().all(|value| *value == 0.0));
+        let below = residue(&stroke.values, SIZE, 3, Polarity::Below);
+        assert_eq!(below[5 * 30..][12..18], [0.0, 0.0, 50.0, 50.0, 0.0, 0.0]);
+        assert!(residue(&stroke.values, SIZE, 3, Polarity::Above).iter().all(|value| *value == 0.0));
+    }
+
+    #[test]
+    fn levels_have_the_residue_of_numbers() {
+        let levels = plane(|x, y| ((x * 7 + y * 13 + x * y) % 41) as f32);
+        for polarity in [Polarity::Below, Polarity::Above] {
+            let bytes: Vec<u8> = levels.values.iter().map(|value| *value as u8).collect();
+            let found: Vec<f32> = residue(&bytes, SIZE, 2, polarity).into_iter().map(f32::from).collect();
+            assert_eq!(found, residue(&levels.values, SIZE, 2, polarity));
+            assert!(found.iter().any(|value| *value > 0.0));
+        }
     }
 }
