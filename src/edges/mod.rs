@@ -50,7 +50,6 @@ use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
 use ridge::RidgePoint;
-use stroke::Stroke;
 use tips::Found;
 
 use crate::raster::Raster;
@@ -110,8 +109,8 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, with_r
         refine::refine(contour, params.sigma);
         corner::sharpen(contour);
     });
-    let edges = contours.into_iter().map(|contour| Found { contour, stroke: None });
-    let strokes = strokes.into_iter().map(|Stroke { contour, width }| Found { contour, stroke: Some(width) });
+    let edges = contours.into_iter().map(Found::edge);
+    let strokes = strokes.into_iter().map(Found::stroke);
     let mut found: Vec<Found> = edges.chain(strokes).collect();
     if drawn {
         found = tips::meet(found, params.sigma);

@@ -130,29 +130,30 @@ pub fn of_set(set: &[bool], size: Size, connectivity: Connectivity) -> Vec<Vec<u
     components
 }
 
-/// Cells that are looked at together, where none of them may be set.
+/// Cells that are looked at together, as mostly none of them or all are set.
 const TOGETHER: usize = 16;
 
 /// Visits the runs of cells of a row that are set.
 fn each_run(row: &[bool], mut of: impl FnMut(Range<usize>)) {
-    let mut start = None;
+    let (mut start, mut is_inside) = (0, false);
     for (part, cells) in row.chunks(TOGETHER).enumerate() {
-        if start.is_none() && !cells.iter().fold(false, |any, set| any | set) {
+        let (any, all) = cells.iter().fold((false, true), |(any, all), &set| (any | set, all & set));
+        if any == all && any == is_inside {
             continue;
         }
         for (x, &set) in (part * TOGETHER..).zip(cells) {
-            match (start, set) {
-                (None, true) => start = Some(x),
-                (Some(from), false) => {
-                    of(from..x);
-                    start = None;
+            if set != is_inside {
+                if set {
+                    start = x;
+                } else {
+                    of(start..x);
                 }
-                _ => {}
+                is_inside = set;
             }
         }
     }
-    if let Some(from) = start {
-        of(from..row.len());
+    if is_inside {
+        of(start..row.len());
     }
 }
 
@@ -185,21 +186,21 @@ pub fn retain<T>(items: &mut Vec<T>, components: &Components, stays: impl Fn(&[T
 }
 
 /// Disjoint sets of numbers, of which the lowest stands for its set: union and find (Tarjan 1975) with path halving.
-#[derive(Default)]
-struct DisjointSets {
+#[derive(Debug, Default)]
+pub struct DisjointSets {
     /// A lower number of the same set, or itself.
     lower: Vec<u32>,
 }
 
 impl DisjointSets {
     /// Adds the next number as a set of its own.
-    fn add(&mut self) -> usize {
+    pub fn add(&mut self) -> usize {
         self.lower.push(self.lower.len() as u32);
         self.lower.len() - 1
     }
 
     /// The lowest number of the set of `number`.
-    fn lowest(&mut self, mut number: usize) -> usize {
+    pub fn lowest(&mut self, mut number: usize) -> usize {
         loop {
             let lower = self.lower[number] as usize;
             if lower == number {
@@ -211,7 +212,7 @@ impl DisjointSets {
     }
 
     /// Makes one set of those of two numbers.
-    fn join(&mut self, a: usize, b: usize) {
+    pub fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.lowest(a), self.lowest(b));
         self.lower[a.max(b)] = a.min(b) as u32;
     }

@@ -1,6 +1,7 @@
 //! Letters one after the other: chains of things that are alike in height, stroke and colour, along a direction.
 
 use super::glyph::{Glyph, Point};
+use crate::geom::components::DisjointSets;
 
 /// Two letters of a text: the higher one is at most so much higher (j beside x).
 const HEIGHTS: f32 = 2.3;
@@ -77,9 +78,9 @@ fn follows(a: &Placed, b: &Placed) -> bool {
         && 0.5 * (b.along[0] + b.along[1]) > 0.5 * (a.along[0] + a.along[1])
 }
 
-/// Those of some letters that have others near them that are alike, so that `least` (at most 3) of them can follow one
-/// another at some angle.
-pub(super) fn in_groups(glyphs: &[Glyph], which: &[usize], least: usize) -> Vec<usize> {
+/// Groups of letters that are alike and near one another: whatever the angle, those that follow one another are in one
+/// group.
+pub(super) fn groups(glyphs: &[Glyph], which: &[usize]) -> Vec<Vec<usize>> {
     // the middle of each and half its diagonal: it reaches no further, whatever the angle
     let round = |&of: &usize| {
         let Glyph { min, max, .. } = &glyphs[of];
@@ -91,29 +92,25 @@ pub(super) fn in_groups(glyphs: &[Glyph], which: &[usize], least: usize) -> Vec<
     all.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.2.cmp(&b.2)));
     let reach = |a: f32, b: f32| a + b + 2.0 * GAP * a.max(b);
     let most = all.iter().map(|(_, radius, _)| *radius).fold(0.0, f32::max);
-    let mut near: Vec<Vec<usize>> = vec![Vec::new(); all.len()];
-    for (i, &(a, radius, of)) in all.iter().enumerate() {
-        for (j, &(b, other_radius, other)) in all.iter().enumerate().skip(i + 1) {
-            if b[0] - a[0] > reach(radius, most) {
+    let mut sets = DisjointSets::default();
+    for (j, &(b, other_radius, other)) in all.iter().enumerate() {
+        sets.add();
+        for (i, &(a, radius, of)) in all.iter().enumerate().take(j).rev() {
+            if b[0] - a[0] > reach(other_radius, most).hypot(other_radius + most) {
                 break;
             }
             let along = reach(radius, other_radius);
             let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
             let across = radius + other_radius;
             if dx * dx + dy * dy <= along * along + across * across && alike(&glyphs[of], &glyphs[other]) {
-                near[i].push(j);
-                near[j].push(i);
+                sets.join(i, j);
             }
         }
     }
-    let is_in_group = |i: usize| match near[i][..] {
-        [] => least <= 1,
-        [only] => least <= 2 || near[only].len() > 1,
-        _ => true,
-    };
-    let mut stay: Vec<usize> = (0..all.len()).filter(|&i| is_in_group(i)).map(|i| all[i].2).collect();
-    stay.sort_unstable();
-    stay
+    let mut groups: Vec<Vec<usize>> = vec![Vec::new(); all.len()];
+    (0..all.len()).for_each(|i| groups[sets.lowest(i)].push(all[i].2));
+    groups.retain(|group| !group.is_empty());
+    groups
 }
 
 /// Chains at an angle, of at least two.

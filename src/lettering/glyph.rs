@@ -7,15 +7,15 @@
 use std::cell::OnceCell;
 
 use super::colours::Colours;
+use super::levels::{Contrast, Levels};
 use crate::geom::components::{self, Connectivity};
 use crate::raster::plane::Plane;
-use crate::raster::residue::{Polarity, residue, square_max};
+use crate::raster::residue::Polarity;
 
 /// Half side of the square that strokes of letters are narrower than, px.
 const RADIUS: usize = 6;
-/// A pixel belongs to a stroke if its contrast is at least this share of the largest within [`LOCAL`] px: half, where
-/// the edge of a smoothed letter is.
-const SHARE: f32 = 0.5;
+/// A pixel belongs to a stroke if its contrast is at least half of the largest within so many px: there is the edge
+/// of a smoothed letter.
 const LOCAL: usize = 3;
 /// A point or a direction, px from the top left corner.
 pub(super) type Point = [f32; 2];
@@ -98,26 +98,17 @@ impl Glyph {
 
 /// What is thin in a plane, and darker or lighter than its ground by `least`; none if nothing has the contrast
 /// `wanted`.
-pub(super) fn thin(plane: &Plane, polarity: Polarity, least: f32, wanted: f32) -> Option<Thin> {
-    let contrast = residue(plane, RADIUS, polarity);
-    if contrast.values.iter().all(|value| *value < wanted) {
-        return None;
-    }
-    let most = square_max(&contrast.values, plane.size, LOCAL);
-    let share = |share: f32| -> Vec<bool> {
-        contrast.values.iter().zip(&most).map(|(value, most)| *value >= least.max(share * most)).collect()
-    };
-    Some(Thin { set: share(SHARE), core: share(CORE), contrast })
+pub(super) fn thin(levels: &Levels, polarity: Polarity, least: f32, wanted: f32) -> Option<Thin> {
+    let contrast = levels.contrast(RADIUS, LOCAL, polarity, wanted)?;
+    Some(Thin { set: contrast.at_least_half(least), contrast })
 }
 
 /// What is thin in a plane.
 pub(super) struct Thin {
     /// Whether each pixel belongs to something thin.
     pub(super) set: Vec<bool>,
-    /// ... and has its full contrast.
-    core: Vec<bool>,
     /// The contrast of each pixel with its ground.
-    pub(super) contrast: Plane,
+    pub(super) contrast: Contrast,
 }
 
 /// The connected parts of what is thin, but for those that are too large. `is_clear` tells by contrast and unevenness
@@ -168,11 +159,11 @@ pub(super) fn glyphs(
 
 /// Whether something may be a letter, and its numbers if so.
 fn measure(glyph: &mut Glyph, thin: &Thin, plane: &Plane, colours: &Colours<'_>, is_clear: &impl Fn(f32, f32) -> bool) {
-    let core: Vec<usize> = glyph.cells.iter().copied().filter(|&cell| thin.core[cell]).collect();
-    let of_core = |plane: &Plane| core.iter().map(|&cell| plane.values[cell]).sum::<f32>() / core.len() as f32;
-    let contrast = of_core(&thin.contrast);
-    let middle = of_core(plane);
-    let variance = core.iter().map(|&cell| (plane.values[cell] - middle).powi(2)).sum::<f32>() / core.len() as f32;
+    let core: Vec<usize> = glyph.cells.iter().copied().filter(|&cell| thin.contrast.has_share(cell, CORE)).collect();
+    let mean = |of: &dyn Fn(usize) -> f32| core.iter().map(|&cell| of(cell)).sum::<f32>() / core.len() as f32;
+    let contrast = mean(&|cell| thin.contrast.at(cell));
+    let middle = mean(&|cell| plane.values[cell]);
+    let variance = mean(&|cell| (plane.values[cell] - middle).powi(2));
     let unevenness = variance.sqrt() / contrast;
     if !is_clear(contrast, unevenness) {
         return;

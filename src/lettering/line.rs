@@ -15,6 +15,10 @@ const LARGEST_IN_PHOTOGRAPH: f32 = 48.0;
 const THINNEST: f32 = 0.04;
 const THICKEST: f32 = 0.45;
 
+/// What lines of a photograph have at least of contrast, and at most of unevenness.
+const CONTRAST_IN_PHOTOGRAPH: f32 = 25.0;
+const UNEVEN_IN_PHOTOGRAPH: f32 = 0.08;
+
 /// How much is asked of a chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Strictness {
@@ -34,6 +38,20 @@ impl Strictness {
             Self::Photograph => 3,
             Self::Context => 1,
         }
+    }
+
+    /// Whether any of some letters together can be even and clear enough for a line: of a photograph, those that are
+    /// most so.
+    pub(super) fn may_have_text(self, glyphs: &[Glyph], which: &[usize]) -> bool {
+        let least = self.least_letters();
+        let best_mean = |of: &dyn Fn(&Glyph) -> f32| {
+            let mut values: Vec<f32> = which.iter().map(|&i| of(&glyphs[i])).collect();
+            values.sort_unstable_by(f32::total_cmp);
+            values.iter().take(least).sum::<f32>() / least.min(values.len()).max(1) as f32
+        };
+        self != Self::Photograph
+            || best_mean(&|glyph| glyph.unevenness) <= UNEVEN_IN_PHOTOGRAPH
+                && -best_mean(&|glyph| -glyph.contrast) >= CONTRAST_IN_PHOTOGRAPH
     }
 }
 
@@ -201,8 +219,8 @@ impl TextLine {
                     && clutter <= 0.1
             }
             Strictness::Photograph => {
-                self.contrast >= 25.0
-                    && self.unevenness <= 0.08
+                self.contrast >= CONTRAST_IN_PHOTOGRAPH
+                    && self.unevenness <= UNEVEN_IN_PHOTOGRAPH
                     && self.spread <= 0.14
                     && self.stroke_spread <= 0.25
                     && self.aligned >= 0.7

@@ -1,9 +1,10 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
 use super::area::each_cell;
-use super::chain::{axes, chains, distance, in_groups, placed};
+use super::chain::{axes, chains, distance, groups, placed};
 use super::colours::Colours;
 use super::glyph::{Glyph, Thin, glyphs, thin};
+use super::levels::Levels;
 use super::line::{Strictness, TextLine, line, median};
 use super::shape::are_unlike;
 use crate::raster::plane::Plane;
@@ -33,11 +34,16 @@ pub(super) struct Look {
 }
 
 impl Look {
-    /// Of a plane among those of a picture; none if nothing thin is in it.
-    pub(super) fn new(plane: &Plane, polarity: Polarity, colours: &Colours<'_>, strict: Strictness) -> Option<Self> {
+    /// Of a plane among those of a picture, and the same in levels; none if nothing thin is in it.
+    pub(super) fn new(
+        (plane, levels): (&Plane, &Levels),
+        polarity: Polarity,
+        colours: &Colours<'_>,
+        strict: Strictness,
+    ) -> Option<Self> {
         let is_drawing = strict == Strictness::Drawing;
         let wanted = if is_drawing { LEAST_CONTRAST } else { CONTRAST_IN_PHOTOGRAPH };
-        let thin = thin(plane, polarity, LEAST_CONTRAST, wanted)?;
+        let thin = thin(levels, polarity, LEAST_CONTRAST, wanted)?;
         let is_clear = |contrast, unevenness| is_drawing || contrast >= wanted && unevenness <= UNEVEN;
         let glyphs = glyphs(&thin, plane, colours, is_clear);
         let letters = (0..glyphs.len()).filter(|&i| glyphs[i].is_letter).collect();
@@ -46,12 +52,17 @@ impl Look {
 
     /// Lines of text: first those that lie level, then those that stand upright, then those aslant.
     pub(super) fn lines(&self, colours: &Colours<'_>) -> Vec<TextLine> {
-        let mut left = in_groups(&self.glyphs, &self.letters, self.strict.least_letters());
+        let mut groups = groups(&self.glyphs, &self.letters);
         let mut lines: Vec<TextLine> = Vec::new();
         let aslant = (1..12).map(|step| STEP * step as f32).flat_map(|angle| [(angle, 4), (-angle, 4)]);
         for (angle, least) in [(0.0, 1), (90.0, 3), (-90.0, 3)].into_iter().chain(aslant) {
-            if left.len() < least {
-                continue;
+            // a line lies in one group
+            let wanted = self.strict.least_letters().max(least);
+            groups.retain(|group| group.len() >= wanted && self.strict.may_have_text(&self.glyphs, group));
+            let mut left = groups.concat();
+            left.sort_unstable();
+            if left.is_empty() {
+                break;
             }
             let mut used = vec![false; self.glyphs.len()];
             for chain in chains(&self.glyphs, &left, angle) {
@@ -64,7 +75,7 @@ impl Look {
                     lines.push(line);
                 }
             }
-            left.retain(|&i| !used[i]);
+            groups.iter_mut().for_each(|group| group.retain(|&i| !used[i]));
         }
         lines
     }

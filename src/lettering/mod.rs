@@ -15,6 +15,7 @@ mod chain;
 mod colours;
 mod erase;
 mod glyph;
+mod levels;
 mod line;
 mod look;
 mod shape;
@@ -23,6 +24,7 @@ mod straight;
 use self::area::{corners, each_cell};
 use self::colours::Colours;
 use self::erase::with_margin;
+use self::levels::Levels;
 use self::line::{Strictness, TextLine};
 use self::look::Look;
 pub use self::straight::{FoundLine, LinePicture};
@@ -57,7 +59,8 @@ impl Lettering {
         let mut taken = Taken { size, cells: vec![false; size.len()] };
         let mut all: Vec<TextLine> = Vec::new();
         for plane in &colours.planes {
-            let look = |polarity| Look::new(plane, polarity, &colours, strict);
+            let levels = Levels::of(plane);
+            let look = |polarity| Look::new((plane, &levels), polarity, &colours, strict);
             let looks: Vec<Look> = [Polarity::Below, Polarity::Above].into_iter().filter_map(look).collect();
             let mut lines: Vec<(usize, TextLine)> = Vec::new();
             for (of, look) in looks.iter().enumerate() {

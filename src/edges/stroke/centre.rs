@@ -15,6 +15,8 @@ pub(in crate::edges) struct Stroke {
     pub(in crate::edges) contour: Contour,
     /// Its width, px.
     pub(in crate::edges) width: f32,
+    /// Length of the stroke that was found, of which this may be a part, px.
+    pub(in crate::edges) whole: f32,
 }
 
 /// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
@@ -116,7 +118,8 @@ fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, params: 
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
     corner::sharpen(&mut contour);
-    Stroke { contour, width }
+    let whole = contour.length();
+    Stroke { contour, width, whole }
 }
 
 /// The stretches of a line that have a contrast of at least `least`, or that are no longer than `passed` px and beside
@@ -352,8 +355,12 @@ fn interpolated(plane: &Plane, at: PxPoint) -> f32 {
     row(above) * (1.0 - y) + row(below) * y
 }
 
+/// The median; of an even number of values the mean of the two in the middle, so that the median of what lies to the
+/// left changes its sign alone when a picture is flipped. 0 of none.
 fn median(values: impl Iterator<Item = f32>) -> f32 {
-    quantile(&sorted(values), 0.5)
+    let values = sorted(values);
+    let [low, high] = [values.len().saturating_sub(1) / 2, values.len() / 2];
+    values.get(low).zip(values.get(high)).map_or(0.0, |(low, high)| 0.5 * (low + high))
 }
 
 fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
@@ -365,4 +372,17 @@ fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
 /// The value below which a share of sorted values lies; 0 of none.
 fn quantile(sorted: &[f32], share: f32) -> f32 {
     sorted.get((share * sorted.len() as f32) as usize).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_of_opposite_values_is_opposite() {
+        for values in [&[0.5, -1.0, 2.0, 0.25][..], &[3.0, -1.0, 0.5], &[0.75, -2.0], &[]] {
+            let sum = median(values.iter().copied()) + median(values.iter().map(|value| -value));
+            assert!(sum.abs() < f32::EPSILON, "{values:?}");
+        }
+    }
 }

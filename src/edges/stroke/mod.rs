@@ -131,11 +131,12 @@ pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
 fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane], params: &Params) -> Vec<Stroke> {
     // Of a stroke thinner than a pixel, pixels show more here and less there: together with their neighbours they are
     // even.
-    let residue = smoothed(&residue(plane, radius, polarity));
+    let residue = Plane { size: plane.size, values: residue(&plane.values, plane.size, radius, polarity) };
+    let residue = smoothed(&residue);
     if residue.values.iter().all(|value| *value < params.high) {
         return Vec::new();
     }
-    let most = square_max(&residue.values, plane.size, LOCAL);
+    let most = square_max(&residue.values, plane.size, LOCAL, false);
     let set: Vec<bool> =
         residue.values.iter().zip(&most).map(|(value, most)| *value >= params.low.max(SHARE * most)).collect();
     let things = components::of_set(&set, plane.size, Connectivity::Eight);
@@ -304,7 +305,7 @@ impl Taken {
     fn rest_of(&self, stroke: &Stroke) -> Vec<Stroke> {
         let runs = stroke.contour.vertices.chunk_by(|a, b| self.has(a.at) == self.has(b.at));
         let own = runs.filter(|run| !self.has(run[0].at));
-        let rest = own.map(|run| Stroke { contour: Polyline::open(run.to_vec()), width: stroke.width });
+        let rest = own.map(|run| Stroke { contour: Polyline::open(run.to_vec()), ..*stroke });
         rest.filter(|rest| rest.contour.length() >= LONG * rest.width).collect()
     }
 

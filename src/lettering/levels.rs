@@ -1,0 +1,125 @@
+//! A plane in so few levels that a pixel is a byte: a vector holds four times as many, and as much less is copied.
+
+use pulp::Arch;
+
+use crate::raster::plane::Plane;
+use crate::raster::residue::{Polarity, residue, square_max};
+use crate::units::Size;
+
+/// Between the least value of a plane and the greatest there are so many levels: of lightness less than half a unit.
+const LEVELS: f32 = 255.0;
+/// A level is no finer than this, in units of strength, however even a plane is.
+const FINEST: f32 = 0.1;
+
+/// A plane in levels.
+pub(super) struct Levels {
+    size: Size,
+    /// How much a level is, in units of strength.
+    unit: f32,
+    values: Vec<u8>,
+}
+
+/// The contrast of each pixel with its ground, in levels.
+pub(super) struct Contrast {
+    pub(super) size: Size,
+    unit: f32,
+    values: Vec<u8>,
+    /// The largest contrast around each pixel.
+    most: Vec<u8>,
+}
+
+impl Levels {
+    pub(super) fn of(plane: &Plane) -> Self {
+        let (low, high) = range(&plane.values);
+        let unit = ((high - low) / LEVELS).max(FINEST);
+        let mut values = vec![0; plane.values.len()];
+        Arch::new().dispatch(|| {
+            for (level, value) in values.iter_mut().zip(&plane.values) {
+                *level = ((value - low) * (1.0 / unit) + 0.5) as u8;
+            }
+        });
+        Self { size: plane.size, unit, values }
+    }
+
+    /// What a square of `2 radius + 1` px does not fit into, compared with the most of it within `local` px; none if
+    /// nothing has the contrast `wanted`, in units of strength.
+    pub(super) fn contrast(&self, radius: usize, local: usize, polarity: Polarity, wanted: f32) -> Option<Contrast> {
+        let Self { size, unit, .. } = *self;
+        let values = residue(&self.values, size, radius, polarity);
+        let greatest = values.iter().fold(0, |most: u8, value| most.max(*value));
+        (f32::from(greatest) * unit >= wanted).then(|| {
+            let most = square_max(&values, size, local, false);
+            Contrast { size, unit, values, most }
+        })
+    }
+}
+
+impl Contrast {
+    /// In units of strength.
+    pub(super) fn at(&self, cell: usize) -> f32 {
+        f32::from(self.values[cell]) * self.unit
+    }
+
+    /// Whether a pixel has at least this share of the largest contrast around it.
+    pub(super) fn has_share(&self, cell: usize, share: f32) -> bool {
+        f32::from(self.values[cell]) >= share * f32::from(self.most[cell])
+    }
+
+    /// The pixels that have at least half of the largest contrast around them, and at least `least`, in units of
+    /// strength.
+    pub(super) fn at_least_half(&self, least: f32) -> Vec<bool> {
+        let least = (least / self.unit).ceil().min(LEVELS) as u8;
+        let mut set = vec![false; self.values.len()];
+        for ((set, &value), &most) in set.iter_mut().zip(&self.values).zip(&self.most) {
+            *set = (value >= least) & (value >= most - value.min(most));
+        }
+        set
+    }
+}
+
+/// The least and the greatest of some values, which are taken side by side as vectors hold them.
+fn range(values: &[f32]) -> (f32, f32) {
+    const LANES: usize = 8;
+    let (mut low, mut high) = ([f32::MAX; LANES], [f32::MIN; LANES]);
+    Arch::new().dispatch(|| {
+        for part in values.chunks(LANES) {
+            for ((low, high), value) in low.iter_mut().zip(&mut high).zip(part) {
+                *low = if value < low { *value } else { *low };
+                *high = if value > high { *value } else { *high };
+            }
+        }
+    });
+    (low.into_iter().fold(f32::MAX, f32::min), high.into_iter().fold(f32::MIN, f32::max))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A row of lightness, as high as wide, so that nothing is thin in the other direction.
+    fn plane(row: &[f32]) -> Plane {
+        let size = Size::new(row.len() as u32, row.len() as u32);
+        Plane { size, values: row.repeat(row.len()) }
+    }
+
+    #[test]
+    fn contrasts_are_those_of_the_plane_to_half_a_level() {
+        let row = [80.0, 80.0, 80.0, 80.0, 33.3, 80.0, 80.0, 80.0, 95.7, 80.0, 80.0, 80.0];
+        let levels = Levels::of(&plane(&row));
+        let contrast = |polarity| levels.contrast(3, 2, polarity, 10.0).expect("there is some");
+        let (below, above) = (contrast(Polarity::Below), contrast(Polarity::Above));
+        let level = (95.7 - 33.3) / 255.0;
+        assert!((below.at(4) - 46.7).abs() <= level && (above.at(8) - 15.7).abs() <= level);
+        assert!(below.at(8) <= 0.0 && above.at(4) <= 0.0);
+        assert!(levels.contrast(3, 2, Polarity::Above, 20.0).is_none());
+    }
+
+    #[test]
+    fn half_of_the_largest_contrast_around_a_pixel_is_enough_and_less_is_not() {
+        let row = [200.0, 200.0, 200.0, 149.0, 100.0, 151.0, 200.0, 200.0, 195.0, 200.0, 455.0, 455.0];
+        let contrast = Levels::of(&plane(&row)).contrast(3, 1, Polarity::Below, 10.0).expect("there is some");
+        let set = contrast.at_least_half(10.0);
+        assert_eq!(set[..9], [false, false, false, true, true, false, false, false, false]);
+        assert!(contrast.has_share(4, 0.85) && !contrast.has_share(3, 0.85));
+    }
+}
