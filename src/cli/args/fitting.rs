@@ -12,7 +12,7 @@ pub(in crate::cli) struct Fitting {
     ///
     /// Where it begins from the left and from the top, its width and its height, each in pixels of the picture as it
     /// is seen or in percent, such as 10%,0,80%,50% or 320,200,640,480. With several pictures, the same part of each.
-    #[arg(long, value_name = "X,Y,W,H")]
+    #[arg(long, value_name = "X,Y,W,H", value_parser = part)]
     crop: Option<Crop>,
 
     /// Width of the figure on the sheet, in millimetres
@@ -96,6 +96,16 @@ impl Fitting {
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
         given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set))).collect()
+    }
+}
+
+/// A part of a picture. One in mm is refused before any picture is looked at: nobody knows the mm of a figure before it
+/// is laid out.
+fn part(text: &str) -> Result<Crop, String> {
+    let crop: Crop = text.parse().map_err(|error: Error| error.to_string())?;
+    match text.contains("mm") {
+        true => Err(Error::PartInMm { part: crop.to_string() }.to_string()),
+        false => Ok(crop),
     }
 }
 
