@@ -182,7 +182,6 @@ impl<'m> Builder<'m> {
         let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
         let is_area = area.is_some();
         if let Some(area) = area {
-            self.tally.add(What::Area, first);
             self.areas.push(area);
         }
         if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
