@@ -47,11 +47,7 @@ use crate::{Error, Note, calibration, reading};
 /// room for it; see [`Error`]. Everything less is in [`Drawing::notes`].
 pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result<Drawing, Error> {
     let picture = picture.into();
-    if let Source::File(bytes) = picture.0
-        && reading::is_page(bytes)
-    {
-        return Err(Error::IsAPage);
-    }
+    no_page(&picture)?;
     let drawing = with_request(options, options.name(), |request| {
         pipeline::convert_with_words(picture, &options.words(), &options.given, request, &mut |event| {
             options.tell(event)
@@ -76,8 +72,10 @@ pub fn convert_to_sheets<'p>(
     grid: Option<Grid>,
     options: &Options,
 ) -> Result<Sheets, Error> {
+    let picture = picture.into();
+    no_page(&picture)?;
     let drawn = with_request(options, options.document_title(), |request| {
-        sheets::convert(picture.into(), &options.given, grid, request, &mut |event| options.tell(event))
+        sheets::convert(picture, &options.given, grid, request, &mut |event| options.tell(event))
     })?;
     // The maker's words are about the picture, which all sheets show together.
     let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();
@@ -127,6 +125,14 @@ pub struct Calibration {
     pub title: String,
     /// The sheets, each with what is on it in its description.
     pub pages: Vec<Page>,
+}
+
+/// Refuses a page, whose frames and textures would be taken for things to draw.
+fn no_page(picture: &Picture<'_>) -> Result<(), Error> {
+    match picture.0 {
+        Source::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
+        _ => Ok(()),
+    }
 }
 
 /// Calls `work` with what the pipeline needs.
