@@ -90,7 +90,13 @@ impl<'a> Written<'a> {
         if settings.grade == Grade::Two && words.translate.is_none() {
             written.notes.push(Note::NotContracted);
         }
-        if let Some(text) = words.title {
+        let (title, too_long) = match words.title {
+            Some(text) if text.chars().nth(labels::LONGEST).is_some() => (None, Some(text)),
+            title => (title, None),
+        };
+        let (texts, why) = (too_long.map(str::to_owned).into_iter().collect::<Vec<_>>(), TOO_LONG.to_owned());
+        written.notes.extend((!texts.is_empty()).then_some(Note::NotTranslated { texts, why }));
+        if let Some(text) = title {
             let braille = translator.translate(text).unwrap_or_else(|why| {
                 written.notes.push(Note::NotTranslated { texts: vec![text.to_owned()], why });
                 Braille::default()
@@ -282,7 +288,8 @@ const NO_CODE: &str = "there is no braille code for their language";
 const NO_ROOM: &str = "there is no room for them";
 const NO_CELLS: &str = "their code has no cells for them";
 const TOO_MANY: &str = "a page takes 300 labels at most";
-const _: () = assert!(labels::MOST == 300);
+const TOO_LONG: &str = "a text of a page has 1000 characters at most";
+const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
 
 fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
     (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
@@ -297,7 +304,7 @@ fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
         }
     };
     let (mut abbreviated, mut refused) = (Vec::new(), Refused::default());
-    let (mut no_room, mut no_cells, mut too_many) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (Wanted { text, .. }, result) in wanted.iter().zip(results) {
         match result {
             Ok(label) => {
@@ -310,6 +317,7 @@ fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
             }
             Err(Unplaced::NoRoom) => no_room.push(text.clone()),
             Err(Unplaced::TooMany) => too_many.push(text.clone()),
+            Err(Unplaced::TooLong) => too_long.push(text.clone()),
             Err(Unplaced::NoCells(lacking)) => {
                 tell(unwritten::lacking(text, lacking));
                 no_cells.push(text.clone());
@@ -319,7 +327,7 @@ fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
     }
     notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
     notes.extend(refused.notes());
-    let missing = [(no_cells, NO_CELLS), (no_room, NO_ROOM), (too_many, TOO_MANY)];
+    let missing = [(no_cells, NO_CELLS), (no_room, NO_ROOM), (too_many, TOO_MANY), (too_long, TOO_LONG)];
     notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
     notes
 }
