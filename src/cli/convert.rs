@@ -88,7 +88,6 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_
         shared: &args.shared,
         check: &|profile| {
             let mut faults = dots::faults(chosen.format, profile, &args.embossing);
-            faults.extend(args.fitting.fault(profile));
             faults.extend(table(profile).err());
             faults
         },
@@ -97,15 +96,18 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_
         let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
         let options = labels.add_to(args.fitting.add_to(options));
         let options = corrections.add_to(options).map_err(|(_, error)| error)?;
-        let options = table(options.profile()).ok().flatten().into_iter().fold(options, |options, table: String| {
-            options.translator(move |text| louis::translate(&table, text))
-        });
+        let options = table(options.profile())
+            .ok()
+            .flatten()
+            .into_iter()
+            .fold(options, |options, table: String| options.translator(move |text| louis::translate(&table, text)));
         let options = of_texts.iter().fold(options, |options, language| {
             let language = language.clone();
             options.text_reader(move |lines| tesseract::read(&language, lines))
         });
         let drawn = if args.fitting.is_for_several_sheets(options.profile()) {
-            convert_to_sheets(bytes, args.fitting.sheets, &options).map(|drawn| (drawn.pages, drawn.notes))
+            convert_to_sheets(bytes, args.fitting.sheets, &options)
+                .map(|drawn| ([drawn.pages, drawn.key].concat(), drawn.notes))
         } else {
             convert(bytes, &options).map(|drawing| (pages_of(&drawing), drawing.notes))
         };

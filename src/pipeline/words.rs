@@ -142,14 +142,47 @@ impl<'a> Written<'a> {
         plan: &Plan,
     ) -> (Vec<BrailleText>, Vec<Note>) {
         let mut notes = self.notes.clone();
+        let (heading, of_heading) = self.heading(0, layout, plan);
+        let (labels, of_labels) = self.labels(layout, &[], figure, texts, words, plan);
+        notes.extend(of_heading.into_iter().chain(of_labels));
+        (heading.into_iter().chain(labels).collect(), notes)
+    }
+
+    /// What could not be written at all.
+    pub(super) fn notes(&self) -> &[Note] {
+        &self.notes
+    }
+
+    /// What stands at the top of a sheet, counted from the first, and what has no room there.
+    pub(super) fn heading(&self, sheet: u32, layout: &Layout, plan: &Plan) -> (Vec<BrailleText>, Vec<Note>) {
         let cell = plan.profile().braille.cell;
         let title = self.title(layout, cell);
-        if let (Some(title), None) = (&self.title, &title) {
-            notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
-        }
-        let number = self.number_of(0, layout, cell);
-        notes.extend((self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber));
-        let beside: Vec<BrailleText> = title.into_iter().chain(number).collect();
+        let number = self.number_of(sheet, layout, cell);
+        let no_title = self.title.as_ref().filter(|_| title.is_none());
+        let no_title = no_title.map(|title| Note::NoRoomForTitle { cells: title.braille.cells.len() });
+        let no_number = (self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber);
+        (title.into_iter().chain(number).collect(), no_title.into_iter().chain(no_number).collect())
+    }
+
+    /// What the layout of several sheets needs to know of title and page number, which stand beside the braille that says
+    /// which sheet it is.
+    pub(super) fn heading_beside(&self, cells: usize) -> Option<HeadingParams> {
+        self.heading.map(|heading| heading.beside(cells))
+    }
+
+    /// The labels where they stand in the figure, and what the maker should know of them. Textures make room. Where there
+    /// are `tiles`, each label is whole in one of them.
+    pub(super) fn labels(
+        &self,
+        layout: &Layout,
+        tiles: &[MmRect],
+        figure: &mut Figure,
+        texts: &[Text],
+        words: &Words<'_>,
+        plan: &Plan,
+    ) -> (Vec<BrailleText>, Vec<Note>) {
+        let mut notes = Vec::new();
+        let cell = plan.profile().braille.cell;
         let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
         notes.extend(no_texts.then_some(Note::NoTexts));
         let (wanted, outside) = wanted(texts, words, figure);
@@ -157,10 +190,10 @@ impl<'a> Written<'a> {
         let Some(translator) = &self.translator else {
             let why = if plan.profile().braille.on { NO_CODE } else { OFF };
             notes.extend(left_out(wanted.into_iter().map(|label| label.text).collect(), why));
-            return (beside, notes);
+            return (Vec::new(), notes);
         };
         let cells = CellGrid::of(&layout.medium, cell);
-        let params = params(layout, plan);
+        let params = params(layout, tiles, plan);
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         labels::make_room(figure, &placed, &params);
@@ -168,13 +201,12 @@ impl<'a> Written<'a> {
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });
-        (beside.into_iter().chain(labels).collect(), notes)
+        (labels.collect(), notes)
     }
 
     /// What stands above the overview where that has a sheet of its own: the same title, and its own number.
     pub(super) fn above_overview(&self, layout: &Layout, plan: &Plan) -> Vec<BrailleText> {
-        let cell = plan.profile().braille.cell;
-        self.title(layout, cell).into_iter().chain(self.number_of(1, layout, cell)).collect()
+        self.heading(1, layout, plan).0
     }
 
     /// The page number of a sheet, counted from the first.
@@ -260,7 +292,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
 
 /// Labels may lie in the figure, and on paper beside it, as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
-fn params(layout: &Layout, plan: &Plan) -> Params {
+fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
     let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
     let (step, area) = match &layout.medium {
         Medium::Print(_) => (STEP, layout.figure.inflate(beside, beside)),
@@ -270,7 +302,7 @@ fn params(layout: &Layout, plan: &Plan) -> Params {
             (dots.pitch, layout.figure.intersection_unchecked(&reach))
         }
     };
-    Params { area, clearance: CLEARANCE, step }
+    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, step }
 }
 
 /// A leader line: as thin as lines can be.

@@ -313,6 +313,7 @@ impl<'m> Builder<'m> {
             Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
             Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
             Some(Layer::OrientationMark) if is_dotted => self.parts.orientation_mark = Some(row(at)),
+            Some(Layer::Registration) if is_dotted => self.parts.registration.push(row(at)),
             Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
                 self.collect(mark, layer, vec![row(at)], runs);
             }
