@@ -275,6 +275,8 @@ fn remark(note: &Note) -> String {
         Note::FirstPageOnly { pages } => {
             format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
         }
+        Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
+        Note::TooDense { .. } => format!("{note} (--width-mm 300, --sheets 2x2, --crop, --detail 0.3)"),
         _ => note.to_string(),
     }
 }
