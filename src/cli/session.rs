@@ -1,7 +1,7 @@
 //! A run that goes on until it is stopped: what it knows of files, and how many pages it has written.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::collections::hash_map::DefaultHasher;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::hash::Hasher;
 use std::io::{self, Read};

@@ -52,7 +52,8 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
         if let (Some(class), None) = (class, why) {
             let region = drawn.regions.len() as u32;
             let [low, high] = [rgb.iter().copied().fold(1.0, f32::min), rgb.iter().copied().fold(0.0, f32::max)];
-            for at in inside.into_iter().flat_map(|(row, columns)| columns.map(move |x| row * size.width as usize + x)) {
+            for at in inside.into_iter().flat_map(|(row, columns)| columns.map(move |x| row * size.width as usize + x))
+            {
                 if let Some(below) = drawn.region[at].replace(region) {
                     drawn.regions[below as usize].cells -= 1;
                 }

@@ -312,7 +312,8 @@ fn words_of_a_page_that_are_not_taken_are_told() {
     let wanted = "the text \"cup\" that was typed at 90, 120 mm: lines and areas are taken from a corrected page, and no \
                   words; give them as labels";
     for option in ["--lines", "--regions", "--add-lines"] {
-        let told = done(&place, &["convert", "cup.png", option, "typed.svg", "--no-overview", "-o", "x.svg", "--force"]);
+        let told =
+            done(&place, &["convert", "cup.png", option, "typed.svg", "--no-overview", "-o", "x.svg", "--force"]);
         assert_eq!(told.matches(wanted).count(), 1, "{option}: {told}");
     }
     // beside the figure
@@ -350,10 +351,8 @@ fn typed_texts_are_written_in_braille_or_told_with_their_place() {
     let namespace = "\"http://www.w3.org/2000/svg\"";
     let plain = place.text("typed.svg");
     let (_, root) = plain.split_once("<svg ").expect("a root");
-    let declared = format!(
-        "<!DOCTYPE svg [<!ENTITY ns_svg {namespace}>]>\n<svg {}",
-        root.replacen(namespace, "\"&ns_svg;\"", 1)
-    );
+    let declared =
+        format!("<!DOCTYPE svg [<!ENTITY ns_svg {namespace}>]>\n<svg {}", root.replacen(namespace, "\"&ns_svg;\"", 1));
     assert!(declared.contains("xmlns=\"&ns_svg;\""));
     place.put("entities.svg", declared.as_bytes());
     let told = done(&place, &["render", "entities.svg", "-o", "of-entities.svg"]);
