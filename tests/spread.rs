@@ -144,6 +144,16 @@ fn words_stand_on_several_sheets() {
                 .collect();
             spans.sort_by(|a, b| a[0].total_cmp(&b[0]));
             assert!(spans.windows(2).all(|pair| pair[1][0] - pair[0][1] > 12.0), "{device}: {spans:?}");
+            // sheets may be cut at the ticks: no label lies across
+            for tick in &page.registration {
+                let (a, b) = (tick.points[0], tick.points[1]);
+                let along = |at: &MmPoint| if (a.x - b.x).abs() < 0.01 { at.x - a.x } else { at.y - a.y };
+                for text in of(TextRole::Label) {
+                    let sides = text.dots.at.iter().map(|at| along(at) > 0.0);
+                    let first = sides.clone().next();
+                    assert!(sides.clone().all(|side| Some(side) == first), "{device}: {} is cut", text.text);
+                }
+            }
         }
         let left_out: Vec<String> = drawn
             .notes
