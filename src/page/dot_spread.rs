@@ -1,7 +1,7 @@
 //! Where a picture lies on several sheets of a device of dots: windows of whole dots, and one grid for all of them.
 //!
-//! The space of all sheets is that of the first, with its grid going on to the right and down. Every window begins whole
-//! dots after the one before (of text cells: whole cells), so a dot of the large grid is one of its sheet too.
+//! The space of all sheets is that of the first, with its grid going on to the right and down. Every window begins
+//! whole dots after the one before (of text cells: whole cells), so a dot of the large grid is one of its sheet too.
 
 use std::ops::Range;
 

@@ -9,8 +9,8 @@
 //!  +------------------+ +------------------+     overlap: sheets lie right when their ticks do.
 //! ```
 //!
-//! For a device of dots all sheets together have one large grid, of which every sheet has a part: windows are whole dots
-//! apart, so that each dot of the picture is a dot of its sheet.
+//! For a device of dots all sheets together have one large grid, of which every sheet has a part: windows are whole
+//! dots apart, so that each dot of the picture is a dot of its sheet.
 
 use super::cells::CellGrid;
 use super::dot_spread;
@@ -117,7 +117,8 @@ impl Spread {
         shown.map(|(column, row)| self.cut_sheet(column, row, figure, frame, braille)).collect()
     }
 
-    /// Where labels can lie so that each is whole on a sheet, also where sheets are cut in the middle of their overlaps.
+    /// Where labels can lie so that each is whole on a sheet, also where sheets are cut in the middle of their
+    /// overlaps.
     pub fn tiles(&self) -> Vec<MmRect> {
         let last = (self.grid.across - 1, self.grid.down - 1);
         let tile = |(column, row): (u32, u32)| {

@@ -17,8 +17,8 @@ const CELL: f32 = 0.5;
 /// Blank between the signs of a drawn area and those of others, mm: rows of a texture are further apart.
 const APART: f32 = 1.0;
 
-/// Most areas that are drawn on a page. Chosen by us: a fingertip's area (13 x 13 mm) fits 300 times on A4; thousands would
-/// keep a computer busy for long.
+/// Most areas that are drawn on a page. Chosen by us: a fingertip's area (13 x 13 mm) fits 300 times on A4; thousands
+/// would keep a computer busy for long.
 const MOST: usize = 1000;
 
 /// Lays the textures of drawn areas over those that are there, the last on top. Tells how many, and which have none.
@@ -122,8 +122,8 @@ fn cells_along(side: f32) -> u32 {
     (side / CELL).round().clamp(1.0, 8000.0) as u32
 }
 
-/// The cells whose middles lie in an odd number of outlines: their row and columns. Only rows that the shape reaches are
-/// looked at.
+/// The cells whose middles lie in an odd number of outlines: their row and columns. Only rows that the shape reaches
+/// are looked at.
 fn inside(outlines: &[Vec<MmPoint>], place: MmRect, size: Size) -> Vec<(usize, Range<usize>)> {
     let (width, height) = (size.width as f32, size.height as f32);
     let reach = MmRect::from_points(outlines.iter().flatten());

@@ -29,9 +29,9 @@ pub struct Sheets {
 }
 
 /// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two
-/// sheets both show is the same on both. Each sheet has the title and its own page number; labels are placed in the whole
-/// picture, each whole on a sheet. Without a `grid` there are as few sheets as have room for the width asked for.
-/// `watch` is told of every stage.
+/// sheets both show is the same on both. Each sheet has the title and its own page number; labels are placed in the
+/// whole picture, each whole on a sheet. Without a `grid` there are as few sheets as have room for the width asked
+/// for. `watch` is told of every stage.
 ///
 /// # Errors
 /// When the picture cannot be read or drawn, or the sheets have no room for it; see [`Error`].
@@ -118,8 +118,8 @@ fn fewest(size: Size, heading: Option<HeadingParams>, request: &Request<'_>) -> 
     Err(refused)
 }
 
-/// The figure in the space of all sheets together, the overview on a sheet of its own: the first of them, whose dots are
-/// the first of all.
+/// The figure in the space of all sheets together, the overview on a sheet of its own: the first of them, whose dots
+/// are the first of all.
 fn together(laid: &Laid) -> Layout {
     let Laid { spread, overview, .. } = laid;
     let (mark, medium) = (spread.mark.clone(), spread.together.clone());

@@ -164,14 +164,14 @@ impl<'a> Written<'a> {
         (title.into_iter().chain(number).collect(), no_title.into_iter().chain(no_number).collect())
     }
 
-    /// What the layout of several sheets needs to know of title and page number, which stand beside the braille that says
-    /// which sheet it is.
+    /// What the layout of several sheets needs to know of title and page number, which stand beside the braille that
+    /// says which sheet it is.
     pub(super) fn heading_beside(&self, cells: usize) -> Option<HeadingParams> {
         self.heading.map(|heading| heading.beside(cells))
     }
 
-    /// The labels where they stand in the figure, and what the maker should know of them. Textures make room. Where there
-    /// are `tiles`, each label is whole in one of them.
+    /// The labels where they stand in the figure, and what the maker should know of them. Textures make room. Where
+    /// there are `tiles`, each label is whole in one of them.
     pub(super) fn labels(
         &self,
         layout: &Layout,

@@ -104,7 +104,8 @@ mod tests {
     #[test]
     fn entities_are_replaced_by_what_they_stand_for() {
         let text = "<?xml version=\"1.0\"?><!DOCTYPE svg PUBLIC \"-//W3C//DTD\" \"a>.dtd\" [\n<!-- ] -->\n\
-                    <!ENTITY ns 'http://a/]'>\n<!ENTITY both \"&ns; 'b'\"><!ENTITY ns 'late'>\n<!ENTITY far SYSTEM 'f'>]>\
+                    <!ENTITY ns 'http://a/]'>\n<!ENTITY both \"&ns; 'b'\"><!ENTITY ns 'late'>\n\
+                    <!ENTITY far SYSTEM 'f'>]>\
                     <svg xmlns=\"&ns;\" a=\"&both;&amp;&far;\"><!-- &ns; --><![CDATA[&ns;]]>&both;</svg>";
         let expected = "<?xml version=\"1.0\"?><svg xmlns=\"http://a/]\" a=\"http://a/] &apos;b&apos;&amp;&far;\">\
                         <!-- &ns; --><![CDATA[&ns;]]>http://a/] &apos;b&apos;</svg>";

@@ -4,8 +4,8 @@
 //! embosser's are; PEF says nothing of distances or paper. There is no date in it, so that the same pages give the
 //! same bytes.
 //!
-//! Braille on such a page is made of dots wherever its cells can stand, and is no text to a program. So what is written on
-//! the pages stands in front of them as text too, in a section of its own.
+//! Braille on such a page is made of dots wherever its cells can stand, and is no text to a program. So what is
+//! written on the pages stands in front of them as text too, in a section of its own.
 
 use svg::node::Text;
 
