@@ -23,21 +23,26 @@ pub(super) fn replaced(text: &str) -> Result<String, String> {
 /// What stands before the document type, its declarations, and what stands after it.
 fn parts(text: &str) -> Option<(&str, &str, &str)> {
     let start = text.find("<!DOCTYPE")?;
-    let open = start + text[start..].find(['[', '>'])?;
+    let open = start + outside_quotes(&text[start..], &['[', '>'])?;
     let inner = text[open..].strip_prefix('[')?;
-    let mut at = 0;
-    loop {
-        let rest = &inner[at..];
-        let quote = rest.chars().next()?;
-        at += match quote {
-            ']' => break,
-            '"' | '\'' => 2 + rest[1..].find(quote)?,
-            '<' if rest.starts_with("<!--") => rest.find("-->")? + 3,
-            letter => letter.len_utf8(),
-        };
-    }
+    let at = outside_quotes(inner, &[']'])?;
     let end = at + inner[at..].find('>')? + 1;
     Some((&text[..start], &inner[..at], &inner[end..]))
+}
+
+/// Where the first of these letters stands that is in no quotation marks and in no comment.
+fn outside_quotes(text: &str, wanted: &[char]) -> Option<usize> {
+    let mut at = 0;
+    loop {
+        let rest = &text[at..];
+        let letter = rest.chars().next()?;
+        at += match letter {
+            _ if wanted.contains(&letter) => return Some(at),
+            '"' | '\'' => 2 + rest[1..].find(letter)?,
+            '<' if rest.starts_with("<!--") => rest.find("-->")? + 3,
+            _ => letter.len_utf8(),
+        };
+    }
 }
 
 /// Names and texts of declared entities; the first of two counts. Those of other files are not read.
