@@ -122,8 +122,10 @@ fn is_bare(file: &Path) -> bool {
 fn rows(text: &str) -> Result<Vec<Row>, Vec<String>> {
     let text = text.trim_start_matches('\u{feff}');
     let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    // what stands between the names of the columns: programs for tables write a comma, a semicolon or a tab
-    let parting = heading.chars().find(|&sign| sign == '\t' || sign.is_ascii_punctuation() && !"\"_-".contains(sign));
+    // what stands between the names of the columns, in none of them and in no name of a file: programs for tables
+    // write a comma, a semicolon or a tab
+    let is_parting = |sign: &char| *sign == '\t' || sign.is_ascii_punctuation() && !"\"_-./\\".contains(*sign);
+    let parting = heading.chars().find(is_parting);
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(parting.unwrap_or(',') as u8)
         .has_headers(false)
