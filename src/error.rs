@@ -160,12 +160,6 @@ pub enum Error {
     /// The device cannot press what is asked for.
     #[error("{0}")]
     CannotPress(String),
-    /// A page of dots cannot be spread over sheets.
-    #[error("a page of dots for {device} goes on one sheet, and cannot be spread over several")]
-    OneSheet {
-        /// What presses the pages.
-        device: &'static str,
-    },
     /// More pixels than a picture of the page may have.
     #[error(
         "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; \

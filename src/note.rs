@@ -68,8 +68,6 @@ pub enum Note {
         /// Why, in words.
         why: &'static str,
     },
-    /// A picture that is spread over several sheets has no words in braille but the numbers of its sheets.
-    NoWordsOnSheets,
     /// No contour was found that is strong and long enough.
     NoLines,
     /// Nothing was found to trace.
@@ -95,8 +93,6 @@ pub enum Note {
         place: &'static str,
         /// Width of the figure, mm.
         width: u32,
-        /// Whether the picture can be spread over several sheets.
-        sheets: bool,
     },
     /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
     ShapesNotInOverview(usize),
@@ -129,12 +125,12 @@ impl std::fmt::Display for Note {
                 write!(f, "{count} {noun} left out, as fingers cannot read letters: {}", listed(texts))
             }
             Self::LetteringLeftOut { texts: 1, place } => {
-                write!(f, "1 text left out, in the {place}, as fingers cannot read letters; --keep-text draws it")
+                write!(f, "1 text left out, in the {place}, as fingers cannot read letters; keep the text to draw it")
             }
             Self::LetteringLeftOut { texts, place } => write!(
                 f,
-                "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; --keep-text draws \
-                 them"
+                "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; keep the text to \
+                 draw them"
             ),
             Self::TextsNotRead(why) => write!(f, "the texts in the pixels are not read: {why}"),
             Self::NoBrailleCode(language) => {
@@ -142,7 +138,7 @@ impl std::fmt::Display for Note {
                 write!(
                     f,
                     "nothing is written in braille, as there is no code for the language \"{}\"; there are {}; \
-                     choose one with braille.code, or leave braille out with braille=false",
+                     choose one (braille.code), or leave braille out (braille.on = false)",
                     short(language),
                     codes.join(", ")
                 )
@@ -196,9 +192,6 @@ impl std::fmt::Display for Note {
                 let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });
                 write!(f, "{count} {noun} left out, as {why}: {}", listed(texts))
             }
-            Self::NoWordsOnSheets => f.write_str(
-                "title and labels are not written in braille on a picture that is spread over several sheets",
-            ),
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
                  and edges.low, or give a brighter picture or one with less around it",
@@ -216,13 +209,12 @@ impl std::fmt::Display for Note {
                  close to others for fingers, or are too short; a larger figure, on larger paper if there is any, or \
                  only a part of the picture keeps more of them"
             ),
-            Self::TooDense { millimetres, percent, place, width, sheets } => write!(
+            Self::TooDense { millimetres, percent, place, width } => write!(
                 f,
                 "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} \
-                 percent, had no room and were left out, most of them {place}; make the figure wider \
-                 (--width-mm){}, draw only a part (--crop), or leave details out on purpose (--detail 0.3), so that \
-                 what is left is whole",
-                if *sheets { ", spread it over several sheets (--sheets 2x2)" } else { "" },
+                 percent, had no room and were left out, most of them {place}; make the figure wider, spread it over \
+                 several sheets, draw only a part of it, or leave details out on purpose (lines.detail), so that what \
+                 is left is whole"
             ),
             Self::ShapesNotInOverview(count) => write!(
                 f,

@@ -138,7 +138,7 @@ fn a_chart_without_its_letters_is_the_chart() {
     assert!(labelled.page.overview.is_some(), "the overview is drawn");
     let told = labelled.notes.iter().map(ToString::to_string).find(|note| note.contains("texts left out"));
     let wanted =
-        "6 texts left out, the largest in the upper middle, as fingers cannot read letters; --keep-text draws them";
+        "6 texts left out, the largest in the upper middle, as fingers cannot read letters; keep the text to draw them";
     assert_eq!(told.as_deref(), Some(wanted));
 }
 

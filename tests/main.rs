@@ -26,6 +26,7 @@ mod scenes;
 mod sheet;
 mod sheets;
 mod skips;
+mod spread;
 mod structure;
 mod threads;
 mod touch;

@@ -38,7 +38,7 @@ fn sheets_of(
         cancelled: &|| false,
     };
     let grid: Option<Grid> = (grid != "fewest").then(|| grid.parse().expect("a grid"));
-    convert(&bytes, &Default::default(), grid, &request, watch)
+    convert(&bytes, &Default::default(), &Default::default(), grid, &request, watch)
 }
 
 #[test]

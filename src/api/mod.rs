@@ -27,7 +27,7 @@ use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
 use crate::pipeline::{self, Drawing, Request};
 use crate::profile::{Plan, Profile};
-use crate::{Error, Note, calibration, reading};
+use crate::{Error, calibration, reading};
 
 /// Makes the page of a picture. The same picture and options give the same page, however many threads there are.
 ///
@@ -62,10 +62,11 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
 
 /// Makes the pages of a picture that is spread over several sheets, laid side by side: the overview on a sheet of its
 /// own if the profile has one, then the picture row by row. It is drawn once and cut, so what two sheets both show is
-/// the same on both. Without `grid` there are as few sheets as have room for [`Options::width_mm`].
+/// the same on both. Without `grid` there are as few sheets as have room for [`Options::width_mm`]. The title stands on
+/// every sheet, and a label on those that show all of it.
 ///
 /// # Errors
-/// As [`convert`]; and if the sheets have no room for the picture, or the profile is for dots, which go on one sheet.
+/// As [`convert`]; and if the sheets have no room for the picture.
 pub fn convert_to_sheets<'p>(
     picture: impl Into<Picture<'p>>,
     grid: Option<Grid>,
@@ -73,13 +74,13 @@ pub fn convert_to_sheets<'p>(
 ) -> Result<Sheets, Error> {
     let picture = not_a_page(picture)?;
     let drawn = with_request(options, options.document_title(), |request| {
-        sheets::convert(picture, &options.given, grid, request, &mut |event| options.tell(event))
+        sheets::convert(picture, &options.words(), &options.given, grid, request, &mut |event| options.tell(event))
     })?;
     // The maker's words are about the picture, which all sheets show together.
     let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();
-    let mut notes = drawn.notes;
-    notes.extend((options.profile.braille.on && options.words().are_any()).then_some(Note::NoWordsOnSheets));
-    Ok(Sheets { pages, notes })
+    let of_key = options.own_title().map(pipeline::title_of_key);
+    let key = drawn.key.into_iter().map(|page| page.called(of_key.as_deref(), None, None)).collect();
+    Ok(Sheets { pages, key, ..drawn })
 }
 
 /// Finds the contours of a picture, as data: for programs that go on with them. Lines that are given or added, and what

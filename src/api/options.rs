@@ -10,7 +10,7 @@ use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, 
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
-use crate::reading::{self, Reading};
+use crate::reading::{self, Reading, TypedText};
 use crate::{Error, Note};
 
 /// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a
@@ -229,7 +229,8 @@ impl Options {
     /// # Errors
     /// As [`Options::lines`].
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        let Reading { page, mut notes, areas, .. } = reading::read(svg.as_ref())?;
+        let Reading { page, mut notes, areas, texts } = reading::read(svg.as_ref())?;
+        notes.extend(not_written(&texts));
         // drawn areas have signs only then
         let (page, more) = match areas.is_empty() {
             true => (page, Vec::new()),
@@ -314,7 +315,8 @@ impl Options {
 
     /// The lines of a page as its own profile means them.
     fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
-        let Reading { page, notes, .. } = reading::read(svg)?;
+        let Reading { page, mut notes, texts, .. } = reading::read(svg)?;
+        notes.extend(not_written(&texts));
         let lines = HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?);
         self.add_notes(notes);
         Ok(lines)
@@ -379,6 +381,19 @@ impl Options {
             translate: self.translate.as_deref(),
         }
     }
+}
+
+/// What is told of texts that were typed into a page of which lines or areas are taken.
+fn not_written(texts: &[TypedText]) -> Option<Note> {
+    let [first, ..] = texts else { return None };
+    let (string, at) = (&first.string, first.at);
+    let texts = match texts.len() {
+        1 => format!("the text \"{string}\" that was typed at {:.0}, {:.0} mm", at.x, at.y),
+        count => format!("{count} texts that were typed, the first \"{string}\" at {:.0}, {:.0} mm", at.x, at.y),
+    };
+    Some(Note::LeftOut(format!(
+        "{texts}: lines and areas are taken from a corrected page, and no words; give them as labels"
+    )))
 }
 
 impl fmt::Debug for Options {

@@ -94,11 +94,20 @@ type Outcome = (Result<Done, Failure>, Duration);
 /// each, in their order.
 pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, Error> + Sync) -> Exit {
     let start = Instant::now();
+    let &Order { product, shared, session, pictures, .. } = order;
+    // of a run that goes on: what became of each picture
+    let settle = |failed: &dyn Fn(&Path) -> bool| {
+        for (session, picture) in session.iter().flat_map(|session| pictures.iter().map(move |own| (session, own))) {
+            session.settle(picture, failed(picture));
+        }
+    };
     let (jobs, profile) = match accepted(order) {
         Ok(accepted) => accepted,
-        Err(exit) => return exit,
+        Err(exit) => {
+            settle(&|_| true);
+            return exit;
+        }
     };
-    let &Order { product, shared, session, .. } = order;
     // of a run that goes on they are told at its beginning, when there are no pictures yet
     let tells_unused = matches!(product, Product::Page(_)) && (session.is_none() || jobs.is_empty());
     let unused = if tells_unused { profile.unused() } else { Vec::new() };
@@ -112,7 +121,7 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
     });
     let report = Report::of_pictures(if session.is_some() { 1 } else { jobs.len() }, shared.quiet);
     notes.iter().for_each(|(place, what)| report.note(place, what));
-    let mut failed = 0;
+    let mut failed: Vec<&Path> = Vec::new();
     side_by_side::run(
         jobs.len(),
         side_by_side::workers(jobs.len()),
@@ -124,13 +133,17 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
         |index, outcome| {
             let done = tell(order, (&jobs, index), &outcome, &report);
             note_down(&mut record, &jobs[index], &outcome);
-            session.iter().for_each(|session| session.count(done));
-            failed += usize::from(!done);
+            match (done, session) {
+                (false, _) => failed.push(&jobs[index].picture),
+                (true, Some(session)) => session.count_page(),
+                (true, None) => {}
+            }
         },
     );
     report.finish();
-    if failed > 0 && jobs.len() > 1 && session.is_none() {
-        report.usage(&format!("{failed} of {} pictures could not be {}", jobs.len(), product.done()));
+    settle(&|picture| failed.contains(&picture));
+    if !failed.is_empty() && jobs.len() > 1 && session.is_none() {
+        report.usage(&format!("{} of {} pictures could not be {}", failed.len(), jobs.len(), product.done()));
     }
     if let Some(path) = order.report
         && let Err(error) = record.write(path, start.elapsed())
@@ -138,7 +151,7 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
         report.error(&places::output_name(path), &format!("{error:#}"));
         return Exit::Failed;
     }
-    if failed == 0 { Exit::Done } else { Exit::Failed }
+    if failed.is_empty() { Exit::Done } else { Exit::Failed }
 }
 
 /// The jobs and the checked profile; the directory for the results is made. Otherwise everything that is wrong was
@@ -262,6 +275,8 @@ fn remark(note: &Note) -> String {
         Note::FirstPageOnly { pages } => {
             format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
         }
+        Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
+        Note::TooDense { .. } => format!("{note} (--width-mm 300, --sheets 2x2, --crop, --detail 0.3)"),
         _ => note.to_string(),
     }
 }

@@ -16,13 +16,25 @@ use super::{dots, louis, record, sheets, tesseract, watch};
 /// Converts all pictures and tells what became of each, in their order; or those that are saved into a directory, until
 /// it is stopped.
 pub(super) fn run(args: &Convert) -> Exit {
+    let asked = Asked::default();
     match &args.running.watch {
-        Some(dir) => watch::run(dir, args.shared.quiet, &|pictures, session| batch(args, pictures, Some(session))),
-        None => batch(args, &args.pictures, None),
+        Some(dir) => {
+            watch::run(dir, args.shared.quiet, &|pictures, session| batch(args, pictures, Some(session), &asked))
+        }
+        None => batch(args, &args.pictures, None, &asked),
     }
 }
 
-fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exit {
+/// What other programs are asked for once, before the first picture, however often pictures are saved.
+#[derive(Default)]
+struct Asked {
+    /// The table of liblouis with which words are written, if not with one of the program's own.
+    table: OnceLock<Result<Option<String>, String>>,
+    /// What Tesseract calls the language of texts in pixels.
+    language: OnceLock<Result<String, String>>,
+}
+
+fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_programs: &Asked) -> Exit {
     let (chosen, mut faults) = args.writing.choose(args.output.as_deref());
     faults.extend(args.faults_of_words());
     faults.extend(args.subject.check().err());
@@ -53,14 +65,14 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
     let table = |profile: &Profile| {
         let asked = args.labels.braille_table.as_deref();
         let has_words = args.words.has_title() || args.labels.are_given();
-        if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) }
+        let wanted = || if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) };
+        other_programs.table.get_or_init(wanted).clone()
     };
+    let language = || tesseract::language(args.words.language());
     let of_texts = match args.labels.ocr {
-        true => tesseract::language(args.words.language()).map_err(|fault| faults.push(fault)).ok(),
+        true => other_programs.language.get_or_init(language).clone().map_err(|fault| faults.push(fault)).ok(),
         false => None,
     };
-    // asked for once, before the first picture
-    let known = OnceLock::new();
     let order = Order {
         product: Product::Page(chosen.format),
         pictures,
@@ -75,8 +87,7 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         shared: &args.shared,
         check: &|profile| {
             let mut faults = dots::faults(chosen.format, profile, &args.embossing);
-            faults.extend(args.fitting.fault(profile));
-            faults.extend(table(profile).map(|table| drop(known.set(table))).err());
+            faults.extend(table(profile).err());
             faults
         },
     };
@@ -84,9 +95,8 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
         let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
         let options = labels.add_to(args.fitting.add_to(options));
         let options = corrections.add_to(args.subject.add_to(options)).map_err(|(_, error)| error)?;
-        let options = known
-            .get()
-            .cloned()
+        let options = table(options.profile())
+            .ok()
             .flatten()
             .into_iter()
             .fold(options, |options, table: String| options.translator(move |text| louis::translate(&table, text)));
@@ -95,7 +105,8 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Exi
             options.text_reader(move |lines| tesseract::read(&language, lines))
         });
         let drawn = if args.fitting.is_for_several_sheets(options.profile()) {
-            convert_to_sheets(bytes, args.fitting.sheets, &options).map(|drawn| (drawn.pages, drawn.notes))
+            convert_to_sheets(bytes, args.fitting.sheets, &options)
+                .map(|drawn| ([drawn.pages, drawn.key].concat(), drawn.notes))
         } else {
             convert(bytes, &options).map(|drawing| (pages_of(&drawing), drawing.notes))
         };

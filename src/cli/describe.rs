@@ -20,8 +20,10 @@ pub(super) fn run(args: &Describe) -> Exit {
             }
         },
         Err(error) => {
-            report.error(&page, &format!("{error:#}"));
-            Exit::Failed
+            let is_usage = matches!(error.downcast_ref(), Some(tactograph::Error::NoSentences { .. }));
+            let (place, exit) = if is_usage { ("--lang", Exit::Usage) } else { (&page[..], Exit::Failed) };
+            report.error(place, &format!("{error:#}"));
+            exit
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A run that goes on until it is stopped: what it knows of files, and how many pages it has written.
 
-use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::hash::Hasher;
 use std::io::{self, Read};
@@ -18,7 +18,7 @@ pub(super) struct Session {
     pub(super) stop: Arc<AtomicBool>,
     files: Mutex<BTreeMap<PathBuf, Known>>,
     done: AtomicUsize,
-    failed: AtomicUsize,
+    failed: Mutex<BTreeSet<PathBuf>>,
 }
 
 /// A file that was looked at, or written.
@@ -62,19 +62,34 @@ impl Session {
         before.made_of.filter(|other| other != picture)
     }
 
-    /// One more picture.
-    pub(super) fn count(&self, done: bool) {
-        let counter = if done { &self.done } else { &self.failed };
-        counter.fetch_add(1, Ordering::Relaxed);
+    /// One more page is written.
+    pub(super) fn count_page(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// How many pictures have their pages, and how many have not.
+    /// A picture was worked on. One that failed is forgotten, so that it is tried again when it is saved again, also
+    /// with the same bytes: what stood in its way may be gone.
+    pub(super) fn settle(&self, picture: &Path, failed: bool) {
+        let place = identity(picture);
+        if failed {
+            self.files().remove(&place);
+            self.failed().insert(place);
+        } else {
+            self.failed().remove(&place);
+        }
+    }
+
+    /// How many pages were written, and how many pictures have failed and not been mended since.
     pub(super) fn counts(&self) -> (usize, usize) {
-        (self.done.load(Ordering::Relaxed), self.failed.load(Ordering::Relaxed))
+        (self.done.load(Ordering::Relaxed), self.failed().len())
     }
 
     fn files(&self) -> MutexGuard<'_, BTreeMap<PathBuf, Known>> {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn failed(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
+        self.failed.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -114,5 +129,22 @@ mod tests {
         assert_eq!(session.writes(&page, b"again", &picture), None, "what a person wrote was made of no picture");
         assert_eq!(session.writes(&page, b"again", Path::new("b.png")), Some(picture));
         assert!(session.is_news(&place.path().join("gone.png")).is_err());
+    }
+
+    #[test]
+    fn a_picture_that_failed_is_news_again_until_it_is_mended() {
+        let place = tempfile::tempdir().expect("a directory");
+        let session = Session::default();
+        let picture = place.path().join("a.png");
+        std::fs::write(&picture, b"one").expect("a file");
+        assert!(session.is_news(&picture).expect("read"));
+        session.settle(&picture, true);
+        session.settle(&picture, true);
+        assert_eq!(session.counts(), (0, 1));
+        assert!(session.is_news(&picture).expect("read"), "the same bytes are tried again");
+        session.settle(&picture, false);
+        session.count_page();
+        assert_eq!(session.counts(), (1, 0));
+        assert!(!session.is_news(&picture).expect("read"), "what is done is done");
     }
 }

@@ -9,8 +9,6 @@ use super::{input, places};
 
 /// Largest table, bytes: some ten thousand pictures.
 const MOST_BYTES: u64 = 4 << 20;
-/// What may part the columns: as programs for tables write it, by country.
-const PARTING: [char; 3] = [',', ';', '\t'];
 /// The columns that there are.
 const COLUMNS: &str = "the columns are file, title and alt";
 
@@ -124,9 +122,12 @@ fn is_bare(file: &Path) -> bool {
 fn rows(text: &str) -> Result<Vec<Row>, Vec<String>> {
     let text = text.trim_start_matches('\u{feff}');
     let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let parting = heading.chars().find(|letter| PARTING.contains(letter)).unwrap_or(',');
+    // what stands between the names of the columns, in none of them and in no name of a file: programs for tables
+    // write a comma, a semicolon or a tab
+    let is_parting = |sign: &char| *sign == '\t' || sign.is_ascii_punctuation() && !"\"_-./\\".contains(*sign);
+    let parting = heading.chars().find(is_parting);
     let mut reader = csv::ReaderBuilder::new()
-        .delimiter(parting as u8)
+        .delimiter(parting.unwrap_or(',') as u8)
         .has_headers(false)
         .flexible(true)
         .trim(csv::Trim::All)
@@ -240,7 +241,7 @@ mod tests {
     fn tables_are_read_as_programs_write_them() {
         let table = "File|Title|ALT\na.png|\"A cup| red\"|\"One \"\"big\"\" cup\"\n\n||\n b/c.png |\"two\nlines\"\n\n\
                      d.png||a pond\n";
-        for parting in PARTING {
+        for parting in [',', ';', '\t'] {
             let expected = [
                 row(2, "a.png", Some(&format!("A cup{parting} red")), Some("One \"big\" cup")),
                 row(5, "b/c.png", Some("two lines"), None),

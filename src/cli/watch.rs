@@ -33,7 +33,8 @@ enum Told {
 }
 
 /// Calls `convert` with the pictures that are saved into `dir`, until Ctrl-C is pressed or the program is told to end.
-/// Before the first, it is called without pictures, to look whether the command line is right.
+/// Before the first, it is called without pictures, to look whether the command line is right. At the end it counts as
+/// failed if there is a picture that failed when it was last tried.
 pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session) -> Exit) -> Exit {
     let report = Report::of_pictures(1, quiet);
     let name = dir.display().to_string();
@@ -78,7 +79,7 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
     };
     report.done(&format!("watching {name} for pictures and pages that are saved; stop with Ctrl-C"));
     let mut waiting = Waiting::default();
-    let exit = loop {
+    let ended = loop {
         match receive.recv_timeout(TICK) {
             Ok(Told::Stop) | Err(RecvTimeoutError::Disconnected) => break Exit::Done,
             Ok(Told::Of(Ok(event))) if event.need_rescan() => waiting.add_all(&whole, since),
@@ -110,7 +111,7 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
     let not =
         if failed > 0 { format!(", {} could not be converted", counted(failed, "picture")) } else { String::new() };
     report.done(&format!("stopped; {} written{not}", counted(done, "page")));
-    exit
+    if failed > 0 { Exit::Failed } else { ended }
 }
 
 fn counted(count: usize, noun: &str) -> String {

@@ -8,10 +8,12 @@ use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How labels are placed, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Params {
     /// Where they may lie.
     pub area: MmRect,
+    /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
+    pub tiles: Vec<MmRect>,
     /// Blank to lines and textures.
     pub clearance: f32,
     /// Step in which places are looked for; on a grid that of its dots.
@@ -115,7 +117,8 @@ fn of_form(
         for x in -across..=across {
             let corner = middle + MmVector::new(x as f32, y as f32) * params.step;
             let place = cells.snapped(MmRect::new(corner, corner + size));
-            if room.is_free(place) {
+            let is_whole = params.tiles.is_empty() || params.tiles.iter().any(|tile| tile.contains_box(&place));
+            if is_whole && room.is_free(place) {
                 found.extend(candidate(label, number, form, place, room, params));
             }
         }

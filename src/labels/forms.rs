@@ -24,6 +24,9 @@ pub(super) struct Forms {
     pub(super) lacking: Vec<Lacking>,
 }
 
+/// Most characters of a label: as many as a sheet of braille has cells (25 lines of 40). Without a limit the key of one
+/// text of a megabyte had a thousand sheets, and took two minutes and 8 GB.
+pub const LONGEST: usize = 1000;
 /// Labels longer than this are tried in two lines, cells.
 const LONG: usize = 6;
 /// What a second line costs.
@@ -36,15 +39,17 @@ const ABBREVIATED: f32 = 1000.0;
 /// The forms of each text, or why it has none. A text in several labels is translated once.
 pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Forms, Unplaced>> {
     let mut known: BTreeMap<&str, Result<Braille, String>> = BTreeMap::new();
-    for &text in texts {
+    let is_too_long = |text: &str| text.chars().nth(LONGEST).is_some();
+    for &text in texts.iter().filter(|text| !is_too_long(text)) {
         known.entry(text).or_insert_with(|| translator.translate(text));
     }
     let short = abbreviate::all(texts, &known, translator);
     let of_text = |(&text, short): (&&str, Option<abbreviate::Short>)| {
-        let braille = match &known[text] {
-            Err(why) => return Err(Unplaced::NotTranslated(why.clone())),
-            Ok(braille) if braille.cells.is_empty() => return Err(Unplaced::NoCells(braille.lacking.clone())),
-            Ok(braille) => braille,
+        let braille = match known.get(text) {
+            None => return Err(Unplaced::TooLong),
+            Some(Err(why)) => return Err(Unplaced::NotTranslated(why.clone())),
+            Some(Ok(braille)) if braille.cells.is_empty() => return Err(Unplaced::NoCells(braille.lacking.clone())),
+            Some(Ok(braille)) => braille,
         };
         let length = braille.cells.len();
         let form = |lines, abbreviation, cost| Form { lines, abbreviation, cost };

@@ -28,6 +28,8 @@ use room::Room;
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
 
+pub use forms::LONGEST;
+
 /// The labels in the order in which they were wanted, each with its place or the reason why it has none.
 pub fn place(
     wanted: &[Wanted],

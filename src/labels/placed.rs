@@ -35,6 +35,8 @@ pub enum Unplaced {
     NoRoom,
     /// There are more labels than a page takes.
     TooMany,
+    /// It is longer than anything that is written in braille on a page.
+    TooLong,
     /// Its code has no cells for any of its characters.
     NoCells(Vec<Lacking>),
     /// The translator could not write it; what it says.

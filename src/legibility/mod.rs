@@ -41,7 +41,7 @@ pub use verdict::{Textures, Verdict};
 use usvg::Tree;
 use usvg::roxmltree::Document;
 
-use crate::page::Page;
+use crate::page::{InSet, Page};
 use crate::touch::Report;
 use finding::Found;
 
@@ -88,10 +88,13 @@ fn found(page: &Page, limits: &Limits) -> Vec<Found> {
     let mut found = areas::findings(&felt, &marks, limits);
     found.extend(areas::black(page, limits));
     found.extend(spaces::findings(&felt, &marks, limits));
-    found.extend(strokes::findings(&felt.figure.lines, &|number| format!("line {}", number + 1), &page.medium, limits));
+    let is_part = matches!(InSet::of(page), Some(InSet::One(..)));
+    let window = is_part.then_some(page.figure.place);
+    let name = |number: usize| format!("line {}", number + 1);
+    found.extend(strokes::findings(&felt.figure.lines, &name, window, &page.medium, limits));
     if let Some(overview) = &felt.overview {
         let name = |number: usize| format!("line {} of the overview", number + 1);
-        found.extend(strokes::findings(&overview.lines, &name, &page.medium, limits));
+        found.extend(strokes::findings(&overview.lines, &name, None, &page.medium, limits));
     }
     let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
     let index = ways.index(5.0);

@@ -12,12 +12,21 @@ use crate::units::{MmPoint, MmRect};
 /// Numbers of a page have two digits after the point, mm.
 const ROUNDING: f32 = 0.01;
 
-/// What lines of one picture break; `name` says what a line is called.
-pub(super) fn findings(lines: &[Line], name: &dyn Fn(usize) -> String, medium: &Medium, limits: &Limits) -> Vec<Found> {
+/// What lines of one picture break; `name` says what a line is called. Of one of several sheets, `window` is what it
+/// shows of the picture: lines that end there go on on the next.
+pub(super) fn findings(
+    lines: &[Line],
+    name: &dyn Fn(usize) -> String,
+    window: Option<MmRect>,
+    medium: &Medium,
+    limits: &Limits,
+) -> Vec<Found> {
     let mut found = Vec::new();
     for (number, line) in lines.iter().enumerate() {
         found.extend(too_thin(line, &name(number), limits));
-        found.extend(too_short(line, &name(number), limits));
+        if !window.is_some_and(|window| goes_on(line, window, limits)) {
+            found.extend(too_short(line, &name(number), limits));
+        }
     }
     let near = match (limits.medium, medium) {
         (MediumLimits::Print { line_gap, .. }, _) => gaps::too_near(lines, line_gap),
@@ -57,6 +66,17 @@ fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
     let extent = around(line.runs.iter().filter(is_thin).flat_map(|run| run.points.iter().copied()))?;
     let what = format!("{name} is {:.2} mm wide along {length:.0} mm; {line_width} mm is the least", thinnest.width);
     Some(Found::at(LINE_WIDTH, at, extent, thinnest.width, what))
+}
+
+/// Whether a line ends at the edge of a window.
+fn goes_on(line: &Line, window: MmRect, limits: &Limits) -> bool {
+    let reach = match limits.medium {
+        MediumLimits::Print { .. } => line.runs.iter().map(|run| run.width).fold(0.0, f32::max),
+        MediumLimits::Dots { pitch, .. } => pitch,
+    };
+    let inner = window.inflate(-reach, -reach);
+    let ends = line.runs.iter().flat_map(|run| [run.points.first(), run.points.last()]).flatten();
+    inner.is_negative() || ends.into_iter().any(|end| !inner.contains(*end))
 }
 
 fn too_short(line: &Line, name: &str, limits: &Limits) -> Option<Found> {

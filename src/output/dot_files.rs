@@ -4,7 +4,7 @@ use super::dots::{DotMatrix, Words, brf, dots, gcode, index, pef, pixels, text, 
 use super::format::DotFormat;
 use crate::Error;
 use crate::devices::{Device, DotArea};
-use crate::page::{DotMedium, Medium, Page};
+use crate::page::{BrailleText, DotMedium, Medium, Page, TextRole};
 
 /// What an Index embosser is told beside the dots; other devices ignore it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,7 +48,10 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
     match format {
         DotFormat::Ubrl => one(ubrl::write(&matrices()?)),
         DotFormat::Brf => one(brf::write(&matrices()?)),
-        DotFormat::Pef => one(pef::write(&matrices()?, &Words { title, ..words(first) })),
+        DotFormat::Pef => {
+            let text = text_of(pages.iter().map(|(page, _)| *page));
+            one(pef::write(&matrices()?, &Words { title, text: &text, ..words(first) }))
+        }
         DotFormat::Txt => one(text::write(&matrices()?)),
         DotFormat::Idx => {
             let Embossing { copies, impact } = embossing;
@@ -87,7 +90,18 @@ fn words(page: &Page) -> Words<'_> {
         description: &page.description,
         language: &page.language,
         description_language: &page.description_language,
+        text: &[],
     }
+}
+
+/// What is written on pages in braille: the title, and everything in their key, set apart by a blank line.
+fn text_of<'p>(pages: impl Iterator<Item = &'p Page>) -> Vec<String> {
+    let all: Vec<&BrailleText> = pages.flat_map(|page| &page.braille).collect();
+    let of = |role: TextRole| all.iter().filter(move |text| text.role == role);
+    let title = of(TextRole::Title).next().map(|text| text.lines.clone()).unwrap_or_default();
+    let key: Vec<String> = of(TextRole::Key).flat_map(|text| text.lines.clone()).collect();
+    let blank = (!title.is_empty() && !key.is_empty()).then(String::new);
+    title.into_iter().chain(blank).chain(key).collect()
 }
 
 /// Whether two pages can be pressed in one go. What Index embossers are told of sheet and pitch holds for all pages of

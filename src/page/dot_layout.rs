@@ -48,14 +48,15 @@ pub(super) fn fit(aspect: f32, widest: f32, size: [f32; 2], params: &Params, med
 }
 
 /// The band that a frame takes: one dot, and half a pitch for the grid, whose rows and columns are where they are.
-fn band(params: &FrameParams, medium: &DotMedium) -> FrameParams {
+pub(super) fn band(params: &FrameParams, medium: &DotMedium) -> FrameParams {
     let gap = frame::empty(params, medium) as f32 * medium.pitch;
     FrameParams { width: 1.5 * medium.pitch, dot: medium.diameter(), pitch: params.pitch, gap }
 }
 
 /// The same rectangle in the middle of the columns, its top in the middle between two rows.
-fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
+pub(super) fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
     let DotArea::Grid(grid) = &medium.area else { return figure };
+    let lowest = medium.usable().max.y - figure.height() + HAIR;
     let corner = |mm: f32, centres: &[f32]| {
         let index = centres.partition_point(|&centre| centre < mm);
         // the nearer one of the middles around; before the first dot it is half a pitch away
@@ -66,7 +67,10 @@ fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
             (None, None) => mm,
         };
         let around = [index.saturating_sub(1), index, index + 1].map(middle);
-        around.into_iter().min_by(|a, b| (a - mm).abs().total_cmp(&(b - mm).abs())).unwrap_or(mm)
+        let nearest = |a: &f32, b: &f32| (a - mm).abs().total_cmp(&(b - mm).abs());
+        // rather higher than beyond the last row
+        let inside = around.into_iter().filter(|at| *at <= lowest).min_by(nearest);
+        inside.or_else(|| around.into_iter().min_by(nearest)).unwrap_or(mm)
     };
     // a hair narrower, so that no column lies on an edge
     let (middle, half) = (grid.bounds().center().x, 0.5 * figure.width());
@@ -77,7 +81,7 @@ fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
 
 /// The ends of the orientation mark on dots that are as many columns as rows apart; the lower right one is the
 /// nearest, so that all of it keeps the margin.
-fn mark_on_grid(points: Vec<MmPoint>, area: &DotArea) -> Vec<MmPoint> {
+pub(super) fn mark_on_grid(points: Vec<MmPoint>, area: &DotArea) -> Vec<MmPoint> {
     let (DotArea::Grid(grid), [a, .., b]) = (area, &points[..]) else { return points };
     let (from, to) = (grid.nearest(*a), grid.nearest(*b));
     let (Some([left, top]), Some([right, _])) = (from, to) else { return points };

@@ -101,6 +101,11 @@ impl HeadingParams {
         Some(Self { widths, title: title.cells.len(), number, cell, align })
     }
 
+    /// The same where so many cells stand in each corner, if not those of the page number.
+    pub fn beside(self, cells: usize) -> Self {
+        Self { number: self.number.max(cells), ..self }
+    }
+
     fn with(&self, divide: Divide) -> [usize; MOST_LINES] {
         self.widths[usize::from(divide == Divide::Words)]
     }
@@ -162,6 +167,16 @@ impl Heading {
     /// How far below the margin the rest of the page begins, mm.
     pub(super) fn height(&self) -> f32 {
         self.place.height() + GAP
+    }
+
+    /// The same with the cells of a label in the left corner: lines that begin there move behind it, as far as the page
+    /// number is wide, for which there is room.
+    pub(super) fn after_label(self, cells: &CellGrid<'_>) -> Self {
+        let by = match self.params.align {
+            Align::Centre => 0.0,
+            Align::Left => cells.extent(self.params.number, 1).x + BEFORE_NUMBER as f32 * cells.size().cell,
+        };
+        Self { place: self.place.translate(MmVector::new(by, 0.0)), ..self }
     }
 
     /// The same on a sheet whose corner lies elsewhere.

@@ -5,6 +5,7 @@
 pub mod cells;
 mod check;
 mod dot_layout;
+mod dot_spread;
 pub mod frame;
 pub mod heading;
 pub mod layout;
@@ -14,6 +15,7 @@ mod parts;
 mod set;
 mod sheet;
 pub mod spread;
+mod spread_layout;
 mod text;
 mod transform;
 

@@ -86,6 +86,14 @@ pub struct Dots {
     pub at: Vec<MmPoint>,
 }
 
+impl Dots {
+    /// The box around all discs, to their edges; none without any.
+    pub(crate) fn bounds(&self) -> Option<MmRect> {
+        let radius = 0.5 * self.diameter;
+        (!self.at.is_empty()).then(|| MmRect::from_points(&self.at).inflate(radius, radius))
+    }
+}
+
 /// Words in braille, and the same as text for those who listen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BrailleText {

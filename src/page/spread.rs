@@ -8,101 +8,43 @@
 //!  |  ::          |   | |  |           ::  |     Ticks lie beside the windows in the middle of each
 //!  +------------------+ +------------------+     overlap: sheets lie right when their ticks do.
 //! ```
+//!
+//! For a device of dots all sheets together have one large grid, of which every sheet has a part: windows are whole
+//! dots apart, so that each dot of the picture is a dot of its sheet.
 
-use std::str::FromStr;
-
-use super::frame;
-use super::parts::{Dots, Figure, Glyph, Line, Run, Texture};
-use super::sheet::{self, FrameParams, MarkParams, Orientation, Params};
-use crate::Error;
+use super::cells::CellGrid;
+use super::dot_spread;
+use super::heading::Heading;
+use super::medium::{Medium, MediumParams, Print};
+use super::parts::{BrailleText, Dots, Figure, Glyph, Line, Pen, Run, Texture};
+use super::sheet::{self, Layout, Orientation, Params, beside};
+use super::spread_layout::{GAP, Picture, TICK, above};
 use crate::braille::{self, CellSize};
+use crate::devices::DotArea;
 use crate::geom::polyline::PolylineRef;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
-/// How many sheets there are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Grid {
-    across: u32,
-    down: u32,
-}
+pub use super::spread_layout::{Grid, LABEL_CELLS, Spread};
 
-impl Grid {
-    /// Most sheets across or down: the label of a row is a letter, that of a column a digit.
-    pub const MOST: u32 = 9;
-
-    /// `across` sheets by `down` sheets; none unless both are from 1 to [`Grid::MOST`] and there are at least two
-    /// sheets.
-    pub fn new(across: u32, down: u32) -> Option<Self> {
-        let good = |count| (1..=Self::MOST).contains(&count);
-        (good(across) && good(down) && across * down > 1).then_some(Self { across, down })
-    }
-
-    /// All grids, those of fewer sheets first; of as many sheets, the nearer to a square.
-    pub fn by_number() -> impl Iterator<Item = Self> {
-        let all = (1..=Self::MOST).flat_map(|across| (1..=Self::MOST).filter_map(move |down| Self::new(across, down)));
-        let mut all: Vec<Self> = all.collect();
-        all.sort_by_key(|grid| (grid.across * grid.down, grid.across.abs_diff(grid.down)));
-        all.into_iter()
-    }
-
-    /// Every sheet as (column, row), row by row from the top left.
-    pub fn sheets(self) -> impl Iterator<Item = (u32, u32)> {
-        (0..self.down).flat_map(move |row| (0..self.across).map(move |column| (column, row)))
-    }
-}
-
-impl FromStr for Grid {
-    type Err = Error;
-
-    /// # Errors
-    /// [`Error::NotASheetGrid`] for a text that says no number of sheets.
-    fn from_str(text: &str) -> Result<Self, Error> {
-        let counts =
-            text.split_once(['x', 'X']).and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-        counts.and_then(|(across, down)| Self::new(across, down)).ok_or(Error::NotASheetGrid)
-    }
-}
-
-impl std::fmt::Display for Grid {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}x{}", self.across, self.down)
-    }
-}
-
-/// Length of a tick, mm. Chosen by us: a fingertip covers all of it, so that it is not followed as a line.
-const TICK: f32 = 5.0;
 /// Width of a tick, mm. Chosen by us: the width of most lines of a picture.
 const TICK_WIDTH: f32 = 1.5;
-/// Blank between ticks and the window, and between them and what lies above, mm: the 1/8 inch rule (L. Hasty), the
-/// least between any two things.
-const GAP: f32 = 3.2;
 /// Width of the band of ticks on each side of a window, mm.
 const BAND: f32 = TICK + GAP;
-
-/// Where a picture lies on its sheets.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Spread {
-    grid: Grid,
-    /// Width and height of every sheet as it lies.
-    pub sheet: [f32; 2],
-    /// The picture in the space of all sheets together.
-    pub figure: MmRect,
-    /// The orientation mark of every sheet.
-    pub mark: Option<Run>,
-    /// Size of a window.
-    window: MmVector,
-    /// The top left corner of a window on its sheet.
-    corner: MmPoint,
-    overlap: f32,
-}
 
 /// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not
 /// wider than `widest`, in their middle. None where the sheets are too small.
 pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
     let [a, b] = params.sheet;
     let (short, long) = (a.min(b), a.max(b));
-    let upright = || fit_on([short, long], aspect, widest, grid, overlap, params);
-    let across = || fit_on([long, short], aspect, widest, grid, overlap, params);
+    let on = |sheet: [f32; 2]| {
+        let picture = Picture { aspect, widest, grid, overlap };
+        match params.medium {
+            MediumParams::Print(print) => fit_printed(sheet, picture, params, print),
+            MediumParams::Dots { device, pitch } => dot_spread::fit(sheet, picture, params, (device, pitch)),
+        }
+    };
+    let upright = || on([short, long]);
+    let across = || on([long, short]);
     match params.orientation {
         Orientation::Portrait => upright(),
         Orientation::Landscape => across(),
@@ -114,28 +56,40 @@ pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) 
     }
 }
 
-fn fit_on(sheet: [f32; 2], aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
-    let mark = |mark: MarkParams| (sheet::reach(mark), mark.gap.max(GAP));
-    let (mark_height, gap) = params.mark.map_or((0.0, GAP), mark);
-    let row = mark_height.max(CellSize::MARBURG.extent(1, braille::PRINTED).y);
-    let corner = MmPoint::new(params.margin + BAND, params.margin + row + gap + BAND);
+fn fit_printed(sheet: [f32; 2], picture: Picture, params: &Params, print: Print) -> Option<Spread> {
+    let heading = params.heading.and_then(|heading| {
+        let cells = CellGrid::printed(heading.cell);
+        let heading = Heading::on(&heading, &cells, sheet, params.margin, beside(params.mark))?;
+        Some(heading.after_label(&cells))
+    });
+    let label = CellSize::MARBURG.extent(1, braille::PRINTED).y;
+    let down = above(params, label, heading.as_ref());
+    let corner = MmPoint::new(params.margin + BAND, params.margin + down + BAND);
     let window = MmVector::new(sheet[0] - 2.0 * corner.x, sheet[1] - corner.y - params.margin - BAND);
+    let overlap = picture.overlap;
     // In windows of at most two overlaps, three neighbouring sheets would show the same part.
     if window.x <= 2.0 * overlap || window.y <= 2.0 * overlap {
         return None;
     }
-    let extent = |count: u32, window: f32| count as f32 * (window - overlap) + overlap;
-    let total = MmVector::new(extent(grid.across, window.x), extent(grid.down, window.y));
+    let step = window - MmVector::new(overlap, overlap);
+    let first = MmRect::new(MmPoint::zero(), window.to_point());
     let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
-    let width = (total.x - 2.0 * border).min((total.y - 2.0 * border) * aspect).min(widest);
-    if width <= 0.0 {
-        return None;
-    }
-    let half = MmVector::new(0.5 * width, 0.5 * width / aspect);
-    let middle = MmPoint::new(0.5 * total.x, 0.5 * total.y);
-    let figure = MmRect::new(middle - half, middle + half);
-    let mark = params.mark.map(|mark| sheet::bar(MmPoint::new(sheet[0] - params.margin, params.margin), mark));
-    Some(Spread { grid, sheet, figure, mark, window, corner, overlap })
+    let medium = Medium::Print(print);
+    Some(Spread {
+        grid: picture.grid,
+        sheet,
+        figure: picture.within(picture.total(first, step), border)?,
+        mark: params.mark.map(|mark| sheet::bar(MmPoint::new(sheet[0] - params.margin, params.margin), mark)),
+        heading,
+        together: medium.clone(),
+        medium,
+        first,
+        corner,
+        step,
+        half: MmVector::new(0.5 * overlap, 0.5 * overlap),
+        tick: [GAP + 0.5 * TICK_WIDTH, GAP + TICK - 0.5 * TICK_WIDTH],
+        label: MmPoint::new(params.margin, params.margin),
+    })
 }
 
 /// What one sheet shows.
@@ -149,16 +103,40 @@ pub struct Cut {
     pub ticks: Vec<Run>,
     /// Which sheet it is, in braille: the row as a letter, the column as a number.
     pub label: Dots,
+    /// The labels of the figure that lie wholly in the window.
+    pub braille: Vec<BrailleText>,
     /// The same in print: `a1`.
     pub name: String,
 }
 
 impl Spread {
-    /// What every sheet shows of a figure, row by row. Sheets on which nothing of the picture lies are left out.
-    pub fn cut(&self, figure: &Figure, params: Option<&FrameParams>, margin: f32) -> Vec<Cut> {
-        let dots = params.map_or_else(Dots::default, |params| frame::printed(figure.place, params));
+    /// What every sheet shows of a figure with its frame and its labels, row by row. Sheets on which nothing of the
+    /// picture lies are left out.
+    pub fn cut(&self, figure: &Figure, frame: &Dots, braille: &[BrailleText]) -> Vec<Cut> {
         let shown = self.grid.sheets().filter(|&(column, row)| self.shows(column, row, figure.place));
-        shown.map(|(column, row)| self.cut_sheet(column, row, figure, &dots, margin)).collect()
+        shown.map(|(column, row)| self.cut_sheet(column, row, figure, frame, braille)).collect()
+    }
+
+    /// Where labels can lie so that each is whole on a sheet, also where sheets are cut in the middle of their
+    /// overlaps.
+    pub fn tiles(&self) -> Vec<MmRect> {
+        let last = (self.grid.across - 1, self.grid.down - 1);
+        let tile = |(column, row): (u32, u32)| {
+            let window = self.window(column, row);
+            let half = |is_inner: bool, half: f32| if is_inner { half } else { 0.0 };
+            let low = MmVector::new(half(column > 0, self.half.x), half(row > 0, self.half.y));
+            let next = window.min + self.step + self.half;
+            let end = |is_inner: bool, next: f32, edge: f32| if is_inner { next } else { edge };
+            let max = MmPoint::new(end(column < last.0, next.x, window.max.x), end(row < last.1, next.y, window.max.y));
+            MmRect::new(window.min + low, max)
+        };
+        self.grid.sheets().map(tile).collect()
+    }
+
+    /// A sheet by itself, for its title and its page number.
+    pub fn layout_of_sheet(&self) -> Layout {
+        let (mark, heading, medium) = (self.mark.clone(), self.heading, self.medium.clone());
+        Layout { sheet: self.sheet, figure: self.first, overview: None, mark, heading, medium }
     }
 
     /// Whether something of the picture lies on a sheet.
@@ -168,23 +146,27 @@ impl Spread {
 
     /// A sheet's window in the space of all sheets.
     fn window(&self, column: u32, row: u32) -> MmRect {
-        let step = |number: u32, side: f32| number as f32 * (side - self.overlap);
-        let from = MmPoint::new(step(column, self.window.x), step(row, self.window.y));
-        MmRect::new(from, from + self.window)
+        self.first.translate(MmVector::new(column as f32, row as f32).component_mul(self.step))
     }
 
     /// What the sheet at this column and row shows.
-    fn cut_sheet(&self, column: u32, row: u32, figure: &Figure, frame: &Dots, margin: f32) -> Cut {
+    fn cut_sheet(&self, column: u32, row: u32, figure: &Figure, frame: &Dots, braille: &[BrailleText]) -> Cut {
         let window = self.window(column, row);
-        let onto_sheet = self.corner - window.min;
-        let inside = |at: MmPoint, radius: f32| window.inflate(-radius, -radius).contains_inclusive(at);
+        let by = self.corner - window.min;
+        let onto_sheet = |at: MmPoint| self.on_dots(at + by);
+        // of a device each dot is in a window or not
+        let is_print = matches!(self.medium, Medium::Print(_));
+        let inside = |at: MmPoint, radius: f32| {
+            let radius = if is_print { radius } else { 0.0 };
+            window.inflate(-radius, -radius).contains_inclusive(at)
+        };
         let place = window.intersection_unchecked(&figure.place);
         let share = |part: f32, whole: f32, pixels: u32| ((part / whole * pixels as f32).round() as u32).max(1);
         let source = Size::new(
             share(place.width(), figure.place.width(), figure.source.width),
             share(place.height(), figure.place.height(), figure.source.height),
         );
-        let on_sheet = |glyph: &Glyph| Glyph { at: glyph.at + onto_sheet, ..*glyph };
+        let on_sheet = |glyph: &Glyph| Glyph { at: onto_sheet(glyph.at), ..*glyph };
         // Of the area of a region a sheet has as much as it has of its glyphs.
         let glyphs = |texture: &Texture| {
             let glyphs: Vec<Glyph> =
@@ -195,40 +177,54 @@ impl Spread {
         };
         let mut lines: Vec<Line> = figure.lines.iter().flat_map(|line| cut_line(line, window)).collect();
         for at in lines.iter_mut().flat_map(|line| &mut line.runs).flat_map(|run| &mut run.points) {
-            *at += onto_sheet;
+            *at = onto_sheet(*at);
         }
-        let radius = 0.5 * frame.diameter;
-        let at = frame.at.iter().filter(|&&at| inside(at, radius)).map(|&at| at + onto_sheet).collect();
+        let whole = |dots: &Dots| dots.at.iter().all(|&at| inside(at, 0.5 * dots.diameter));
+        let moved = |dots: &Dots| Dots { at: dots.at.iter().map(|&at| onto_sheet(at)).collect(), ..dots.clone() };
+        let of_label = |text: &BrailleText| {
+            let leader = text.leader.as_ref().and_then(|run| pieces(run, window).into_iter().next());
+            let leader = leader.map(|mut run| {
+                run.points.iter_mut().for_each(|at| *at = onto_sheet(*at));
+                run
+            });
+            BrailleText { dots: moved(&text.dots), leader, ..text.clone() }
+        };
+        let of_frame = frame.at.iter().copied().filter(|&at| inside(at, 0.5 * frame.diameter)).collect();
         let label = [braille::letter(row as usize), braille::number(column as usize + 1)].concat();
-        let from = MmVector::new(margin, margin);
+        let cells = CellGrid::of(&self.medium, CellSize::MARBURG);
         Cut {
             figure: Figure {
-                place: MmRect::new(place.min + onto_sheet, place.max + onto_sheet),
+                place: MmRect::new(place.min + by, place.max + by),
                 source,
                 textures: figure.textures.iter().map(glyphs).filter(|texture| !texture.glyphs.is_empty()).collect(),
                 lines,
             },
-            frame: Dots { diameter: frame.diameter, at },
+            frame: moved(&Dots { diameter: frame.diameter, at: of_frame }),
             ticks: self.ticks(column, row, figure.place),
-            label: Dots {
-                diameter: braille::PRINTED,
-                at: CellSize::MARBURG.dots(&label, braille::PRINTED).into_iter().map(|at| at + from).collect(),
-            },
+            label: Dots { diameter: cells.diameter, at: cells.dots(&[label], self.label) },
+            braille: braille.iter().filter(|text| whole(&text.dots)).map(of_label).collect(),
             name: format!("{}{}", char::from(b'a' + row as u8), column + 1),
         }
     }
 
+    /// A place on a sheet of a device with a grid as the dot that it is: numbers are rounded on the way.
+    fn on_dots(&self, at: MmPoint) -> MmPoint {
+        let Medium::Dots(medium) = &self.medium else { return at };
+        let DotArea::Grid(grid) = &medium.area else { return at };
+        grid.nearest(at).and_then(|[column, row]| grid.at(column, row)).unwrap_or(at)
+    }
+
     /// The ticks of a sheet. Each lies at the same point of the picture as one of the neighbouring sheet.
     fn ticks(&self, column: u32, row: u32, picture: MmRect) -> Vec<Run> {
-        let (near, far) = (self.corner, self.corner + self.window);
-        let half = 0.5 * self.overlap;
+        let (near, far) = (self.corner, self.corner + self.first.size().to_vector());
+        let middles = [near + self.half, near + self.step + self.half];
         let mut ticks = Vec::new();
         // The two ends of a tick outside one side of the window, at `edge`; `out` is -1 or 1.
-        let reach = |edge: f32, out: f32| [edge + out * GAP, edge + out * (GAP + TICK)];
+        let reach = |edge: f32, out: f32| self.tick.map(|away| edge + out * away);
         let mut tick = |a: MmPoint, b: MmPoint| ticks.push(Run::stroke(TICK_WIDTH, vec![a, b]));
         let left = column > 0 && self.shows(column - 1, row, picture);
         let right = column + 1 < self.grid.across && self.shows(column + 1, row, picture);
-        for (there, x) in [(left, near.x + half), (right, far.x - half)] {
+        for (there, MmPoint { x, .. }) in [left, right].into_iter().zip(middles) {
             for [a, b] in [reach(near.y, -1.0), reach(far.y, 1.0)] {
                 if there {
                     tick(MmPoint::new(x, a), MmPoint::new(x, b));
@@ -237,18 +233,12 @@ impl Spread {
         }
         let above = row > 0 && self.shows(column, row - 1, picture);
         let below = row + 1 < self.grid.down && self.shows(column, row + 1, picture);
-        for (there, y) in [(above, near.y + half), (below, far.y - half)] {
+        for (there, MmPoint { y, .. }) in [above, below].into_iter().zip(middles) {
             for [a, b] in [reach(near.x, -1.0), reach(far.x, 1.0)] {
                 if there {
                     tick(MmPoint::new(a, y), MmPoint::new(b, y));
                 }
             }
-        }
-        // round ends reach further by half a width
-        for run in &mut ticks {
-            let (a, b) = (run.points[0], run.points[1]);
-            let inwards = (b - a).normalize() * (0.5 * TICK_WIDTH);
-            run.points = vec![a + inwards, b - inwards];
         }
         ticks
     }
@@ -257,24 +247,68 @@ impl Spread {
 /// The pieces of a line whose ink lies in a window. Pieces shorter than their width are left out: they would be blots
 /// at the edge, and the neighbouring sheet shows that part as a line.
 fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
-    let mut pieces: Vec<Line> = Vec::new();
-    for run in &line.runs {
-        let half = 0.5 * run.width;
-        for path in cut_polyline(run.polyline(), window.inflate(-half, -half)) {
-            let piece = Run { pen: run.pen, ..Run::stroke(run.width, path) };
-            let joins = |last: &Line| last.runs.last().and_then(|run| run.points.last()) == piece.points.first();
-            match pieces.last_mut() {
-                Some(last) if joins(last) => last.runs.push(piece),
-                _ => pieces.push(Line { strength: line.strength, runs: vec![piece] }),
-            }
+    if line.runs.first().is_some_and(|run| run.pen != Pen::Stroke) {
+        return cut_rows(line, window);
+    }
+    let mut found: Vec<Line> = Vec::new();
+    for piece in line.runs.iter().flat_map(|run| pieces(run, window)) {
+        let joins = |last: &Line| last.runs.last().and_then(|run| run.points.last()) == piece.points.first();
+        match found.last_mut() {
+            Some(last) if joins(last) => last.runs.push(piece),
+            _ => found.push(Line { strength: line.strength, runs: vec![piece] }),
         }
     }
     let length = |line: &Line| -> f32 {
         let segments = line.runs.iter().flat_map(|run| run.polyline().segments());
         segments.map(|(a, b)| (*b - *a).length()).sum()
     };
-    pieces.retain(|piece| length(piece) >= piece.runs.iter().map(|run| run.width).fold(0.0, f32::max));
-    pieces
+    found.retain(|piece| length(piece) >= piece.runs.iter().map(|run| run.width).fold(0.0, f32::max));
+    found
+}
+
+/// Least dots of a piece of a line: fewer have no direction.
+const LEAST_DOTS: usize = 3;
+
+/// The same of a line of dots: a heavy one has a second row of dots beside the first, which goes with the piece beside
+/// which most of it lies.
+fn cut_rows(line: &Line, window: MmRect) -> Vec<Line> {
+    let Some((first, others)) = line.runs.split_first() else { return Vec::new() };
+    let mut found: Vec<Line> = pieces(first, window)
+        .into_iter()
+        .filter(|run| run.points.len() >= LEAST_DOTS)
+        .map(|run| Line { strength: line.strength, runs: vec![run] })
+        .collect();
+    for row in others.iter().flat_map(|run| pieces(run, window)) {
+        let middle = row.points[row.points.len() / 2];
+        let distance = |line: &Line| {
+            let to = line.runs[0].points.iter().map(|at| (*at - middle).length());
+            to.fold(f32::INFINITY, f32::min)
+        };
+        let nearest = (0..found.len()).min_by(|&a, &b| distance(&found[a]).total_cmp(&distance(&found[b])));
+        // beside a piece that is left out it would be a line of its own
+        let beside = nearest.filter(|&at| distance(&found[at]) <= BESIDE_ROW * row.width);
+        beside.into_iter().for_each(|at| found[at].runs.push(row.clone()));
+    }
+    found
+}
+
+/// How far a second row lies from its line, as a share of the diameter of dots.
+const BESIDE_ROW: f32 = 2.0;
+
+/// The parts of a run in a window.
+fn pieces(run: &Run, window: MmRect) -> Vec<Run> {
+    match run.pen {
+        Pen::Stroke => {
+            let half = 0.5 * run.width;
+            let paths = cut_polyline(run.polyline(), window.inflate(-half, -half));
+            paths.into_iter().map(|path| Run::stroke(run.width, path)).collect()
+        }
+        Pen::Dots(_) => {
+            let is_in = |at: &MmPoint| window.contains_inclusive(*at);
+            let parts = run.points.chunk_by(|a, b| is_in(a) == is_in(b)).filter(|part| is_in(&part[0]));
+            parts.map(|part| Run { points: part.to_vec(), ..run.clone() }).collect()
+        }
+    }
 }
 
 /// The parts of a polyline in a rectangle, as paths. The path of a ring that lies within ends where it begins.
@@ -336,16 +370,5 @@ mod tests {
         assert!(cut(&[at(-1.0, 11.0), at(12.0, 10.5)], false).is_empty());
         let ring = [at(2.0, 2.0), at(8.0, 2.0), at(8.0, 8.0)];
         assert_eq!(cut(&ring, true), [vec![ring[0], ring[1], ring[2], ring[0]]], "what lies within stays as it is");
-    }
-
-    #[test]
-    fn grids_are_read_and_written() {
-        for text in ["2x2", "1x9", "3X1", " 2 x 4 "] {
-            let grid: Grid = text.parse().expect(text);
-            assert_eq!(grid.to_string(), text.replace(' ', "").to_lowercase());
-        }
-        for text in ["1x1", "0x3", "10x2", "2", "x", "2x", "2x2x2", "-1x2"] {
-            assert_eq!(text.parse::<Grid>(), Err(Error::NotASheetGrid), "{text}");
-        }
     }
 }

@@ -285,8 +285,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
     let place = drawn.lost.place_name();
     if of_drawing && lost >= least && share >= DENSE {
         let width = layout.figure.width().round() as u32;
-        let sheets = matches!(layout.medium, Medium::Print(_));
-        return Some(Note::TooDense { millimetres, percent, place, width, sheets });
+        return Some(Note::TooDense { millimetres, percent, place, width });
     }
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
 }

@@ -115,7 +115,8 @@ fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> 
     one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
     let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
     let mut glyphs = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
-    drawn_areas::clear_of_braille(&mut glyphs, &page.braille);
+    let boxes: Vec<MmRect> = page.braille.iter().filter_map(|text| text.dots.bounds()).collect();
+    drawn_areas::clear_of_braille(&mut glyphs, &boxes, &page.braille);
     glyphs
 }
 

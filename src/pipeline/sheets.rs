@@ -3,14 +3,18 @@
 use super::draw::{Marks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
+use super::key;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
-use crate::page::layout::{self, Layout};
-use crate::page::spread::{self, Cut, Grid, Spread};
-use crate::page::{Dots, Figure, InSet, LeftOut, Line, Medium, MediumParams, Page, Parts, Print, frame};
+use super::words::{Words, Written};
+use crate::devices::Family;
+use crate::page::heading::HeadingParams;
+use crate::page::layout::{self, Layout, Orientation};
+use crate::page::spread::{self, Cut, Grid, LABEL_CELLS, Spread};
+use crate::page::{BrailleText, Dots, Figure, InSet, LeftOut, Line, Medium, Page, Parts, Run, frame};
 use crate::picture::Picture;
 use crate::units::{MmRect, Size};
-use crate::{Error, Note};
+use crate::{Error, Note, dots};
 
 /// The sheets of a picture and what their maker should know.
 #[derive(Debug, Clone)]
@@ -18,47 +22,95 @@ use crate::{Error, Note};
 pub struct Sheets {
     /// The overview on a sheet of its own, if there is one; then the picture, row by row.
     pub pages: Vec<Page>,
+    /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
+    pub key: Vec<Page>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,
 }
 
 /// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two
-/// sheets both show is the same on both. Without a `grid` there are as few sheets as have room for the width asked
+/// sheets both show is the same on both. Each sheet has the title and its own page number; labels are placed in the
+/// whole picture, each whole on a sheet. Without a `grid` there are as few sheets as have room for the width asked
 /// for. `watch` is told of every stage.
 ///
 /// # Errors
-/// When the picture cannot be read or drawn, the sheets have no room for it, or the page is one of dots; see [`Error`].
+/// When the picture cannot be read or drawn, or the sheets have no room for it; see [`Error`].
 pub fn convert<'p>(
     picture: impl Into<Picture<'p>>,
+    words: &Words<'_>,
     given: &Given,
     grid: Option<Grid>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
-    let print = match request.plan.medium() {
-        MediumParams::Print(print) => print,
-        MediumParams::Dots { device, .. } => return Err(Error::OneSheet { device: device.name }),
-    };
-    let grid = |size| grid.map_or_else(|| fewest(size, request), Ok);
-    let Marks { figure, overview, left_out, is_flat, mut notes, .. } =
-        draw(picture.into(), given, request, &|size| places(size, grid(size)?, print, request), watch)?;
-    let grid = grid(figure.source)?;
-    let pages = run(watch, Stage::Page, || assemble(&figure, overview, left_out, (grid, print), request))?;
+    let plan = request.plan;
+    let written = Written::new(words, plan);
+    let lay = |size| lay(size, grid, &written, request);
+    let marks = draw(picture.into(), given, request, &|size| Ok(together(&lay(size)?)), watch)?;
+    let Marks { mut figure, overview, layout, is_flat, left_out, texts, mut notes } = marks;
+    if words.own_texts {
+        notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
+    }
+    let laid = lay(figure.source)?;
+    let sheet = laid.spread.layout_of_sheet();
+    let (pages, key) = run(watch, Stage::Page, || {
+        notes.extend(written.notes().iter().cloned());
+        let tiles = laid.spread.tiles();
+        let (labels, of_labels) = written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
+        let (pages, of_heading) = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
+        notes.extend(of_heading.into_iter().chain(of_labels));
+        let key = match written.key(words, &labels, &figure, pages.len() as u32) {
+            Some(entries) => {
+                let (sheets, of_key) = key::sheets(&entries, &sheet, figure.source, request)?;
+                notes.extend(of_key);
+                sheets
+            }
+            None => Vec::new(),
+        };
+        Ok::<_, Error>((pages, key))
+    })?;
     if pages.iter().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
-    } else if request.plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
+    } else if plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
-    let blackest = pages.iter().map(Page::black_share).fold(0.0, f32::max);
-    notes.extend(too_black(blackest, &print));
-    Ok(Sheets { pages, notes })
+    match &sheet.medium {
+        Medium::Print(print) => {
+            let blackest = pages.iter().map(Page::black_share).fold(0.0, f32::max);
+            notes.extend(too_black(blackest, print));
+        }
+        Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
+    }
+    Ok(Sheets { pages, key, notes })
+}
+
+/// Where a picture lies on its sheets, and where its overview does.
+struct Laid {
+    grid: Grid,
+    spread: Spread,
+    overview: Option<Layout>,
+}
+
+/// Lays a picture of this size out below its title, or without one where that leaves too little room.
+fn lay(size: Size, grid: Option<Grid>, written: &Written<'_>, request: &Request<'_>) -> Result<Laid, Error> {
+    let least = request.plan.profile().figure.min_side;
+    let heading = written.heading_beside(LABEL_CELLS);
+    let lay = |heading: Option<HeadingParams>| {
+        let grid = grid.map_or_else(|| fewest(size, heading, request), Ok)?;
+        Ok::<_, Error>((grid, spread_of(size, grid, heading, request)?))
+    };
+    let is_large = |(_, spread): &(Grid, Spread)| spread.figure.width().min(spread.figure.height()) >= least;
+    let below = heading.and_then(|heading| lay(Some(heading)).ok()).filter(is_large);
+    let (grid, spread) = below.map_or_else(|| lay(None), Ok)?;
+    let overview = request.plan.layout().overview.map(|_| overview_sheet(size, &spread, written, request));
+    Ok(Laid { grid, spread, overview })
 }
 
 /// The grid of fewest sheets that have room for the width asked for.
-fn fewest(size: Size, request: &Request<'_>) -> Result<Grid, Error> {
+fn fewest(size: Size, heading: Option<HeadingParams>, request: &Request<'_>) -> Result<Grid, Error> {
     let mut refused = Error::NoRoomOnSheets { grid: format!("{0}x{0}", Grid::MOST) };
     for grid in Grid::by_number() {
-        match spread_of(size, grid, request) {
+        match spread_of(size, grid, heading, request) {
             Ok(_) => return Ok(grid),
             Err(error) => refused = error,
         }
@@ -66,23 +118,24 @@ fn fewest(size: Size, request: &Request<'_>) -> Result<Grid, Error> {
     Err(refused)
 }
 
-/// The figure in the space of all sheets together, the overview on a sheet of its own.
-fn places(size: Size, grid: Grid, print: Print, request: &Request<'_>) -> Result<Layout, Error> {
-    let spread = spread_of(size, grid, request)?;
-    let params = request.plan.layout();
-    let overview = params.overview.map(|_| overview_sheet(size, request).figure);
-    let (mark, medium) = (spread.mark, Medium::Print(print));
-    Ok(Layout { sheet: spread.sheet, figure: spread.figure, overview, mark, heading: None, medium })
+/// The figure in the space of all sheets together, the overview on a sheet of its own: the first of them, whose dots
+/// are the first of all.
+fn together(laid: &Laid) -> Layout {
+    let Laid { spread, overview, .. } = laid;
+    let (mark, medium) = (spread.mark.clone(), spread.together.clone());
+    let overview = overview.as_ref().map(|overview| overview.figure);
+    Layout { sheet: spread.sheet, figure: spread.figure, overview, mark, heading: None, medium }
 }
 
 fn aspect(size: Size) -> f32 {
     size.width as f32 / size.height as f32
 }
 
-fn spread_of(size: Size, grid: Grid, request: &Request<'_>) -> Result<Spread, Error> {
+fn spread_of(size: Size, grid: Grid, heading: Option<HeadingParams>, request: &Request<'_>) -> Result<Spread, Error> {
     request.fit.check()?;
     let overlap = request.plan.profile().sheets.overlap;
-    let fit = |widest| spread::fit(aspect(size), widest, grid, overlap, &request.plan.layout());
+    let params = layout::Params { heading, ..request.plan.layout() };
+    let fit = |widest| spread::fit(aspect(size), widest, grid, overlap, &params);
     let largest = fit(f32::MAX).ok_or_else(|| Error::NoRoomOnSheets { grid: grid.to_string() })?;
     match request.fit.width {
         None => Ok(largest),
@@ -93,58 +146,99 @@ fn spread_of(size: Size, grid: Grid, request: &Request<'_>) -> Result<Spread, Er
     }
 }
 
-/// The overview as large as one sheet allows.
-fn overview_sheet(size: Size, request: &Request<'_>) -> Layout {
-    layout::fit(aspect(size), f32::MAX, &layout::Params { overview: None, ..request.plan.layout() })
+/// The overview as large as one sheet allows below the title; of dots, on a sheet that lies as the others do.
+fn overview_sheet(size: Size, spread: &Spread, written: &Written<'_>, request: &Request<'_>) -> Layout {
+    let own = request.plan.layout();
+    let orientation = match spread.medium {
+        Medium::Print(_) => own.orientation,
+        Medium::Dots(_) if spread.sheet[0] > spread.sheet[1] => Orientation::Landscape,
+        Medium::Dots(_) => Orientation::Portrait,
+    };
+    let params = layout::Params { overview: None, orientation, heading: written.heading_beside(0), ..own };
+    layout::fit(aspect(size), f32::MAX, &params)
 }
 
+/// The sheets, and what has no room at the top of them.
 fn assemble(
-    figure: &Figure,
+    (figure, labels): (&Figure, &[BrailleText]),
     overview: Option<(MmRect, Vec<Line>)>,
     left_out: LeftOut,
-    (grid, print): (Grid, Print),
+    laid: &Laid,
+    written: &Written<'_>,
     request: &Request<'_>,
-) -> Result<Vec<Page>, Error> {
-    let params = request.plan.layout();
-    let spread = spread_of(figure.source, grid, request)?;
-    let cuts = spread.cut(figure, params.frame.as_ref(), params.margin);
+) -> Result<(Vec<Page>, Vec<Note>), Error> {
+    let Laid { grid, spread, .. } = laid;
+    let cuts = spread.cut(figure, &around(figure.place, &spread.together, request), labels);
     let names: Vec<String> = cuts.iter().map(|cut| cut.name.clone()).collect();
-    let mut pages = Vec::new();
-    if let Some((place, lines)) = overview {
-        let layout = overview_sheet(figure.source, request);
+    let (mut pages, mut notes) = (Vec::new(), Vec::new());
+    let mut heading = |layout: &Layout, number: usize| {
+        let (braille, told) = written.heading(number as u32, layout, request.plan);
+        for note in told {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+        braille
+    };
+    if let Some(((place, lines), layout)) = overview.zip(laid.overview.as_ref()) {
         let own = Figure { place, source: figure.source, textures: Vec::new(), lines };
-        let frame = params.frame.as_ref().map_or_else(Dots::default, |params| frame::printed(place, params));
         let title = title_of_overview(request.title);
+        let in_set = InSet::OverviewOf(names.clone());
         let parts = Parts {
-            sheet: layout.sheet,
-            orientation_mark: layout.mark,
-            frame,
-            ..parts(title, own, (grid, print), InSet::OverviewOf(names.clone()), request)
+            frame: around(place, &layout.medium, request),
+            ..parts(title, own, heading(layout, 0), (*grid, layout), in_set, request)
         };
         pages.push(finished(parts, request)?);
     }
     // what is left out of the whole picture, as no sheet knows its own share
     let left_out = LeftOut { by_place: None, shapes: 0, ..left_out }.to_origin();
-    for cut in &cuts {
-        let Cut { figure, frame, ticks, label, name } = cut.clone();
+    let layout = spread.layout_of_sheet();
+    for cut in cuts {
+        let Cut { figure, frame, ticks, label, braille, name } = cut;
         let title = format!("{}, sheet {name}", request.title);
+        let braille = [heading(&layout, pages.len()), braille].concat();
+        let in_set = InSet::One(name, names.clone());
         let parts = Parts {
-            sheet: spread.sheet,
-            orientation_mark: spread.mark.clone(),
             frame,
-            registration: ticks,
+            registration: ticks.iter().map(|tick| as_marked(tick, &layout.medium, request)).collect(),
             labels: vec![label],
-            ..parts(title, figure, (grid, print), InSet::One(name, names.clone()), request)
+            ..parts(title, figure, braille, (*grid, &layout), in_set, request)
         };
         let origin = [parts.origin.clone(), left_out.clone()].concat();
         pages.push(finished(Parts { origin, ..parts }, request)?);
     }
-    Ok(pages)
+    Ok((pages, notes))
 }
 
-/// What all sheets have, with nothing beside the figure.
-fn parts(title: String, figure: Figure, (grid, print): (Grid, Print), in_set: InSet, request: &Request<'_>) -> Parts {
-    let mut origin = origin(request, figure.source, &[]);
+/// The frame around a picture.
+fn around(place: MmRect, medium: &Medium, request: &Request<'_>) -> Dots {
+    match (request.plan.layout().frame, medium) {
+        (None, _) => Dots::default(),
+        (Some(params), Medium::Print(_)) => frame::printed(place, &params),
+        (Some(params), Medium::Dots(medium)) => frame::dotted(place, &params, medium),
+    }
+}
+
+/// A mark beside the picture, as ink or as dots.
+fn as_marked(run: &Run, medium: &Medium, request: &Request<'_>) -> Run {
+    match medium {
+        Medium::Print(_) => run.clone(),
+        Medium::Dots(medium) => dots::mark(&run.points, &medium.area, &request.plan.dots(medium)),
+    }
+}
+
+/// What all sheets have, with nothing beside the figure but the mark.
+fn parts(
+    title: String,
+    figure: Figure,
+    braille: Vec<BrailleText>,
+    (grid, layout): (Grid, &Layout),
+    in_set: InSet,
+    request: &Request<'_>,
+) -> Parts {
+    let mut origin = origin(request, figure.source, &braille);
     origin.extend([("sheets".to_owned(), grid.to_string()), in_set.to_origin()]);
-    Parts { title, origin, medium: Medium::Print(print), ..Parts::of([0.0, 0.0], figure) }
+    let orientation_mark = layout.mark.as_ref().map(|mark| as_marked(mark, &layout.medium, request));
+    let medium = layout.medium.clone();
+    Parts { title, origin, medium, orientation_mark, braille, ..Parts::of(layout.sheet, figure) }
 }

@@ -5,13 +5,14 @@ use super::words::{Words, Written};
 use crate::Note;
 use crate::lines::{Line, Run};
 use crate::page::layout::Layout;
-use crate::page::{Parts, TextRole};
+use crate::page::{Dots, Parts, TextRole};
 use crate::profile::Plan;
 use crate::reading::TypedText;
 use crate::units::{MmPoint, MmRect};
 
 /// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is
-/// there, nearest to where they were typed. Tells what has no room, and what its code cannot write.
+/// there, nearest to where they were typed. Tells what has no room, what its code cannot write, and what was typed
+/// outside the figure, where no labels stand.
 pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<Note> {
     if texts.is_empty() {
         return Vec::new();
@@ -24,6 +25,9 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
         text: text.string.clone(),
     };
     let labels: Vec<Label> = texts.iter().map(label).collect();
+    // half a line of braille beside the figure is not far
+    let is_outside = |text: &&TypedText| !place.inflate(SLACK, SLACK).contains(text.at);
+    let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
     let language = parts.language.clone();
     let words = Words { language: Some(&language), labels: &labels, ..Words::default() };
     let written = Written::new(&words, plan);
@@ -42,17 +46,28 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
             _ => format!("{written} texts that were typed are written in braille beside their places"),
         })
     });
-    told.into_iter().chain(notes).collect()
+    let moved = outside.first().map(|first| {
+        let (string, at) = (&first.string, first.at);
+        let texts = match outside.len() {
+            1 => format!("the text \"{string}\" at {:.0}, {:.0} mm lies", at.x, at.y),
+            count => format!("{count} typed texts, the first \"{string}\" at {:.0}, {:.0} mm, lie", at.x, at.y),
+        };
+        Note::TakenAs(format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge"))
+    });
+    told.into_iter().chain(moved).chain(notes).collect()
 }
+
+/// How far from the figure a text may be typed without being told, mm.
+const SLACK: f32 = 5.0;
 
 /// Boxes around braille that is on the page, as lines: what labels keep away from.
 fn taken(parts: &Parts) -> Vec<Line> {
-    let dots = parts.braille.iter().map(|text| &text.dots).chain(&parts.labels).filter(|dots| !dots.at.is_empty());
+    let dots = parts.braille.iter().map(|text| &text.dots).chain(&parts.labels);
     let of_box = |place: MmRect| {
         let corners =
             [place.min, MmPoint::new(place.max.x, place.min.y), place.max, MmPoint::new(place.min.x, place.max.y)];
         let points = corners.into_iter().chain([place.min]).collect();
         Line { strength: 0.0, runs: vec![Run::stroke(0.1, points)] }
     };
-    dots.map(|dots| of_box(MmRect::from_points(&dots.at))).collect()
+    dots.filter_map(Dots::bounds).map(of_box).collect()
 }

@@ -90,7 +90,13 @@ impl<'a> Written<'a> {
         if settings.grade == Grade::Two && words.translate.is_none() {
             written.notes.push(Note::NotContracted);
         }
-        if let Some(text) = words.title {
+        let (title, too_long) = match words.title {
+            Some(text) if text.chars().nth(labels::LONGEST).is_some() => (None, Some(text)),
+            title => (title, None),
+        };
+        let (texts, why) = (too_long.map(str::to_owned).into_iter().collect::<Vec<_>>(), TOO_LONG.to_owned());
+        written.notes.extend((!texts.is_empty()).then_some(Note::NotTranslated { texts, why }));
+        if let Some(text) = title {
             let braille = translator.translate(text).unwrap_or_else(|why| {
                 written.notes.push(Note::NotTranslated { texts: vec![text.to_owned()], why });
                 Braille::default()
@@ -136,14 +142,47 @@ impl<'a> Written<'a> {
         plan: &Plan,
     ) -> (Vec<BrailleText>, Vec<Note>) {
         let mut notes = self.notes.clone();
+        let (heading, of_heading) = self.heading(0, layout, plan);
+        let (labels, of_labels) = self.labels(layout, &[], figure, texts, words, plan);
+        notes.extend(of_heading.into_iter().chain(of_labels));
+        (heading.into_iter().chain(labels).collect(), notes)
+    }
+
+    /// What could not be written at all.
+    pub(super) fn notes(&self) -> &[Note] {
+        &self.notes
+    }
+
+    /// What stands at the top of a sheet, counted from the first, and what has no room there.
+    pub(super) fn heading(&self, sheet: u32, layout: &Layout, plan: &Plan) -> (Vec<BrailleText>, Vec<Note>) {
         let cell = plan.profile().braille.cell;
         let title = self.title(layout, cell);
-        if let (Some(title), None) = (&self.title, &title) {
-            notes.push(Note::NoRoomForTitle { cells: title.braille.cells.len() });
-        }
-        let number = self.number_of(0, layout, cell);
-        notes.extend((self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber));
-        let beside: Vec<BrailleText> = title.into_iter().chain(number).collect();
+        let number = self.number_of(sheet, layout, cell);
+        let no_title = self.title.as_ref().filter(|_| title.is_none());
+        let no_title = no_title.map(|title| Note::NoRoomForTitle { cells: title.braille.cells.len() });
+        let no_number = (self.number.is_some() && number.is_none()).then_some(Note::NoRoomForNumber);
+        (title.into_iter().chain(number).collect(), no_title.into_iter().chain(no_number).collect())
+    }
+
+    /// What the layout of several sheets needs to know of title and page number, which stand beside the braille that
+    /// says which sheet it is.
+    pub(super) fn heading_beside(&self, cells: usize) -> Option<HeadingParams> {
+        self.heading.map(|heading| heading.beside(cells))
+    }
+
+    /// The labels where they stand in the figure, and what the maker should know of them. Textures make room. Where
+    /// there are `tiles`, each label is whole in one of them.
+    pub(super) fn labels(
+        &self,
+        layout: &Layout,
+        tiles: &[MmRect],
+        figure: &mut Figure,
+        texts: &[Text],
+        words: &Words<'_>,
+        plan: &Plan,
+    ) -> (Vec<BrailleText>, Vec<Note>) {
+        let mut notes = Vec::new();
+        let cell = plan.profile().braille.cell;
         let no_texts = words.own_texts && !texts.iter().any(Text::is_read);
         notes.extend(no_texts.then_some(Note::NoTexts));
         let (wanted, outside) = wanted(texts, words, figure);
@@ -151,10 +190,10 @@ impl<'a> Written<'a> {
         let Some(translator) = &self.translator else {
             let why = if plan.profile().braille.on { NO_CODE } else { OFF };
             notes.extend(left_out(wanted.into_iter().map(|label| label.text).collect(), why));
-            return (beside, notes);
+            return (Vec::new(), notes);
         };
         let cells = CellGrid::of(&layout.medium, cell);
-        let params = params(layout, plan);
+        let params = params(layout, tiles, plan);
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         labels::make_room(figure, &placed, &params);
@@ -162,13 +201,12 @@ impl<'a> Written<'a> {
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
             result.as_ref().ok().map(|placed| self.label(placed, &wanted.text, &cells, layout, plan))
         });
-        (beside.into_iter().chain(labels).collect(), notes)
+        (labels.collect(), notes)
     }
 
     /// What stands above the overview where that has a sheet of its own: the same title, and its own number.
     pub(super) fn above_overview(&self, layout: &Layout, plan: &Plan) -> Vec<BrailleText> {
-        let cell = plan.profile().braille.cell;
-        self.title(layout, cell).into_iter().chain(self.number_of(1, layout, cell)).collect()
+        self.heading(1, layout, plan).0
     }
 
     /// The page number of a sheet, counted from the first.
@@ -254,7 +292,7 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
 
 /// Labels may lie in the figure, and on paper beside it, as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
-fn params(layout: &Layout, plan: &Plan) -> Params {
+fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
     let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
     let (step, area) = match &layout.medium {
         Medium::Print(_) => (STEP, layout.figure.inflate(beside, beside)),
@@ -264,7 +302,7 @@ fn params(layout: &Layout, plan: &Plan) -> Params {
             (dots.pitch, layout.figure.intersection_unchecked(&reach))
         }
     };
-    Params { area, clearance: CLEARANCE, step }
+    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, step }
 }
 
 /// A leader line: as thin as lines can be.
@@ -282,7 +320,8 @@ const NO_CODE: &str = "there is no braille code for their language";
 const NO_ROOM: &str = "there is no room for them";
 const NO_CELLS: &str = "their code has no cells for them";
 const TOO_MANY: &str = "a page takes 300 labels at most";
-const _: () = assert!(labels::MOST == 300);
+const TOO_LONG: &str = "a text of a page has 1000 characters at most";
+const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
 
 fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
     (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
@@ -297,7 +336,7 @@ fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
         }
     };
     let (mut abbreviated, mut refused) = (Vec::new(), Refused::default());
-    let (mut no_room, mut no_cells, mut too_many) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (Wanted { text, .. }, result) in wanted.iter().zip(results) {
         match result {
             Ok(label) => {
@@ -310,6 +349,7 @@ fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
             }
             Err(Unplaced::NoRoom) => no_room.push(text.clone()),
             Err(Unplaced::TooMany) => too_many.push(text.clone()),
+            Err(Unplaced::TooLong) => too_long.push(text.clone()),
             Err(Unplaced::NoCells(lacking)) => {
                 tell(unwritten::lacking(text, lacking));
                 no_cells.push(text.clone());
@@ -319,7 +359,7 @@ fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
     }
     notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
     notes.extend(refused.notes());
-    let missing = [(no_cells, NO_CELLS), (no_room, NO_ROOM), (too_many, TOO_MANY)];
+    let missing = [(no_cells, NO_CELLS), (no_room, NO_ROOM), (too_many, TOO_MANY), (too_long, TOO_LONG)];
     notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
     notes
 }

@@ -16,7 +16,6 @@ const WITH_DOTS: &[Unused] = &[
     Unused { path: "frame.width", why: FRAME },
     Unused { path: "frame.dot", why: FRAME },
     Unused { path: "mark.width", why: "the bar is one row of dots; mark.length says how long it is" },
-    Unused { path: "sheets.overlap", why: "a page of dots goes on one sheet" },
     Unused { path: "overview.gap", why: "the overview has a sheet to itself; overview.scale says how large it is" },
     Unused { path: "lines.width_min", why: WIDTH },
     Unused { path: "lines.width_max", why: WIDTH },

@@ -182,7 +182,6 @@ impl<'m> Builder<'m> {
         let area = if self.is_foreign { None } else { areas::of(mark, |shade| shade <= BLACK || shade >= WHITE) };
         let is_area = area.is_some();
         if let Some(area) = area {
-            self.tally.add(What::Area, first);
             self.areas.push(area);
         }
         if let Some(stroke) = mark.stroke.as_ref().filter(|stroke| stroke.shade < WHITE && stroke.width > 0.0) {
@@ -314,6 +313,7 @@ impl<'m> Builder<'m> {
             Some(Layer::Frame) => extend(&mut self.parts.frame, diameter, at),
             Some(Layer::OverviewFrame) => extend(&mut self.overview_frame, diameter, at),
             Some(Layer::OrientationMark) if is_dotted => self.parts.orientation_mark = Some(row(at)),
+            Some(Layer::Registration) if is_dotted => self.parts.registration.push(row(at)),
             Some(layer @ (Layer::Lines | Layer::Overview)) if is_dotted => {
                 self.collect(mark, layer, vec![row(at)], runs);
             }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use usvg::roxmltree::{Document, Node};
 
+use super::entities;
 use crate::Error;
 use crate::output::layer::Layer;
 use crate::raster::decode::{checked_document, no_longer_than};
@@ -118,11 +119,15 @@ const LABELS: &str = "labels-text";
 /// # Errors
 /// As [`parse`].
 pub(super) fn with_ids(text: &str) -> Result<String, Error> {
-    let document = parse(text)?;
-    // an element may then come out of an entity, and has no place in the text
-    if text.contains("<!ENTITY") {
-        return Ok(text.to_owned());
-    }
+    let mut document = parse(text)?;
+    let replaced;
+    let text = if text.contains("<!ENTITY") {
+        replaced = entities::replaced(text).map_err(undecodable)?;
+        document = parse(&replaced)?;
+        &replaced
+    } else {
+        text
+    };
     let all: HashSet<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
     let mut out = String::with_capacity(text.len() + text.len() / 8);
     let (mut done, mut number) = (0, 0);

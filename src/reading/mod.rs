@@ -16,6 +16,7 @@
 mod areas;
 mod build;
 mod document;
+mod entities;
 mod marks;
 mod outline;
 mod shapes;

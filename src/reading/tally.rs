@@ -16,7 +16,6 @@ pub(super) enum What {
     LineOutside,
     DotOutside,
     Outlined,
-    Area,
     NoGlyph,
     OffSheet,
     Shaded,
@@ -49,9 +48,6 @@ impl Tally {
                     "{}{at} that stand for no colour, drawn as lines around them",
                     n("filled shape", "filled shapes")
                 )),
-                What::Area => {
-                    Note::TakenAs(format!("{}{at}, taken as areas of their colour", n("filled shape", "filled shapes")))
-                }
                 What::NoGlyph => left_out(format!(
                     "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
                     n("shape", "shapes")

@@ -166,6 +166,20 @@ fn labels_lie_beside_what_they_name() {
     }
 }
 
+/// A text that is longer than anything on a page is left out and told, without working on it for long: with a key of all
+/// of it, this took two minutes.
+#[test]
+fn a_text_of_a_megabyte_is_told() {
+    let long = "an apple, red ".repeat(70_000);
+    let options = options("swell-a4").labels(vec![at(50.0, 50.0, &long)]).title(long.clone()).key(KeySheets::Always);
+    let drawing = convert(&samples::read("bars.svg"), &options).expect("a page");
+    assert!(labels_of(&drawing).is_empty() && drawing.page.braille.is_empty());
+    let why = "a text of a page has 1000 characters at most";
+    assert!(drawing.notes.contains(&Note::LabelsLeftOut { texts: vec![long.clone()], why }), "{:?}", drawing.notes);
+    assert!(drawing.notes.contains(&Note::NotTranslated { texts: vec![long], why: why.to_owned() }));
+    assert!(drawing.key.len() <= 1, "{} sheets of a key", drawing.key.len());
+}
+
 /// Labels outside of the picture, without room or without a code are told.
 #[test]
 fn labels_that_are_not_there_are_told() {

@@ -6,6 +6,7 @@ use crate::dots::reading as dots;
 use crate::pdf::reader::{Mark, Reader};
 use tactograph::internals::braille::CellSize;
 use tactograph::internals::page::cells::CellGrid;
+use tactograph::marks::TextRole;
 use tactograph::{
     Checked, DotFormat, Drawing, Fonts, KeySheets, Label, MmPoint, Options, Page, Position, Profile, check, convert,
     write_dots,
@@ -201,4 +202,36 @@ fn sheets_have_their_numbers() {
     let page = convert(&samples::read("bars.svg"), &options).expect("a page").page;
     assert_eq!(page.braille.iter().map(|text| text.text.as_str()).collect::<Vec<_>>(), ["7"]);
     assert!(check(page.to_svg(), None).expect("read").errors() == 0);
+}
+
+/// In PEF title and key stand in front of the pages of dots as text, as wide as these at most.
+#[test]
+fn a_pef_has_title_and_key_as_text() {
+    let drawing = drawn("index-basic-d", &[]);
+    let pages: Vec<Page> = [&drawing.page].into_iter().chain(&drawing.overview).chain(&drawing.key).cloned().collect();
+    let files = write_dots("Trees", &pages, DotFormat::Pef, Default::default()).expect("a PEF");
+    let text = String::from_utf8(files[0].clone()).expect("XML");
+    let document = roxmltree::Document::parse(&text).expect("XML");
+    let sections: Vec<_> = document.descendants().filter(|node| node.has_tag_name("section")).collect();
+    assert_eq!(sections.len(), 2);
+    let rows_in = |section: &roxmltree::Node<'_, '_>| -> Vec<String> {
+        let rows = section.descendants().filter(|node| node.has_tag_name("row"));
+        rows.map(|row| row.text().unwrap_or_default().to_owned()).collect()
+    };
+    let of = |section: usize| sections[section].children().filter(|node| node.has_tag_name("page")).count();
+    assert_eq!(of(1), pages.len());
+    let written = rows_in(&sections[0]);
+    let title = pages[0].braille.iter().find(|text| text.text == TITLE).expect("a title");
+    assert_eq!(written[..title.lines.len()], title.lines);
+    let key = drawing.key.iter().flat_map(|page| &page.braille).filter(|text| text.role == TextRole::Key);
+    let key: Vec<String> = key.flat_map(|text| text.lines.clone()).collect();
+    assert!(key.len() > 2 && written[title.lines.len()].is_empty(), "{written:?}");
+    let trimmed: Vec<&str> = key.iter().map(|line| line.trim_end_matches('\u{2800}')).collect();
+    assert_eq!(written[title.lines.len() + 1..], trimmed);
+    // without words there is no such section
+    let plain =
+        convert(&samples::read("landscape.svg"), &Options::new(Profile::named("index-basic-d").expect("built in")));
+    let plain = plain.expect("a page").page.to_dots(DotFormat::Pef).expect("a PEF");
+    let plain = String::from_utf8(plain).expect("XML");
+    assert_eq!(plain.matches("<section>").count(), 1);
 }

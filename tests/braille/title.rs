@@ -147,8 +147,10 @@ fn titles_that_cannot_be_written_are_told() {
     // too long for a display of 60 x 40 pins, and for any sheet
     assert!(has(&unwritten(TITLE, "en", "graphiti", &[]), |note| matches!(note, Note::NoRoomForTitle { .. })));
     assert!(drawn("Rain", "en", "graphiti", &[]).page.braille.len() == 1);
-    let long = "word ".repeat(500);
+    let long = "word ".repeat(180);
     assert!(has(&unwritten(&long, "en", "swell-a4", &[]), |note| matches!(note, Note::NoRoomForTitle { .. })));
+    let longer = "word ".repeat(500);
+    assert!(has(&unwritten(&longer, "en", "swell-a4", &[]), |note| matches!(note, Note::NotTranslated { .. })));
     let note = Note::NoBrailleCode("ja".into());
     assert!(unwritten(TITLE, "ja", "swell-a4", &[]).notes.contains(&note));
     // nothing is told where braille is off, and the page is as without it

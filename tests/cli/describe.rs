@@ -51,8 +51,8 @@ fn a_page_is_told_in_other_languages() {
     }
     place.refuses(
         &["describe", "page.svg", "--lang", "tlh"],
-        1,
-        &["page.svg: there are no sentences in the language tlh; take one of en, de, es, fr, pl"],
+        2,
+        &["--lang: there are no sentences in the language tlh; take one of en, de, es, fr, pl"],
     );
 }
 

@@ -135,6 +135,31 @@ fn links(text: &str) -> Vec<String> {
     targets.filter(|target| !target.starts_with("http")).collect()
 }
 
+/// The table of options has every option of `convert` that its help has.
+#[test]
+fn every_option_of_convert_is_in_the_table() {
+    let help = Place::new().run(&["convert", "--help"]);
+    let table: String =
+        text_of(&root().join("docs/converting.md")).lines().filter(|row| row.starts_with("| `")).collect();
+    let options = help.out.lines().filter_map(|line| {
+        let line = line.trim_start();
+        let line = line.strip_prefix("-").filter(|line| !line.starts_with('-')).map_or(line, |line| &line[1..]);
+        let name = line.trim_start_matches([',', ' ']).strip_prefix("--")?;
+        Some(format!("--{}", name.split([' ', '.', '[', '=']).next().unwrap_or(name)))
+    });
+    let options: Vec<String> = options.filter(|name| name != "--help").collect();
+    assert!(options.len() > 30, "{options:?}");
+    let has = |name: &str| {
+        table.match_indices(name).any(|(at, _)| {
+            let after = table[at + name.len()..].chars().next();
+            after.is_some_and(|letter| !letter.is_alphanumeric() && letter != '-')
+        })
+    };
+    // the file is named by -o in the table
+    let missing: Vec<&String> = options.iter().filter(|name| !has(name) && *name != "--output").collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
 #[test]
 fn every_link_leads_somewhere() {
     for page in pages() {

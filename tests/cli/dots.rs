@@ -114,10 +114,6 @@ fn formats_that_do_not_go_with_the_profile_are_told_with_what_does() {
         ),
         (&["-o", "p.idx", "--profile", "romeo-60", "--copies", "1000"], "1000 copies; it can be 1 to 999"),
         (
-            &["-o", "p.ubrl", "--profile", "dot-pad", "--sheets", "2x2"],
-            "a page of dots for Dot Pad goes on one sheet, and cannot be spread over several; leave out --sheets",
-        ),
-        (
             &["-o", "p.idx", "--profile", "index-everest-d", "--set", "page.width=420", "--set", "page.height=600"],
             "--set page.height=600: the sheet is 420 mm wide; Index Everest-D V5 takes sheets 25.4 to 297 mm wide\n\
              --set page.height=600: the sheet is 600 mm long; Index Everest-D V5 takes sheets 25.4 to 590 mm long",

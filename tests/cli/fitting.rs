@@ -123,3 +123,15 @@ fn the_subject_is_a_place_on_the_picture() {
     let run = place.run(&["convert", "a.png", "--subject", "240,80", "--calm-background"]);
     assert!(run.code == 0 && run.err.contains("around the subject"), "{}", run.err);
 }
+
+/// The library says what helps, and the program with which options.
+#[test]
+fn what_helps_a_drawing_that_is_too_dense_is_told_with_options() {
+    let place = Place::new();
+    let rules: String = (0..64).map(|i| format!("<rect x='{}' y='20' width='4' height='552'/>", 20 + i * 12)).collect();
+    let ruled = format!("<svg xmlns='http://www.w3.org/2000/svg' width='840' height='592'>{rules}</svg>");
+    place.put("ruled.svg", ruled.as_bytes());
+    let run = place.run(&["convert", "ruled.svg", "-o", "page.svg", "--width-mm", "120"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.err.contains("is whole (--width-mm 300, --sheets 2x2, --crop, --detail 0.3)\n"), "{}", run.err);
+}

@@ -228,8 +228,8 @@ fn a_shape_that_is_drawn_and_filled_is_an_area_of_its_colour() {
     let square = "<path d=\"M30,100h30v30h-30z\" fill=\"#1040d0\"/>";
     place.put("blue.svg", with(square).as_bytes());
     let told = done(&place, &["render", "blue.svg", "-o", "done.svg"]);
-    assert!(told.contains("1 filled shape (the first at 30, 100 mm), taken as areas of their colour"), "{told}");
     assert!(told.contains("1 drawn area filled with the texture of its colour"), "{told}");
+    assert_eq!(told.matches(": note: ").count(), 1, "it is told once: {told}");
     let page = read(&place, "done.svg");
     assert!(signs(&page, Class::Blue, within) > 20);
     for other in [Class::Green, Class::Yellow, Class::Red, Class::Grey] {
@@ -288,6 +288,43 @@ fn a_shape_that_is_drawn_and_filled_is_an_area_of_its_colour() {
 }
 
 #[test]
+fn the_last_of_many_drawn_areas_lies_on_top_and_too_many_are_told() {
+    let place = with_page("swell-a4");
+    let with = |added: &str| place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1);
+    let square = |colour: &str| format!("<path d=\"M30,100h30v30h-30z\" fill=\"{colour}\"/>");
+    place.put("two.svg", with(&(square("#1040d0") + &square("#d01010"))).as_bytes());
+    let told = done(&place, &["render", "two.svg", "-o", "done.svg"]);
+    assert!(told.contains("1 drawn area filled with the texture of its colour"), "{told}");
+    assert!(told.contains("1 drawn area (the first at 45, 115 mm), under others"), "{told}");
+    let (page, within) = (read(&place, "done.svg"), [31.0, 101.0, 59.0, 129.0]);
+    assert_eq!(signs(&page, Class::Blue, within), 0);
+    assert!(signs(&page, Class::Red, within) > 20);
+    place.put("many.svg", with(&square("#1040d0").repeat(1100)).as_bytes());
+    let told = done(&place, &["render", "many.svg", "-o", "done-many.svg"]);
+    assert!(told.contains("1 drawn area filled"), "{told}");
+    assert!(told.contains("1099 drawn areas (the first at 45, 115 mm), more than 1000, the most on a page"), "{told}");
+}
+
+#[test]
+fn words_of_a_page_that_are_not_taken_are_told() {
+    let place = with_page("swell-a4");
+    let added = "<g id=\"labels-text\"><text x=\"90\" y=\"120\">cup</text></g>";
+    place.put("typed.svg", place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1).as_bytes());
+    let wanted = "the text \"cup\" that was typed at 90, 120 mm: lines and areas are taken from a corrected page, and no \
+                  words; give them as labels";
+    for option in ["--lines", "--regions", "--add-lines"] {
+        let told =
+            done(&place, &["convert", "cup.png", option, "typed.svg", "--no-overview", "-o", "x.svg", "--force"]);
+        assert_eq!(told.matches(wanted).count(), 1, "{option}: {told}");
+    }
+    // beside the figure
+    let outside = added.replace("x=\"90\" y=\"120\"", "x=\"3\" y=\"290\"");
+    place.put("outside.svg", place.text("cup.svg").replacen("</svg>", &format!("{outside}</svg>"), 1).as_bytes());
+    let told = done(&place, &["render", "outside.svg", "-o", "done.svg"]);
+    assert!(told.contains("the text \"cup\" at 3, 290 mm lies outside the figure"), "{told}");
+}
+
+#[test]
 fn typed_texts_are_written_in_braille_or_told_with_their_place() {
     let place = with_page("swell-a4");
     let added = "<g id=\"labels-text\" transform=\"translate(10 20)\"><text x=\"90\" y=\"120\"><tspan>c</tspan>u<tspan>p</tspan></text></g>\
@@ -311,6 +348,17 @@ fn typed_texts_are_written_in_braille_or_told_with_their_place() {
     }
     let checked = place.run(&["check", "done.svg"]);
     assert!(!checked.out.contains("error braille"), "{}", checked.out);
+    // entities, as Illustrator declares them, change nothing
+    let namespace = "\"http://www.w3.org/2000/svg\"";
+    let plain = place.text("typed.svg");
+    let (_, root) = plain.split_once("<svg ").expect("a root");
+    let declared =
+        format!("<!DOCTYPE svg [<!ENTITY ns_svg {namespace}>]>\n<svg {}", root.replacen(namespace, "\"&ns_svg;\"", 1));
+    assert!(declared.contains("xmlns=\"&ns_svg;\""));
+    place.put("entities.svg", declared.as_bytes());
+    let told = done(&place, &["render", "entities.svg", "-o", "of-entities.svg"]);
+    assert!(told.contains("text \"Oven\" at 30, 60 mm: fingers read no print letters"), "{told}");
+    assert_eq!(place.text("of-entities.svg"), place.text("done.svg"));
     let again = done(&place, &["render", "done.svg", "--profile", "index-basic-d", "-o", "dots.svg"]);
     assert!(!again.contains("no cells for it"), "{again}");
 }
@@ -372,7 +420,7 @@ fn what_is_not_kept_is_blank_and_mm_are_those_of_the_figure() {
     let beyond = place.run(&["convert", "cup.png", "-o", "x.svg", "--keep", "0,0,999mm,9mm"]);
     assert!(beyond.code == 1 && beyond.err.contains("reaches beyond the figure, which is "), "{}", beyond.err);
     let crop = place.run(&["convert", "cup.png", "-o", "x.svg", "--crop", "0,0,9mm,9mm"]);
-    assert!(crop.code == 1 && crop.err.contains("give it in pixels or in percent"), "{}", crop.err);
+    assert!(crop.code == 2 && crop.err.contains("give it in pixels or in percent"), "{}", crop.err);
 }
 
 #[test]

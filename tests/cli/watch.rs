@@ -2,8 +2,10 @@
 //! a time after which something must be wrong.
 #![cfg(unix)]
 
+use std::ffi::OsStr;
 use std::fs;
 use std::io::{BufRead, BufReader};
+use std::os::unix::fs::PermissionsExt;
 use std::process::{Child, Command, Stdio};
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -23,7 +25,13 @@ struct Watching {
 impl Watching {
     /// Starts the program and waits until it watches.
     fn start(place: &Place, args: &[&str]) -> Self {
+        Self::start_with(place, args, &std::env::var_os("PATH").unwrap_or_default())
+    }
+
+    /// The same with programs in other places.
+    fn start_with(place: &Place, args: &[&str], path: &OsStr) -> Self {
         let mut command = place.command(&[&["convert", "--watch", "in"], args].concat());
+        command.env("PATH", path);
         let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the program starts");
         let (said, stderr) = (Arc::new(Mutex::new(Vec::new())), child.stderr.take().expect("its messages"));
         let hears = Arc::clone(&said);
@@ -54,7 +62,13 @@ impl Watching {
 
     /// Asks it to end. Returns everything that it said, once it has.
     #[track_caller]
-    fn stop(mut self, signal: &str) -> Vec<String> {
+    fn stop(self, signal: &str) -> Vec<String> {
+        self.stop_with(signal, 0)
+    }
+
+    /// The same of one that has failed pictures.
+    #[track_caller]
+    fn stop_with(mut self, signal: &str, code: i32) -> Vec<String> {
         let kill = Command::new("kill").args([signal, &self.child.id().to_string()]).status();
         assert!(kill.expect("kill").success());
         let start = Instant::now();
@@ -65,7 +79,7 @@ impl Watching {
             assert!(start.elapsed() < PATIENCE, "it does not end: {:?}", self.said);
             thread::sleep(Duration::from_millis(20));
         };
-        assert_eq!(status.code(), Some(0), "{:?}", self.said);
+        assert_eq!(status.code(), Some(code), "{:?}", self.said);
         self.wait_for("the last word", |said| said.last().is_some_and(|line| line.starts_with("stopped; ")));
         self.said.lock().expect("nobody panics").clone()
     }
@@ -111,7 +125,8 @@ fn what_is_saved_is_converted_and_own_files_are_not() {
     let said = watching.stop("-TERM");
     let wrote: Vec<&String> = said.iter().filter(|line| line.contains(": wrote ")).collect();
     assert_eq!(wrote.len(), 4, "{said:#?}");
-    assert!(said.last().is_some_and(|line| line.starts_with("stopped; 4 pages written, ")), "{said:#?}");
+    // all that failed was mended
+    assert_eq!(said.last().map(String::as_str), Some("stopped; 4 pages written"), "{said:#?}");
     assert!(!place.path("in/old.svg").exists(), "what lay there was not saved");
     for (name, bytes) in [("a", &half), ("bad", &whole), ("slow", &half)] {
         place.put(&format!("again/{name}.png"), bytes);
@@ -153,6 +168,48 @@ fn a_page_that_is_edited_is_rendered_anew() {
     assert_eq!(watching.stop("-INT").last().map(String::as_str), Some("stopped; 3 pages written"));
     assert_eq!(place.run(&["convert", "a.png", "--title", "A square", "-o", "a.pdf", "-q"]).code, 0);
     assert!(bytes("out/a.pdf") == bytes("a.pdf"));
+}
+
+#[test]
+fn other_programs_are_asked_once_for_what_they_have() {
+    let place = Place::with_picture("a.png");
+    place.put("in/nothing.tmp", b"");
+    let script = b"#!/bin/sh\necho asked >>asked.txt\necho eng\n";
+    place.put("programs/tesseract", script);
+    let all = fs::Permissions::from_mode(0o755);
+    fs::set_permissions(place.path("programs/tesseract"), all).expect("a program");
+    let path = std::env::join_paths([place.path("programs"), "/bin".into(), "/usr/bin".into()]).expect("a path");
+    let watching = Watching::start_with(&place, &["--out-dir", "out", "--ocr"], &path);
+    for name in ["a", "b"] {
+        save(&place, &format!("{name}.png"), &picture());
+        watching.wait_to_hear(&format!("in/{name}.png: wrote out/{name}.svg"));
+    }
+    watching.stop("-INT");
+    assert_eq!(place.text("asked.txt"), "asked\n");
+}
+
+#[test]
+fn pictures_that_failed_count_and_are_tried_again_when_they_are_saved_again() {
+    let place = Place::with_picture("a.png");
+    place.put("in/nothing.tmp", b"");
+    place.put("titles.csv", b"file,title\na.png,A square\n");
+    let watching = Watching::start(&place, &["--out-dir", "out", "--titles", "titles.csv"]);
+    // somebody edits the table, and it is wrong for a while
+    place.put("titles.csv", b"file,name\na.png,A square\n");
+    save(&place, "a.png", &picture());
+    watching.wait_for("a fault of the table", |said| said.iter().any(|line| line.contains("no column \"name\"")));
+    place.put("titles.csv", b"file,title\na.png,A square\n");
+    save(&place, "a.png", &picture());
+    watching.wait_to_hear("in/a.png: wrote out/a.svg");
+    assert!(place.text("out/a.svg").contains("<title>A square</title>"));
+    for times in 1..=2 {
+        save(&place, "bad.png", b"no picture");
+        let is_bad = |line: &&String| line.starts_with("tactograph: in/bad.png: ") && !line.contains(": note: ");
+        watching.wait_for("a message on bad.png", |said| said.iter().filter(is_bad).count() == times);
+    }
+    let said = watching.stop_with("-INT", 1);
+    let last = "stopped; 1 page written, 1 picture could not be converted";
+    assert_eq!(said.last().map(String::as_str), Some(last), "{said:#?}");
 }
 
 #[test]

@@ -46,8 +46,10 @@ fn pages_come_back() {
 #[test]
 fn any_words_are_kept_or_left_out() {
     let title = "<&>\"' ]]> \u{1} żółć 𝔊\u{fffe}\nend";
-    let text =
-        pef::write(&[], &Words { title, description: "a\tb & c", language: "pl-PL", description_language: "pl-PL" });
+    let text = pef::write(
+        &[],
+        &Words { title, description: "a\tb & c", language: "pl-PL", description_language: "pl-PL", text: &[] },
+    );
     let found = words(&text);
     let names: Vec<_> = found.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["format", "identifier", "title", "description", "language"]);

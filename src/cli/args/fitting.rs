@@ -12,7 +12,7 @@ pub(in crate::cli) struct Fitting {
     ///
     /// Where it begins from the left and from the top, its width and its height, each in pixels of the picture as it
     /// is seen or in percent, such as 10%,0,80%,50% or 320,200,640,480. With several pictures, the same part of each.
-    #[arg(long, value_name = "X,Y,W,H")]
+    #[arg(long, value_name = "X,Y,W,H", value_parser = part)]
     crop: Option<Crop>,
 
     /// Width of the figure on the sheet, in millimetres
@@ -28,8 +28,8 @@ pub(in crate::cli) struct Fitting {
     ///
     /// Such as 2x2, up to 9x9. Neighbours overlap (sheets.overlap) and show the same lines and textures there; ticks
     /// beside the picture meet where sheets lie right. Braille at the top left says the row (a letter) and the column
-    /// (a number). The overview has a sheet of its own, the first. A PDF has all sheets; SVG and PNG are files with
-    /// numbers: page-1.svg, page-2.svg.
+    /// (a number), beside the title. The overview has a sheet of its own, the first. For a device of dots windows are
+    /// whole dots apart. A PDF has all sheets; SVG and PNG are files with numbers: page-1.svg, page-2.svg.
     #[arg(long, value_name = "CxR")]
     pub(in crate::cli) sheets: Option<SheetGrid>,
 
@@ -74,17 +74,11 @@ impl Fitting {
     }
 
     /// Whether it takes several sheets: asked for, or because a figure is asked for that is wider than a sheet that
-    /// stands upright. A page of dots is never spread; there a width that is too large is refused.
+    /// stands upright. A page of dots is spread only where that is asked for; a width that is too large is refused.
     pub(in crate::cli) fn is_for_several_sheets(&self, profile: &Profile) -> bool {
         let page = &profile.page;
         let is_wider = self.width_mm.is_some_and(|width| width > page.width.min(page.height));
-        profile.dots.device.is_none() && (self.sheets.is_some() || is_wider)
-    }
-
-    /// What does not go together with the profile.
-    pub(in crate::cli) fn fault(&self, profile: &Profile) -> Option<String> {
-        let device = profile.dots.device?;
-        self.sheets.map(|_| format!("{}; leave out --sheets", Error::OneSheet { device: device.name }))
+        self.sheets.is_some() || profile.dots.device.is_none() && is_wider
     }
 
     /// What they change in the profile.
@@ -96,6 +90,16 @@ impl Fitting {
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
         given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set))).collect()
+    }
+}
+
+/// A part of a picture. One in mm is refused before any picture is looked at: nobody knows the mm of a figure before it
+/// is laid out.
+fn part(text: &str) -> Result<Crop, String> {
+    let crop: Crop = text.parse().map_err(|error: Error| error.to_string())?;
+    match text.contains("mm") {
+        true => Err(Error::PartInMm { part: crop.to_string() }.to_string()),
+        false => Ok(crop),
     }
 }
 

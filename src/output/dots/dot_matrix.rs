@@ -135,7 +135,8 @@ pub fn dots(page: &Page) -> Vec<(MmPoint, Height)> {
         Pen::Dots(height) => height,
         Pen::Stroke => Height::High,
     };
-    page.orientation_mark.iter().for_each(|mark| all(&mark.points, run(mark)));
+    let marks = page.orientation_mark.iter().chain(&page.registration);
+    marks.for_each(|mark| all(&mark.points, run(mark)));
     all(&page.frame.at, page.height_of_frame());
     for texture in &page.figure.textures {
         texture.glyphs.iter().for_each(|glyph| all(&[glyph.at], page.height_of_textures()));

@@ -35,6 +35,8 @@ pub struct Words<'a> {
     pub language: &'a str,
     /// The language of the description.
     pub description_language: &'a str,
+    /// Lines in Unicode braille that stand in front of the pages, in formats that have pages of text.
+    pub text: &'a [String],
 }
 
 /// Ends a page of text.

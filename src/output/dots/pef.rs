@@ -3,6 +3,9 @@
 //! Cells of eight dots in rows without a gap (`rowgap="0"`) are rows of dots at even distances, whatever the
 //! embosser's are; PEF says nothing of distances or paper. There is no date in it, so that the same pages give the
 //! same bytes.
+//!
+//! Braille on such a page is made of dots wherever its cells can stand, and is no text to a program. So what is
+//! written on the pages stands in front of them as text too, in a section of its own.
 
 use svg::node::Text;
 
@@ -26,7 +29,16 @@ pub fn write(pages: &[DotMatrix], words: &Words<'_>) -> String {
     if is_language(words.language) {
         meta += &element("dc:language", words.language);
     }
-    let mut body = format!(r#"<volume cols="{columns}" rows="{rows}" rowgap="0" duplex="false"><section>"#);
+    let mut body = format!(r#"<volume cols="{columns}" rows="{rows}" rowgap="0" duplex="false">"#);
+    let text: Vec<String> = words.text.iter().flat_map(|line| rows_of(line, columns)).collect();
+    if !text.is_empty() {
+        let pages = text.chunks(rows).map(|page| {
+            let rows: String = page.iter().map(|row| format!("<row>{row}</row>\n")).collect();
+            format!("\n<page>\n{rows}</page>")
+        });
+        body += &format!("<section>{}\n</section>", pages.collect::<String>());
+    }
+    body += "<section>";
     if pages.is_empty() {
         body += "\n<page/>";
     }
@@ -57,6 +69,22 @@ pub fn write(pages: &[DotMatrix], words: &Words<'_>) -> String {
     document + &seal
 }
 
+/// A line of braille in rows of so many cells, cut at its blanks where it can be.
+fn rows_of(line: &str, columns: usize) -> Vec<String> {
+    const BLANK: char = '\u{2800}';
+    let mut rows = Vec::new();
+    let mut rest: Vec<char> = line.trim_end_matches(BLANK).chars().collect();
+    while rest.len() > columns {
+        let end = rest[..=columns].iter().rposition(|&cell| cell == BLANK);
+        let is_indent = |at: &usize| rest[..*at].iter().all(|&cell| cell == BLANK);
+        let end = end.filter(|at| !is_indent(at)).unwrap_or(columns);
+        rows.push(rest.drain(..end).collect());
+        rest.drain(..rest.iter().take_while(|&&cell| cell == BLANK).count());
+    }
+    rows.push(rest.into_iter().collect());
+    rows
+}
+
 /// Whether these bytes are a document as [`write()`] makes it, changed by nobody since.
 pub fn is_as_written(bytes: &[u8]) -> bool {
     seal::is_commented(bytes)
@@ -73,4 +101,22 @@ fn is_language(tag: &str) -> bool {
         let of_language = |byte: u8| byte.is_ascii_alphabetic() || i > 0 && byte.is_ascii_digit();
         (1..=8).contains(&part.len()) && part.bytes().all(of_language)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_are_cut_at_blanks() {
+        let rows = |line: &str, columns: usize| {
+            let line = line.replace(' ', "\u{2800}");
+            rows_of(&line, columns).iter().map(|row| row.replace('\u{2800}', " ")).collect::<Vec<_>>()
+        };
+        assert_eq!(rows("⠁⠃ ⠉⠙⠑ ⠋", 6), ["⠁⠃ ⠉⠙⠑", "⠋"]);
+        assert_eq!(rows("⠁⠃ ⠉⠙⠑ ⠋", 5), ["⠁⠃", "⠉⠙⠑ ⠋"]);
+        assert_eq!(rows("⠁⠃⠉⠙⠑", 2), ["⠁⠃", "⠉⠙", "⠑"]);
+        assert_eq!(rows("", 2), [""]);
+        assert_eq!(rows("  ⠁⠃", 3), ["  ⠁", "⠃"]);
+    }
 }

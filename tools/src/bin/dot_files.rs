@@ -78,7 +78,16 @@ fn main() -> Outcome<()> {
     put("heights.png", &pixels::write(&steps, 1.27, true, &Words { title: "Heights", ..Words::default() }))?;
 
     let words = [
-        ("plain", Words { title: "A page", description: "Of dots.", language: "en-GB", description_language: "en-GB" }),
+        (
+            "plain",
+            Words {
+                title: "A page",
+                description: "Of dots.",
+                language: "en-GB",
+                description_language: "en-GB",
+                text: &[],
+            },
+        ),
         (
             "odd",
             Words {
@@ -86,6 +95,7 @@ fn main() -> Outcome<()> {
                 description: "--> &amp;",
                 language: "no language",
                 description_language: "no language",
+                text: &[],
             },
         ),
     ];
