@@ -53,6 +53,13 @@ pub enum Note {
     },
     /// The page number is not written in braille, as there is no room for it above the figure.
     NoRoomForNumber,
+    /// What was found at the place that was named as the subject.
+    Subject {
+        /// The place, percent from the left and from the top.
+        at: [i32; 2],
+        /// Width and height of what was found, mm in the figure.
+        mm: [u32; 2],
+    },
     /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
     NoSubject([i32; 2]),
     /// Weak lines and textures around the subject are left out, as was asked: how much of lines, mm on the sheet.
@@ -107,6 +114,42 @@ pub enum Note {
         /// Percent that the profile allows.
         most: u32,
     },
+}
+
+impl Note {
+    /// Its kind as a word for programs, such as `lines-left-out`, which stays the same when the sentence changes.
+    pub fn id(&self) -> &'static str {
+        match self {
+            Self::ColourProfileIgnored(..) => "colour-profile-ignored",
+            Self::LeftOut(..) => "left-out",
+            Self::TakenAs(..) => "taken-as",
+            Self::FirstPageOnly { .. } => "first-page-only",
+            Self::TextsLeftOut(..) => "texts-left-out",
+            Self::LetteringLeftOut { .. } => "lettering-left-out",
+            Self::TextsNotRead(..) => "texts-not-read",
+            Self::NoBrailleCode(..) => "no-braille-code",
+            Self::NotInBraille { .. } => "not-in-braille",
+            Self::NotTranslated { .. } => "not-translated",
+            Self::NotContracted => "not-contracted",
+            Self::NoRoomForTitle { .. } => "no-room-for-title",
+            Self::NoRoomForNumber => "no-room-for-number",
+            Self::Subject { .. } => "subject",
+            Self::NoSubject(..) => "no-subject",
+            Self::BackgroundCalmed(..) => "background-calmed",
+            Self::Abbreviated(..) => "abbreviated",
+            Self::NoTexts => "no-texts",
+            Self::LabelsLeftOut { .. } => "labels-left-out",
+            Self::NoLines => "no-lines",
+            Self::NoContours => "no-contours",
+            Self::LinesOff => "lines-off",
+            Self::LinesLeftOut { .. } => "lines-left-out",
+            Self::TooDense { .. } => "too-dense",
+            Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
+            Self::EmptyPage => "empty-page",
+            Self::UnevenDots => "uneven-dots",
+            Self::TooBlack { .. } => "too-black",
+        }
+    }
 }
 
 impl std::fmt::Display for Note {
@@ -168,6 +211,11 @@ impl std::fmt::Display for Note {
             Self::NoRoomForNumber => f.write_str(
                 "the page number is not written in braille, as it has no room above the figure; take a larger sheet, \
                  or leave the number out",
+            ),
+            Self::Subject { at: [x, y], mm: [width, height] } => write!(
+                f,
+                "the subject at {x} %, {y} % is {width} mm wide and {height} mm high in the figure, and outlined \
+                 first; if that is not the whole of it, name another place on it as well"
             ),
             Self::NoSubject([x, y]) => write!(
                 f,

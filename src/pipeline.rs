@@ -32,7 +32,7 @@ pub use given::{Given, HandLines};
 pub use key::Key;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
-pub use redraw::settle;
+pub use redraw::{dots_left_out, settle};
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;

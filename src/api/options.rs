@@ -256,7 +256,7 @@ impl Options {
         self
     }
 
-    /// Says what the picture is about, by a place on it, from the left and from the top: the smallest thing around it
+    /// Says what the picture is about, by a place on it, from the left and from the top: the thing around it
     /// that stands out is outlined before all else, in figure and overview. Can be called several times. Where nothing
     /// is found, [`Note::NoSubject`](crate::Note::NoSubject) tells. Default: what stands out most comes first.
     pub fn subject(mut self, x: Position, y: Position) -> Self {
@@ -317,6 +317,7 @@ impl Options {
     fn hand_lines(&mut self, svg: &[u8]) -> Result<HandLines, Error> {
         let Reading { page, mut notes, texts, .. } = reading::read(svg)?;
         notes.extend(not_written(&texts));
+        notes.extend(pipeline::dots_left_out(&page));
         let lines = HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?);
         self.add_notes(notes);
         Ok(lines)

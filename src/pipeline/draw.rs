@@ -82,7 +82,7 @@ pub(super) fn draw(
         let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
         notes.push(Note::LeftOut(format!("{short} {noun} of those given, as {why}")));
     }
-    let (subject, told) = subject::find(given, edges.as_mut(), picture.source.size, &layout);
+    let (subject, told) = subject::find(given, edges.as_mut(), picture.source.size, &layout, plan);
     notes.extend(told);
     let background = subject.filter(|_| given.calm_background);
     if let (Some(edges), Some(subject)) = (&mut edges, &background) {

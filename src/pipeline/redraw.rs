@@ -179,10 +179,19 @@ pub(super) fn marks(
     let left_out = left_out(&drawn.lost, small);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).into_iter().collect();
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
+    notes.extend(dots_left_out(page));
     let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+}
+
+/// That dots which somebody drew on a page are not on one that is laid out anew; none if there are none.
+pub fn dots_left_out(page: &Page) -> Option<Note> {
+    let count: usize = page.labels.iter().map(|dots| dots.at.len()).sum();
+    let dots = if count == 1 { "1 dot" } else { &format!("{count} dots") };
+    let why = "drawn by hand: they stay only where the page is written as it is, for its own paper or device";
+    (count > 0).then(|| Note::LeftOut(format!("{dots} {why}")))
 }
 
 /// The labels of a page as they would be given, each at what it names.

@@ -22,24 +22,35 @@ pub(super) fn find(
     mut edges: Option<&mut Edges>,
     source: Size,
     layout: &Layout,
+    plan: &Plan,
 ) -> (Option<Mask>, Vec<Note>) {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
     for [x, y] in &given.subjects {
         let share = [x.share(source.width), y.share(source.height)];
-        match edges.as_mut().and_then(|edges| subject_at(edges, share, layout)) {
-            Some(mask) => all = Some(all.map_or(mask.clone(), |all| all.with(&mask))),
-            None => notes.push(Note::NoSubject(share.map(|share| (100.0 * share).round() as i32))),
+        let percent = share.map(|share| (100.0 * share).round() as i32);
+        let found = edges.as_mut().and_then(|edges| {
+            let mask = subject_at(edges, share, layout, plan)?;
+            let [least, greatest] = mask.extent()?;
+            let side = (greatest - least) * PageTransform::new(edges.size, layout.figure).mm_per_px();
+            Some((mask, [side.x, side.y].map(|side| side.round() as u32)))
+        });
+        match found {
+            Some((mask, mm)) => {
+                all = Some(all.map_or(mask.clone(), |all| all.with(&mask)));
+                notes.push(Note::Subject { at: percent, mm });
+            }
+            None => notes.push(Note::NoSubject(percent)),
         }
     }
     (all, notes)
 }
 
 /// The cells of the subject at a place, in shares of the picture.
-fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout) -> Option<Mask> {
+fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, plan: &Plan) -> Option<Mask> {
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     let found = edges.regions.as_ref().and_then(|tree| {
-        let region = tree.subject_at(at, mm_per_px)?;
+        let region = tree.subject_at(at, mm_per_px, &plan.regions(false))?;
         Some((region, tree.mask(&[region])))
     });
     let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px) };

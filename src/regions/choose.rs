@@ -88,8 +88,15 @@ impl PartialEq for Candidate {
 impl Eq for Candidate {}
 
 /// The numbers of the most telling regions, the first first, after those of `subjects`, which come first whatever they
-/// tell. `mm` is the side of a cell on the sheet.
+/// tell; if they are among the most telling ones, the others stay the same. `mm` is the side of a cell on the sheet.
 pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32]) -> Vec<u32> {
+    if !subjects.is_empty() {
+        let plain = choose(tree, mm, params, &[]);
+        if subjects.iter().all(|subject| plain.contains(subject)) {
+            let others = plain.into_iter().filter(|node| !subjects.contains(node));
+            return subjects.iter().copied().chain(others).collect();
+        }
+    }
     let members = Members::of(tree);
     let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(of, tree.basin.len(), mm), of.area));
     let mut heap: BinaryHeap<Candidate> = scores
@@ -116,7 +123,7 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32]) ->
             }
             continue;
         }
-        if !is_stout(tree, &members, candidate.node, mm) {
+        if !survives_opening(tree, &members, candidate.node, mm) {
             continue;
         }
         first.get_or_insert(candidate.gain);
@@ -198,7 +205,7 @@ fn gain(score: f64, outline: &[Crack], near: Option<&[u32]>, tree: &Tree, mm: f3
 }
 
 /// Whether a region is more than a stroke. The frame narrows nothing.
-pub(super) fn is_stout(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
+pub(super) fn survives_opening(tree: &Tree, members: &Members, node: u32, mm: f32) -> bool {
     let of = &tree.nodes[node as usize];
     let mean_width = 2.0 * of.area / (STEPS * of.outline.length + of.frame);
     if mean_width >= WIDE * f64::from(2.0 * OPENING / mm) {

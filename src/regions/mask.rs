@@ -57,6 +57,16 @@ impl Mask {
         self.grid.cell_at(self.grid.to_cells(at)).is_some_and(|cell| self.is_in[cell])
     }
 
+    /// The smallest box around it, in pixels of the picture: its least and greatest corner; none if it is empty.
+    pub fn extent(&self) -> Option<[PxPoint; 2]> {
+        let width = self.grid.cells.width as usize;
+        let cells = || self.is_in.iter().enumerate().filter(|(_, is_in)| **is_in).map(|(cell, _)| cell);
+        let (left, right) = (cells().map(|cell| cell % width).min()?, cells().map(|cell| cell % width + 1).max()?);
+        let (top, bottom) = (cells().next()? / width, cells().next_back()? / width + 1);
+        let corner = |x: usize, y: usize| self.grid.to_picture(PxPoint::new(x as f32, y as f32));
+        Some([corner(left, top), corner(right, bottom)])
+    }
+
     /// How many cells it has.
     pub fn cells(&self) -> usize {
         self.is_in.iter().filter(|is_in| **is_in).count()
@@ -79,6 +89,7 @@ mod tests {
             assert_eq!(mask.contains(PxPoint::new(x, y)), is_in, "{x}, {y}");
         }
         let square = [(20.0, 5.0), (30.0, 5.0), (30.0, 15.0), (20.0, 15.0)].map(|(x, y)| PxPoint::new(x, y));
+        assert_eq!(mask.extent(), Some([PxPoint::new(5.0, 5.0), PxPoint::new(30.0, 25.0)]));
         // each side but the corner inside, where two meet
         assert_eq!(mask.clone().grown(1.0).cells(), mask.cells() + 10 + 20 + 25 + 5 + 15 + 15 - 1);
         assert_eq!(mask.with(&Mask::of_ring(grid, &square)).cells(), 10 * 20 + 15 * 5 + 100);

@@ -31,8 +31,8 @@ pub(super) struct Node {
     pub(super) children: Option<[u32; 2]>,
 }
 
-/// An arc between two regions that are yet to be merged.
-struct Border {
+/// An edge of the region adjacency graph: the arc between two regions that are yet to be merged.
+struct Adjacency {
     ends: [u32; 2],
     sums: Sums,
     /// Changes whenever its cost does.
@@ -43,7 +43,7 @@ struct Border {
 struct Candidate {
     cost: f64,
     length: f64,
-    border: u32,
+    adjacency: u32,
     version: u32,
 }
 
@@ -51,7 +51,7 @@ impl Ord for Candidate {
     /// The cheapest is the greatest; of equal ones the longest, whatever their numbers.
     fn cmp(&self, other: &Self) -> Ordering {
         let by_cost = other.cost.total_cmp(&self.cost);
-        by_cost.then(self.length.total_cmp(&other.length)).then(other.border.cmp(&self.border))
+        by_cost.then(self.length.total_cmp(&other.length)).then(other.adjacency.cmp(&self.adjacency))
     }
 }
 
@@ -74,8 +74,8 @@ struct Merging {
     nodes: Vec<Node>,
     /// By node: what size counts beside a larger one, and beside a smaller one.
     weights: Vec<[f64; 2]>,
-    borders: Vec<Border>,
-    /// By node: its neighbours, ordered, and the borders with them.
+    adjacencies: Vec<Adjacency>,
+    /// By node: its neighbours, ordered, and the adjacencies with them.
     neighbours: Vec<Vec<(u32, u32)>>,
     heap: BinaryHeap<Candidate>,
     cells: f64,
@@ -84,10 +84,10 @@ struct Merging {
 /// All regions, basins first, in the order in which they are merged.
 pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize) -> Vec<Node> {
     let mut merging = Merging::new(basins, arcs, cells as f64);
-    while let Some(Candidate { border, version, .. }) = merging.heap.pop() {
-        let Border { alive, version: current, .. } = merging.borders[border as usize];
+    while let Some(Candidate { adjacency, version, .. }) = merging.heap.pop() {
+        let Adjacency { alive, version: current, .. } = merging.adjacencies[adjacency as usize];
         if alive && current == version {
-            merging.unite(border);
+            merging.unite(adjacency);
         }
     }
     merging.nodes
@@ -96,7 +96,7 @@ pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize) -> Vec<Node> 
 impl Merging {
     fn new(mut nodes: Vec<Node>, arcs: &[Arc], cells: f64) -> Self {
         let mut neighbours = vec![Vec::new(); nodes.len()];
-        let mut borders = Vec::with_capacity(arcs.len());
+        let mut adjacencies = Vec::with_capacity(arcs.len());
         for (number, arc) in (0_u32..).zip(arcs) {
             let [a, b] = arc.ends;
             neighbours[a as usize].push((b, number));
@@ -104,36 +104,36 @@ impl Merging {
             nodes[a as usize].outline.add(&arc.sums, false);
             nodes[b as usize].outline.add(&arc.sums, true);
             let sums = arc.sums;
-            borders.push(Border { ends: arc.ends, sums, version: 0, alive: true });
+            adjacencies.push(Adjacency { ends: arc.ends, sums, version: 0, alive: true });
         }
         neighbours.iter_mut().for_each(|list| list.sort_unstable());
         let weights = nodes.iter().map(|node| weights(node.area, cells)).collect();
-        let mut merging = Self { nodes, weights, borders, neighbours, heap: BinaryHeap::new(), cells };
-        (0..arcs.len() as u32).for_each(|border| merging.put(border));
+        let mut merging = Self { nodes, weights, adjacencies, neighbours, heap: BinaryHeap::new(), cells };
+        (0..arcs.len() as u32).for_each(|adjacency| merging.put(adjacency));
         merging
     }
 
-    /// Adds a border with its cost to the heap.
+    /// Adds an adjacency with its cost to the heap.
     fn put(&mut self, number: u32) {
-        let border = &self.borders[number as usize];
-        let (cost, length) = (self.cost(border), border.sums.length);
-        self.heap.push(Candidate { cost, length, border: number, version: border.version });
+        let adjacency = &self.adjacencies[number as usize];
+        let (cost, length) = (self.cost(adjacency), adjacency.sums.length);
+        self.heap.push(Candidate { cost, length, adjacency: number, version: adjacency.version });
     }
 
     /// How much is seen between two regions.
-    fn cost(&self, border: &Border) -> f64 {
-        let [a, b] = border.ends.map(|end| end as usize);
+    fn cost(&self, adjacency: &Adjacency) -> f64 {
+        let [a, b] = adjacency.ends.map(|end| end as usize);
         let difference = colour_difference(&self.nodes[a], &self.nodes[b]);
         let colour = difference / (1.0 + difference / MOST_COLOUR);
         let (small, large) = if self.nodes[a].area <= self.nodes[b].area { (a, b) } else { (b, a) };
-        (border.sums.mean() + COLOUR * colour) * self.weights[small][0] * self.weights[large][1]
+        (adjacency.sums.mean() + COLOUR * colour) * self.weights[small][0] * self.weights[large][1]
     }
 
-    /// Makes one region of the two beside a border.
-    fn unite(&mut self, border: u32) {
-        let [a, b] = self.borders[border as usize].ends;
-        self.borders[border as usize].alive = false;
-        let node = united(&self.nodes[a as usize], &self.nodes[b as usize], &self.borders[border as usize].sums);
+    /// Makes one region of the two beside an adjacency.
+    fn unite(&mut self, adjacency: u32) {
+        let [a, b] = self.adjacencies[adjacency as usize].ends;
+        self.adjacencies[adjacency as usize].alive = false;
+        let node = united(&self.nodes[a as usize], &self.nodes[b as usize], &self.adjacencies[adjacency as usize].sums);
         let number = self.nodes.len() as u32;
         self.weights.push(weights(node.area, self.cells));
         self.nodes.push(Node { children: Some([a, b]), ..node });
@@ -144,8 +144,8 @@ impl Merging {
                 if other == a || other == b {
                     continue;
                 }
-                let border = &mut self.borders[of_other as usize];
-                border.ends = border.ends.map(|end| if end == old { number } else { end });
+                let adjacency = &mut self.adjacencies[of_other as usize];
+                adjacency.ends = adjacency.ends.map(|end| if end == old { number } else { end });
                 merged.push((other, of_other));
             }
         }
@@ -159,21 +159,21 @@ impl Merging {
                 _ => kept.push((other, of_other)),
             }
         }
-        for &(other, border) in &kept {
+        for &(other, adjacency) in &kept {
             // the new number is the highest of all
-            self.neighbours[other as usize].push((number, border));
-            self.borders[border as usize].version += 1;
-            self.put(border);
+            self.neighbours[other as usize].push((number, adjacency));
+            self.adjacencies[adjacency as usize].version += 1;
+            self.put(adjacency);
         }
         self.neighbours.push(kept);
     }
 
-    /// Makes one of two borders between the same regions.
+    /// Makes one of two adjacencies between the same regions.
     fn join(&mut self, into: u32, from: u32) {
-        let turned = self.borders[into as usize].ends != self.borders[from as usize].ends;
-        let sums = self.borders[from as usize].sums;
-        self.borders[from as usize].alive = false;
-        self.borders[into as usize].sums.add(&sums, turned);
+        let turned = self.adjacencies[into as usize].ends != self.adjacencies[from as usize].ends;
+        let sums = self.adjacencies[from as usize].sums;
+        self.adjacencies[from as usize].alive = false;
+        self.adjacencies[into as usize].sums.add(&sums, turned);
     }
 }
 

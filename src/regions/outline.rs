@@ -172,16 +172,16 @@ mod tests {
         };
         let plane = Plane { size, values: (0..size.len()).map(lightness).collect() };
         let tree = Tree::new(&[square(&large), square(&small)], &[plane], Grid::new(size));
+        let one = Params { most: 1, ..PARAMS };
         let cells = |x: f32, y: f32| {
-            let subject = tree.subject_at(PxPoint::new(x, y), 0.5).expect("something is there");
+            let subject = tree.subject_at(PxPoint::new(x, y), 0.5, &one).expect("something is there");
             (subject, tree.mask(&[subject]).cells() as f32)
         };
         let (inner, area) = cells(40.0, 40.0);
         assert!((area / 400.0 - 1.0).abs() < 0.15, "{area}");
         let (_, area) = cells(80.0, 60.0);
         assert!(area > 4500.0, "{area}");
-        assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5), None, "beyond the picture");
-        let one = Params { most: 1, ..PARAMS };
+        assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &one), None, "beyond the picture");
         let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
         assert!(area_of(tree.outlines(0.5, &one, &[])) > 250.0, "the large one tells most");
         assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner]))), "the subject comes first");

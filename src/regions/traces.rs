@@ -7,7 +7,7 @@ use crate::units::{PxPoint, PxVector};
 
 /// The strongest point of a trace within a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Passing {
+pub(super) struct Sample {
     /// Where it is, in cells.
     pub(super) at: PxPoint,
     pub(super) strength: f32,
@@ -19,7 +19,7 @@ pub(super) struct Passing {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TraceMap {
     grid: Grid,
-    passing: Vec<Option<Passing>>,
+    samples: Vec<Option<Sample>>,
 }
 
 /// The direction of a trace is taken over this many of its points to both sides.
@@ -32,25 +32,25 @@ pub(super) const REACH: f32 = 2.5;
 impl TraceMap {
     /// The traces, whose points are about a pixel apart and in pixels of the picture.
     pub(super) fn of(traces: &[Trace], grid: Grid) -> Self {
-        let mut passing: Vec<Option<Passing>> = vec![None; grid.cells.len()];
+        let mut samples: Vec<Option<Sample>> = vec![None; grid.cells.len()];
         for trace in traces {
             for (i, point) in trace.vertices.iter().enumerate() {
                 let at = |steps: isize| grid.to_cells(trace.vertices[trace.view().next(i, steps).unwrap_or(i)].at);
                 let Some(along) = (at(SPAN) - at(-SPAN)).try_normalize() else { continue };
                 let at = grid.to_cells(point.at);
                 let Some(cell) = grid.cell_at(at) else { continue };
-                if passing[cell].is_none_or(|other| point.strength > other.strength) {
-                    passing[cell] = Some(Passing { at, strength: point.strength, along });
+                if samples[cell].is_none_or(|other| point.strength > other.strength) {
+                    samples[cell] = Some(Sample { at, strength: point.strength, along });
                 }
             }
         }
-        Self { grid, passing }
+        Self { grid, samples }
     }
 
     /// Strengths spread over the cells nearest to each trace, so that what lies between two cells counts for both.
     pub(super) fn strengths(&self) -> Plane {
         let mut plane = Plane::filled(self.grid.cells, 0.0);
-        for Passing { at, strength, .. } in self.passing.iter().flatten() {
+        for Sample { at, strength, .. } in self.samples.iter().flatten() {
             let (x, y) = (at.x.floor(), at.y.floor());
             for (dx, dy) in [-1.0, 0.0, 1.0].into_iter().flat_map(|dy| [-1.0, 0.0, 1.0].map(|dx| (dx, dy))) {
                 let centre = PxPoint::new(x + dx + 0.5, y + dy + 0.5);
@@ -66,24 +66,24 @@ impl TraceMap {
     /// How strong the trace is that runs along `tangent` at a place, and where that trace is; without one, the place.
     pub(super) fn seen(&self, at: PxPoint, tangent: PxVector) -> (PxPoint, f32) {
         let mut best = (at, 0.0);
-        self.around(at, |passing, square| {
-            let strength = passing.strength * (-square / FALL).exp() * passing.along.dot(tangent).abs();
+        self.around(at, |sample, square| {
+            let strength = sample.strength * (-square / FALL).exp() * sample.along.dot(tangent).abs();
             if strength > best.1 {
-                best = (passing.at, strength);
+                best = (sample.at, strength);
             }
         });
         best
     }
 
     /// Calls `visit` with all that passes within [`REACH`] of a place and the square of its distance.
-    pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&Passing, f32)) {
+    pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&Sample, f32)) {
         let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
         let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
         for y in range(at.y, height) {
-            for passing in self.passing[y * width..][range(at.x, width)].iter().flatten() {
-                let square = (passing.at - at).square_length();
+            for sample in self.samples[y * width..][range(at.x, width)].iter().flatten() {
+                let square = (sample.at - at).square_length();
                 if square <= REACH * REACH {
-                    visit(passing, square);
+                    visit(sample, square);
                 }
             }
         }

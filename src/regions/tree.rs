@@ -42,7 +42,7 @@ impl Tree {
         let (basin, count) = basins(&landscape(&traces, colours));
         let soft: Vec<Plane> = colours.par_iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
         let (cracks, arcs) = arcs(&basin, grid, &traces, &soft);
-        let nodes = merge(empty_nodes(&basin, count, colours, grid), &arcs, basin.len());
+        let nodes = merge(basin_nodes(&basin, count, colours, grid), &arcs, basin.len());
         Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
     }
 
@@ -80,7 +80,7 @@ fn landscape(traces: &TraceMap, colours: &[Plane]) -> Plane {
 }
 
 /// Basins with their areas and colours.
-fn empty_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Vec<Node> {
+fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Vec<Node> {
     let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None };
     let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);

@@ -34,6 +34,24 @@ fn runs(page: &Page) -> Vec<&Run> {
 }
 
 #[test]
+fn dots_drawn_by_hand_are_told_where_they_are_left_out() {
+    let place = with_page("swell-a4");
+    let page = place.text("cup.svg");
+    let disc = "<circle cx=\"30\" cy=\"30\" r=\"0.75\" fill=\"#000\"/></svg>";
+    place.put("marked.svg", page.replace("</svg>", disc).as_bytes());
+    let left_out = "1 dot drawn by hand";
+    let told = done(&place, &["render", "marked.svg", "-o", "same.svg"]);
+    assert!(!told.contains(left_out) && !read(&place, "same.svg").labels.is_empty(), "{told}");
+    for args in [
+        vec!["render", "marked.svg", "--profile", "index-basic-d", "-o", "cup.idx"],
+        vec!["convert", "cup.png", "--lines", "marked.svg", "-o", "anew.svg"],
+    ] {
+        let told = done(&place, &args);
+        assert!(told.contains(left_out), "{args:?}: {told}");
+    }
+}
+
+#[test]
 fn a_page_becomes_any_format() {
     let place = with_page("swell-a4");
     done(&place, &["render", "cup.svg", "-o", "same.svg"]);

@@ -9,7 +9,7 @@ pub(in crate::cli) struct Subject {
     /// Says what the picture is about: a place on it; can be given several times
     ///
     /// How far from the left and from the top of the part that is drawn, in percent (50%,40%) or in pixels of the
-    /// picture. The smallest thing around the place that stands out is outlined before all else, in figure and
+    /// picture. The thing around the place that stands out is outlined before all else, in figure and
     /// overview.
     #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true, hide_short_help = true)]
     subject: Vec<Place>,
