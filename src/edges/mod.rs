@@ -37,6 +37,7 @@ mod refine;
 mod ridge;
 mod side_statistics;
 mod step_height;
+mod straight;
 mod strength;
 mod stroke;
 mod tips;
@@ -113,7 +114,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, with_r
     let strokes = strokes.into_iter().map(Found::stroke);
     let mut found: Vec<Found> = edges.chain(strokes).collect();
     if drawn {
-        found = tips::meet(found, params.sigma);
+        found = straight::give_back(tips::meet(found, params.sigma), params.sigma);
     }
     let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
     junction::extend(&mut contours, size);

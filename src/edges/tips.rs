@@ -12,7 +12,7 @@ pub(super) struct Found {
     pub(super) contour: Contour,
     pub(super) stroke: Option<f32>,
     /// Length of what it is a part of, px: a stroke goes on where another one lies over it.
-    whole: f32,
+    pub(super) whole: f32,
 }
 
 /// Two ends make a corner if they are at most so many widths of the stroke apart, and this much more, px: those of a

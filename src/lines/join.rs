@@ -127,6 +127,7 @@ fn strung(thread: &Thread, left: &mut [Option<Polyline<Vertex>>]) -> Option<Poly
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::vertex::Source;
     use crate::units::MmPoint;
 
     fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
@@ -136,7 +137,7 @@ mod tests {
             strength: 30.0,
             contrast: [step, 0.0, 0.0],
             width: 0.0,
-            exact: false,
+            source: Source::Pixels,
         };
         Polyline::open((0..=20).map(vertex).collect())
     }
@@ -169,7 +170,7 @@ mod tests {
             strength: 30.0,
             contrast: [20.0, 0.0, 0.0],
             width: 0.0,
-            exact: false,
+            source: Source::Pixels,
         };
         let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
         assert!(joined.len() == 1 && joined[0].closed);

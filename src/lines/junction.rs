@@ -129,10 +129,12 @@ pub(super) fn straight(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::vertex::Source;
 
     #[test]
     fn a_ring_without_its_corner_is_closed_once() {
-        let vertex = |at: MmPoint| Vertex { at, strength: 60.0, contrast: [60.0, 0.0, 0.0], width: 1.5, exact: false };
+        let vertex =
+            |at: MmPoint| Vertex { at, strength: 60.0, contrast: [60.0, 0.0, 0.0], width: 1.5, source: Source::Pixels };
         let corners = [(10.0, 12.0), (10.0, 40.0), (40.0, 40.0), (40.0, 10.0), (12.0, 10.0)];
         let mut ring = Polyline::open(corners.map(|(x, y)| vertex(MmPoint::new(x, y))).to_vec());
         ring.subdivide(SPACING);

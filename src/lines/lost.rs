@@ -100,6 +100,7 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::vertex::Source;
     use crate::lines::vertex::Vertex;
 
     fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
@@ -108,7 +109,7 @@ mod tests {
             strength: 20.0,
             contrast: [0.0; 3],
             width: 1.0,
-            exact: false,
+            source: Source::Pixels,
         };
         let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
         line.fill();

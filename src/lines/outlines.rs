@@ -1,7 +1,7 @@
 //! Outlines of regions among the lines: drawn before others, after long strokes only.
 
 use super::params::Params;
-use super::vertex::Vertex;
+use super::vertex::{Source, Vertex};
 use crate::geom::polyline::Polyline;
 use crate::regions::Trace;
 use crate::units::PageTransform;
@@ -57,7 +57,7 @@ impl Outlines {
                 strength: point.strength.max(params.least_strength),
                 contrast: [0.0; 3],
                 width: 0.0,
-                exact: false,
+                source: Source::Pixels,
             };
             let mut line = Polyline { vertices: trace.vertices.iter().map(vertex).collect(), closed: trace.closed };
             line = line.evened();

@@ -21,7 +21,8 @@ const OF_FIRST: f32 = 0.25;
 
 /// Length, mm, of a straight line of full strength that is as salient.
 pub(super) fn saliency(polyline: &Polyline<Vertex>, params: &Params) -> f32 {
-    let sum: f32 = polyline.segments().map(|(a, b)| (b.at - a.at).length() * a.strength.min(b.strength)).sum();
+    let strength = |vertex: &Vertex| vertex.counted_strength(params.full_strength);
+    let sum: f32 = polyline.segments().map(|(a, b)| (b.at - a.at).length() * strength(a).min(strength(b))).sum();
     let closed = if polyline.closed { CLOSED } else { 1.0 };
     sum / params.full_strength * closed / (1.0 + wavering(polyline) / WAVERING)
 }
@@ -59,12 +60,19 @@ pub(super) fn least(first: f32, params: &Params) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::vertex::Source;
     use crate::units::MmPoint;
 
     fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
         let vertex = |i: u32| {
             let (x, y) = at(i as f32 * 0.4);
-            Vertex { at: MmPoint::new(x, y), strength: 30.0, contrast: [30.0, 0.0, 0.0], width: 1.0, exact: false }
+            Vertex {
+                at: MmPoint::new(x, y),
+                strength: 30.0,
+                contrast: [30.0, 0.0, 0.0],
+                width: 1.0,
+                source: Source::Pixels,
+            }
         };
         Polyline { vertices: (0..100).map(vertex).collect(), closed }
     }

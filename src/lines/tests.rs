@@ -2,7 +2,7 @@
 //! not.
 
 use super::outlines::Rank;
-use super::vertex::{SPACING, Vertex};
+use super::vertex::{SPACING, Source, Vertex};
 use super::*;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::MmPoint;
@@ -31,7 +31,7 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
             heading += bend;
             at += crate::units::MmVector::new(heading.cos(), heading.sin()) * SPACING;
             let strength = (strength + fade * i as f32).max(PARAMS.least_strength);
-            Vertex { at, strength, contrast: [strength, 0.0, 0.0], width: 0.0, exact: false }
+            Vertex { at, strength, contrast: [strength, 0.0, 0.0], width: 0.0, source: Source::Pixels }
         });
         Polyline::open(vertices.collect())
     };
@@ -121,7 +121,7 @@ fn simplified_lines_lie_within_the_tolerance_both_ways_and_have_fewer_points() {
 #[test]
 fn two_lines_that_cross_steeply_both_stay_whole() {
     let straight = |from: MmPoint, to: MmPoint| {
-        let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], width: 0.0, exact: false };
+        let tip = Vertex { at: from, strength: 50.0, contrast: [50.0, 0.0, 0.0], width: 0.0, source: Source::Pixels };
         let mut vertices = vec![tip];
         vertices.extend(junction::straight(&tip, to));
         Polyline::open(vertices)

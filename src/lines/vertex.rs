@@ -22,8 +22,20 @@ pub(super) struct Vertex {
     pub(super) contrast: [f32; 3],
     /// Width of the line here, mm; 0 until `weight` has been there.
     pub(super) width: f32,
-    /// Whether it is where a vector drawing has it, and not where it was found in pixels.
-    pub(super) exact: bool,
+    /// Where it was found.
+    pub(super) source: Source,
+}
+
+/// Where a vertex was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    /// In pixels.
+    Pixels,
+    /// In the pixels of a drawing, in the middle of a stroke: every one is meant, though one thinner than a pixel is
+    /// faint.
+    Stroke,
+    /// In a vector drawing, and exactly there.
+    Vector,
 }
 
 impl Located for Vertex {
@@ -42,7 +54,7 @@ impl Blend for Vertex {
             strength: mix(self.strength, other.strength),
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
             width: mix(self.width, other.width),
-            exact: self.exact && other.exact,
+            source: if self.source == other.source { self.source } else { Source::Pixels },
         }
     }
 
@@ -51,28 +63,48 @@ impl Blend for Vertex {
     }
 }
 
+impl Vertex {
+    /// Its strength; of a stroke in a drawing at least full strength: one that is half a pixel wide is found with half its
+    /// contrast, or less, and means as much as a wide one.
+    pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
+        match self.source {
+            Source::Stroke => self.strength.max(full_strength),
+            Source::Pixels | Source::Vector => self.strength,
+        }
+    }
+}
+
 impl Polyline<Vertex> {
     /// A contour on the sheet.
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
+        let source = match kind {
+            ChainKind { exact: true, .. } => Source::Vector,
+            ChainKind { drawn: true, stroke: Some(_), .. } => Source::Stroke,
+            _ => Source::Pixels,
+        };
         let vertex = |p: &Edgel| Vertex {
             at: transform.to_mm(p.at),
             strength: p.strength,
             contrast: p.contrast,
             width: 0.0,
-            exact: kind.exact,
+            source,
         };
         Self { vertices: chain.vertices.iter().map(vertex).collect(), closed: chain.closed }
     }
 
     /// Length, mm, of a line of full strength that is worth as much: a weak line counts in proportion.
     pub(super) fn weighted_length(&self, full_strength: f32) -> f32 {
-        self.length() * (self.mean_strength() / full_strength).min(1.0)
+        self.length() * (self.mean(|vertex| vertex.counted_strength(full_strength)) / full_strength).min(1.0)
     }
 
     /// Mean strength along the path; of a ring the first vertex counts at both its ends.
     pub(super) fn mean_strength(&self) -> f32 {
+        self.mean(|vertex| vertex.strength)
+    }
+
+    fn mean(&self, of: impl Fn(&Vertex) -> f32) -> f32 {
         let count = self.vertices.len() + usize::from(self.closed);
-        self.path().map(|v| v.strength).sum::<f32>() / count.max(1) as f32
+        self.path().map(of).sum::<f32>() / count.max(1) as f32
     }
 
     /// The line in the one of its two directions that begins with its stronger half, so that nothing hangs on the
@@ -156,14 +188,13 @@ impl Polyline<Vertex> {
             let v = &self.vertices[i];
             [v.at.x, v.at.y, v.strength, v.contrast[0], v.contrast[1], v.contrast[2]]
         });
-        let vertex = |[x, y, strength, l, a, b]: [f32; 6]| Vertex {
+        let vertex = |(vertex, [x, y, strength, l, a, b]): (&Vertex, [f32; 6])| Vertex {
             at: MmPoint::new(x, y),
             strength,
             contrast: [l, a, b],
-            width: 0.0,
-            exact: false,
+            ..*vertex
         };
-        Self { vertices: smooth.into_iter().map(vertex).collect(), closed: self.closed }
+        Self { vertices: self.vertices.iter().zip(smooth).map(vertex).collect(), closed: self.closed }
     }
 }
 
@@ -182,7 +213,7 @@ mod tests {
             strength: 30.0,
             contrast: [0.0; 3],
             width: 0.0,
-            exact: false,
+            source: Source::Pixels,
         };
         let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
         line.subdivide(0.25);

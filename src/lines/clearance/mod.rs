@@ -5,6 +5,7 @@
 //! ([`Verdict`]): it is drawn, or what becomes of it goes back into the queue.
 
 mod anchor;
+mod bases;
 mod displace;
 mod drawn;
 mod extend;
@@ -59,8 +60,11 @@ const EXTENDED_CUTS: u8 = 3;
 /// Clears lines, the most salient one first; the result is in that order.
 pub(super) fn clear(polylines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, params: &Params) -> Vec<Cleared> {
     let mut queue = Queue::new(polylines.len(), params);
-    // Where a line comes near itself its earlier part stays.
-    polylines.into_iter().for_each(|(polyline, rank)| queue.push(polyline.stronger_half_first(), rank, 0));
+    let saliencies = bases::saliencies(&polylines, area, params);
+    for ((polyline, rank), saliency) in polylines.into_iter().zip(saliencies) {
+        // Where a line comes near itself its earlier part stays.
+        queue.push_as(polyline.stronger_half_first(), rank, 0, saliency);
+    }
     let mut drawn = DrawnLines::new(area, params);
     let mut own = Nearby::new(area, params.max_spacing());
     let mut cleared: Vec<Cleared> = Vec::new();
@@ -165,6 +169,7 @@ fn finish(line: Polyline<Vertex>, rank: Rank, number: u32, drawn: &mut DrawnLine
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::vertex::Source;
     use crate::units::MmPoint;
 
     /// A line of the greatest width with vertices as close as those of lines in the making.
@@ -174,7 +179,7 @@ mod tests {
             strength: 60.0,
             contrast: [60.0, 0.0, 0.0],
             width: Params::TEST.width_max,
-            exact: false,
+            source: Source::Pixels,
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(0.4);

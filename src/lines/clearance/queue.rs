@@ -56,10 +56,15 @@ impl<'a> Queue<'a> {
 
     /// Adds a line that was cut so many times, unless it is too short or was cut too often.
     pub(super) fn push(&mut self, polyline: Polyline<Vertex>, rank: Rank, cuts: u8) {
+        let saliency = saliency(&polyline, self.params);
+        self.push_as(polyline, rank, cuts, saliency);
+    }
+
+    /// [`Queue::push`] of a line that is as salient as this.
+    pub(super) fn push_as(&mut self, polyline: Polyline<Vertex>, rank: Rank, cuts: u8, saliency: f32) {
         if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || cuts > MOST_CUTS {
             return;
         }
-        let saliency = saliency(&polyline, self.params);
         self.heap.push(Candidate { rank, saliency, number: self.count, cuts, polyline });
         self.count += 1;
     }

@@ -1,0 +1,263 @@
+//! A stroke goes straight on along the side of another contour that was found in its place.
+//!
+//! Of a house whose roof has eaves, one plane of colours shows the ring of the wall, and another the roof. The ring is
+//! taken first, and of the roof's base line only the eaves are left, which end on corners of the ring: two lines nearer
+//! to one another than fingers can tell apart. Of an axis that is thinner than a pixel, nothing can be told along the
+//! bars that stand on it, whose borders are there, and short pieces are left between them. Through a junction the
+//! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the wall
+//! and the bars end on it.
+
+use super::contour::{Contour, ContourPoint};
+use super::tips::Found;
+use crate::geom::polyline::Polyline;
+use crate::units::{Px, PxPoint, PxVector};
+use lyon::geom::euclid::Box2D;
+
+/// The direction of a line beside a vertex is taken over this much of it, px.
+const HEADING: f32 = 8.0;
+/// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15 degrees).
+const STRAIGHT: f32 = 0.966;
+/// ... and not in the other side if it is at most this (45 degrees).
+const ASIDE: f32 = 0.707;
+/// A stroke ends at most this much, px, and half its own width and this many scales of the edge detector, before the
+/// contour that takes its place.
+const BEFORE: f32 = 3.0;
+const BEFORE_SCALES: f32 = 1.6;
+/// Two lines are one if they are no farther aside from one another than half of each width and this much, px.
+const OFF: f32 = 1.0;
+
+/// A stroke's end that goes straight on in one side of a corner of another contour.
+#[derive(Debug, Clone, Copy)]
+struct Onward {
+    piece: usize,
+    at_start: bool,
+    /// The vertex at the corner.
+    corner: usize,
+    /// Whether the side that goes on follows the corner, or leads to it.
+    forwards: bool,
+}
+
+/// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners; what
+/// is left of the contour ends there. `sigma` is the scale of the edge detector, px.
+pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
+    let piece = |found: Found| Piece { free: [found.stroke.is_some() && !found.contour.closed; 2], found };
+    let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
+    let mut owner = 0;
+    while owner < pieces.len() {
+        let Some([a, b]) = facing(owner, &pieces, sigma) else {
+            owner += 1;
+            continue;
+        };
+        let (side, rest) = divided(&pieces[owner], a.corner, b.corner);
+        let joined = joined(&pieces, [a, b], side);
+        let mut gone = vec![owner, a.piece, b.piece];
+        gone.sort_unstable();
+        gone.dedup();
+        owner -= gone.iter().filter(|number| **number < owner).count();
+        gone.iter().rev().for_each(|number| {
+            pieces.remove(*number);
+        });
+        // what is left has its turn once more
+        pieces.push(joined);
+        pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= HEADING));
+    }
+    pieces.into_iter().map(|piece| piece.found).collect()
+}
+
+/// A contour.
+struct Piece {
+    found: Found,
+    /// Whether its start and its end are those of a stroke and may go on. Those that were made by dividing may not, so
+    /// that dividing comes to an end: each takes two of them away.
+    free: [bool; 2],
+}
+
+/// The ends of strokes that go straight on along a contour, if there are two that do so towards one another in one side.
+fn facing(owner: usize, pieces: &[Piece], sigma: f32) -> Option<[Onward; 2]> {
+    let contour = &pieces[owner].found.contour;
+    let ends = (0..pieces.len()).filter(|piece| *piece != owner).flat_map(|piece| [(piece, true), (piece, false)]);
+    let ends = ends.filter(|&(piece, at_start)| pieces[piece].free[usize::from(!at_start)]);
+    let bounds = Box2D::from_points(contour.vertices.iter().map(|vertex| vertex.at));
+    let onward: Vec<Onward> = ends.filter_map(|end| onward(end, (owner, &bounds), pieces, sigma)).collect();
+    let pairs = onward.iter().flat_map(|a| onward.iter().map(move |b| [*a, *b]));
+    let facing = pairs.filter(|[a, b]| {
+        let in_order = if contour.closed { a.corner != b.corner } else { a.corner < b.corner };
+        a.forwards && !b.forwards && in_order && (a.piece != b.piece || a.at_start != b.at_start)
+    });
+    // the nearest two, so that no third lies between
+    let count = contour.vertices.len();
+    facing.min_by_key(|[a, b]| (b.corner + count - a.corner) % count)
+}
+
+/// Where an end of a stroke, given by its number and whether it is the start, goes straight on in a side of a contour,
+/// given by its number and its bounds.
+fn onward(
+    (number, at_start): (usize, bool),
+    (owner, bounds): (usize, &Box2D<f32, Px>),
+    pieces: &[Piece],
+    sigma: f32,
+) -> Option<Onward> {
+    let (stroke, contour) = (&pieces[number].found.contour, &pieces[owner].found.contour);
+    let [width, other_width] = [number, owner].map(|of| pieces[of].found.stroke.unwrap_or(0.0));
+    let tip = if at_start { 0 } else { stroke.vertices.len() - 1 };
+    let at = stroke.vertices.get(tip)?.at;
+    let near = 0.5 * (width + other_width) + BEFORE_SCALES * sigma + BEFORE;
+    if !bounds.inflate(near, near).contains(at) {
+        return None;
+    }
+    let around = (0..contour.vertices.len()).filter(|&i| (contour.vertices[i].at - at).length() <= near);
+    let direction = -heading(stroke, tip, at_start)?;
+    let sides = around.filter_map(|i| {
+        let (after, before) = (heading(contour, i, true)?, heading(contour, i, false)?);
+        Some((after.dot(before), i, [after, before]))
+    });
+    // the sharpest turn nearby is the corner
+    let (_, corner, [after, before]) = sides.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let aside = direction.cross(contour.vertices[corner].at - at).abs();
+    if aside > 0.5 * (width + other_width) + OFF {
+        return None;
+    }
+    let goes_on = |side: PxVector, other: PxVector| direction.dot(side) >= STRAIGHT && direction.dot(other) <= ASIDE;
+    match [goes_on(after, before), goes_on(before, after)] {
+        [false, false] => None,
+        [forwards, _] => Some(Onward { piece: number, at_start, corner, forwards }),
+    }
+}
+
+/// The direction away from a vertex, forwards or backwards; none where the contour ends before that.
+fn heading(contour: &Contour, from: usize, forwards: bool) -> Option<PxVector> {
+    let at: PxPoint = contour.vertices[from].at;
+    let (far, _) = contour.walk(from, forwards).find(|(i, _)| (contour.vertices[*i].at - at).length() >= HEADING)?;
+    (contour.vertices[far].at - at).try_normalize()
+}
+
+/// The strokes of two ends, with the side of a contour between them: a ring, if they are those of one stroke.
+fn joined(pieces: &[Piece], [a, b]: [Onward; 2], side: Contour) -> Piece {
+    let [first, second] = [a, b].map(|end| &pieces[end.piece]);
+    let mut contour = first.found.contour.clone();
+    if a.at_start {
+        contour.reverse();
+    }
+    // a stroke has no step
+    contour.vertices.extend(side.vertices.into_iter().map(|vertex| ContourPoint { contrast: [0.0; 3], ..vertex }));
+    let (mut stroke, mut free) = (first.found.stroke, [false; 2]);
+    if a.piece == b.piece {
+        contour.closed = true;
+    } else {
+        let mut after = second.found.contour.clone();
+        if !b.at_start {
+            after.reverse();
+        }
+        contour.vertices.extend(after.vertices);
+        let [before, after] = [first, second].map(|piece| piece.found.contour.length());
+        let mean = |(a, b): (f32, f32)| (a * before + b * after) / (before + after);
+        stroke = first.found.stroke.zip(second.found.stroke).map(mean);
+        // those of the other ends
+        free = [first.free[usize::from(a.at_start)], second.free[usize::from(b.at_start)]];
+    }
+    Piece { found: Found { whole: contour.length(), contour, stroke }, free }
+}
+
+/// A contour divided at two of its vertices, both of which stay in all parts: the side between them, and what is left.
+fn divided(piece: &Piece, from: usize, to: usize) -> (Contour, Vec<Piece>) {
+    let contour = &piece.found.contour;
+    let n = contour.vertices.len();
+    let run =
+        |from: usize, count: usize| Polyline::open((from..from + count).map(|i| contour.vertices[i % n]).collect());
+    let rest = |from: usize, count: usize, free: [bool; 2]| Piece {
+        found: Found { contour: run(from, count), ..piece.found.clone() },
+        free,
+    };
+    if contour.closed {
+        let count = |from: usize, to: usize| (to + n - from) % n + 1;
+        (run(from, count(from, to)), vec![rest(to, count(to, from), [false; 2])])
+    } else {
+        let [start, end] = piece.free;
+        (run(from, to - from + 1), vec![rest(0, from + 1, [start, false]), rest(to, n - to, [false, end])])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIGMA: f32 = 1.8;
+
+    /// A stroke 2 px wide through some points, with a vertex on every pixel.
+    fn stroke(corners: &[(f32, f32)], closed: bool) -> Found {
+        let point = |&(x, y): &(f32, f32)| ContourPoint {
+            at: PxPoint::new(x, y),
+            strength: 1.0,
+            contrast: [0.0; 3],
+            blur: 1.0,
+            position_sigma: 0.1,
+        };
+        let mut contour = Polyline { vertices: corners.iter().map(point).collect(), closed };
+        contour.subdivide(1.0);
+        Found { stroke: Some(2.0), ..Found::edge(contour) }
+    }
+
+    fn wall() -> Found {
+        stroke(&[(20.0, 50.0), (80.0, 50.0), (80.0, 90.0), (20.0, 90.0)], true)
+    }
+
+    fn eaves(y: f32) -> [Found; 2] {
+        [stroke(&[(0.0, y), (15.0, y)], false), stroke(&[(85.0, y), (98.0, y)], false)]
+    }
+
+    fn is_near(contour: &Contour, x: f32, y: f32) -> bool {
+        contour.vertices.iter().any(|vertex| (vertex.at - PxPoint::new(x, y)).length() < 0.6)
+    }
+
+    #[test]
+    fn a_roof_gets_its_base_line_back_from_the_wall() {
+        let roof = stroke(&[(15.0, 50.0), (5.0, 50.0), (50.0, 20.0), (95.0, 50.0), (85.0, 50.0)], false);
+        let found = give_back(vec![wall(), roof], SIGMA);
+        let (rings, open): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.contour.closed);
+        let ([roof], [wall]) = (&rings[..], &open[..]) else { panic!("a ring and an open line: {found:?}") };
+        assert!(is_near(&roof.contour, 50.0, 50.0) && !is_near(&wall.contour, 50.0, 50.0));
+        assert!((roof.contour.length() - (90.0 + 2.0 * 54.08)).abs() < 1.0, "{}", roof.contour.length());
+        assert!((wall.contour.length() - 140.0).abs() < 1.0, "{}", wall.contour.length());
+    }
+
+    #[test]
+    fn two_strokes_become_one_with_the_side_between_whichever_way_they_run() {
+        for turned in [false, true] {
+            let [mut left, mut right] = eaves(50.0);
+            if turned {
+                left.contour.reverse();
+                right.contour.reverse();
+            }
+            let found = give_back(vec![left, wall(), right], SIGMA);
+            let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
+            lengths.sort_by(f32::total_cmp);
+            assert!(matches!(lengths[..], [base, wall] if (base - 98.0).abs() < 1.0 && (wall - 140.0).abs() < 1.0));
+        }
+    }
+
+    #[test]
+    fn an_axis_gets_back_the_sides_of_all_bars() {
+        let bar = |x: f32| Found {
+            stroke: None,
+            ..stroke(&[(x, 50.0), (x, 10.0), (x + 30.0, 10.0), (x + 30.0, 50.0)], true)
+        };
+        let piece = |from: f32, to: f32| stroke(&[(from, 50.0), (to, 50.0)], false);
+        let all = vec![piece(0.0, 20.0), bar(20.0), piece(50.0, 70.0), bar(70.0), piece(100.0, 130.0)];
+        let found = give_back(all, SIGMA);
+        assert!(found.iter().all(|found| !found.contour.closed));
+        let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
+        lengths.sort_by(f32::total_cmp);
+        assert!(matches!(lengths[..], [a, b, axis] if a == b && (a - 110.0).abs() < 0.5 && (axis - 130.0).abs() < 0.5));
+    }
+
+    #[test]
+    fn a_ring_with_one_straight_end_or_with_ends_aside_stays_a_ring() {
+        let [left, right] = eaves(50.0);
+        let edge = [left.clone(), right].map(|found| Found { stroke: None, ..found });
+        let [high_left, high_right] = eaves(46.0);
+        for others in [vec![left], edge.to_vec(), vec![high_left, high_right]] {
+            let all: Vec<Found> = std::iter::once(wall()).chain(others).collect();
+            assert_eq!(give_back(all.clone(), SIGMA), all);
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! A line of a drawing on which others end goes before them: an axis before the bars that stand on it. They end on it
+//! whenever it is drawn, but where they come first, it has no room between two that are near to one another.
+
+use super::drawn::TOUCH;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
+use crate::lines::outlines::Rank;
+use crate::lines::params::Params;
+use crate::lines::saliency::saliency;
+use crate::lines::vertex::{Source, Vertex};
+use crate::units::MmRect;
+
+/// So many lines can stand on one another, one after the other; of those that do so in a circle none is the first.
+const DEPTH: usize = 8;
+/// A base is more salient than what stands on it by this share.
+const MORE: f32 = 1e-4;
+
+/// The saliency of each line; of a stroke of a drawing at least that of the lines that end on it.
+pub(super) fn saliencies(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<f32> {
+    let mut all: Vec<f32> = lines.iter().map(|(line, _)| saliency(line, params)).collect();
+    let standing = standing(lines, area, params);
+    for _ in 0..DEPTH {
+        let before = all.clone();
+        for &(stem, base) in &standing {
+            if before[base] <= before[stem] {
+                all[base] = all[base].max((1.0 + MORE) * before[stem]);
+            }
+        }
+        if all == before {
+            break;
+        }
+    }
+    all
+}
+
+/// Which lines end on which strokes of drawings, away from their ends.
+fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<(usize, usize)> {
+    let strokes = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source == Source::Stroke).count();
+    let is_base = |line: &Polyline<Vertex>| 2 * strokes(line) > line.vertices.len();
+    if !lines.iter().any(|(line, _)| is_base(line)) {
+        return Vec::new();
+    }
+    let mut segments = Nearby::new(area, params.max_spacing());
+    for (number, (line, _)) in lines.iter().enumerate().filter(|(_, (line, _))| is_base(line)) {
+        let arcs = line.arc_lengths();
+        let length = arcs.last().copied().unwrap_or(0.0);
+        for (i, (a, b)) in line.segments().enumerate() {
+            // near its own end it may as well be the other one that stands on it
+            if line.closed || (arcs[i] > params.max_stub() && arcs[i + 1] < length - params.max_stub()) {
+                let (line, index, arc) = (number as u32, i as u32, arcs[i]);
+                segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc });
+            }
+        }
+    }
+    let mut standing = Vec::new();
+    for (number, (line, _)) in lines.iter().enumerate().filter(|(_, (line, _))| !line.closed) {
+        for at in [line.vertices.first(), line.vertices.last()].into_iter().flatten().map(|vertex| vertex.at) {
+            segments.around(at, at, TOUCH, |segment| {
+                let base = segment.line as usize;
+                if base != number && nearest_on_segment(at, segment.a, segment.b).0 <= TOUCH {
+                    standing.push((number, base));
+                }
+            });
+        }
+    }
+    standing.sort_unstable();
+    standing.dedup();
+    standing
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::clear;
+    use super::super::tests::polyline;
+    use super::*;
+    use crate::units::MmPoint;
+
+    fn area() -> MmRect {
+        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
+    }
+
+    fn stroke(points: &[(f32, f32)], strength: f32) -> (Polyline<Vertex>, Rank) {
+        let mut line = polyline(points, false);
+        for vertex in &mut line.vertices {
+            (vertex.source, vertex.contrast, vertex.strength) = (Source::Stroke, [0.0; 3], strength);
+        }
+        (line, Rank::Ordinary)
+    }
+
+    /// An axis and bars on it, 7 mm wide and 7 mm apart, that are stronger.
+    fn chart() -> Vec<(Polyline<Vertex>, Rank)> {
+        let bar = |x: f32| stroke(&[(x, 70.0), (x, 20.0), (x + 7.0, 20.0), (x + 7.0, 70.0)], 90.0);
+        let axis = stroke(&[(10.0, 10.0), (10.0, 70.02), (90.0, 70.02)], 30.0);
+        [20.0, 34.0, 48.0, 62.0].map(bar).into_iter().chain([axis]).collect()
+    }
+
+    #[test]
+    fn an_axis_goes_before_stronger_bars_and_is_whole() {
+        let saliencies = saliencies(&chart(), area(), &Params::TEST);
+        assert!(saliencies[..4].iter().all(|bar| *bar < saliencies[4]), "{saliencies:?}");
+        let cleared = clear(chart(), area(), &Params::TEST);
+        let length: f32 = cleared.iter().map(|line| line.polyline.length()).sum();
+        let all: f32 = chart().iter().map(|(line, _)| line.length()).sum();
+        assert!((length - all).abs() < 1.0, "{length} of {all}");
+    }
+
+    #[test]
+    fn a_line_on_which_nothing_ends_keeps_its_saliency_and_a_circle_of_lines_comes_to_an_end() {
+        let alone = [stroke(&[(10.0, 10.0), (90.0, 10.0)], 30.0), stroke(&[(10.0, 50.0), (90.0, 50.0)], 90.0)];
+        let own: Vec<f32> = alone.iter().map(|(line, _)| saliency(line, &Params::TEST)).collect();
+        assert_eq!(saliencies(&alone, area(), &Params::TEST), own);
+        // each ends in the middle of the next
+        let circle = [
+            stroke(&[(10.0, 30.0), (70.0, 30.0)], 30.0),
+            stroke(&[(70.0, 10.0), (70.0, 70.0)], 40.0),
+            stroke(&[(90.0, 70.0), (30.0, 70.0)], 50.0),
+            stroke(&[(30.0, 90.0), (30.0, 30.0)], 60.0),
+        ];
+        assert!(saliencies(&circle, area(), &Params::TEST).iter().all(|saliency| saliency.is_finite()));
+    }
+}
