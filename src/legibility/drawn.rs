@@ -8,7 +8,8 @@ use usvg::{Group, Paint, Tree};
 use super::finding::Found;
 use super::limits::{Limits, MediumLimits};
 use super::mark::LAYER;
-use super::rules::{BLACK_ONLY, LETTERS, PICTURE};
+use super::rules::{BLACK_ONLY, IN_BRAILLE, LETTERS, PICTURE};
+use crate::reading::is_written;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
@@ -105,7 +106,8 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = Found> + 'd 
     document.descendants().filter(is_picture).map(|node| {
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
-        Found { rule: PICTURE, what: "a picture of pixels lies on the page".into(), at, extent, measured: None }
+        let what = "a picture of pixels lies on the page".into();
+        Found { rule: PICTURE, what, at, extent, measured: None, mended: None }
     })
 }
 
@@ -119,7 +121,8 @@ fn letters(document: &Document<'_>) -> Vec<Found> {
         let what = format!("\"{text}\" is written in letters, which fingers do not read");
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
-        (!text.is_empty()).then_some(Found { rule: LETTERS, what, at, extent, measured: None })
+        let mended = is_written(node, &text).then_some(IN_BRAILLE);
+        (!text.is_empty()).then_some(Found { rule: LETTERS, what, at, extent, measured: None, mended })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
 }

@@ -2,7 +2,9 @@
 
 use super::finding::Found;
 use super::limits::Limits;
+use super::marks::name_in;
 use super::rules::BROKEN_LINE;
+use super::strokes::both;
 use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Index, Nearby};
 use crate::geom::{crossing, nearby};
@@ -23,7 +25,7 @@ struct Tip {
     way: u32,
 }
 
-pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &Limits) -> Vec<Found> {
     let most = limits.missed_gap();
     let tips: Vec<Tip> = (0..ways.ways.len()).flat_map(|way| tips(ways, way)).collect();
     let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
@@ -42,7 +44,7 @@ pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Foun
                     clear &= free((segment.a, segment.b));
                 });
                 if clear {
-                    found.push(broken(ways, tip, other, blank));
+                    found.push(broken(ways, names, tip, other, blank));
                 }
             }
         });
@@ -50,14 +52,13 @@ pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Foun
     found
 }
 
-fn broken(ways: &Ways, tip: &Tip, other: &Tip, blank: f32) -> Found {
-    let line = |tip: &Tip| ways.ways[tip.way as usize].line + 1;
+fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> Found {
+    let line = |tip: &Tip| name_in(names, ways.ways[tip.way as usize].line);
     let what = match tip.way == other.way {
-        true => format!("the two ends of line {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
+        true => format!("the two ends of {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
         false => format!(
-            "lines {} and {} end {blank:.1} mm before one another, so that they may be one or two",
-            line(other),
-            line(tip)
+            "{} end {blank:.1} mm before one another, so that they may be one or two",
+            both(line(other), line(tip))
         ),
     };
     let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));

@@ -33,7 +33,8 @@ use super::layer::{Layer, grey};
 use super::seal;
 use super::text::{origin_lines, plain, push_number, written_corners};
 use crate::page::{
-    BrailleText, Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, TextRole, Texture,
+    BrailleText, Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, TextRole,
+    Texture, area_name, line_name, overview_line_name,
 };
 use crate::units::{MmPoint, MmRect};
 
@@ -165,7 +166,7 @@ fn figure(figure: &Figure, of_textures: Height) -> Group {
     if figure.lines.is_empty() {
         group
     } else {
-        group.add(lines(with_strokes(layer(Layer::Lines)), "line", &figure.lines))
+        group.add(lines(with_strokes(layer(Layer::Lines)), line_name, &figure.lines))
     }
 }
 
@@ -175,7 +176,7 @@ fn region(number: usize, nth: usize, texture: &Texture) -> Path {
     let name = texture.class.name();
     Path::new()
         .set("id", format!("region-{number}"))
-        .set("inkscape:label", format!("{name} area {nth}"))
+        .set("inkscape:label", area_name(texture.class, nth))
         .set("data-class", name)
         .set("data-colour", texture.colour.map(|channel| channel.to_string()).join(" "))
         .set("data-area", self::number(texture.area))
@@ -184,14 +185,14 @@ fn region(number: usize, nth: usize, texture: &Texture) -> Path {
 
 fn overview_layer(overview: &Overview) -> Group {
     let group = layer(Layer::Overview).set("data-box", data_box(overview.place));
-    lines(with_strokes(group), "overview line", &overview.lines)
+    lines(with_strokes(group), overview_line_name, &overview.lines)
 }
 
 /// Lines as strokes: an editor can change their width and bend them. Each is one object with a name; where its width
 /// changes along it, a group.
-fn lines(layer: Group, name: &str, lines: &[Line]) -> Group {
+fn lines(layer: Group, name: fn(usize) -> String, lines: &[Line]) -> Group {
     (1..).zip(lines).fold(layer, |layer: Group, (number, line): (usize, &Line)| {
-        let label = format!("{name} {number}");
+        let label = name(number);
         let id = label.replace(' ', "-");
         let strength = format!("{:.1}", line.strength);
         match line.runs.as_slice() {

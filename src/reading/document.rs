@@ -55,6 +55,9 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
     Ok(document)
 }
 
+/// Begins the id that an element gets that has none.
+pub(super) const UNNAMED: &str = "unnamed-";
+
 /// Begins the id of the mark that stands before a text where it begins: without fonts usvg places no texts.
 pub(super) const PLACE_OF: &str = "place-of-";
 
@@ -137,10 +140,10 @@ pub(super) fn with_ids(text: &str) -> Result<String, Error> {
         let id = own.map_or_else(
             || {
                 number += 1;
-                while all.contains(format!("unnamed-{number}").as_str()) {
+                while all.contains(format!("{UNNAMED}{number}").as_str()) {
                     number += 1;
                 }
-                format!("unnamed-{number}")
+                format!("{UNNAMED}{number}")
             },
             str::to_owned,
         );
@@ -208,11 +211,7 @@ impl<'a> Elements<'a> {
         for (id, node) in self.by_id.iter().filter(|(_, node)| is_seen_text(**node)) {
             let letters: String = node.descendants().filter_map(|part| letters(part, *node)).collect();
             let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
-            let named = |name: &str| name.trim().to_lowercase().replace([' ', '_'], "-") == LABELS;
-            let is_label = node.ancestors().any(|above| {
-                let names = [above.attribute("id"), above.attribute((INKSCAPE, "label"))];
-                names.into_iter().flatten().any(named)
-            });
+            let is_label = is_in_labels(*node);
             if !string.is_empty() {
                 found.push((node.range().start, Typed { id, string, is_label }));
             }
@@ -222,8 +221,19 @@ impl<'a> Elements<'a> {
     }
 }
 
+/// Whether a text lies in the layer of texts that are labels.
+pub(super) fn is_in_labels(text: Node<'_, '_>) -> bool {
+    let named = |name: &str| name.trim().to_lowercase().replace([' ', '_'], "-") == LABELS;
+    text.ancestors().any(|above| [above.attribute("id"), label_of(above)].into_iter().flatten().any(named))
+}
+
 /// The layer that a group is, by its id, or by its name as Inkscape shows it.
 pub(super) fn layer_of(node: Node<'_, '_>) -> Option<Layer> {
-    let label = || node.attribute((INKSCAPE, "label")).and_then(Layer::named);
+    let label = || label_of(node).and_then(Layer::named);
     node.attribute("id").and_then(Layer::named).or_else(label)
+}
+
+/// The name of an element as Inkscape shows it.
+pub(super) fn label_of<'a>(node: Node<'a, '_>) -> Option<&'a str> {
+    node.attribute((INKSCAPE, "label"))
 }

@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::document::Typed;
+use usvg::roxmltree::Node;
+
+use super::document::{Typed, is_in_labels};
 use crate::Note;
 use crate::units::MmPoint;
 
@@ -18,9 +20,17 @@ pub struct TypedText {
 /// Most texts that are told one by one.
 const MOST: usize = 5;
 
+fn is_braille(text: &str) -> bool {
+    text.chars().all(|c| c == ' ' || ('\u{2800}'..='\u{28ff}').contains(&c))
+}
+
+/// Whether a text of a page is one that is written in braille where the page is rendered: a label, or braille.
+pub fn is_written(node: Node<'_, '_>, text: &str) -> bool {
+    is_in_labels(node) || is_braille(text)
+}
+
 /// Texts that are to be written, and what is told of the others.
 pub(super) fn sorted(texts: Vec<Typed<'_>>, places: &HashMap<String, MmPoint>) -> (Vec<TypedText>, Option<Note>) {
-    let is_braille = |text: &str| text.chars().all(|c| c == ' ' || ('\u{2800}'..='\u{28ff}').contains(&c));
     let (mut written, mut left) = (Vec::new(), Vec::new());
     for Typed { id, string, is_label } in texts {
         match places.get(id) {
