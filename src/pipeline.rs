@@ -14,6 +14,7 @@ mod given;
 mod kept_lines;
 mod key;
 mod label;
+mod print_words;
 mod progress;
 mod read;
 mod redraw;
@@ -151,6 +152,7 @@ fn compose(
         }?;
         Ok::<_, Error>((page, overview, key))
     })?;
+    notes.extend(std::iter::once(&page).chain(&key).filter_map(|page| print_words::left_out(page, plan)));
     if page.is_empty() {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {

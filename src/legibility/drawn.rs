@@ -9,7 +9,7 @@ use super::finding::Found;
 use super::limits::{Limits, MediumLimits};
 use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, IN_BRAILLE, LETTERS, PICTURE};
-use crate::reading::is_written;
+use crate::reading::{is_light, is_print_words, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
@@ -113,7 +113,10 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = Found> + 'd 
 
 /// Texts that are written in letters and shown.
 fn letters(document: &Document<'_>) -> Vec<Found> {
-    let is_text = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "text" && is_shown(node);
+    let is_print = |node: &Node<'_, '_>| is_print_words(*node) && is_light(*node);
+    let is_text = |node: &Node<'_, '_>| {
+        node.is_element() && node.tag_name().name() == "text" && is_shown(node) && !is_print(node)
+    };
     let found = |node: Node<'_, '_>| {
         let text: String = node.descendants().filter(Node::is_text).filter_map(|node| node.text()).collect();
         let text: Vec<&str> = text.split_whitespace().collect();

@@ -182,7 +182,10 @@ fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f
 fn of_texture(name: &str, breach: Breach, limits: &Limits) -> Found {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => format!("{texture_gap} mm of blank is the least"),
-        MediumLimits::Dots { texture_gap, .. } => format!("{texture_gap} empty dots are the least"),
+        MediumLimits::Dots { texture_gap, .. } => match texture_gap {
+            1 => "1 empty dot is the least".to_owned(),
+            _ => format!("{texture_gap} empty dots are the least"),
+        },
     };
     let (count, marks) = (breach.count, if breach.count == 1 { "mark lies" } else { "marks lie" });
     let nearest = millimetres(breach.blank);

@@ -64,8 +64,10 @@ fn row(line: &Line) -> &[Run] {
 
 /// Names the lines that are lost; none if none is.
 pub(super) fn lost(names: &[String], shares: &[f32]) -> Option<Note> {
-    let lost: Vec<&str> =
+    let mut lost: Vec<&str> =
         shares.iter().zip(names).filter(|(share, _)| **share < LOST).map(|(_, name)| name.as_str()).collect();
+    // those that a person drew matter most: our own are numbered
+    lost.sort_by_key(|name| name.starts_with("line ") && !name.contains('"'));
     let (last, first) = lost[..lost.len().min(MOST)].split_last()?;
     let (count, more) = (lost.len(), lost.len().saturating_sub(MOST));
     let named = match (first.is_empty(), more) {
@@ -102,5 +104,8 @@ mod tests {
         let told = lost(&names, &shares).expect("one is lost").to_string();
         assert!(told.contains("line 2, too short") && !told.contains("line 1"), "{told}");
         assert_eq!(lost(&names, &[1.0, 0.5, 0.3]), None);
+        let names = ["line 1".to_owned(), "line \"roof\"".to_owned()];
+        let told = lost(&names, &[0.0, 0.0]).expect("two are lost").to_string();
+        assert!(told.contains("2 lines, line \"roof\" and line 1: "), "what a person drew comes first: {told}");
     }
 }

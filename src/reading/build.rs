@@ -15,7 +15,7 @@ use crate::devices::{Device, DotArea};
 use crate::output::layer::{self, Layer};
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
-    Print, Run, Shape, Sign, TextRole, Texture,
+    Print, PrintText, Run, Shape, Sign, TextRole, Texture,
 };
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 use crate::{Error, Note};
@@ -40,7 +40,7 @@ const PX_PER_MM: f32 = 4.0;
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    marks: Marks<'_>,
+    (marks, print): (Marks<'_>, Vec<PrintText>),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
@@ -83,6 +83,9 @@ pub(super) fn page(
         (patterned, "gradients and patterns, which are taken as black"),
     ];
     notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(n, what)| Note::LeftOut(format!("{n} {what}"))));
+    let [width, height] = sheet;
+    let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
+    parts.print = print.into_iter().filter(is_on_sheet).collect();
     parts.title = words.title;
     parts.language = words.language;
     parts.description = words.description;
@@ -196,6 +199,10 @@ impl<'m> Builder<'m> {
         if self.is_foreign && mark.layer.is_none() {
             let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
             return self.tally.add(What::Foreign, at);
+        }
+        if mark.layer == Some(Layer::PrintWords) {
+            let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+            return self.tally.add(What::InPrint, at);
         }
         let has_heights = self.medium.has_heights();
         let first = mark.outlines.first().and_then(|outline| outline.points.first()).copied();

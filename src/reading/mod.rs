@@ -35,6 +35,7 @@ use crate::{Error, Note};
 use document::Elements;
 
 pub use areas::DrawnArea;
+pub use document::{is_light, is_print_words};
 pub use typed::{TypedText, is_written};
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
@@ -86,8 +87,8 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
         return Err(Error::NotAPage("its sheet is smaller than 5 mm or larger than 2500 mm; check its size in mm"));
     }
     let words = words::of(&document);
-    let (texts, told) = typed::sorted(elements.texts(), &marks.texts);
-    let (page, names, mut notes, areas) = build::page(marks, words, &elements, sheet)?;
+    let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
+    let (page, names, mut notes, areas) = build::page((marks, print), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(svg);
     Ok(Reading { page, names, notes, areas, is_changed, texts })
