@@ -1,5 +1,6 @@
 //! What is wanted of labels, and what becomes of them.
 
+use super::candidates::Params;
 use crate::braille::Lacking;
 use crate::geom::nearest_on_segment;
 use crate::units::{MmPoint, MmRect};
@@ -26,6 +27,8 @@ pub struct Placed {
     pub abbreviation: Option<String>,
     /// The line that leads from it to its anchor, if it lies far away.
     pub leader: Option<[MmPoint; 2]>,
+    /// Whether that line crosses others, as there is room nowhere else.
+    pub crosses: bool,
 }
 
 /// Why a label has no place.
@@ -44,6 +47,12 @@ pub enum Unplaced {
 }
 
 impl Placed {
+    /// Blank that is left to a point, mm, besides what textures keep from its box and from its leader line.
+    pub(super) fn blank_to(&self, at: MmPoint, params: &Params) -> f32 {
+        let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
+        (to_box(at, self.place) - params.texture_clearance).min(to_leader - params.clearance)
+    }
+
     /// Distance from its box or leader line, mm; 0 inside.
     pub fn distance(&self, at: MmPoint) -> f32 {
         let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);

@@ -11,7 +11,7 @@ use super::label::{Label, Position};
 use super::progress::Watch;
 use super::request::Request;
 use super::typed;
-use super::words::Words;
+use super::words::{Words, blank_to_signs};
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
 use crate::page::layout::Layout;
@@ -140,7 +140,7 @@ fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> 
     let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
     let mut glyphs = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
     let boxes: Vec<MmRect> = page.braille.iter().filter_map(|text| text.dots.bounds()).collect();
-    drawn_areas::clear_of_braille(&mut glyphs, &boxes, &page.braille);
+    drawn_areas::clear_of_braille(&mut glyphs, blank_to_signs(&page.medium), &boxes, &page.braille);
     glyphs
 }
 
