@@ -18,6 +18,8 @@ pub struct Params {
     pub clearance: f32,
     /// Blank to textures.
     pub texture_clearance: f32,
+    /// Whether leader lines may cross others: thin ones cross broad ones, dots are lost among dots.
+    pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
     pub step: f32,
 }
@@ -49,9 +51,10 @@ const AT_END: f32 = 4.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
 /// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
 const ALONG: f32 = 3.0;
-/// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes on.
-const ON_THE_LEFT: f32 = 1.0;
-const ABOVE_OR_BELOW: f32 = 2.0;
+/// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes on: more than a
+/// step of a grid of dots, mm.
+const ON_THE_LEFT: f32 = 3.0;
+const ABOVE_OR_BELOW: f32 = 4.0;
 /// Blank between a label and the leader line of another, mm.
 const TO_LEADER: f32 = 3.5;
 /// What a leader line costs: the millimetres that another place may lie further away.
@@ -85,8 +88,11 @@ impl Spacing {
         Self { aside: blank(cells, 2), above: 7.0 }
     }
 
-    /// The least: as words of a text, which a blank cell keeps apart, and its lines.
-    pub(super) fn least(cells: &CellGrid<'_>) -> Self {
+    /// The least: where there is room for no more.
+    pub(super) const TIGHT: Self = Self { aside: 6.0, above: 3.5 };
+
+    /// As words of a text, which a blank cell keeps apart, and its lines.
+    pub(super) fn narrow(cells: &CellGrid<'_>) -> Self {
         Self { aside: blank(cells, 1), above: 3.5 }
     }
 }
@@ -180,6 +186,9 @@ fn candidate(
     let from = anchor.clamp(place.min, place.max);
     // a label on the other side of a line names what is there, unless a line leads across
     let is_parted = room.is_parted(from, anchor, AT_END);
+    if is_parted && !params.may_cross {
+        return None;
+    }
     let leader = if gap > NEAR || is_parted {
         let begin = from + (anchor - from).normalize() * BEFORE_LEADER;
         let is_clear = is_parted || room.is_free_way(begin, anchor, AT_END);

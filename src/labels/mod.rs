@@ -28,6 +28,10 @@ use room::Room;
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
 
+/// Labels have less blank between them where they lie nearer to what they name by this, all together, mm: in a row under
+/// the bars of a chart each is below its bar.
+const WORTH: f32 = 8.0;
+
 pub use forms::LONGEST;
 
 /// The labels in the order in which they were wanted, each with its place or the reason why it has none.
@@ -53,23 +57,28 @@ pub fn place(
         let of = |choice: Choice| &candidates[choice.label][choice.candidate];
         choose(&costs, &|a, b| of(a).conflicts(of(b), spacing))
     };
-    // what is lost: labels, then texts that are abbreviated or led to across lines
+    // what is lost: labels, then texts that are abbreviated or led to across lines; and how far labels lie away
     let loss = |chosen: &[Option<usize>]| {
-        let of = |(label, chosen): (usize, &Option<usize>)| chosen.map(|chosen| &candidates[label][chosen]);
-        let placed: Vec<&Candidate> = chosen.iter().enumerate().filter_map(of).collect();
-        let is_short = |label: usize, candidate: &Candidate| {
-            let forms = forms[label].as_ref().ok().and_then(|of| of.forms.get(candidate.form));
-            forms.is_some_and(|form| form.abbreviation.is_some())
+        let of = |(label, chosen): (usize, &Option<usize>)| Some((label, &candidates[label][(*chosen)?]));
+        let placed: Vec<(usize, &Candidate)> = chosen.iter().enumerate().filter_map(of).collect();
+        let is_short = |(label, candidate): &&(usize, &Candidate)| {
+            let form = forms[*label].as_ref().ok().and_then(|of| of.forms.get(candidate.form));
+            candidate.crosses || form.is_some_and(|form| form.abbreviation.is_some())
         };
-        let short = chosen.iter().enumerate().filter_map(|(label, chosen)| Some((label, (*chosen)?)));
-        let short = short.filter(|(label, chosen)| is_short(*label, &candidates[*label][*chosen])).count();
-        (chosen.len() - placed.len(), short + placed.iter().filter(|candidate| candidate.crosses).count())
+        let cost: f32 = placed.iter().map(|(_, candidate)| candidate.cost).sum();
+        ((chosen.len() - placed.len(), placed.iter().filter(is_short).count()), cost)
     };
     let mut chosen = chosen_with(Spacing::wide(cells));
-    if loss(&chosen) > (0, 0) {
-        let narrow = chosen_with(Spacing::least(cells));
-        if loss(&narrow) < loss(&chosen) {
-            chosen = narrow;
+    let narrow = chosen_with(Spacing::narrow(cells));
+    let ((lost, cost), (of_narrow, cost_of_narrow)) = (loss(&chosen), loss(&narrow));
+    if of_narrow < lost || of_narrow == lost && cost_of_narrow + WORTH < cost {
+        chosen = narrow;
+    }
+    let lost = loss(&chosen).0;
+    if lost > (0, 0) {
+        let tight = chosen_with(Spacing::TIGHT);
+        if loss(&tight).0 < lost {
+            chosen = tight;
         }
     }
     let placed = forms.into_iter().zip(chosen).zip(&candidates).map(|((forms, chosen), candidates)| {

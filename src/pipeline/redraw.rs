@@ -201,7 +201,7 @@ pub(super) fn marks(
     let drawn = draw_lines(Some(&edges), &layout, plan, watch);
     let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
     let left_out = left_out(&drawn.lost, small);
-    let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).into_iter().collect();
+    let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
         let (_, shares) = kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
         notes.extend(kept_lines::lost(&names.lines, &shares));
@@ -212,6 +212,14 @@ pub(super) fn marks(
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+}
+
+/// A note as it is of use for a page: it has no parts to draw, and no sheets to be spread over.
+fn of_page(note: Note) -> Note {
+    match note {
+        Note::TooDense { millimetres, percent, place, .. } => Note::LinesLeftOut { millimetres, percent, place },
+        other => other,
+    }
 }
 
 /// That dots which somebody drew on a page are not on one that is laid out anew; none if there are none.

@@ -316,8 +316,9 @@ fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
             (dots.pitch, layout.figure.intersection_unchecked(&reach))
         }
     };
+    let may_cross = matches!(layout.medium, Medium::Print(_));
     let texture_clearance = blank_to_signs(&layout.medium);
-    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, step }
+    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, may_cross, step }
 }
 
 /// A leader line: as thin as lines can be.

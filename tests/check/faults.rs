@@ -116,6 +116,17 @@ fn what_render_mends_is_a_warning() {
     assert!(finding("error")["render"].is_null());
 }
 
+/// The second row of a heavy line of dots, and the next dot of a ring, are no gaps.
+#[test]
+fn rows_of_dots_are_not_broken_lines() {
+    let svg = page::of_sample("coffee.png", "index-basic-d").page.to_svg();
+    let checked = check(svg, None).expect("it can be read");
+    assert!(!has(&checked, "broken-line", "the two ends of"), "{checked}");
+    let svg = page::of_sample("chart.svg", "index-basic-d").page.to_svg();
+    let checked = check(svg, None).expect("it can be read");
+    assert!(!has(&checked, "broken-line", ""), "{checked}");
+}
+
 #[test]
 fn colours_and_letters_are_found() {
     let grey = changed("bars.svg", |svg| svg.replacen("stroke=\"#000000\"", "stroke=\"#777777\"", 1));
