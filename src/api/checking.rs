@@ -17,7 +17,9 @@ const FINGER: f32 = 1.0;
 /// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`](crate::Page::to_svg) writes it
 /// or as somebody changed it in an editor. Its numbers are those of `profile` or, without one, of the profile that the
 /// page says it was made with; a page of an unknown profile, and a drawing, are held against the first of
-/// [`Profile::built_in`]. A drawing that has no layers of a page is judged as ink.
+/// [`Profile::built_in`]. A drawing that has no layers of a page is judged as ink. What [`render`](crate::render) puts
+/// right on a page that somebody changed is a warning that says so ([`Finding::mended`](crate::Finding::mended)),
+/// unless a `profile` is given.
 ///
 /// ```
 /// use tactograph::{Options, Profile};

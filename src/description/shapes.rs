@@ -20,6 +20,10 @@ const LONG: f32 = 0.6;
 /// Ends nearer than this close a line, mm.
 const CLOSED: f32 = 0.05;
 
+/// A side at which a rectangle may be open: its name, its ends, the way along the other three, and the distance of a
+/// point to these.
+type OpenBox = (&'static str, [MmPoint; 2], f32, fn(MmPoint, MmRect) -> f32);
+
 /// How far an open rectangle may lie off its straight sides, mm.
 const SLACK: f32 = 1.0;
 /// Least side of one, mm: as narrow a bend is a hook.
@@ -83,7 +87,7 @@ impl Shape {
         let near = |a: f32, b: f32| (a - b).abs() <= self.slack;
         // the side's ends, the way round along the other three, and whether a point lies on one of these
         let at = |x: f32, y: f32| MmPoint::new(x, y);
-        let sides: [(&str, [MmPoint; 2], f32, fn(MmPoint, MmRect) -> f32); 4] = [
+        let sides: [OpenBox; 4] = [
             ("below", [at(min.x, max.y), max], width + 2.0 * height, |p, e| {
                 off([p.x - e.min.x, p.x - e.max.x, p.y - e.min.y])
             }),

@@ -1,28 +1,11 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Wanted, to_box};
+use super::placed::{Params, Wanted, to_box};
 use super::room::Room;
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
-
-/// How labels are placed, mm.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Params {
-    /// Where they may lie.
-    pub area: MmRect,
-    /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
-    pub tiles: Vec<MmRect>,
-    /// Blank to lines.
-    pub clearance: f32,
-    /// Blank to textures.
-    pub texture_clearance: f32,
-    /// Whether leader lines may cross others: thin ones cross broad ones, dots are lost among dots.
-    pub may_cross: bool,
-    /// Step in which places are looked for; on a grid that of its dots.
-    pub step: f32,
-}
 
 /// A place for a label.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,8 +34,8 @@ const AT_END: f32 = 4.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
 /// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
 const ALONG: f32 = 3.0;
-/// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes on: more than a
-/// step of a grid of dots, mm.
+/// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
+/// on: more than a step of a grid of dots, mm.
 const ON_THE_LEFT: f32 = 3.0;
 const ABOVE_OR_BELOW: f32 = 4.0;
 /// Blank between a label and the leader line of another, mm.

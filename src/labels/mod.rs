@@ -14,9 +14,8 @@ mod forms;
 mod placed;
 mod room;
 
-pub use candidates::Params;
 pub use choose::{Choice, choose};
-pub use placed::{Placed, Unplaced, Wanted};
+pub use placed::{Params, Placed, Unplaced, Wanted};
 
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
@@ -28,8 +27,8 @@ use room::Room;
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
 
-/// Labels have less blank between them where they lie nearer to what they name by this, all together, mm: in a row under
-/// the bars of a chart each is below its bar.
+/// Labels have less blank between them where they lie nearer to what they name by this, all of them together, mm: in a
+/// row under the bars of a chart each is below its bar.
 const WORTH: f32 = 8.0;
 
 pub use forms::LONGEST;

@@ -1,9 +1,25 @@
 //! What is wanted of labels, and what becomes of them.
 
-use super::candidates::Params;
 use crate::braille::Lacking;
 use crate::geom::nearest_on_segment;
 use crate::units::{MmPoint, MmRect};
+
+/// How labels are placed, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Params {
+    /// Where they may lie.
+    pub area: MmRect,
+    /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
+    pub tiles: Vec<MmRect>,
+    /// Blank to lines.
+    pub clearance: f32,
+    /// Blank to textures.
+    pub texture_clearance: f32,
+    /// Whether leader lines may cross others: thin ones cross broad ones, dots are lost among dots.
+    pub may_cross: bool,
+    /// Step in which places are looked for; on a grid that of its dots.
+    pub step: f32,
+}
 
 /// A label that is wanted.
 #[derive(Debug, Clone, PartialEq)]

@@ -44,7 +44,8 @@ impl Checked {
     /// The same as JSON: how many `errors` and `warnings`; `verdict`, and the shares 0..=1 that it tells of: `faulty`
     /// of the figure, and of `textures` what is `of_figure`, `judged` and `right` (null where none were felt);
     /// `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the sheet's top left), `what`,
-    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null); and `notes`, what was taken otherwise than it looks.
+    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null); and `notes`, what was
+    /// taken otherwise than it looks.
     pub fn to_json(&self) -> String {
         let finding = |finding: &Finding| {
             let (limit, unit) = self.number(&finding.rule);

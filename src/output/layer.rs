@@ -62,8 +62,8 @@ impl Layer {
     }
 }
 
-/// The grey of words in print: 23 % of black. What rises does so the more the blacker it is (tactilelibrary.com: dark grey
-/// less than black); how little a light grey rises depends on paper and heater, and no measurement is known to us.
+/// The grey of words in print: 23 % of black. What rises does so the more the blacker it is (tactilelibrary.com: dark
+/// grey less than black); how little a light grey rises depends on paper and heater, and no measurement is known to us.
 pub(crate) const PRINT_GREY: u8 = 0xc4;
 
 /// The greys of no dot, and of a low, a middle and a high one: as far apart as they can be, so that a driver that has

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::words::{CLEARANCE, blank_to_signs};
+use super::label::CLEARANCE;
+use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
 use crate::geom::nearest_on_segment;
 use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Parts, Texture};

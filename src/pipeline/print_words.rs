@@ -1,6 +1,6 @@
 //! Print beside the braille, for those who see: small, above its braille, within the blank that braille has around it.
 
-use super::words::CLEARANCE;
+use super::label::CLEARANCE;
 use crate::Note;
 use crate::page::{BrailleText, Medium, Parts, PrintText, TextRole};
 use crate::profile::Plan;

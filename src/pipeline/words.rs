@@ -1,7 +1,7 @@
 //! What is written on a page in braille.
 
 use super::key::{Entries, Key};
-use super::label::Label;
+use super::label::{CLEARANCE, Label};
 use super::request::Request;
 use super::texts::Text;
 use super::unwritten::{self, Refused};
@@ -46,11 +46,10 @@ impl Words<'_> {
     }
 }
 
-/// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
-pub(super) const CLEARANCE: f32 = 3.0;
 /// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
 const TO_DOTS: f32 = 6.0;
-/// A label names something if a line or a texture is this near to what it stands for, mm: a label further away has a leader line.
+/// A label names something if a line or a texture is this near to what it stands for, mm: from here on a label has a
+/// leader line.
 const NAMED: f32 = 12.0;
 /// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
 const STEP: f32 = 1.0;
@@ -392,7 +391,8 @@ fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Not
         .collect();
     (!texts.is_empty()).then(|| {
         Note::TakenAs(format!(
-            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure may have it",
+            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure \
+             may have it",
             named(&texts)
         ))
     })
