@@ -15,7 +15,7 @@ pub struct Params {
     pub clearance: f32,
     /// Blank to textures.
     pub texture_clearance: f32,
-    /// Whether leader lines may cross others: thin ones cross broad ones, dots are lost among dots.
+    /// Whether leader lines may cross others: among the few pins of a display they are lost.
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
     pub step: f32,

@@ -6,6 +6,7 @@ use super::request::Request;
 use super::texts::Text;
 use super::unwritten::{self, Refused};
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
+use crate::devices::Family;
 use crate::dots;
 use crate::labels::{self, Params, Placed, Unplaced, Wanted};
 use crate::page::cells::CellGrid;
@@ -315,7 +316,7 @@ fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
             (dots.pitch, layout.figure.intersection_unchecked(&reach))
         }
     };
-    let may_cross = matches!(layout.medium, Medium::Print(_));
+    let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
     let texture_clearance = blank_to_signs(&layout.medium);
     Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, may_cross, step }
 }

@@ -108,6 +108,25 @@ fn labels_hang_beside_their_points() {
     }
 }
 
+/// Where there is room, labels side by side have two blank cells between them, as columns of a table.
+#[test]
+fn labels_side_by_side_are_two_blank_cells_apart() {
+    let blank = b"<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'>\
+        <rect width='300' height='200' fill='#fff'/>\
+        <path d='M10 190h280' stroke='#000' stroke-width='3'/></svg>";
+    let labels = vec![at(30.0, 50.0, "sun"), at(47.0, 50.0, "moon"), at(68.0, 50.0, "star")];
+    for (profile, least) in [("swell-a4", 14.0), ("viewplus-columbia", 14.0)] {
+        let drawing = convert(&blank[..], &options(profile).labels(labels.clone())).expect("a page");
+        let places: Vec<MmRect> = labels_of(&drawing).into_iter().map(place).collect();
+        assert_eq!(places.len(), 3, "{profile}");
+        for (a, b) in [(0, 1), (0, 2), (1, 2)].map(|(a, b)| (places[a], places[b])) {
+            let is_in_line = a.min.y < b.max.y && b.min.y < a.max.y;
+            let gap = (b.min.x - a.max.x).max(a.min.x - b.max.x);
+            assert!(!is_in_line || gap >= least, "{profile}: {gap} mm between two labels");
+        }
+    }
+}
+
 /// Every text of a drawing is on its page, in full or abbreviated, or told; on paper and on dots.
 #[test]
 fn texts_of_drawings_are_labels() {
