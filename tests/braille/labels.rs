@@ -127,6 +127,17 @@ fn labels_side_by_side_are_two_blank_cells_apart() {
     }
 }
 
+/// The capital of the map is a small disc, which dots have no room for beside the river: its label stays.
+#[test]
+fn a_small_shape_that_dots_do_not_show_is_told() {
+    let picture = samples::read("map.svg");
+    for (profile, is_told) in [("swell-a4", false), ("viewplus-columbia", true)] {
+        let drawing = convert(&picture, &options(profile)).expect("a page");
+        let told = drawing.notes.iter().any(|note| note.to_string().contains("1 small closed shape (the first at "));
+        assert_eq!(told, is_told, "{profile}: {:?}", drawing.notes);
+    }
+}
+
 /// Every text of a drawing is on its page, in full or abbreviated, or told; on paper and on dots.
 #[test]
 fn texts_of_drawings_are_labels() {
