@@ -9,7 +9,7 @@ use crate::units::MmPoint;
 /// Sizes of letters that are tried, mm: 3 is 8.5 points, as captions are printed; 2.5 is 7.
 const SIZES: [f32; 2] = [3.0, 2.5];
 /// From the letters' line to the dots below, mm: tails of letters take a fifth of their size.
-const ABOVE: f32 = 0.8;
+const ABOVE: f32 = 0.7;
 /// Width of a letter as a share of the size: broader than the mean of Helvetica (0.5), since other fonts may be there.
 const LETTER: f32 = 0.56;
 /// Print keeps this far from the edge of the sheet, mm: many printers leave 4 mm blank.
