@@ -31,8 +31,8 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
 const WHOLE: f32 = 0.7;
-/// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are followed,
-/// and where they are cut is felt.
+/// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are
+/// followed, and where they are cut is felt.
 const SIGN: f32 = 25.0;
 
 fn is_small_ring(line: &Line) -> bool {
