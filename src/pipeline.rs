@@ -9,9 +9,12 @@ mod dots;
 mod draw;
 mod drawn_areas;
 mod finish;
+mod give_way;
 mod given;
+mod kept_lines;
 mod key;
 mod label;
+mod print_words;
 mod progress;
 mod read;
 mod redraw;
@@ -32,7 +35,7 @@ pub use given::{Given, HandLines};
 pub use key::Key;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
-pub use redraw::{dots_left_out, settle};
+pub use redraw::{Settled, dots_left_out, settle};
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;
@@ -41,7 +44,7 @@ pub use words::Words;
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
+use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Names, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::units::MmRect;
@@ -97,16 +100,21 @@ pub fn convert_with_words<'p>(
 }
 
 /// Draws a page anew with another profile: lines and areas keep their places in the figure, and everything that hangs
-/// on paper or device is made for the new one. `own` is the profile of the page.
+/// on paper or device is made for the new one. `names` are those of its objects, `own` is its profile.
 ///
 /// # Errors
 /// As [`convert`].
-pub fn redraw(page: &Page, own: &Plan, request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Drawing, Error> {
+pub fn redraw(
+    (page, names): (&Page, &Names),
+    own: &Plan,
+    request: &Request<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Drawing, Error> {
     let labels = redraw::labels(page);
     let words = redraw::words(page, &labels);
     let written = Written::new(&words, request.plan);
     let layout = written.layout(redraw::shape(page), request)?;
-    let marks = redraw::marks(page, own, layout, request, watch)?;
+    let marks = redraw::marks((page, names), own, layout, request, watch)?;
     compose(marks, &words, &written, request, watch)
 }
 
@@ -144,6 +152,7 @@ fn compose(
         }?;
         Ok::<_, Error>((page, overview, key))
     })?;
+    notes.extend(std::iter::once(&page).chain(&key).filter_map(|page| print_words::left_out(page, plan)));
     if page.is_empty() {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {

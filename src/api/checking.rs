@@ -17,7 +17,9 @@ const FINGER: f32 = 1.0;
 /// Holds a page against the rules of legibility: the SVG of a page, as [`Page::to_svg`](crate::Page::to_svg) writes it
 /// or as somebody changed it in an editor. Its numbers are those of `profile` or, without one, of the profile that the
 /// page says it was made with; a page of an unknown profile, and a drawing, are held against the first of
-/// [`Profile::built_in`]. A drawing that has no layers of a page is judged as ink.
+/// [`Profile::built_in`]. A drawing that has no layers of a page is judged as ink. What [`render`](crate::render) puts
+/// right on a page that somebody changed is a warning that says so ([`Finding::mended`](crate::Finding::mended)),
+/// unless a `profile` is given.
 ///
 /// ```
 /// use tactograph::{Options, Profile};
@@ -55,7 +57,8 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
     let tree = Tree::from_xmltree(&document, &options).map_err(|fault| undecodable(fault.to_string()))?;
-    let drawn = Drawn { document: &document, tree: &tree };
+    let mends = profile.is_none() && read.as_ref().is_some_and(|read| read.is_changed);
+    let drawn = Drawn { document: &document, tree: &tree, mends };
     let limits = |page: &Page| match profile {
         Some(profile) => Ok::<_, Error>(Plan::new(profile)?.limits()),
         None => Ok(Plan::new(&Profile::of_page(&page.origin)?)?.limits()),
@@ -71,7 +74,8 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
             let limits = limits(&read.page)?;
             let felt = feel(bytes, FINGER).ok();
             let felt = felt.as_ref().map(super::Felt::report);
-            Checked { notes: read.notes, ..drawn.check(&read.page, &limits, felt) }
+            let checked = drawn.check(&read, &limits, felt);
+            Checked { notes: read.notes, ..checked }
         }
         None => {
             let sheet = empty()?;

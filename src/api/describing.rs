@@ -36,7 +36,7 @@ pub fn describe(
         read.page
     } else {
         let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-        pipeline::settle(&read.page, (&read.areas, &read.texts), &plan)?.0
+        pipeline::settle(&read, &plan)?.page
     };
     Ok(description::describe(&page, &checked.verdict, wording))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::Translate;
 use crate::page::{LANGUAGE, Page};
-use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, TextReader, Words};
+use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, Settled, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -229,12 +229,17 @@ impl Options {
     /// # Errors
     /// As [`Options::lines`].
     pub fn areas(mut self, svg: impl AsRef<[u8]>) -> Result<Self, Error> {
-        let Reading { page, mut notes, areas, texts } = reading::read(svg.as_ref())?;
-        notes.extend(not_written(&texts));
+        let mut read = reading::read(svg.as_ref())?;
+        let mut notes = std::mem::take(&mut read.notes);
+        notes.extend(not_written(&std::mem::take(&mut read.texts)));
         // drawn areas have signs only then
-        let (page, more) = match areas.is_empty() {
-            true => (page, Vec::new()),
-            false => pipeline::settle(&page, (&areas, &[]), &Plan::new(&Profile::of_page(&page.origin)?)?)?,
+        let (page, more) = match read.areas.is_empty() {
+            true => (read.page, Vec::new()),
+            false => {
+                let Settled { page, notes, .. } =
+                    pipeline::settle(&read, &Plan::new(&Profile::of_page(&read.page.origin)?)?)?;
+                (page, notes)
+            }
         };
         self.given.areas = Some(pipeline::areas_of(&page));
         notes.extend(more);

@@ -3,18 +3,19 @@
 use std::sync::Arc;
 
 use crate::Error;
-use crate::pipeline::{self, Drawing, Fit, Request};
+use crate::pipeline::{self, Drawing, Fit, Request, Settled};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
-use crate::reading::{self, Reading};
+use crate::reading;
 
 /// Reads a page from its SVG, as [`Page::to_svg`](crate::Page::to_svg) wrote it and somebody may have changed it, so
 /// that it can be written in any format.
 ///
 /// Without `profile` it stays on its paper or device: what lies in its layers is taken as it is, only widths of lines
-/// are brought into the range of its profile. With `profile` it is laid out anew for that: lines and areas keep
-/// their places in the figure, and textures, overview, frame and braille are made for the new paper or device. What was
-/// taken otherwise than it looks, or left out, is in [`Drawing::notes`].
+/// are brought into the range of its profile, and signs of textures give way to lines that were drawn. With `profile`
+/// it is laid out anew for that: lines and areas keep their places in the figure, and textures, overview, frame and
+/// braille are made for the new paper or device. What was taken otherwise than it looks, or left out, is in
+/// [`Drawing::notes`].
 ///
 /// ```
 /// use tactograph::{DotFormat, Options, Profile};
@@ -31,9 +32,10 @@ use crate::reading::{self, Reading};
 /// # Errors
 /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; faults of the profile.
 pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawing, Error> {
-    let Reading { page, mut notes, areas, texts } = reading::read(svg.as_ref())?;
-    let own = Plan::new(&Profile::of_page(&page.origin)?)?;
-    let (page, more) = pipeline::settle(&page, (&areas, &texts), &own)?;
+    let mut read = reading::read(svg.as_ref())?;
+    let mut notes = std::mem::take(&mut read.notes);
+    let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
+    let Settled { page, names, notes: more } = pipeline::settle(&read, &own)?;
     notes.extend(more);
     let Some(profile) = profile else {
         return Ok(Drawing { page, overview: None, key: Vec::new(), texts: Vec::new(), notes });
@@ -48,7 +50,7 @@ pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawin
         fit: Fit::default(),
         cancelled: &|| false,
     };
-    let mut drawing = pipeline::redraw(&page, &own, &request, &mut |_| ())?;
+    let mut drawing = pipeline::redraw((&page, &names), &own, &request, &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));

@@ -20,16 +20,32 @@ const LONG: f32 = 0.6;
 /// Ends nearer than this close a line, mm.
 const CLOSED: f32 = 0.05;
 
+/// A side at which a rectangle may be open: its name, its ends, the way along the other three, and the distance of a
+/// point to these.
+type OpenBox = (&'static str, [MmPoint; 2], f32, fn(MmPoint, MmRect) -> f32);
+
+/// How far an open rectangle may lie off its straight sides, mm.
+const SLACK: f32 = 1.0;
+/// Least side of one, mm: as narrow a bend is a hook.
+const LEAST_BOX: f32 = 4.0;
+/// How much its length may differ from that of three sides, as a share.
+const AS_LONG: f32 = 0.12;
+
 struct Shape {
     path: Vec<MmPoint>,
     length: f32,
     closed: bool,
     extent: MmRect,
+    /// How far it may lie off a straight side, mm.
+    slack: f32,
 }
 
 impl Shape {
     fn of(line: &Line) -> Option<Self> {
-        let path: Vec<MmPoint> = line.runs.iter().flat_map(|run| run.path()).map(written).collect();
+        // the second row of dots of a heavy line is no length of its own
+        let is_dotted = line.runs.first().is_some_and(|run| run.pen != Default::default());
+        let runs = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
+        let path: Vec<MmPoint> = runs.iter().flat_map(|run| run.path()).map(written).collect();
         let (first, last) = (*path.first()?, *path.last()?);
         let length = path.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
         // a ring of dots ends a step before its beginning
@@ -41,7 +57,7 @@ impl Shape {
         let extent = path
             .iter()
             .fold(MmRect::new(first, first), |extent, &at| MmRect::new(extent.min.min(at), extent.max.max(at)));
-        Some(Self { path, length, closed, extent })
+        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * gap) })
     }
 
     fn area(&self) -> f32 {
@@ -60,6 +76,39 @@ impl Shape {
         self.extent.contains_box(&other.extent) && crosses.count() % 2 == 1
     }
 
+    /// The side at which it is an open rectangle, such as a bar of a chart that stands on its axis.
+    fn open_side(&self) -> Option<&'static str> {
+        let MmRect { min, max } = self.extent;
+        let (width, height) = (max.x - min.x, max.y - min.y);
+        if self.closed || width.min(height) < LEAST_BOX {
+            return None;
+        }
+        let [first, last] = [self.path[0], self.path[self.path.len() - 1]];
+        let near = |a: f32, b: f32| (a - b).abs() <= self.slack;
+        // the side's ends, the way round along the other three, and whether a point lies on one of these
+        let at = |x: f32, y: f32| MmPoint::new(x, y);
+        let sides: [OpenBox; 4] = [
+            ("below", [at(min.x, max.y), max], width + 2.0 * height, |p, e| {
+                off([p.x - e.min.x, p.x - e.max.x, p.y - e.min.y])
+            }),
+            ("above", [min, at(max.x, min.y)], width + 2.0 * height, |p, e| {
+                off([p.x - e.min.x, p.x - e.max.x, p.y - e.max.y])
+            }),
+            ("right", [at(max.x, min.y), max], 2.0 * width + height, |p, e| {
+                off([p.x - e.min.x, p.y - e.min.y, p.y - e.max.y])
+            }),
+            ("left", [min, at(min.x, max.y)], 2.0 * width + height, |p, e| {
+                off([p.x - e.max.x, p.y - e.min.y, p.y - e.max.y])
+            }),
+        ];
+        let is_end = |end: MmPoint, corner: MmPoint| near(end.x, corner.x) && near(end.y, corner.y);
+        sides.into_iter().find_map(|(name, [a, b], way, off)| {
+            let ends = is_end(first, a) && is_end(last, b) || is_end(first, b) && is_end(last, a);
+            let along = self.path.iter().all(|point| off(*point, self.extent) <= self.slack);
+            (ends && along && (self.length / way - 1.0).abs() <= AS_LONG).then_some(name)
+        })
+    }
+
     /// The sentence on it. `holds` is how many other closed shapes lie inside.
     fn told(&self, holds: usize, figure: MmRect, wording: &Wording) -> String {
         let (width, height) = (self.extent.width(), self.extent.height());
@@ -74,6 +123,10 @@ impl Shape {
                 false => wording.say("shape-closed", &[place, mm("width", width), mm("height", height), holds]),
             };
         }
+        if let Some(side) = self.open_side() {
+            return wording
+                .say("shape-open", &[place, mm("width", width), mm("height", height), ("side", side.into())]);
+        }
         let way: MmVector = self.path[self.path.len() - 1] - self.path[0];
         let straight = way.length() >= STRAIGHT * self.length;
         let (dx, dy) =
@@ -87,6 +140,11 @@ impl Shape {
         let long = ("long", if across >= LONG { "yes" } else { "no" }.into());
         wording.say(form, &[place, mm("length", self.length), long])
     }
+}
+
+/// The least of some distances, whatever their sign.
+fn off(distances: [f32; 3]) -> f32 {
+    distances.into_iter().map(f32::abs).fold(f32::MAX, f32::min)
 }
 
 /// A point as it is written, in steps of 0.01 mm.
@@ -140,5 +198,19 @@ mod tests {
                 "A bent line in the upper left, 30 mm long.",
             ]
         );
+    }
+
+    #[test]
+    fn a_bar_on_an_axis_is_an_open_rectangle_and_a_second_row_of_dots_no_length() {
+        let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+        let at = MmPoint::new;
+        let bar = line(vec![at(20.0, 140.0), at(20.0, 100.0), at(40.0, 100.4), at(40.0, 140.0)]);
+        let told_of = |line: Line| told(&[line], figure, 9, Wording::english()).concat();
+        assert_eq!(told_of(bar), "A rectangle in the lower left, open at the bottom, 20 mm wide and 40 mm high.");
+        let zigzag = line(vec![at(20.0, 140.0), at(20.0, 100.0), at(30.0, 120.0), at(40.0, 100.0), at(40.0, 140.0)]);
+        assert!(told_of(zigzag).starts_with("A bent line"));
+        let row = |y: f32| Run::dots(1.5, (0..41).map(|k| at(20.0 + 2.5 * k as f32, y)).collect(), Default::default());
+        let heavy = Line { strength: 90.0, runs: vec![row(70.0), row(72.5)] };
+        assert!(told_of(heavy).contains("100 mm long"));
     }
 }

@@ -1,24 +1,11 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Wanted, to_box};
+use super::placed::{Params, Wanted, to_box};
 use super::room::Room;
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
-
-/// How labels are placed, mm.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Params {
-    /// Where they may lie.
-    pub area: MmRect,
-    /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
-    pub tiles: Vec<MmRect>,
-    /// Blank to lines and textures.
-    pub clearance: f32,
-    /// Step in which places are looked for; on a grid that of its dots.
-    pub step: f32,
-}
 
 /// A place for a label.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +15,8 @@ pub(super) struct Candidate {
     /// The box around its dots.
     pub(super) place: MmRect,
     pub(super) leader: Option<[MmPoint; 2]>,
+    /// Whether that leads across other lines.
+    pub(super) crosses: bool,
     pub(super) cost: f32,
 }
 
@@ -45,14 +34,18 @@ const AT_END: f32 = 4.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
 /// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
 const ALONG: f32 = 3.0;
-/// Blank between labels side by side, mm: a blank cell, or they are read as one.
-const ASIDE: f32 = 6.0;
-/// Blank between labels one above the other, mm: as between lines of braille.
-const ABOVE: f32 = 3.5;
+/// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
+/// on: more than a step of a grid of dots, mm.
+const ON_THE_LEFT: f32 = 3.0;
+const ABOVE_OR_BELOW: f32 = 4.0;
+/// Blank between a label and the leader line of another, mm.
+const TO_LEADER: f32 = 3.5;
 /// What a leader line costs: the millimetres that another place may lie further away.
 const LEADER: f32 = 10.0;
 /// What a leader line across other lines costs: more than an abbreviation.
 const ACROSS: f32 = 2000.0;
+/// ... and what each mm of it costs that runs along a line, of which it would be felt as a part.
+const ALONG_A_LINE: f32 = 20.0;
 /// Least distance to what a leader line leads to, mm: a shorter one is felt as a dot.
 const SHORTEST_LEADER: f32 = 6.0;
 /// What a glyph costs that has to go.
@@ -62,16 +55,49 @@ const GLYPH: f32 = 0.3;
 const MOST: usize = 48;
 const APART: f32 = 4.0;
 
+/// Blank between labels, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Spacing {
+    /// Side by side.
+    aside: f32,
+    /// One above the other.
+    above: f32,
+}
+
+impl Spacing {
+    /// As columns of a table in braille, which two blank cells keep apart; one above the other, more than lines of one
+    /// text.
+    pub(super) fn wide(cells: &CellGrid<'_>) -> Self {
+        Self { aside: blank(cells, 2), above: 7.0 }
+    }
+
+    /// The least: where there is room for no more.
+    pub(super) const TIGHT: Self = Self { aside: 6.0, above: 3.5 };
+
+    /// As words of a text, which a blank cell keeps apart, and its lines.
+    pub(super) fn narrow(cells: &CellGrid<'_>) -> Self {
+        Self { aside: blank(cells, 1), above: 3.5 }
+    }
+}
+
+/// Blank between the dots of two cells with so many blank cells between them, mm.
+fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
+    let of_all = cells.extent(count + 2, 1).x;
+    // a little less, for dots that lie off by rounding
+    of_all - 2.0 * cells.extent(1, 1).x - 0.1
+}
+
 impl Candidate {
     /// Whether two labels cannot both be there.
-    pub(super) fn conflicts(&self, other: &Self) -> bool {
-        let near = self.place.inflate(ASIDE, ABOVE).intersects(&other.place);
+    pub(super) fn conflicts(&self, other: &Self, spacing: Spacing) -> bool {
+        let Spacing { aside, above } = spacing;
+        let near = self.place.inflate(aside, above).intersects(&other.place);
         let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
             leader.is_some_and(|[a, b]| {
                 let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
                 let corners = [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from);
                 let to_side = |i: usize| segment_distance((a, b), (corners[i], corners[(i + 1) % 4]));
-                place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < ABOVE)
+                place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < TO_LEADER)
             })
         };
         let leaders = || match (self.leader, other.leader) {
@@ -143,6 +169,9 @@ fn candidate(
     let from = anchor.clamp(place.min, place.max);
     // a label on the other side of a line names what is there, unless a line leads across
     let is_parted = room.is_parted(from, anchor, AT_END);
+    if is_parted && !params.may_cross {
+        return None;
+    }
     let leader = if gap > NEAR || is_parted {
         let begin = from + (anchor - from).normalize() * BEFORE_LEADER;
         let is_clear = is_parted || room.is_free_way(begin, anchor, AT_END);
@@ -152,14 +181,25 @@ fn candidate(
     };
     // beside a point; in place of a text
     let away = place.center() - anchor;
-    let distance = if is_point { gap + 0.1 * away.length() } else { (ALONG * away.x).hypot(away.y) };
-    let glyphs = room.glyphs(place.inflate(params.clearance, params.clearance)) as f32;
+    let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
+    let distance = match (is_point, is_beside) {
+        (true, true) => gap + 0.3 * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
+        (true, false) => gap + 0.1 * away.x.abs() + ABOVE_OR_BELOW,
+        (false, _) => (ALONG * away.x).hypot(away.y),
+    };
+    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
     let leader_cost = match leader {
-        _ if is_parted => ACROSS,
+        Some([from, to]) if is_parted => ACROSS + ALONG_A_LINE * room.along(from, to, AT_END),
         Some(_) => LEADER,
         None => 0.0,
     };
-    Some(Candidate { form: number, place, leader, cost: form.cost + distance + GLYPH * glyphs + leader_cost })
+    Some(Candidate {
+        form: number,
+        place,
+        leader,
+        crosses: is_parted,
+        cost: form.cost + distance + GLYPH * glyphs + leader_cost,
+    })
 }
 
 /// The best of the places, some way apart.

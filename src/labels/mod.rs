@@ -14,19 +14,22 @@ mod forms;
 mod placed;
 mod room;
 
-pub use candidates::Params;
 pub use choose::{Choice, choose};
-pub use placed::{Placed, Unplaced, Wanted};
+pub use placed::{Params, Placed, Unplaced, Wanted};
 
 use crate::braille::Translator;
-use crate::page::Figure;
 use crate::page::cells::CellGrid;
-use candidates::Candidate;
+use crate::page::{Figure, Glyph};
+use candidates::{Candidate, Spacing};
 use forms::{Form, Forms};
 use room::Room;
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
+
+/// Labels have less blank between them where they lie nearer to what they name by this, all of them together, mm: in a
+/// row under the bars of a chart each is below its bar.
+const WORTH: f32 = 8.0;
 
 pub use forms::LONGEST;
 
@@ -49,22 +52,73 @@ pub fn place(
     let candidates: Vec<Vec<Candidate>> = wanted.iter().zip(&forms).map(candidates_of).collect();
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
-    let chosen = choose(&costs, &|a, b| candidates[a.label][a.candidate].conflicts(&candidates[b.label][b.candidate]));
+    let chosen_with = |spacing: Spacing| {
+        let of = |choice: Choice| &candidates[choice.label][choice.candidate];
+        choose(&costs, &|a, b| of(a).conflicts(of(b), spacing))
+    };
+    // what is lost: labels, then texts that are abbreviated or led to across lines; and how far labels lie away
+    let loss = |chosen: &[Option<usize>]| {
+        let of = |(label, chosen): (usize, &Option<usize>)| Some((label, &candidates[label][(*chosen)?]));
+        let placed: Vec<(usize, &Candidate)> = chosen.iter().enumerate().filter_map(of).collect();
+        let is_short = |(label, candidate): &&(usize, &Candidate)| {
+            let form = forms[*label].as_ref().ok().and_then(|of| of.forms.get(candidate.form));
+            candidate.crosses || form.is_some_and(|form| form.abbreviation.is_some())
+        };
+        let cost: f32 = placed.iter().map(|(_, candidate)| candidate.cost).sum();
+        ((chosen.len() - placed.len(), placed.iter().filter(is_short).count()), cost)
+    };
+    let mut chosen = chosen_with(Spacing::wide(cells));
+    let narrow = chosen_with(Spacing::narrow(cells));
+    let ((lost, cost), (of_narrow, cost_of_narrow)) = (loss(&chosen), loss(&narrow));
+    if of_narrow < lost || of_narrow == lost && cost_of_narrow + WORTH < cost {
+        chosen = narrow;
+    }
+    let lost = loss(&chosen).0;
+    if lost > (0, 0) {
+        let tight = chosen_with(Spacing::TIGHT);
+        if loss(&tight).0 < lost {
+            chosen = tight;
+        }
+    }
     let placed = forms.into_iter().zip(chosen).zip(&candidates).map(|((forms, chosen), candidates)| {
         let Forms { mut forms, lacking } = forms?;
         let candidate = &candidates[chosen.ok_or(Unplaced::NoRoom)?];
         let Form { lines, abbreviation, .. } = forms.swap_remove(candidate.form);
-        Ok(Placed { place: candidate.place, lines, lacking, abbreviation, leader: candidate.leader })
+        Ok(Placed {
+            place: candidate.place,
+            lines,
+            lacking,
+            abbreviation,
+            leader: candidate.leader,
+            crosses: candidate.leader.is_some() && candidate.crosses,
+        })
     });
     placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
+}
+
+/// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so
+/// near to a label they are read as letters.
+const COMPANY: usize = 2;
+const AROUND: f32 = 9.0;
+const NEAR_LABEL: f32 = 12.0;
+
+/// The glyphs of a texture without those that are left alone beside labels.
+fn without_stray(glyphs: Vec<Glyph>, placed: &[&Placed]) -> Vec<Glyph> {
+    let is_near = |glyph: &Glyph| placed.iter().any(|label| label.distance(glyph.at) < NEAR_LABEL);
+    let company = |glyph: &Glyph| {
+        let near = glyphs.iter().filter(|other| (other.at - glyph.at).length() <= AROUND);
+        near.take(COMPANY + 1).count() > COMPANY
+    };
+    let kept: Vec<bool> = glyphs.iter().map(|glyph| !is_near(glyph) || company(glyph)).collect();
+    let mut kept = kept.into_iter();
+    glyphs.into_iter().filter(|_| kept.next().unwrap_or(true)).collect()
 }
 
 /// Takes the glyphs out of a figure that labels and their leader lines need blank.
 pub fn make_room(figure: &mut Figure, placed: &[&Placed], params: &Params) {
     for texture in &mut figure.textures {
-        texture
-            .glyphs
-            .retain(|glyph| placed.iter().all(|label| label.distance(glyph.at) - glyph.radius() >= params.clearance));
+        texture.glyphs.retain(|glyph| placed.iter().all(|label| label.blank_to(glyph.at, params) >= glyph.radius()));
+        texture.glyphs = without_stray(std::mem::take(&mut texture.glyphs), placed);
     }
     figure.textures.retain(|texture| !texture.glyphs.is_empty());
 }

@@ -4,6 +4,23 @@ use crate::braille::Lacking;
 use crate::geom::nearest_on_segment;
 use crate::units::{MmPoint, MmRect};
 
+/// How labels are placed, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Params {
+    /// Where they may lie.
+    pub area: MmRect,
+    /// Boxes in one of which each of them must be whole; without any, they may lie anywhere in the area.
+    pub tiles: Vec<MmRect>,
+    /// Blank to lines.
+    pub clearance: f32,
+    /// Blank to textures.
+    pub texture_clearance: f32,
+    /// Whether leader lines may cross others: among the few pins of a display they are lost.
+    pub may_cross: bool,
+    /// Step in which places are looked for; on a grid that of its dots.
+    pub step: f32,
+}
+
 /// A label that is wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
@@ -26,6 +43,8 @@ pub struct Placed {
     pub abbreviation: Option<String>,
     /// The line that leads from it to its anchor, if it lies far away.
     pub leader: Option<[MmPoint; 2]>,
+    /// Whether that line crosses others, as there is room nowhere else.
+    pub crosses: bool,
 }
 
 /// Why a label has no place.
@@ -44,6 +63,12 @@ pub enum Unplaced {
 }
 
 impl Placed {
+    /// Blank that is left to a point, mm, besides what textures keep from its box and from its leader line.
+    pub(super) fn blank_to(&self, at: MmPoint, params: &Params) -> f32 {
+        let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
+        (to_box(at, self.place) - params.texture_clearance).min(to_leader - params.clearance)
+    }
+
     /// Distance from its box or leader line, mm; 0 inside.
     pub fn distance(&self, at: MmPoint) -> f32 {
         let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);

@@ -83,6 +83,18 @@ impl Room {
         self.meets(&self.ink, from, to, end)
     }
 
+    /// How much of a straight leader line lies near to other lines, mm, without the last `end` mm.
+    pub(super) fn along(&self, from: MmPoint, to: MmPoint, end: f32) -> f32 {
+        let length = (to - from).length();
+        let steps = (length / SQUARE).ceil().max(1.0);
+        let is_near = |step: u32| {
+            let along = step as f32 / steps;
+            let square = self.squares.index(from.lerp(to, along));
+            (1.0 - along) * length > end && square.is_some_and(|index| self.for_leader[index] > 0)
+        };
+        (0..=steps as u32).filter(|step| is_near(*step)).count() as f32 * length / (steps + 1.0)
+    }
+
     fn meets(&self, squares: &[u32], from: MmPoint, to: MmPoint, end: f32) -> bool {
         let length = (to - from).length();
         let steps = (length / SQUARE).ceil().max(1.0);

@@ -6,20 +6,20 @@ use super::finding::Found;
 use super::limits::{Limits, MOST_TEXTURES, MediumLimits};
 use super::marks::{Mark, Outline, Part};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURES};
-use crate::page::{Medium, Page, Shape};
+use crate::page::{Medium, Names, Page, Shape};
 use crate::units::{MmPoint, MmRect};
 
 /// Numbers of a page have two digits after the point, mm.
 const ROUNDING: f32 = 0.015;
 
-pub(super) fn findings(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     let mut found = Vec::new();
     if page.is_empty() {
         found.push(Found::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
     }
-    found.extend(too_small(page, limits));
-    found.extend(too_thin(page, marks, limits));
-    found.extend(off_margins(page, marks, limits));
+    found.extend(too_small(page, names, limits));
+    found.extend(too_thin(page, names, marks, limits));
+    found.extend(off_margins(page, names, marks, limits));
     found.extend(too_many(page));
     found
 }
@@ -32,11 +32,11 @@ pub(super) fn black(page: &Page, limits: &Limits) -> Option<Found> {
     (share > max_black).then(|| Found::of_page(BLACK, Some(100.0 * share), what()))
 }
 
-fn too_small<'a>(page: &'a Page, limits: &'a Limits) -> impl Iterator<Item = Found> + 'a {
+fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a Limits) -> impl Iterator<Item = Found> + 'a {
     let small = page.figure.textures.iter().enumerate().filter(|(_, texture)| texture.area < limits.texture_area - 0.5);
     small.filter_map(|(number, texture)| {
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
-        let name = Part::Texture(number as u32).name(page);
+        let name = Part::Texture(number as u32).name(page, names);
         let (area, least) = (texture.area, limits.texture_area);
         let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
         Some(Found::at(TEXTURE_AREA, extent.center(), extent, area, what))
@@ -70,7 +70,7 @@ fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeM
     groups
 }
 
-fn too_thin(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     let MediumLimits::Print { glyph, .. } = limits.medium else { return Vec::new() };
     // lines have a rule of their own
     let is_line = |part: Part| matches!(part, Part::Line(_) | Part::OverviewLine(_));
@@ -82,13 +82,13 @@ fn too_thin(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     let of = |(part, group): (Part, Group)| {
         let (count, thinnest) = (group.count, group.worst);
         let noun = if count == 1 { "1 mark is" } else { &format!("{count} marks are") };
-        let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page));
+        let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page, names));
         Found::at(GLYPH_SIZE, group.at, group.extent, thinnest, what)
     };
     grouped(marks, glyph - ROUNDING, thickness).into_iter().map(of).collect()
 }
 
-fn off_margins(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(page.sheet[0], page.sheet[1]));
     let (inner, what) = match &page.medium {
         Medium::Print(_) => {
@@ -106,7 +106,7 @@ fn off_margins(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     };
     let of = |(part, group): (Part, Group)| {
         let out = -group.worst;
-        let what = format!("{} reaches {out:.1} mm beyond {what}", part.name(page));
+        let what = format!("{} reaches {out:.1} mm beyond {what}", part.name(page, names));
         Found::at(MARGIN, group.at, group.extent, limits.margin - out, what)
     };
     grouped(marks, -ROUNDING, within).into_iter().map(of).collect()

@@ -8,7 +8,8 @@ use usvg::{Group, Paint, Tree};
 use super::finding::Found;
 use super::limits::{Limits, MediumLimits};
 use super::mark::LAYER;
-use super::rules::{BLACK_ONLY, LETTERS, PICTURE};
+use super::rules::{BLACK_ONLY, IN_BRAILLE, LETTERS, PICTURE};
+use crate::reading::{is_light, is_print_words, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
@@ -105,13 +106,17 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = Found> + 'd 
     document.descendants().filter(is_picture).map(|node| {
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
-        Found { rule: PICTURE, what: "a picture of pixels lies on the page".into(), at, extent, measured: None }
+        let what = "a picture of pixels lies on the page".into();
+        Found { rule: PICTURE, what, at, extent, measured: None, mended: None }
     })
 }
 
 /// Texts that are written in letters and shown.
 fn letters(document: &Document<'_>) -> Vec<Found> {
-    let is_text = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "text" && is_shown(node);
+    let is_print = |node: &Node<'_, '_>| is_print_words(*node) && is_light(*node);
+    let is_text = |node: &Node<'_, '_>| {
+        node.is_element() && node.tag_name().name() == "text" && is_shown(node) && !is_print(node)
+    };
     let found = |node: Node<'_, '_>| {
         let text: String = node.descendants().filter(Node::is_text).filter_map(|node| node.text()).collect();
         let text: Vec<&str> = text.split_whitespace().collect();
@@ -119,7 +124,8 @@ fn letters(document: &Document<'_>) -> Vec<Found> {
         let what = format!("\"{text}\" is written in letters, which fingers do not read");
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
-        (!text.is_empty()).then_some(Found { rule: LETTERS, what, at, extent, measured: None })
+        let mended = is_written(node, &text).then_some(IN_BRAILLE);
+        (!text.is_empty()).then_some(Found { rule: LETTERS, what, at, extent, measured: None, mended })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
 }

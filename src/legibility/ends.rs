@@ -2,7 +2,9 @@
 
 use super::finding::Found;
 use super::limits::Limits;
+use super::marks::name_in;
 use super::rules::BROKEN_LINE;
+use super::strokes::both;
 use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Index, Nearby};
 use crate::geom::{crossing, nearby};
@@ -12,6 +14,8 @@ use crate::units::{Mm, MmPoint, MmRect, MmVector};
 const BACK: f32 = 3.0;
 /// Two ends point at one another if each does so within 25 degrees.
 const STRAIGHT: f32 = 0.906;
+/// Dots nearer than so many pitches are next to one another, also diagonally.
+const STEP: f32 = 1.6;
 /// The two ends of one line are looked at if it is longer than so many of the gap.
 const LEAST_LENGTH: f32 = 4.0;
 
@@ -21,11 +25,14 @@ struct Tip {
     outwards: MmVector,
     radius: f32,
     way: u32,
+    is_dot: bool,
 }
 
-pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &Limits) -> Vec<Found> {
     let most = limits.missed_gap();
-    let tips: Vec<Tip> = (0..ways.ways.len()).flat_map(|way| tips(ways, way)).collect();
+    // the second row of a heavy line of dots ends where it does because of the first
+    let first_rows = (0..ways.ways.len()).filter(|way| !ways.ways[*way].second);
+    let tips: Vec<Tip> = first_rows.flat_map(|way| tips(ways, way)).collect();
     let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
     let mut near: Index<usize, Mm> = Index::new(area, most);
     tips.iter().enumerate().for_each(|(number, tip)| near.put_at(tip.at, number));
@@ -34,15 +41,18 @@ pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Foun
         near.around(tip.at, tip.at, most + 2.0 * tip.radius, |&id| {
             let other = &tips[id];
             let blank = (other.at - tip.at).length() - tip.radius - other.radius;
+            // dots that are next to one another are no gap
+            let is_step =
+                || tip.is_dot && other.is_dot && (other.at - tip.at).length() < STEP * limits.spacing_of_dots();
             let long = tip.way != other.way || ways.ways[tip.way as usize].length > LEAST_LENGTH * blank;
-            if id < number && blank > 0.0 && blank <= most && long && facing(tip, other) {
+            if id < number && blank > 0.0 && blank <= most && long && facing(tip, other) && !is_step() {
                 let free = |(a, b): (MmPoint, MmPoint)| crossing((tip.at, other.at), (a, b)).is_none();
                 let mut clear = true;
                 index.around(tip.at.min(other.at), tip.at.max(other.at), 0.0, |segment| {
                     clear &= free((segment.a, segment.b));
                 });
                 if clear {
-                    found.push(broken(ways, tip, other, blank));
+                    found.push(broken(ways, names, tip, other, blank));
                 }
             }
         });
@@ -50,14 +60,13 @@ pub(super) fn findings(ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Foun
     found
 }
 
-fn broken(ways: &Ways, tip: &Tip, other: &Tip, blank: f32) -> Found {
-    let line = |tip: &Tip| ways.ways[tip.way as usize].line + 1;
+fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> Found {
+    let line = |tip: &Tip| name_in(names, ways.ways[tip.way as usize].line);
     let what = match tip.way == other.way {
-        true => format!("the two ends of line {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
+        true => format!("the two ends of {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
         false => format!(
-            "lines {} and {} end {blank:.1} mm before one another, so that they may be one or two",
-            line(other),
-            line(tip)
+            "{} end {blank:.1} mm before one another, so that they may be one or two",
+            both(line(other), line(tip))
         ),
     };
     let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));
@@ -78,7 +87,8 @@ fn tips(ways: &Ways, way: usize) -> Vec<Tip> {
     let tip = |(segment, at, arc): (nearby::Segment, MmPoint, f32)| {
         let back = place(if arc > 0.0 { (length - BACK).max(0.0) } else { BACK.min(length) })?;
         let outwards = (at - back).try_normalize()?;
-        Some(Tip { at, outwards, radius: segment.half_width, way: way as u32 })
+        let is_dot = ways.ways[way].dotted;
+        Some(Tip { at, outwards, radius: segment.half_width, way: way as u32, is_dot })
     };
     ways.tips(way).into_iter().filter_map(tip).collect()
 }

@@ -1,6 +1,6 @@
 //! What was found: which rule is broken, where, by how much.
 
-use super::rules::{RULES, Rule, Severity};
+use super::rules::{self, RULES, Rule, Severity};
 use crate::geom::ninths;
 use crate::page::Page;
 use crate::units::{MmPoint, MmRect};
@@ -21,6 +21,8 @@ pub struct Finding {
     pub extent: Option<MmRect>,
     /// What was measured, in the unit of the rule's number.
     pub measured: Option<f32>,
+    /// What `render` makes of it, where that puts it right: then it is a warning only.
+    pub mended: Option<&'static str>,
 }
 
 /// A finding before its place has words.
@@ -30,23 +32,27 @@ pub(super) struct Found {
     pub(super) at: Option<MmPoint>,
     pub(super) extent: Option<MmRect>,
     pub(super) measured: Option<f32>,
+    /// What `render` makes of it, where that puts it right.
+    pub(super) mended: Option<&'static str>,
 }
 
 impl Found {
     /// A breach at one place.
     pub(super) fn at(rule: Rule, at: MmPoint, extent: MmRect, measured: f32, what: String) -> Self {
-        Self { rule, what, at: Some(at), extent: Some(extent), measured: Some(measured) }
+        let mended = rules::mended(&rule);
+        Self { rule, what, at: Some(at), extent: Some(extent), measured: Some(measured), mended }
     }
 
     /// A breach by the whole page.
     pub(super) fn of_page(rule: Rule, measured: Option<f32>, what: String) -> Self {
-        Self { rule, what, at: None, extent: None, measured }
+        let mended = rules::mended(&rule);
+        Self { rule, what, at: None, extent: None, measured, mended }
     }
 
     pub(super) fn placed(self, page: &Page) -> Finding {
-        let Self { rule, what, at, extent, measured } = self;
+        let Self { rule, what, at, extent, measured, mended } = self;
         let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));
-        Finding { rule, what, at, place, extent, measured }
+        Finding { rule, what, at, place, extent, measured, mended }
     }
 }
 
@@ -67,7 +73,7 @@ pub(super) fn sorted(mut findings: Vec<Finding>) -> Vec<Finding> {
     let number = |finding: &Finding| RULES.iter().position(|rule| *rule == finding.rule);
     let place = |finding: &Finding| finding.at.map_or([0.0; 2], |at| [at.y, at.x]);
     findings.sort_by(|a, b| {
-        let keys = (a.rule.severity, number(a)).cmp(&(b.rule.severity, number(b)));
+        let keys = (a.severity(), number(a)).cmp(&(b.severity(), number(b)));
         let [p, q] = [place(a), place(b)];
         keys.then(p[0].total_cmp(&q[0])).then(p[1].total_cmp(&q[1]))
     });
@@ -75,9 +81,14 @@ pub(super) fn sorted(mut findings: Vec<Finding>) -> Vec<Finding> {
 }
 
 impl Finding {
+    /// How bad it is: as its rule says, or a warning where `render` puts it right.
+    pub fn severity(&self) -> Severity {
+        if self.mended.is_some() { Severity::Warning } else { self.rule.severity }
+    }
+
     /// Whether it is an error.
     pub fn is_error(&self) -> bool {
-        self.rule.severity == Severity::Error
+        self.severity() == Severity::Error
     }
 }
 

@@ -63,6 +63,14 @@ impl Limits {
         }
     }
 
+    /// Distance of dots, mm; 0 on a printed page.
+    pub(super) fn spacing_of_dots(&self) -> f32 {
+        match self.medium {
+            MediumLimits::Print { .. } => 0.0,
+            MediumLimits::Dots { pitch, .. } => pitch,
+        }
+    }
+
     /// The widest gap in a line that may be missed, mm: twice the least blank between two lines.
     pub(super) fn missed_gap(&self) -> f32 {
         match self.medium {

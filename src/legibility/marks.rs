@@ -3,7 +3,7 @@
 
 use crate::geom::nearby::Index;
 use crate::geom::{nearest_on_segment, segment_distance};
-use crate::page::{BrailleText, Dots, Glyph, Line, Page, Pen, Run, Shape, TextRole};
+use crate::page::{BrailleText, Dots, Glyph, Line, Names, Page, Pen, Run, Shape, TextRole};
 use crate::units::{Mm, MmPoint, MmRect};
 
 /// What a mark is a part of; numbers count from 0.
@@ -154,25 +154,27 @@ pub(super) fn index(marks: &[Mark], cell: f32) -> Index<u32, Mm> {
 
 impl Part {
     /// What it is called in a message.
-    pub(super) fn name(self, page: &Page) -> String {
+    pub(super) fn name(self, page: &Page, names: &Names) -> String {
         match self {
             Self::OrientationMark => "the orientation mark".into(),
             Self::Tick => "a tick".into(),
             Self::Frame => "the frame".into(),
-            Self::Texture(number) => {
-                let class = page.figure.textures.get(number as usize).map_or("", |texture| texture.class.name());
-                format!("region {} ({class})", number + 1)
-            }
-            Self::Line(number) => format!("line {}", number + 1),
+            Self::Texture(number) => name_in(&names.areas, number as usize).to_owned(),
+            Self::Line(number) => name_in(&names.lines, number as usize).to_owned(),
             Self::OverviewFrame => "the frame of the overview".into(),
-            Self::OverviewLine(number) => format!("line {} of the overview", number + 1),
+            Self::OverviewLine(number) => name_in(&names.overview_lines, number as usize).to_owned(),
             Self::Numbers(_) => "a number in braille".into(),
             Self::Braille(number) => page.braille.get(number as usize).map_or_else(String::new, name_of),
             Self::Leader(number) => {
-                format!("the line that leads from {}", Self::Braille(number).name(page))
+                format!("the line that leads from {}", Self::Braille(number).name(page, names))
             }
         }
     }
+}
+
+/// The name of an object, as far as there is one.
+pub(super) fn name_in(names: &[String], number: usize) -> &str {
+    names.get(number).map_or("a mark without a name", String::as_str)
 }
 
 fn name_of(text: &BrailleText) -> String {

@@ -36,12 +36,14 @@ pub use limits::{Limits, MediumLimits};
 pub use mark::{LAYER, marked};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
+pub use spaces::crowded;
 pub use verdict::{Textures, Verdict};
 
 use usvg::Tree;
 use usvg::roxmltree::Document;
 
-use crate::page::{InSet, Page};
+use crate::page::{InSet, Names, Page};
+use crate::reading::Reading;
 use crate::touch::Report;
 use finding::Found;
 
@@ -52,13 +54,20 @@ pub struct Drawn<'a> {
     pub document: &'a Document<'a>,
     /// What is drawn.
     pub tree: &'a Tree,
+    /// Whether it is a page that `render` would write otherwise, by the profile whose numbers count.
+    pub mends: bool,
 }
 
 impl<'a> Drawn<'a> {
     /// Holds the SVG of a page against the rules, and the page that was read from it.
-    pub fn check(&self, page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
-        let mut found = found(page, limits);
+    /// Where `render` puts a breach right, it is told as a warning.
+    pub fn check(&self, read: &Reading, limits: &Limits, felt: Option<&Report>) -> Checked {
+        let page = &read.page;
+        let mut found = found(page, &read.names, limits);
         found.extend(drawn::findings(self.document, self.tree, limits));
+        if !self.mends {
+            found.iter_mut().for_each(|found| found.mended = None);
+        }
         checked(found, page, limits, felt)
     }
 
@@ -67,13 +76,26 @@ impl<'a> Drawn<'a> {
         let mut found = vec![Found::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
         found.extend(drawn::findings(self.document, self.tree, limits));
         found.extend(ink::findings(self.tree, limits));
+        found.iter_mut().for_each(|found| found.mended = None);
         checked(found, sheet, limits, None)
     }
 }
 
+/// What the overview shows that the figure has not, and what it lacks, in words; none if they are alike.
+pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<String> {
+    let felt = page.risen();
+    let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
+    let found = overview::findings(&felt, names, &ways, &ways.index(5.0), limits);
+    let (first, count) = (found.first()?, found.len());
+    let more = if count > 1 { format!(" (and {} more such places)", count - 1) } else { String::new() };
+    Some(format!("the overview is as it was: {}{more}; change it there too, or delete it", first.what))
+}
+
 /// Holds a page against the rules. `felt` is what a fingertip feels of its textures, for the verdict.
 pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
-    checked(found(page, limits), page, limits, felt)
+    let mut found = found(page, &Names::of(page), limits);
+    found.iter_mut().for_each(|found| found.mended = None);
+    checked(found, page, limits, felt)
 }
 
 fn checked(found: Vec<Found>, page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
@@ -82,25 +104,23 @@ fn checked(found: Vec<Found>, page: &Page, limits: &Limits, felt: Option<&Report
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
 
-fn found(page: &Page, limits: &Limits) -> Vec<Found> {
+fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
     let felt = page.risen();
     let marks = marks::marks_of(&felt);
-    let mut found = areas::findings(&felt, &marks, limits);
+    let mut found = areas::findings(&felt, names, &marks, limits);
     found.extend(areas::black(page, limits));
-    found.extend(spaces::findings(&felt, &marks, limits));
+    found.extend(spaces::findings(&felt, names, &marks, limits));
     let is_part = matches!(InSet::of(page), Some(InSet::One(..)));
     let window = is_part.then_some(page.figure.place);
-    let name = |number: usize| format!("line {}", number + 1);
-    found.extend(strokes::findings(&felt.figure.lines, &name, window, &page.medium, limits));
+    found.extend(strokes::findings(&felt.figure.lines, &names.lines, window, &page.medium, limits));
     if let Some(overview) = &felt.overview {
-        let name = |number: usize| format!("line {} of the overview", number + 1);
-        found.extend(strokes::findings(&overview.lines, &name, None, &page.medium, limits));
+        found.extend(strokes::findings(&overview.lines, &names.overview_lines, None, &page.medium, limits));
     }
     let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
     let index = ways.index(5.0);
-    found.extend(ends::findings(&ways, &index, limits));
-    found.extend(overview::findings(&felt, &ways, &index, limits));
-    found.extend(words::findings(&felt, limits));
+    found.extend(ends::findings(&ways, &names.lines, &index, limits));
+    found.extend(overview::findings(&felt, names, &ways, &index, limits));
+    found.extend(words::findings(&felt, names, limits));
     found.extend(left_out::findings(page));
     found
 }

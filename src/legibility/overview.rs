@@ -2,10 +2,11 @@
 
 use super::finding::{Found, around};
 use super::limits::{Limits, SHAPE};
+use super::marks::name_in;
 use super::rules::{OVERVIEW, OVERVIEW_LACKS};
 use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Nearby, Segment};
-use crate::page::{Overview, Page};
+use crate::page::{Names, Overview, Page};
 use crate::units::{MmPoint, MmRect};
 
 /// Lines are looked at this often, mm of the overview.
@@ -14,17 +15,23 @@ const STEP: f32 = 0.5;
 const MISSING: f32 = 0.5;
 
 /// `ways` are those of the figure, `index` their segments.
-pub(super) fn findings(page: &Page, ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
     let of_overview = Ways::of(&overview.lines, f32::INFINITY);
-    let mut found = added(page, overview, &of_overview, (index, scale), limits);
-    found.extend(lacking(page, overview, ways, (&of_overview, scale), limits));
+    let mut found = added(page, overview, (&of_overview, &names.overview_lines), (index, scale), limits);
+    found.extend(lacking(page, overview, (ways, &names.lines), (&of_overview, scale), limits));
     found
 }
 
 /// Lines of the overview that the figure has not.
-fn added(page: &Page, overview: &Overview, ways: &Ways, (index, scale): (&Nearby, f32), limits: &Limits) -> Vec<Found> {
+fn added(
+    page: &Page,
+    overview: &Overview,
+    (ways, names): (&Ways, &[String]),
+    (index, scale): (&Nearby, f32),
+    limits: &Limits,
+) -> Vec<Found> {
     let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
     let of_line = |number: usize| {
         let own = (0..ways.ways.len()).filter(|&way| ways.ways[way].line == number);
@@ -32,7 +39,8 @@ fn added(page: &Page, overview: &Overview, ways: &Ways, (index, scale): (&Nearby
         let Missing { length, places } = missing(segments, STEP, in_figure, index, scale * limits.spacing())?;
         let at = places.get(places.len() / 2).copied()?;
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
-        let what = format!("the figure has nothing like line {} of the overview, {length:.0} mm of it", number + 1);
+        let name = name_in(names, number);
+        let what = format!("the figure has nothing like {name}, {length:.0} mm of it");
         Some(Found::at(OVERVIEW, at, extent, length, what))
     };
     (0..overview.lines.len()).filter_map(of_line).collect()
@@ -42,7 +50,7 @@ fn added(page: &Page, overview: &Overview, ways: &Ways, (index, scale): (&Nearby
 fn lacking(
     page: &Page,
     overview: &Overview,
-    ways: &Ways,
+    (ways, names): (&Ways, &[String]),
     (of_overview, scale): (&Ways, f32),
     limits: &Limits,
 ) -> Vec<Found> {
@@ -58,8 +66,8 @@ fn lacking(
         }
         missing(segments.iter(), scale * STEP, in_overview, &index, limits.spacing())?;
         let what = format!(
-            "the overview has nothing like line {} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
-            of.line + 1,
+            "the overview has nothing like {} of the figure, which is closed, {:.0} mm wide and {:.0} mm high",
+            name_in(names, of.line),
             extent.width(),
             extent.height()
         );

@@ -44,13 +44,14 @@ impl Checked {
     /// The same as JSON: how many `errors` and `warnings`; `verdict`, and the shares 0..=1 that it tells of: `faulty`
     /// of the figure, and of `textures` what is `of_figure`, `judged` and `right` (null where none were felt);
     /// `findings` with `rule`, `severity`, `place`, `at_mm` and `box_mm` (from the sheet's top left), `what`,
-    /// `measured`, `limit`, `unit`, `remedy`; and `notes`, what was taken otherwise than it looks.
+    /// `measured`, `limit`, `unit`, `remedy`, `render` (what that makes of it, or null); and `notes`, what was
+    /// taken otherwise than it looks.
     pub fn to_json(&self) -> String {
         let finding = |finding: &Finding| {
             let (limit, unit) = self.number(&finding.rule);
             json!({
                 "rule": finding.rule.id,
-                "severity": finding.rule.severity.name(),
+                "severity": finding.severity().name(),
                 "place": finding.place,
                 "at_mm": finding.at.map(point),
                 "box_mm": finding.extent.map(corners),
@@ -58,7 +59,8 @@ impl Checked {
                 "measured": finding.measured.map(rounded),
                 "limit": limit,
                 "unit": unit,
-                "remedy": finding.rule.remedy,
+                "remedy": finding.remedy(),
+                "render": finding.mended,
             })
         };
         let findings: Vec<Value> = self.findings.iter().map(finding).collect();
@@ -94,8 +96,8 @@ impl Checked {
         let result = |finding: &Finding| {
             json!({
                 "ruleId": finding.rule.id,
-                "level": finding.rule.severity.name(),
-                "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.rule.remedy) },
+                "level": finding.severity().name(),
+                "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.remedy()) },
                 "locations": [{ "physicalLocation": { "artifactLocation": { "uri": file } } }],
                 "properties": {
                     "place": finding.place,
@@ -129,13 +131,25 @@ fn corners(extent: MmRect) -> [f64; 4] {
     [extent.min.x, extent.min.y, extent.max.x, extent.max.y].map(rounded)
 }
 
+impl Finding {
+    /// What to do about it.
+    fn remedy(&self) -> String {
+        match self.mended {
+            Some(mended) => {
+                format!("print what `tactograph render` makes of the page, as it {mended}; or {}", self.rule.remedy)
+            }
+            None => self.rule.remedy.to_owned(),
+        }
+    }
+}
+
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}: {}", self.rule.severity.name(), self.rule.id, self.place)?;
+        write!(f, "{} {}: {}", self.severity().name(), self.rule.id, self.place)?;
         if let Some(at) = self.at {
             write!(f, ", {:.0} mm from the left and {:.0} mm from the top", at.x, at.y)?;
         }
-        write!(f, ": {}. What to do: {}.", self.what, self.rule.remedy)
+        write!(f, ": {}. What to do: {}.", self.what, self.remedy())
     }
 }
 

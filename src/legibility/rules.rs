@@ -278,6 +278,19 @@ pub(super) const EMPTY: Rule = Rule {
     number: none,
 };
 
+/// What `render` makes of a breach, where it puts it right on a page that somebody changed.
+pub(super) fn mended(rule: &Rule) -> Option<&'static str> {
+    const MENDED: [(Rule, &str); 3] = [
+        (LINE_WIDTH, "gives it the least width of the profile"),
+        (TEXTURE_GAP, "leaves these marks out"),
+        (BLACK_ONLY, "prints them black, or fills areas with the textures of their colours"),
+    ];
+    MENDED.iter().find(|(known, _)| known == rule).map(|(_, what)| *what)
+}
+
+/// What `render` makes of letters that are to be written in braille.
+pub(super) const IN_BRAILLE: &str = "writes them in braille";
+
 /// All rules, in the order in which their breaches are told.
 pub const RULES: &[Rule] = &[
     LAYERS,

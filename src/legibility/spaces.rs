@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use super::dotted::empty_between;
 use super::finding::Found;
 use super::limits::{BRAILLE_GAP, Limits, MediumLimits};
-use super::marks::{Mark, Part, index};
+use super::marks::{Mark, Part, index, marks_of};
 use super::rules::{BRAILLE_CLEAR, OVERLAP, Rule, TEXTURE_GAP};
-use crate::page::{Medium, Page};
+use crate::page::{Medium, Names, Page};
 use crate::units::{MmPoint, MmRect};
 
 /// Numbers of a page have two digits after the point, and those of a glyph are added up, mm.
@@ -40,7 +40,7 @@ fn note(breaches: &mut Breaches, key: (Part, Option<Part>), number: u32, mark: &
 }
 
 /// Everything about blank between marks.
-pub(super) fn findings(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     let cell = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => texture_gap,
         MediumLimits::Dots { pitch, .. } => pitch,
@@ -89,23 +89,23 @@ pub(super) fn findings(page: &Page, marks: &[Mark], limits: &Limits) -> Vec<Foun
         });
     }
     let mut found: Vec<Found> = Vec::new();
-    found.extend(textures.into_iter().map(|(key, breach)| of_texture(page, key.0, breach, limits)));
+    found.extend(textures.into_iter().map(|(key, breach)| of_texture(&key.0.name(page, names), breach, limits)));
     found.extend(braille.into_iter().map(|(key, breach)| {
         let what = format!(
             "{} is {} from {}; {BRAILLE_GAP} mm of blank is the least",
-            key.0.name(page),
+            key.0.name(page, names),
             millimetres(breach.blank),
-            key.1.map_or_else(String::new, |part| part.name(page))
+            key.1.map_or_else(String::new, |part| part.name(page, names))
         );
         finding(BRAILLE_CLEAR, breach, what)
     }));
     found.extend(overlaps.into_iter().map(|(key, breach)| {
-        let other = key.1.map_or_else(String::new, |part| part.name(page));
+        let other = key.1.map_or_else(String::new, |part| part.name(page, names));
         let what = match key.1 {
             Some(part) if part == key.0 => {
-                format!("{}: {} of its marks lie on one another", part.name(page), breach.count)
+                format!("{}: {} of its marks lie on one another", part.name(page, names), breach.count)
             }
-            _ => format!("{} lies on {other}, in {}", key.0.name(page), places(breach.count)),
+            _ => format!("{} lies on {other}, in {}", key.0.name(page, names), places(breach.count)),
         };
         finding(OVERLAP, breach, what)
     }));
@@ -135,6 +135,32 @@ fn texture_reach(limits: &Limits) -> f32 {
     }
 }
 
+/// The glyphs that are too near to a line: which texture each belongs to, and which of its glyphs it is, in order.
+pub fn crowded(page: &Page, limits: &Limits) -> Vec<(usize, usize)> {
+    let felt = page.risen();
+    let marks = marks_of(&felt);
+    let index = index(&marks, texture_reach(limits).max(3.0));
+    let of = |mark: &Mark| match mark.part {
+        Part::Texture(texture) => Some(texture as usize),
+        _ => None,
+    };
+    let (mut found, mut last, mut glyph) = (Vec::new(), None, 0);
+    for (mark, texture) in marks.iter().filter_map(|mark| Some((mark, of(mark)?))) {
+        glyph = if last == Some(texture) { glyph + 1 } else { 0 };
+        last = Some(texture);
+        let extent = mark.extent();
+        let mut near = false;
+        index.around(extent.min, extent.max, texture_reach(limits), |&id| {
+            let other = &marks[id as usize];
+            near = near || matches!(other.part, Part::Line(_)) && too_near(mark, other, page, limits).is_some();
+        });
+        if near {
+            found.push((texture, glyph));
+        }
+    }
+    found
+}
+
 /// The blank between a glyph and a mark of a line, mm, where it is too little.
 fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f32> {
     let least = match limits.medium {
@@ -153,15 +179,17 @@ fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f
     Some(glyph.blank(line)).filter(|blank| *blank < least)
 }
 
-fn of_texture(page: &Page, part: Part, breach: Breach, limits: &Limits) -> Found {
+fn of_texture(name: &str, breach: Breach, limits: &Limits) -> Found {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => format!("{texture_gap} mm of blank is the least"),
-        MediumLimits::Dots { texture_gap, .. } => format!("{texture_gap} empty dots are the least"),
+        MediumLimits::Dots { texture_gap, .. } => match texture_gap {
+            1 => "1 empty dot is the least".to_owned(),
+            _ => format!("{texture_gap} empty dots are the least"),
+        },
     };
     let (count, marks) = (breach.count, if breach.count == 1 { "mark lies" } else { "marks lie" });
     let nearest = millimetres(breach.blank);
-    let what =
-        format!("{}: {count} {marks} too near to a line, the nearest {nearest} from it; {least}", part.name(page));
+    let what = format!("{name}: {count} {marks} too near to a line, the nearest {nearest} from it; {least}");
     finding(TEXTURE_GAP, breach, what)
 }
 

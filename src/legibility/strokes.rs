@@ -4,6 +4,7 @@ use super::dotted;
 use super::finding::{Found, around};
 use super::gaps::{self, Near};
 use super::limits::{Limits, MediumLimits};
+use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
 use crate::page::{Line, Medium, Pen, Run};
@@ -12,20 +13,20 @@ use crate::units::{MmPoint, MmRect};
 /// Numbers of a page have two digits after the point, mm.
 const ROUNDING: f32 = 0.01;
 
-/// What lines of one picture break; `name` says what a line is called. Of one of several sheets, `window` is what it
+/// What lines of one picture break; `names` say what they are called. Of one of several sheets, `window` is what it
 /// shows of the picture: lines that end there go on on the next.
 pub(super) fn findings(
     lines: &[Line],
-    name: &dyn Fn(usize) -> String,
+    names: &[String],
     window: Option<MmRect>,
     medium: &Medium,
     limits: &Limits,
 ) -> Vec<Found> {
     let mut found = Vec::new();
     for (number, line) in lines.iter().enumerate() {
-        found.extend(too_thin(line, &name(number), limits));
+        found.extend(too_thin(line, name_in(names, number), limits));
         if !window.is_some_and(|window| goes_on(line, window, limits)) {
-            found.extend(too_short(line, &name(number), limits));
+            found.extend(too_short(line, name_in(names, number), limits));
         }
     }
     let near = match (limits.medium, medium) {
@@ -35,22 +36,28 @@ pub(super) fn findings(
             gaps::too_near(lines, line_gap as f32 * pitch)
         }
     };
-    found.extend(near.iter().map(|near| too_near(near, name, limits)));
+    found.extend(near.iter().map(|near| too_near(near, names, limits)));
     found
 }
 
-fn too_near(near: &Near, name: &dyn Fn(usize) -> String, limits: &Limits) -> Found {
+fn too_near(near: &Near, names: &[String], limits: &Limits) -> Found {
     let Near { lines: (a, b), gap, at, length, extent } = *near;
     let (apart, least) = match limits.medium {
         MediumLimits::Print { line_gap, .. } => (millimetres(gap), format!("{line_gap} mm is the least")),
         MediumLimits::Dots { line_gap, .. } => (format!("{gap:.0} empty dots"), format!("{line_gap} are the least")),
     };
     let along = format!("along {:.0} mm", length.max(1.0));
+    let (one, other) = (name_in(names, a.min(b)), name_in(names, a.max(b)));
     let what = match a == b {
-        true => format!("{} comes back to itself and is {apart} from itself {along}; {least}", name(a)),
-        false => format!("{} and {} are {apart} apart {along}; {least}", name(a.min(b)), name(a.max(b))),
+        true => format!("{one} comes back to itself and is {apart} from itself {along}; {least}"),
+        false => format!("{} are {apart} apart {along}; {least}", both(one, other)),
     };
     Found::at(LINE_GAP, at, extent, gap, what)
+}
+
+/// Two lines by their names; those of one object have the same.
+pub(super) fn both(one: &str, other: &str) -> String {
+    if one == other { format!("two parts of {one}") } else { format!("{one} and {other}") }
 }
 
 fn points(line: &Line) -> impl Iterator<Item = MmPoint> + '_ {

@@ -19,6 +19,10 @@ pub(super) struct Way {
     pub(super) closed: bool,
     /// The line it is a part of.
     pub(super) line: usize,
+    /// Whether it is a row of dots.
+    pub(super) dotted: bool,
+    /// Whether it is the second row of a heavy line of dots, beside the first.
+    pub(super) second: bool,
 }
 
 /// All strokes of a list of lines. The `line` of a segment is the number of its way.
@@ -35,16 +39,16 @@ impl Ways {
         let mut all = Self::default();
         for (line, of) in lines.iter().enumerate() {
             let mut last: Option<MmPoint> = None;
-            for run in of.runs.iter().filter(|run| !run.points.is_empty()) {
+            for (number, run) in of.runs.iter().enumerate().filter(|(_, run)| !run.points.is_empty()) {
                 let is_stroke = run.pen == Pen::Stroke;
                 let goes_on = is_stroke && last.is_some_and(|last| (last - run.points[0]).length() <= SAME);
                 if !goes_on {
-                    all.begin(line);
+                    all.begin(line, !is_stroke, !is_stroke && number > 0);
                 }
                 if is_stroke {
                     all.add(run);
                 } else {
-                    all.add_row(run, line, step);
+                    all.add_row(run, (line, number > 0), step);
                 }
                 last = run.path().last();
             }
@@ -59,16 +63,16 @@ impl Ways {
         all
     }
 
-    fn begin(&mut self, line: usize) {
+    fn begin(&mut self, line: usize, dotted: bool, second: bool) {
         let from = self.segments.len();
-        self.ways.push(Way { segments: from..from, length: 0.0, closed: false, line });
+        self.ways.push(Way { segments: from..from, length: 0.0, closed: false, line, dotted, second });
     }
 
-    fn add_row(&mut self, run: &Run, line: usize, step: f32) {
+    fn add_row(&mut self, run: &Run, (line, second): (usize, bool), step: f32) {
         let rows = run.points.chunk_by(|a, b| (*b - *a).length() <= step);
         for (number, points) in rows.enumerate() {
             if number > 0 {
-                self.begin(line);
+                self.begin(line, true, second);
             }
             self.add(&Run { points: points.to_vec(), closed: false, ..*run });
         }

@@ -4,17 +4,17 @@ use super::finding::{Found, around};
 use super::limits::{BRAILLE_OFF, Limits};
 use super::rules::BRAILLE_CELL;
 use crate::page::cells::CellGrid;
-use crate::page::{BrailleText, Page};
+use crate::page::{BrailleText, Names, Page};
 use crate::units::{MmPoint, MmVector};
 
 /// The first sign of Unicode braille; the others follow it by their dots.
 const BLANK: u32 = 0x2800;
 
-pub(super) fn findings(page: &Page, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
     let grid = CellGrid::of(&page.medium, limits.cell);
     let size = grid.size();
     let of = |(number, text): (usize, &BrailleText)| {
-        let name = super::marks::Part::Braille(number as u32).name(page);
+        let name = super::marks::Part::Braille(number as u32).name(page, names);
         let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| cells(line)).collect();
         let wanted: Vec<Vec<MmPoint>> = (0..)
             .zip(&lines)

@@ -16,6 +16,10 @@ pub struct Lost {
     pub by_place: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
+    /// How many small rings a device has not all dots for, and where the first is.
+    pub broken: usize,
+    /// See there.
+    pub broken_at: Option<MmPoint>,
 }
 
 /// Names of the parts of a figure.
@@ -93,7 +97,7 @@ impl Tally {
         let kept_rings = kept.rings;
         let (wanted, kept) = (self.lengths.iter().sum::<f32>(), kept.lengths.iter().sum::<f32>());
         let rings = self.rings.saturating_sub(kept_rings);
-        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings }
+        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, broken: 0, broken_at: None }
     }
 }
 

@@ -16,6 +16,7 @@ pub(crate) enum Layer {
     Overview,
     Labels,
     Braille(TextRole),
+    PrintWords,
 }
 
 impl Layer {
@@ -23,7 +24,7 @@ impl Layer {
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         let beside =
             [Self::OrientationMark, Self::Registration, Self::Frame, Self::Figure, Self::Textures, Self::Lines];
-        let below = [Self::OverviewFrame, Self::Overview, Self::Labels];
+        let below = [Self::OverviewFrame, Self::Overview, Self::Labels, Self::PrintWords];
         let textures = Class::ALL.map(Self::Texture);
         beside.into_iter().chain(textures).chain(below).chain(TextRole::ALL.map(Self::Braille))
     }
@@ -52,6 +53,7 @@ impl Layer {
             Self::OverviewFrame => "Overview frame".into(),
             Self::Overview => "Overview".into(),
             Self::Labels => "Labels".into(),
+            Self::PrintWords => "Print words".into(),
             Self::Braille(TextRole::Title) => "Braille title".into(),
             Self::Braille(TextRole::Label) => "Braille labels".into(),
             Self::Braille(TextRole::Key) => "Braille key".into(),
@@ -59,6 +61,10 @@ impl Layer {
         }
     }
 }
+
+/// The grey of words in print: 23 % of black. What rises does so the more the blacker it is (tactilelibrary.com: dark
+/// grey less than black); how little a light grey rises depends on paper and heater, and no measurement is known to us.
+pub(crate) const PRINT_GREY: u8 = 0xc4;
 
 /// The greys of no dot, and of a low, a middle and a high one: as far apart as they can be, so that a driver that has
 /// more heights than we use maps them to heights that differ.

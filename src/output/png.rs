@@ -75,7 +75,9 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
         return Err(too_fine());
     }
     // Heights are greys, which black and white would make all or nothing of.
-    let depth = if page.medium.has_heights() { Depth::Grey } else { depth };
+    // So is print, of which they would make nothing.
+    let is_grey = page.medium.has_heights() || !page.print.is_empty();
+    let depth = if is_grey { Depth::Grey } else { depth };
     let (bits, filter) = match depth {
         // Bits have nothing in common with the bytes of their neighbours.
         Depth::Bilevel => (BitDepth::One, Filter::NoFilter),
@@ -100,7 +102,10 @@ pub fn is_as_written(bytes: &[u8]) -> bool {
 
 /// Renders the page band by band and writes its rows of pixels. Fails if there is no memory for a band.
 fn rows(page: &Page, size: Size, dpi: Dpi, depth: Depth, out: &mut dyn Write) -> io::Result<()> {
-    let options = usvg::Options { dpi: dpi.0 as f32, ..usvg::Options::default() };
+    let mut options = usvg::Options { dpi: dpi.0 as f32, ..usvg::Options::default() };
+    if !page.print.is_empty() {
+        load_fonts(&mut options);
+    }
     let tree = usvg::Tree::from_str(&svg::write(page), &options).map_err(io::Error::other)?;
     let rows = (BAND / size.width).clamp(1, size.height);
     let mut band = Pixmap::new(size.width, rows).ok_or(io::ErrorKind::OutOfMemory)?;
@@ -122,6 +127,21 @@ fn rows(page: &Page, size: Size, dpi: Dpi, depth: Depth, out: &mut dyn Write) ->
     }
     Ok(())
 }
+
+/// The fonts of this machine, for words in print. Where there are none, they are left out.
+#[cfg(feature = "system-fonts")]
+fn load_fonts(options: &mut usvg::Options<'_>) {
+    let fonts = options.fontdb_mut();
+    fonts.load_system_fonts();
+    let generic = usvg::fontdb::Query { families: &[usvg::fontdb::Family::SansSerif], ..Default::default() };
+    let first = fonts.faces().next().and_then(|face| face.families.first().cloned());
+    if let (None, Some((family, _))) = (fonts.query(&generic), first) {
+        fonts.set_sans_serif_family(family);
+    }
+}
+
+#[cfg(not(feature = "system-fonts"))]
+fn load_fonts(_: &mut usvg::Options<'_>) {}
 
 /// A row of bits, eight a byte, white is 1.
 fn pack(grey: impl Iterator<Item = u8>, out: &mut Vec<u8>) {

@@ -17,6 +17,7 @@
 //!                        data-abbreviation (what stands for the text, if anything does) > path
 //!   g#braille-page-number > the same
 //!   g#braille-key > the same, on the sheets of a key
+//!   g#print-words > text  x  y  font-size (mm), in grey (only where a profile has braille.print)
 //!   g#braille-labels > the same; a label that leads to what it names has > g > path (stroke-width in mm)
 //! ```
 //!
@@ -26,14 +27,15 @@
 
 use std::fmt::Write;
 
-use svg::node::element::{Description, Element, Group, Path, Title};
+use svg::node::element::{Description, Element, Group, Path, Text, Title};
 use svg::{Document, Node};
 
-use super::layer::{Layer, grey};
+use super::layer::{Layer, PRINT_GREY, grey};
 use super::seal;
 use super::text::{origin_lines, plain, push_number, written_corners};
 use crate::page::{
-    BrailleText, Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, Run, Shape, TextRole, Texture,
+    BrailleText, Class, Dots, Figure, Glyph, Height, LANGUAGE, Line, Overview, Page, Pen, PrintText, Run, Shape,
+    TextRole, Texture, area_name, line_name, overview_line_name,
 };
 use crate::units::{MmPoint, MmRect};
 
@@ -75,6 +77,9 @@ pub fn write(page: &Page) -> String {
         document = document.add(page.labels.iter().fold(layer(Layer::Labels), |group, label| group.add(dots(label))));
     }
     document = braille_layers(page).into_iter().fold(document, Document::add);
+    if !page.print.is_empty() {
+        document = document.add(print_words(&page.print));
+    }
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     // Writing to a String cannot fail.
     let _ = writeln!(text, "{document}");
@@ -95,6 +100,21 @@ fn braille_layers(page: &Page) -> Vec<Group> {
     };
     TextRole::ALL.into_iter().filter_map(of_role).collect()
 }
+
+/// Words for those who see; those who listen hear them with their braille.
+fn print_words(words: &[PrintText]) -> Group {
+    let group = layer(Layer::PrintWords)
+        .set("fill", format!("#{PRINT_GREY:02x}{PRINT_GREY:02x}{PRINT_GREY:02x}"))
+        .set("font-family", FONTS)
+        .set("aria-hidden", "true");
+    words.iter().fold(group, |group, text| {
+        let element = Text::new(plain(&text.string)).set("x", number(text.at.x)).set("y", number(text.at.y));
+        group.add(element.set("font-size", number(text.size)))
+    })
+}
+
+/// Fonts of words in print, the first that is there: sans-serif, as is easy to read when it is small and light.
+const FONTS: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 
 /// One text: a person who listens hears what fingers read.
 fn braille(text: &BrailleText) -> Group {
@@ -165,7 +185,7 @@ fn figure(figure: &Figure, of_textures: Height) -> Group {
     if figure.lines.is_empty() {
         group
     } else {
-        group.add(lines(with_strokes(layer(Layer::Lines)), "line", &figure.lines))
+        group.add(lines(with_strokes(layer(Layer::Lines)), line_name, &figure.lines))
     }
 }
 
@@ -175,7 +195,7 @@ fn region(number: usize, nth: usize, texture: &Texture) -> Path {
     let name = texture.class.name();
     Path::new()
         .set("id", format!("region-{number}"))
-        .set("inkscape:label", format!("{name} area {nth}"))
+        .set("inkscape:label", area_name(texture.class, nth))
         .set("data-class", name)
         .set("data-colour", texture.colour.map(|channel| channel.to_string()).join(" "))
         .set("data-area", self::number(texture.area))
@@ -184,14 +204,14 @@ fn region(number: usize, nth: usize, texture: &Texture) -> Path {
 
 fn overview_layer(overview: &Overview) -> Group {
     let group = layer(Layer::Overview).set("data-box", data_box(overview.place));
-    lines(with_strokes(group), "overview line", &overview.lines)
+    lines(with_strokes(group), overview_line_name, &overview.lines)
 }
 
 /// Lines as strokes: an editor can change their width and bend them. Each is one object with a name; where its width
 /// changes along it, a group.
-fn lines(layer: Group, name: &str, lines: &[Line]) -> Group {
+fn lines(layer: Group, name: fn(usize) -> String, lines: &[Line]) -> Group {
     (1..).zip(lines).fold(layer, |layer: Group, (number, line): (usize, &Line)| {
-        let label = format!("{name} {number}");
+        let label = name(number);
         let id = label.replace(' ', "-");
         let strength = format!("{:.1}", line.strength);
         match line.runs.as_slice() {

@@ -32,6 +32,10 @@ fn check(parts: &Parts) -> Result<(), Error> {
     frames.into_iter().try_for_each(|dots| sheet.dots("a dot of a frame", dots))?;
     parts.labels.iter().try_for_each(|dots| sheet.dots("a dot of a label", dots))?;
     parts.braille.iter().try_for_each(|text| sheet.dots("a dot of braille", &text.dots))?;
+    parts.print.iter().try_for_each(|text| {
+        above_zero("size of letters", text.size)?;
+        sheet.holds("a word in print", text.at, 0.0)
+    })?;
     parts.braille.iter().filter_map(|text| text.leader.as_ref()).try_for_each(|run| sheet.run("a leader line", run))?;
     let mut lines = parts.figure.lines.iter().chain(overview.flat_map(|overview| &overview.lines));
     lines.try_for_each(|line| sheet.line(line))?;
@@ -138,7 +142,7 @@ fn need(what: &'static str, value: f32, good: bool) -> Result<(), Error> {
 mod tests {
     use super::*;
     use crate::devices::Device;
-    use crate::page::{Class, DotMedium, Figure, Overview, Print};
+    use crate::page::{Class, DotMedium, Figure, Overview, Print, PrintText};
     use crate::units::Size;
 
     fn parts() -> Parts {
@@ -162,6 +166,7 @@ mod tests {
             registration: vec![Run::stroke(1.0, vec![at])],
             overview: Some(Overview { place, frame: dots(), lines: vec![line()] }),
             labels: vec![dots()],
+            print: vec![PrintText { string: "cup".into(), at, size: 3.0 }],
             ..Parts::of([100.0, 100.0], figure)
         }
     }
@@ -209,6 +214,8 @@ mod tests {
             ("overview's frame", |parts| &mut parts.overview.as_mut().expect("there is one").frame.diameter),
             ("overview's line", |parts| &mut parts.overview.as_mut().expect("there is one").lines[0].runs[0].width),
             ("label", |parts| &mut parts.labels[0].diameter),
+            ("size of print", |parts| &mut parts.print[0].size),
+            ("place of print", |parts| &mut parts.print[0].at.y),
             ("swell", |parts| &mut print(parts).swell),
             ("black", |parts| &mut print(parts).max_black),
         ]

@@ -11,6 +11,7 @@ pub mod heading;
 pub mod layout;
 mod left_out;
 mod medium;
+mod names;
 mod parts;
 mod set;
 mod sheet;
@@ -21,5 +22,6 @@ mod transform;
 
 pub use left_out::LeftOut;
 pub use medium::{DotMedium, Medium, MediumParams, Print};
+pub use names::{Names, area_name, line_name, overview_line_name};
 pub use parts::*;
 pub use set::InSet;

@@ -51,6 +51,8 @@ pub struct Parts {
     pub labels: Vec<Dots>,
     /// Words in braille: the title, and labels in the figure.
     pub braille: Vec<BrailleText>,
+    /// The same words in print, for those who see; none unless somebody asks for it.
+    pub print: Vec<PrintText>,
     /// What the page is made for; of dots, every mark is a dot that the device can raise.
     pub medium: Medium,
 }
@@ -72,6 +74,7 @@ impl Parts {
             overview: None,
             labels: Vec::new(),
             braille: Vec::new(),
+            print: Vec::new(),
             medium: Medium::Print(Print::default()),
         }
     }
@@ -111,6 +114,17 @@ pub struct BrailleText {
     pub dots: Dots,
     /// The line that leads from a label to what it names, where that lies further away.
     pub leader: Option<Run>,
+}
+
+/// Words in print, in a grey that is too light to rise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintText {
+    /// What it says.
+    pub string: String,
+    /// Where its first letter stands on its line.
+    pub at: MmPoint,
+    /// Size of the letters, mm.
+    pub size: f32,
 }
 
 /// What a text is on a page.

@@ -78,6 +78,7 @@ impl Page {
     /// sheet from its back.
     #[must_use]
     pub fn mirrored(mut self) -> Self {
+        self.parts.print.clear(); // letters have no other side
         // Dots change places with each other, even where they do not lie in the middle of the sheet.
         let width = match &self.parts.medium {
             Medium::Print(_) => self.parts.sheet[0],

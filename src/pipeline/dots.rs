@@ -1,15 +1,16 @@
 //! Pages of dots: what is done otherwise than for a printed page.
 
 use super::finish::{finished, origin, title_of_overview};
+use super::kept_lines;
 use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
-use crate::lines::{Line, Lines, Run};
+use crate::lines::{Line, Lines, Lost, Run};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
-use crate::units::MmRect;
+use crate::units::{MmPoint, MmRect};
 
 /// Lines in `area` as the device presses them; on a printed page they stay.
 pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
@@ -21,7 +22,29 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
-    Lines { lines, lost: drawn.lost.keeping(kept) }
+    let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
+    let rings = drawn.lines.iter().zip(shares).filter(|(line, share)| *share < WHOLE && is_small_ring(line));
+    let middles: Vec<MmPoint> = rings.map(|(line, _)| extent(line).center()).collect();
+    let lost = Lost { broken: middles.len(), broken_at: middles.first().copied(), ..drawn.lost.keeping(kept) };
+    Lines { lines, lost }
+}
+
+/// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
+const WHOLE: f32 = 0.7;
+/// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are
+/// followed, and where they are cut is felt.
+const SIGN: f32 = 25.0;
+
+fn is_small_ring(line: &Line) -> bool {
+    let mut ends = line.runs.iter().flat_map(|run| [run.path().next(), run.path().last()]).flatten();
+    let ends = (ends.next(), ends.last());
+    let is_closed = matches!(ends, (Some(first), Some(last)) if (last - first).length() < 0.05);
+    let extent = extent(line);
+    is_closed && extent.width().max(extent.height()) <= SIGN
+}
+
+fn extent(line: &Line) -> MmRect {
+    MmRect::from_points(line.runs.iter().flat_map(|run| &run.points))
 }
 
 /// The lines of the overview: all of one width and, where there are heights, high.

@@ -109,6 +109,7 @@ pub(super) fn draw(
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend(told_broken(&drawn.lost).filter(|_| edges.as_ref().is_some_and(Edges::of_drawing)));
     let left_out = left_out(&drawn.lost, small);
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     let lines = drawn.lines;
@@ -288,6 +289,18 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
         return Some(Note::TooDense { millimetres, percent, place, width });
     }
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
+}
+
+/// What the maker of a drawing is told of small shapes that dots do not show: a label may stand beside them.
+fn told_broken(lost: &Lost) -> Option<Note> {
+    let at = lost.broken_at?;
+    let (shapes, it) = match lost.broken {
+        1 => ("1 small closed shape".to_owned(), "it"),
+        count => (format!("{count} small closed shapes"), "them"),
+    };
+    let what = format!("{shapes} (the first at {:.0}, {:.0} mm), in part or as a whole", at.x, at.y);
+    let why = format!("dots have no room for {it} beside other lines, so a label may name what is not felt");
+    Some(Note::LeftOut(format!("{what}: {why}; make the figure larger")))
 }
 
 /// What is kept in the page of contours that are not drawn.

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::words::CLEARANCE;
+use super::label::CLEARANCE;
+use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
 use crate::geom::nearest_on_segment;
 use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Parts, Texture};
@@ -68,7 +69,8 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
         make_room(&mut parts.figure.textures, &drawn, place);
         let mut textures = fill(&drawn, place, &parts.figure.lines, &parts.medium, plan);
         let boxes: Vec<MmRect> = parts.braille.iter().filter_map(|text| text.dots.bounds()).collect();
-        textures.iter_mut().for_each(|texture| clear_of_braille(&mut texture.glyphs, &boxes, &parts.braille));
+        let least = blank_to_signs(&parts.medium);
+        textures.iter_mut().for_each(|texture| clear_of_braille(&mut texture.glyphs, least, &boxes, &parts.braille));
         let mut is_laid = vec![false; middles.len()];
         for glyph in textures.iter().flat_map(|texture| &texture.glyphs) {
             if let Some(region) = region_at(&drawn, glyph.at, place) {
@@ -91,12 +93,13 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
     told.into_iter().chain(gone).collect()
 }
 
-/// Takes out the signs that are too near to braille, which lies in these boxes, or to its leader lines.
-pub(super) fn clear_of_braille(glyphs: &mut Vec<Glyph>, boxes: &[MmRect], braille: &[BrailleText]) {
+/// Takes out the signs that are nearer than `blank` mm to braille, which lies in these boxes, or to its leader lines.
+pub(super) fn clear_of_braille(glyphs: &mut Vec<Glyph>, blank: f32, boxes: &[MmRect], braille: &[BrailleText]) {
     let leaders = || braille.iter().filter_map(|text| text.leader.as_ref()).flat_map(|run| run.points.windows(2));
     let is_clear = |glyph: &Glyph| {
         let least = CLEARANCE + glyph.radius();
-        boxes.iter().all(|place| (glyph.at - glyph.at.clamp(place.min, place.max)).length() >= least)
+        let to_cells = blank + glyph.radius();
+        boxes.iter().all(|place| (glyph.at - glyph.at.clamp(place.min, place.max)).length() >= to_cells)
             && leaders().all(|ends| nearest_on_segment(glyph.at, ends[0], ends[1]).0 >= least)
     };
     glyphs.retain(is_clear);

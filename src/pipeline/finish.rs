@@ -1,6 +1,7 @@
 //! What every page ends with: its words of how it was made, and the check that it goes through.
 
 use super::described::described;
+use super::print_words;
 use super::request::Request;
 use crate::page::{BrailleText, Medium, Page, Parts, Print};
 use crate::units::Size;
@@ -13,6 +14,7 @@ pub(super) fn finished(mut parts: Parts, request: &Request<'_>) -> Result<Page, 
     if let Medium::Print(print) = parts.medium {
         parts.narrowed(print.swell);
     }
+    parts.print = print_words::of(&parts, request.plan);
     let page = Page::new(parts)?;
     let page = if request.fit.mirrored { page.mirrored() } else { page };
     Ok(described(page, Wording::nearest(request.language)))

@@ -2,6 +2,9 @@
 
 use crate::units::{MmPoint, MmRect, Size};
 
+/// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
+pub(super) const CLEARANCE: f32 = 3.0;
+
 /// A label at a point of the picture, or of the part of it that is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {

@@ -4,21 +4,25 @@ use super::areas;
 use super::described::{described, is_made};
 use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
 use super::drawn_areas;
+use super::give_way;
 use super::given::HandLines;
+use super::kept_lines;
 use super::label::{Label, Position};
 use super::progress::Watch;
 use super::request::Request;
 use super::typed;
-use super::words::Words;
+use super::words::{Words, blank_to_signs};
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Figure, Glyph, Medium, MediumParams, Page, Parts, Shape, Sign, TextRole, Texture};
+use crate::page::{
+    BrailleText, Figure, Glyph, Medium, MediumParams, Names, Page, Parts, Shape, Sign, TextRole, Texture,
+};
 use crate::profile::Plan;
-use crate::reading::{DrawnArea, TypedText};
+use crate::reading::Reading;
 use crate::units::{MmPoint, MmRect, Size};
 use crate::wording::Wording;
-use crate::{Error, Note, dots};
+use crate::{Error, Note, dots, legibility};
 
 /// Pixels for a millimetre in which the shape of a figure is said.
 const PX_PER_MM: f32 = 20.0;
@@ -26,14 +30,26 @@ const PX_PER_MM: f32 = 20.0;
 /// How far the sign of an area may be turned from that of its class before it is another one, degrees.
 const TURNED: f32 = 15.0;
 
-/// The page as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page of dots as
-/// dots, areas that were moved to another colour or `drawn` by hand with the signs of that, typed texts in braille.
-/// Says what was changed.
+/// A page as its paper or device takes it.
+#[derive(Debug)]
+pub struct Settled {
+    /// The page.
+    pub page: Page,
+    /// What its objects are called.
+    pub names: Names,
+    /// What was changed.
+    pub notes: Vec<Note>,
+}
+
+/// A page that was read as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page
+/// of dots as dots, areas that were moved to another colour or drawn by hand with the signs of that, typed texts in
+/// braille, and textures apart from lines.
 ///
 /// # Errors
 /// If a mark is off the sheet then.
-pub fn settle(page: &Page, drawn: (&[DrawnArea], &[TypedText]), plan: &Plan) -> Result<(Page, Vec<Note>), Error> {
-    let mut parts = Parts::clone(page);
+pub fn settle(read: &Reading, plan: &Plan) -> Result<Settled, Error> {
+    let Reading { page, .. } = read;
+    let (mut parts, mut names) = (Parts::clone(page), read.names.clone());
     let mut notes = Vec::new();
     let classes = wrong_signs(page);
     if !classes.is_empty() {
@@ -64,27 +80,35 @@ pub fn settle(page: &Page, drawn: (&[DrawnArea], &[TypedText]), plan: &Plan) -> 
         }
         Medium::Dots(medium) => {
             let params = plan.dots(medium);
-            let is_stroke = |line: &Line| line.runs.iter().any(|run| run.pen == Pen::Stroke);
-            let (strokes, mut rows): (Vec<Line>, Vec<Line>) = parts.figure.lines.drain(..).partition(is_stroke);
+            let all: Vec<(Line, String)> = parts.figure.lines.drain(..).zip(names.lines.drain(..)).collect();
+            let is_stroke = |(line, _): &(Line, String)| line.runs.iter().any(|run| run.pen == Pen::Stroke);
+            let (strokes, rows): (Vec<_>, Vec<_>) = all.into_iter().partition(is_stroke);
+            (parts.figure.lines, names.lines) = rows.into_iter().unzip();
             if !strokes.is_empty() {
-                let count = strokes.len();
-                let drawn = dots::lines(&strokes, page.figure.place, &medium.area, &params);
+                let (strokes, of_strokes): (Vec<Line>, Vec<String>) = strokes.into_iter().unzip();
+                let (count, place) = (strokes.len(), page.figure.place);
+                let drawn = dots::lines(&strokes, place, &medium.area, &params);
+                let (stand_for, shares) = kept_lines::matched(&strokes, place, &drawn, place);
                 let noun = if count == 1 { "line" } else { "lines" };
-                notes.push(Note::TakenAs(format!(
-                    "{count} {noun} on a page of dots made dots; {} left out as too short or too near to another",
-                    count.saturating_sub(drawn.len())
-                )));
-                rows.extend(drawn);
+                notes.push(Note::TakenAs(format!("{count} {noun} on a page of dots made dots")));
+                notes.extend(kept_lines::lost(&of_strokes, &shares));
+                names.lines.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
+                parts.figure.lines.extend(drawn);
             }
-            parts.figure.lines = rows;
         }
     }
-    notes.extend(drawn_areas::lay(&mut parts, drawn.0, plan));
-    notes.extend(typed::write(&mut parts, drawn.1, plan));
+    notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
+    notes.extend(typed::write(&mut parts, &read.texts, plan));
     let made = is_made(page);
-    let page = Page::new(parts)?;
+    let mut page = Page::new(parts)?;
+    if read.is_changed {
+        let (free, told) = give_way::textures(page, plan)?;
+        page = free;
+        notes.extend(told);
+        notes.extend(legibility::overview_as_told(&page, &names, &plan.limits()).map(Note::TakenAs));
+    }
     let wording = Wording::nearest(&page.description_language);
-    Ok((if made { described(page, wording) } else { page }, notes))
+    Ok(Settled { page: if made { described(page, wording) } else { page }, names, notes })
 }
 
 /// Which textures have signs of another class.
@@ -116,7 +140,7 @@ fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> 
     let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
     let mut glyphs = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
     let boxes: Vec<MmRect> = page.braille.iter().filter_map(|text| text.dots.bounds()).collect();
-    drawn_areas::clear_of_braille(&mut glyphs, &boxes, &page.braille);
+    drawn_areas::clear_of_braille(&mut glyphs, blank_to_signs(&page.medium), &boxes, &page.braille);
     glyphs
 }
 
@@ -152,13 +176,13 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
     }
 }
 
-/// The marks of a page in another layout: lines and areas keep their places in the figure. `own` is the profile of the
-/// page.
+/// The marks of a page in another layout: lines and areas keep their places in the figure. `names` are those of its
+/// objects, `own` is its profile.
 ///
 /// # Errors
 /// If the figure has no area.
 pub(super) fn marks(
-    page: &Page,
+    (page, names): (&Page, &Names),
     own: &Plan,
     layout: Layout,
     request: &Request<'_>,
@@ -177,13 +201,25 @@ pub(super) fn marks(
     let drawn = draw_lines(Some(&edges), &layout, plan, watch);
     let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
     let left_out = left_out(&drawn.lost, small);
-    let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).into_iter().collect();
+    let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
+    if plan.profile().figure.lines {
+        let (_, shares) = kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
+        notes.extend(kept_lines::lost(&names.lines, &shares));
+    }
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     notes.extend(dots_left_out(page));
     let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+}
+
+/// A note as it is of use for a page: it has no parts to draw, and no sheets to be spread over.
+fn of_page(note: Note) -> Note {
+    match note {
+        Note::TooDense { millimetres, percent, place, .. } => Note::LinesLeftOut { millimetres, percent, place },
+        other => other,
+    }
 }
 
 /// That dots which somebody drew on a page are not on one that is laid out anew; none if there are none.

@@ -4,6 +4,7 @@ use super::draw::{Marks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
 use super::key;
+use super::print_words;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
 use super::words::{Words, Written};
@@ -207,6 +208,7 @@ fn assemble(
         let origin = [parts.origin.clone(), left_out.clone()].concat();
         pages.push(finished(Parts { origin, ..parts }, request)?);
     }
+    notes.extend(pages.iter().filter_map(|page| print_words::left_out(page, request.plan)));
     Ok((pages, notes))
 }
 

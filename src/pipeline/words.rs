@@ -1,11 +1,12 @@
 //! What is written on a page in braille.
 
 use super::key::{Entries, Key};
-use super::label::Label;
+use super::label::{CLEARANCE, Label};
 use super::request::Request;
 use super::texts::Text;
 use super::unwritten::{self, Refused};
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
+use crate::devices::Family;
 use crate::dots;
 use crate::labels::{self, Params, Placed, Unplaced, Wanted};
 use crate::page::cells::CellGrid;
@@ -46,8 +47,11 @@ impl Words<'_> {
     }
 }
 
-/// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
-pub(super) const CLEARANCE: f32 = 3.0;
+/// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
+const TO_DOTS: f32 = 6.0;
+/// A label names something if a line or a texture is this near to what it stands for, mm: from here on a label has a
+/// leader line.
+const NAMED: f32 = 12.0;
 /// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
 const STEP: f32 = 1.0;
 
@@ -196,6 +200,8 @@ impl<'a> Written<'a> {
         let params = params(layout, tiles, plan);
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
+        notes.extend(of_nothing(&wanted, &results, figure));
+        notes.extend(across(&wanted, &results));
         labels::make_room(figure, &placed, &params);
         notes.extend(told(&wanted, &results));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
@@ -290,6 +296,14 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
     (wanted, outside)
 }
 
+/// Blank between braille and signs, mm.
+pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
+    match medium {
+        Medium::Print(_) => CLEARANCE,
+        Medium::Dots(_) => TO_DOTS,
+    }
+}
+
 /// Labels may lie in the figure, and on paper beside it, as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
 fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
@@ -302,7 +316,9 @@ fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
             (dots.pitch, layout.figure.intersection_unchecked(&reach))
         }
     };
-    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, step }
+    let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
+    let texture_clearance = blank_to_signs(&layout.medium);
+    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, may_cross, step }
 }
 
 /// A leader line: as thin as lines can be.
@@ -325,6 +341,62 @@ const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
 
 fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
     (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
+}
+
+/// Names texts: all of up to five.
+fn named(texts: &[&str]) -> String {
+    let named: Vec<String> = texts.iter().take(5).map(|text| format!("\"{text}\"")).collect();
+    let more = if texts.len() > 5 { format!(" and {} more", texts.len() - 5) } else { String::new() };
+    format!("{}{more}", named.join(", "))
+}
+
+/// Tells of labels that stand on the page though what they name does not.
+fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &Figure) -> Option<Note> {
+    let is_there = |label: &Wanted| {
+        let place = label.anchor.inflate(NAMED, NAMED);
+        let lines = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
+        let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
+        points.any(|glyph| place.contains(glyph.at)) || is_met(lines, place)
+    };
+    let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
+    let alone: Vec<&str> = placed
+        .filter(|(label, _)| label.anchor.is_empty() && !is_there(label))
+        .map(|(label, _)| label.text.as_str())
+        .collect();
+    (!alone.is_empty()).then(|| {
+        Note::TakenAs(format!(
+            "labels that name something which is not on the page, as no line or texture is within {NAMED} mm: {}",
+            named(&alone)
+        ))
+    })
+}
+
+/// Whether a line of these points passes through a box: looked at every 2 mm.
+fn is_met(mut points: impl Iterator<Item = MmPoint>, place: MmRect) -> bool {
+    let mut last: Option<MmPoint> = None;
+    points.any(|at| {
+        let from = last.replace(at).unwrap_or(at);
+        let steps = ((at - from).length() / 2.0).ceil().max(1.0);
+        (0..=steps as u32).any(|step| place.contains(from.lerp(at, step as f32 / steps)))
+    })
+}
+
+/// Tells of leader lines that cross others.
+fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
+    let crosses = |result: &Result<Placed, Unplaced>| result.as_ref().is_ok_and(|label| label.crosses);
+    let texts: Vec<&str> = wanted
+        .iter()
+        .zip(results)
+        .filter(|(_, result)| crosses(result))
+        .map(|(label, _)| label.text.as_str())
+        .collect();
+    (!texts.is_empty()).then(|| {
+        Note::TakenAs(format!(
+            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure \
+             may have it",
+            named(&texts)
+        ))
+    })
 }
 
 /// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.

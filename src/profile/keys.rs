@@ -402,6 +402,8 @@ table! {
         cell: CellSize;
         /// Where the lines of the title begin.
         align: Align;
+        /// Whether the words also stand in print above their braille, small and in a grey that does not swell.
+        print: bool;
     }
     /// Printing and swelling.
     print: PrintSettings {

@@ -28,6 +28,7 @@ const WITH_DOTS: &[Unused] = &[
     Unused { path: "textures.dot", why: TEXTURE },
     Unused { path: "textures.dot_pitch", why: TEXTURE },
     Unused { path: "textures.min_glyph", why: TEXTURE },
+    Unused { path: "braille.print", why: "dots print no letters; a page on paper has them" },
     Unused { path: "print.swell", why: "dots are pressed and do not swell; the device has their size" },
     Unused { path: "print.max_black", why: "paper with pressed dots does not curl" },
 ];

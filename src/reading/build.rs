@@ -6,6 +6,7 @@ use usvg::roxmltree::Node;
 use super::areas::{self, DrawnArea};
 use super::document::Elements;
 use super::marks::{Mark, Marks};
+use super::names::{self, Name};
 use super::outline::{Outline, clean};
 use super::shapes::{disc, glyph};
 use super::tally::{Tally, What};
@@ -13,8 +14,8 @@ use super::words::{PageWords, language};
 use crate::devices::{Device, DotArea};
 use crate::output::layer::{self, Layer};
 use crate::page::{
-    BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Overview, Page, Palette, Parts, Pen, Print, Run,
-    Shape, Sign, TextRole, Texture,
+    BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
+    Print, PrintText, Run, Shape, Sign, TextRole, Texture,
 };
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 use crate::{Error, Note};
@@ -34,31 +35,37 @@ const GLYPH_AREA: f32 = 11.2;
 /// Pixels for a millimetre of a picture that is not known.
 const PX_PER_MM: f32 = 4.0;
 
-/// The page of these marks, what is told, and areas that a person drew.
+/// The page of these marks, what its objects are called, what is told, and areas that a person drew.
 ///
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    marks: Marks<'_>,
+    (marks, print): (Marks<'_>, Vec<PrintText>),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
-) -> Result<(Page, Vec<Note>, Vec<DrawnArea>), Error> {
+) -> Result<(Page, Names, Vec<Note>, Vec<DrawnArea>), Error> {
     let Marks { marks, transforms, clipped, pictures, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, sheet);
     builder.is_foreign = elements.layer(Layer::Figure).is_none();
-    let mut runs: Vec<(usize, Layer, f32, Vec<Run>)> = Vec::new();
+    let mut runs: Vec<Pieces> = Vec::new();
     for mark in &marks {
         builder.add(mark, &mut runs);
     }
-    for (_, layer, strength, of_object) in runs {
-        builder.add_lines(layer, strength, of_object);
+    for pieces in runs {
+        builder.add_lines(pieces);
     }
-    let Builder { mut parts, tally, overview, overview_frame, mut regions, areas, .. } = builder;
-    regions.sort_by_key(|(number, _)| *number);
-    parts.figure.textures = regions.into_iter().map(|(_, texture)| texture).collect();
+    let Builder { mut parts, tally, overview, overview_frame, mut regions, areas, line_names, overview_names, .. } =
+        builder;
+    regions.sort_by_key(|(number, _, _)| *number);
+    let names = Names {
+        lines: names::told(&line_names),
+        overview_lines: names::told(&overview_names),
+        areas: names::told(&regions.iter().map(|(_, name, _)| name.clone()).collect::<Vec<_>>()),
+    };
+    parts.figure.textures = regions.into_iter().map(|(_, _, texture)| texture).collect();
     parts.figure.place = on_sheet(place(Layer::Figure), sheet);
     parts.figure.source = source(elements).unwrap_or_else(|| {
         let px = |mm: f32| (mm * PX_PER_MM).round().clamp(1.0, 100_000.0) as u32;
@@ -76,13 +83,16 @@ pub(super) fn page(
         (patterned, "gradients and patterns, which are taken as black"),
     ];
     notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(n, what)| Note::LeftOut(format!("{n} {what}"))));
+    let [width, height] = sheet;
+    let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
+    parts.print = print.into_iter().filter(is_on_sheet).collect();
     parts.title = words.title;
     parts.language = words.language;
     parts.description = words.description;
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    Ok((Page::new(parts)?, notes, areas))
+    Ok((Page::new(parts)?, names, notes, areas))
 }
 
 /// What the page is made for, as it says itself.
@@ -134,6 +144,15 @@ fn source(elements: &Elements<'_>) -> Option<Size> {
     Some(Size::new(width.parse().ok()?, height.parse().ok()?)).filter(|size| size.area() > 0)
 }
 
+/// The strokes and rows of dots of one object.
+struct Pieces {
+    object: usize,
+    layer: Layer,
+    strength: f32,
+    name: Name,
+    runs: Vec<Run>,
+}
+
 struct Builder<'m> {
     medium: &'m Medium,
     sheet: [f32; 2],
@@ -142,8 +161,10 @@ struct Builder<'m> {
     parts: Parts,
     overview: Vec<Line>,
     overview_frame: Dots,
+    line_names: Vec<Name>,
+    overview_names: Vec<Name>,
     /// Textures by the number that their id has.
-    regions: Vec<(usize, Texture)>,
+    regions: Vec<(usize, Name, Texture)>,
     /// Which text is which object.
     texts: Vec<usize>,
     /// Areas that a person drew.
@@ -163,6 +184,8 @@ impl<'m> Builder<'m> {
             parts: Parts::of(sheet, empty),
             overview: Vec::new(),
             overview_frame: Dots::default(),
+            line_names: Vec::new(),
+            overview_names: Vec::new(),
             regions: Vec::new(),
             texts: Vec::new(),
             areas: Vec::new(),
@@ -172,10 +195,14 @@ impl<'m> Builder<'m> {
     }
 
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
-    fn add(&mut self, mark: &Mark<'_>, runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>) {
+    fn add(&mut self, mark: &Mark<'_>, runs: &mut Vec<Pieces>) {
         if self.is_foreign && mark.layer.is_none() {
             let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
             return self.tally.add(What::Foreign, at);
+        }
+        if mark.layer == Some(Layer::PrintWords) {
+            let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
+            return self.tally.add(What::InPrint, at);
         }
         let has_heights = self.medium.has_heights();
         let first = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
@@ -222,7 +249,7 @@ impl<'m> Builder<'m> {
         widths.fold(1.0, f32::max)
     }
 
-    fn add_strokes(&mut self, mark: &Mark<'_>, of_path: Vec<Run>, runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>) {
+    fn add_strokes(&mut self, mark: &Mark<'_>, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
         let is_text = mark.element.has_attribute("data-braille");
         match mark.layer {
             Some(Layer::OrientationMark) if self.parts.orientation_mark.is_none() => {
@@ -251,25 +278,23 @@ impl<'m> Builder<'m> {
     }
 
     /// Keeps the pieces of one object together, in the order in which they are drawn.
-    fn collect(
-        &mut self,
-        mark: &Mark<'_>,
-        layer: Layer,
-        of_path: Vec<Run>,
-        runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>,
-    ) {
+    fn collect(&mut self, mark: &Mark<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
         let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
         let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
         match runs.last_mut() {
-            Some((object, _, _, pieces)) if *object == mark.object => pieces.extend(of_path),
-            _ => runs.push((mark.object, layer, strength, of_path)),
+            Some(pieces) if pieces.object == mark.object => pieces.runs.extend(of_path),
+            _ => {
+                let name = names::of_line(mark.element);
+                runs.push(Pieces { object: mark.object, layer, strength, name, runs: of_path });
+            }
         }
     }
 
     /// Runs that end where the next begins are one line.
-    fn add_lines(&mut self, layer: Layer, strength: f32, pieces: Vec<Run>) {
+    fn add_lines(&mut self, pieces: Pieces) {
+        let Pieces { layer, strength, name, runs, .. } = pieces;
         let mut lines: Vec<Line> = Vec::new();
-        for run in self.on_sheet(pieces) {
+        for run in self.on_sheet(runs) {
             let follows = lines.last().and_then(|line| line.runs.last()).is_some_and(|last| {
                 // a heavy line has a second row of dots beside the first
                 if (last.pen, run.pen) != (Pen::Stroke, Pen::Stroke) {
@@ -283,7 +308,12 @@ impl<'m> Builder<'m> {
                 _ => lines.push(Line { strength, runs: vec![run] }),
             }
         }
-        if layer == Layer::Overview { self.overview.extend(lines) } else { self.parts.figure.lines.extend(lines) }
+        let (all, names) = match layer {
+            Layer::Overview => (&mut self.overview, &mut self.overview_names),
+            _ => (&mut self.parts.figure.lines, &mut self.line_names),
+        };
+        names.extend(std::iter::repeat_n(name, lines.len()));
+        all.extend(lines);
     }
 
     fn add_discs(
@@ -292,7 +322,7 @@ impl<'m> Builder<'m> {
         layer: Option<Layer>,
         discs: &[(MmPoint, f32)],
         height: Height,
-        runs: &mut Vec<(usize, Layer, f32, Vec<Run>)>,
+        runs: &mut Vec<Pieces>,
     ) {
         let Some(&(_, diameter)) = discs.first() else { return };
         let uneven = discs.iter().find(|(_, other)| (other - diameter).abs() > SAME);
@@ -376,7 +406,7 @@ impl<'m> Builder<'m> {
             area: area.map_or(GLYPH_AREA * glyphs.len() as f32, |area| clean((area * mark.area_scale).max(0.0))),
             glyphs,
         };
-        self.regions.push((number.unwrap_or(usize::MAX), texture));
+        self.regions.push((number.unwrap_or(usize::MAX), names::of_area(element, class), texture));
     }
 
     /// The text that an object is; a new one if it was not met yet.

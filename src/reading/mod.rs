@@ -18,6 +18,7 @@ mod build;
 mod document;
 mod entities;
 mod marks;
+mod names;
 mod outline;
 mod shapes;
 mod tally;
@@ -26,14 +27,16 @@ mod words;
 
 use usvg::{ImageHrefResolver, Tree};
 
-use crate::page::Page;
+use crate::output::svg;
+use crate::page::{Names, Page};
 use crate::raster::decode::unless_beyond_numbers;
 use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
 use document::Elements;
 
 pub use areas::DrawnArea;
-pub use typed::TypedText;
+pub use document::{is_light, is_print_words};
+pub use typed::{TypedText, is_written};
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
 const LEAST_SHEET: f32 = 5.0;
@@ -45,10 +48,14 @@ const LARGEST_SHEET: f32 = 2500.0;
 pub struct Reading {
     /// The page. Its `origin` is what the file says of how it was made.
     pub page: Page,
+    /// What its lines and areas are called in the file.
+    pub names: Names,
     /// What was taken otherwise than it looks, or left out.
     pub notes: Vec<Note>,
     /// Areas that a person drew, which are not on the page as long as they have no signs.
     pub areas: Vec<DrawnArea>,
+    /// Whether somebody has changed or saved it since it was written.
+    pub is_changed: bool,
     /// Texts that a person typed and that are to be written in braille, which are not on the page either.
     pub texts: Vec<TypedText>,
 }
@@ -80,10 +87,11 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
         return Err(Error::NotAPage("its sheet is smaller than 5 mm or larger than 2500 mm; check its size in mm"));
     }
     let words = words::of(&document);
-    let (texts, told) = typed::sorted(elements.texts(), &marks.texts);
-    let (page, mut notes, areas) = build::page(marks, words, &elements, sheet)?;
+    let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
+    let (page, names, mut notes, areas) = build::page((marks, print), words, &elements, sheet)?;
     notes.extend(told);
-    Ok(Reading { page, notes, areas, texts })
+    let is_changed = !svg::is_as_written(svg);
+    Ok(Reading { page, names, notes, areas, is_changed, texts })
 }
 
 /// Whether bytes are text in XML, as all pages are.

@@ -22,6 +22,7 @@ pub(super) enum What {
     Dashed,
     UnevenDots,
     Foreign,
+    InPrint,
 }
 
 impl Tally {
@@ -58,6 +59,7 @@ impl Tally {
                     n("mark", "marks")
                 )),
                 What::Dashed => Note::TakenAs(format!("{}{at} with dashes, taken without gaps", n("line", "lines"))),
+                What::InPrint => left_out(format!("{}{at} in the layer of words in print", n("shape", "shapes"))),
                 What::Foreign => left_out(format!("{}{at} outside of the layer", n("mark", "marks"))),
                 What::UnevenDots => Note::TakenAs(format!(
                     "{}{at} of other sizes than the others of its group, taken as of one size",

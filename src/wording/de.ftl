@@ -50,6 +50,12 @@ line-upright = Eine gerade senkrechte Linie { $place }, { $length } mm lang{ $lo
 }.
 line-slanting = Eine gerade schräge Linie { $place }, { $length } mm lang.
 line-bent = Eine gebogene Linie { $place }, { $length } mm lang.
+shape-open = Ein Rechteck { $place }, { $side ->
+    [above] oben
+    [left] links
+    [right] rechts
+   *[below] unten
+} offen, { $width } mm breit und { $height } mm hoch.
 lines-more = { $lines ->
     [one] 1 weitere Linie ist kürzer als diese.
    *[other] { $lines } weitere Linien sind kürzer als diese.

@@ -55,6 +55,12 @@ line-upright = A straight upright line { $place }, { $length } mm long{ $long ->
 }.
 line-slanting = A straight slanting line { $place }, { $length } mm long.
 line-bent = A bent line { $place }, { $length } mm long.
+shape-open = A rectangle { $place }, open { $side ->
+    [above] at the top
+    [left] on the left
+    [right] on the right
+   *[below] at the bottom
+}, { $width } mm wide and { $height } mm high.
 lines-more = { $lines ->
     [one] 1 more line is shorter than these.
    *[other] { $lines } more lines are shorter than these.

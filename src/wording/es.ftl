@@ -50,6 +50,12 @@ line-upright = Una línea recta vertical { $place }, de { $length } mm de largo{
 }.
 line-slanting = Una línea recta inclinada { $place }, de { $length } mm de largo.
 line-bent = Una línea curva { $place }, de { $length } mm de largo.
+shape-open = Un rectángulo { $place }, abierto { $side ->
+    [above] por arriba
+    [left] por la izquierda
+    [right] por la derecha
+   *[below] por abajo
+}, de { $width } mm de ancho y { $height } mm de alto.
 lines-more = { $lines ->
     [one] 1 línea más es más corta que estas.
    *[other] { $lines } líneas más son más cortas que estas.

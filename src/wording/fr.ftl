@@ -50,6 +50,12 @@ line-upright = Une ligne droite verticale { $place }, longue de { $length } mm{ 
 }.
 line-slanting = Une ligne droite oblique { $place }, longue de { $length } mm.
 line-bent = Une ligne courbe { $place }, longue de { $length } mm.
+shape-open = Un rectangle { $place }, ouvert { $side ->
+    [above] en haut
+    [left] à gauche
+    [right] à droite
+   *[below] en bas
+}, de { $width } mm de large et { $height } mm de haut.
 lines-more = { $lines ->
     [one] { $lines } autre ligne est plus courte.
    *[other] { $lines } autres lignes sont plus courtes.

@@ -45,6 +45,12 @@ line-upright = Prosta pionowa linia { $place }, długości { $length } mm{ $long
 }.
 line-slanting = Prosta ukośna linia { $place }, długości { $length } mm.
 line-bent = Zagięta linia { $place }, długości { $length } mm.
+shape-open = Prostokąt { $place }, otwarty { $side ->
+    [above] u góry
+    [left] z lewej strony
+    [right] z prawej strony
+   *[below] u dołu
+}, szerokości { $width } mm i wysokości { $height } mm.
 lines-more = { $lines ->
     [one] 1 dalsza linia jest krótsza od tych.
     [few] { $lines } dalsze linie są krótsze od tych.

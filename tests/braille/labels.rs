@@ -4,6 +4,7 @@ use super::reading;
 use crate::common::samples;
 use tactograph::internals::braille::{CellSize, Code};
 use tactograph::internals::geom::nearest_on_segment;
+use tactograph::internals::page::Medium;
 use tactograph::internals::page::cells::CellGrid;
 use tactograph::internals::units::MmVector;
 use tactograph::marks::{BrailleText, Pen, TextRole};
@@ -66,7 +67,8 @@ fn check(drawing: &Drawing, name: &str) {
         }
         for glyph in page.figure.textures.iter().flat_map(|texture| &texture.glyphs) {
             let near = distance_to(place, glyph.at) - glyph.radius();
-            assert!(near >= CLEARANCE - 0.01, "{name}: {shown} lies {near} mm from a glyph");
+            let least = if matches!(page.medium, Medium::Dots(_)) { 2.0 * CLEARANCE } else { CLEARANCE };
+            assert!(near >= least - 0.01, "{name}: {shown} lies {near} mm from a glyph");
         }
         for dot in &page.frame.at {
             let near = distance_to(place, *dot) - 0.5 * page.frame.diameter;
@@ -77,6 +79,62 @@ fn check(drawing: &Drawing, name: &str) {
             let near = self::place(other).inflate(5.9, 3.4).intersects(&place);
             assert!(!near, "{name}: {shown} and {} are read as one", other.text);
         }
+    }
+}
+
+/// On open ground labels hang on the right of their points, and none beside them runs into another.
+#[test]
+fn labels_hang_beside_their_points() {
+    let blank = b"<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'>\
+        <rect width='300' height='200' fill='#fff'/>\
+        <path d='M10 190h280' stroke='#000' stroke-width='3'/></svg>";
+    let labels = vec![at(20.0, 20.0, "tree"), at(20.0, 50.0, "house"), at(95.0, 35.0, "roof")];
+    for profile in ["swell-a4", "viewplus-columbia"] {
+        let drawing = convert(&blank[..], &options(profile).labels(labels.clone())).expect("a page");
+        let figure = drawing.page.figure.place;
+        for (label, wanted) in labels_of(&drawing).into_iter().zip(&labels) {
+            let Label { x: Position::Percent(x), y: Position::Percent(y), .. } = wanted else { panic!("percent") };
+            let anchor = figure.min + MmVector::new(0.01 * x * figure.width(), 0.01 * y * figure.height());
+            let place = place(label);
+            let is_beside = (place.min.y..place.max.y).contains(&anchor.y);
+            assert!(is_beside, "{profile}: {} is above or below", label.text);
+            // the last has no room on the right
+            let gap = if *x < 90.0 { place.min.x - anchor.x } else { anchor.x - place.max.x };
+            assert!((1.9..6.0).contains(&gap), "{profile}: {} begins {gap} mm beside its point", label.text);
+        }
+        let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.starts_with("labels that name"));
+        let told = told.expect("nothing is drawn there");
+        assert!(told.contains("\"tree\", \"house\", \"roof\""), "{told}");
+    }
+}
+
+/// Where there is room, labels side by side have two blank cells between them, as columns of a table.
+#[test]
+fn labels_side_by_side_are_two_blank_cells_apart() {
+    let blank = b"<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'>\
+        <rect width='300' height='200' fill='#fff'/>\
+        <path d='M10 190h280' stroke='#000' stroke-width='3'/></svg>";
+    let labels = vec![at(30.0, 50.0, "sun"), at(47.0, 50.0, "moon"), at(68.0, 50.0, "star")];
+    for (profile, least) in [("swell-a4", 14.0), ("viewplus-columbia", 14.0)] {
+        let drawing = convert(&blank[..], &options(profile).labels(labels.clone())).expect("a page");
+        let places: Vec<MmRect> = labels_of(&drawing).into_iter().map(place).collect();
+        assert_eq!(places.len(), 3, "{profile}");
+        for (a, b) in [(0, 1), (0, 2), (1, 2)].map(|(a, b)| (places[a], places[b])) {
+            let is_in_line = a.min.y < b.max.y && b.min.y < a.max.y;
+            let gap = (b.min.x - a.max.x).max(a.min.x - b.max.x);
+            assert!(!is_in_line || gap >= least, "{profile}: {gap} mm between two labels");
+        }
+    }
+}
+
+/// The capital of the map is a small disc, which dots have no room for beside the river: its label stays.
+#[test]
+fn a_small_shape_that_dots_do_not_show_is_told() {
+    let picture = samples::read("map.svg");
+    for (profile, is_told) in [("swell-a4", false), ("viewplus-columbia", true)] {
+        let drawing = convert(&picture, &options(profile)).expect("a page");
+        let told = drawing.notes.iter().any(|note| note.to_string().contains("1 small closed shape (the first at "));
+        assert_eq!(told, is_told, "{profile}: {:?}", drawing.notes);
     }
 }
 

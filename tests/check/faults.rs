@@ -42,12 +42,89 @@ fn lines_drawn_by_hand_are_held_against_the_rules() {
     let near = "<path d=\"M60,250 L120,250\" stroke-width=\"1\"/><path d=\"M60,252 L120,252\" stroke-width=\"1\"/>";
     let checked = changed("bars.svg", |svg| with_lines(svg, near));
     assert!(has(&checked, "line-gap", "1.0 mm apart along 60 mm; 3.2 mm is the least"), "{checked}");
-    let thin = "<path d=\"M60,250 L120,250\" stroke-width=\"0.2\"/>";
-    assert!(has(&changed("bars.svg", |svg| with_lines(svg, thin)), "line-width", "0.20 mm wide"));
+    assert!(has(&checked, "line-gap", "line 1 without a name and line 2 without a name are"), "{checked}");
     let short = "<path d=\"M60,250 L63,250\" stroke-width=\"1\"/>";
     assert!(has(&changed("bars.svg", |svg| with_lines(svg, short)), "line-length", "4.0 mm long; 8 mm"));
     let out = "<path d=\"M60,292 L120,292\" stroke-width=\"1\"/>";
     assert!(has(&changed("bars.svg", |svg| with_lines(svg, out)), "margin", "5.5 mm beyond the margin of 10 mm"));
+}
+
+/// The rest of a line's element, from its id on, and where that element begins.
+fn without_line(svg: &str, id: &str) -> String {
+    let at = svg.find(&format!("id=\"{id}\"")).expect("the line is there");
+    let start = svg[..at].rfind("<path").expect("it is a path");
+    let end = at + svg[at..].find("/>").expect("it ends") + 2;
+    [&svg[..start], &svg[end..]].concat()
+}
+
+/// What is told of a line is told by the name that an editor shows, whatever was deleted before it.
+#[test]
+fn findings_name_lines_and_areas_as_the_page_does() {
+    let near = "<path id=\"path77\" inkscape:label=\"my roof\" d=\"M60,250 L120,250\" stroke-width=\"1\"/>\
+                <path id=\"line-44\" inkscape:label=\"line 44\" d=\"M60,252 L120,252\" stroke-width=\"1\"/>\
+                <path id=\"path99\" inkscape:label=\"line 44\" d=\"M60,270 L62,270\" stroke-width=\"1\"/>";
+    let checked = changed("bars.svg", |svg| with_lines(without_line(&svg, "line-1"), near));
+    assert!(has(&checked, "line-gap", "line \"my roof\" and line 44 (\"line-44\") are 1.0 mm apart"), "{checked}");
+    assert!(has(&checked, "line-length", "line 44 (\"path99\") is 3.0 mm long"), "{checked}");
+    // one object of two parts
+    let parts = "<path id=\"line-50\" d=\"M60,250 L120,250 M60,252 L120,252\" stroke-width=\"1\"/>";
+    let checked = changed("bars.svg", |svg| with_lines(svg, parts));
+    assert!(has(&checked, "line-gap", "two parts of line 50 are 1.0 mm apart"), "{checked}");
+    // an area behind one that was deleted, with a line through it
+    let page = page::of_sample("coffee.png", "swell-a4").page.clone();
+    let class = page.figure.textures[0].class;
+    let last = page.figure.textures.iter().rposition(|texture| texture.class == class).expect("there is one");
+    assert!(last > 0, "it has several areas of one class");
+    let nth = page.figure.textures.iter().filter(|texture| texture.class == class).count();
+    let at = page.figure.textures[last].glyphs[0].at;
+    let through = format!("<path d=\"M{},{} h9\" stroke-width=\"1\"/>", at.x - 4.0, at.y);
+    let checked = changed("coffee.png", |svg| with_lines(without_line(&svg, "region-1"), &through));
+    let name = format!("{} area {nth}: ", class.name());
+    assert!(has(&checked, "texture-gap", &name), "{name} {checked}");
+}
+
+/// What `render` puts right is a warning that says so, and what it does not is an error.
+#[test]
+fn what_render_mends_is_a_warning() {
+    let mended = |checked: &Checked, rule: &str, words: &str| {
+        let of_rule = checked.findings.iter().filter(|finding| finding.rule.id == rule);
+        let told: Vec<String> = of_rule.filter(|finding| !finding.is_error()).map(ToString::to_string).collect();
+        told.iter().any(|told| told.starts_with("warning ") && told.contains(words))
+    };
+    let thin = "<path d=\"M60,250 L120,250\" stroke-width=\"0.2\"/>";
+    let checked = changed("bars.svg", |svg| with_lines(svg, thin));
+    assert!(mended(&checked, "line-width", "0.20 mm wide"), "{checked}");
+    assert!(mended(&checked, "line-width", "`tactograph render` makes of the page, as it gives it the least width"));
+    assert!(!checked.to_string().contains("error line-width"), "{checked}");
+    // by the numbers of another profile, render would have to be asked for that
+    let svg = with_lines(page::of_sample("bars.svg", "swell-a4").page.to_svg(), thin);
+    let other = tactograph::Profile::named("swell-a4").expect("it is built in");
+    let checked = check(svg, Some(&other)).expect("it can be read");
+    assert!(checked.to_string().contains("error line-width"), "{checked}");
+    // words
+    let typed = "<g id=\"labels-text\"><text x=\"60\" y=\"250\">Rain</text></g><text x=\"60\" y=\"99\">no</text>";
+    let checked = changed("bars.svg", |svg| svg.replace("</svg>", &format!("{typed}</svg>")));
+    assert!(mended(&checked, "letters", "\"Rain\" is written in letters"), "{checked}");
+    assert!(mended(&checked, "letters", "writes them in braille"), "{checked}");
+    assert_eq!(checked.errors(), 1, "the other is left out: {checked}");
+    let json: serde_json::Value = serde_json::from_str(&checked.to_json()).expect("JSON");
+    let finding = |severity: &str| {
+        let findings = json["findings"].as_array().expect("findings").iter();
+        findings.filter(|of| of["rule"] == "letters").find(|of| of["severity"] == severity).expect("one").clone()
+    };
+    assert_eq!(finding("warning")["render"], "writes them in braille");
+    assert!(finding("error")["render"].is_null());
+}
+
+/// The second row of a heavy line of dots, and the next dot of a ring, are no gaps.
+#[test]
+fn rows_of_dots_are_not_broken_lines() {
+    let svg = page::of_sample("coffee.png", "index-basic-d").page.to_svg();
+    let checked = check(svg, None).expect("it can be read");
+    assert!(!has(&checked, "broken-line", "the two ends of"), "{checked}");
+    let svg = page::of_sample("chart.svg", "index-basic-d").page.to_svg();
+    let checked = check(svg, None).expect("it can be read");
+    assert!(!has(&checked, "broken-line", ""), "{checked}");
 }
 
 #[test]

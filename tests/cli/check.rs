@@ -11,6 +11,9 @@ fn with_page() -> Place {
     assert_eq!(run.code, 0, "{}", run.err);
     let page = place.text("page.svg");
     place.put("thin.svg", page.replace("stroke-width=\"1.5\"", "stroke-width=\"0.15\"").as_bytes());
+    let near =
+        "<g id=\"lines\"><path d=\"M60,250h60\" stroke=\"#000\"/><path d=\"M60,252h60\" stroke=\"#000\"/></g></svg>";
+    place.put("near.svg", page.replace("</svg>", near).as_bytes());
     place
 }
 
@@ -20,17 +23,22 @@ fn a_page_without_errors_ends_with_0_and_one_with_errors_with_1() {
     let run = place.run(&["check", "page.svg"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(run.out.lines().last().is_some_and(|line| line.starts_with("Verdict: 0 errors")), "{}", run.out);
-    let run = place.run(&["check", "thin.svg"]);
+    let run = place.run(&["check", "near.svg"]);
     assert_eq!(run.code, 1, "{}", run.err);
-    assert!(run.out.starts_with("error line-width: "), "{}", run.out);
+    assert!(run.out.starts_with("error line-gap: "), "{}", run.out);
+    // what render mends
+    let thin = place.run(&["check", "thin.svg"]);
+    assert_eq!(thin.code, 0, "{}", thin.err);
+    assert!(thin.out.contains("warning line-width: "), "{}", thin.out);
+    assert_eq!(place.run(&["check", "thin.svg", "--strict"]).code, 1);
     assert!(run.out.contains(" mm from the left and ") && run.out.contains("What to do: "), "{}", run.out);
 }
 
 #[test]
 fn findings_are_drawn_where_it_is_asked_for_and_a_page_comes_from_standard_input_too() {
     let place = with_page();
-    let run = place.run(&["check", "thin.svg", "--mark", "marked.svg", "--format", "json"]);
-    assert_eq!((run.code, run.err.as_str()), (1, "thin.svg: wrote marked.svg\n"));
+    let run = place.run(&["check", "near.svg", "--mark", "marked.svg", "--format", "json"]);
+    assert_eq!((run.code, run.err.as_str()), (1, "near.svg: wrote marked.svg\n"));
     assert!(run.out.starts_with('{') && place.text("marked.svg").contains("id=\"findings\""), "{}", run.out);
     let run = place.run_with_input(&["check", "-", "--format", "sarif"], place.text("page.svg").as_bytes());
     assert_eq!(run.code, 0, "{}", run.err);

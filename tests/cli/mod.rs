@@ -1,6 +1,7 @@
 //! The program as its user meets it: what it is given, what it says, what it leaves behind and how it ends.
 
 mod calibrate;
+mod changed;
 mod check;
 mod common;
 mod describe;

@@ -7,7 +7,7 @@ use tactograph::marks::{Line, Pen, Run};
 use tactograph::{Page, Profile};
 
 /// A folder with a picture and its page.
-fn with_page(profile: &str) -> Place {
+pub(crate) fn with_page(profile: &str) -> Place {
     let place = Place::new();
     place.put("cup.png", &samples::read("coffee.png"));
     let run = place.run(&["convert", "cup.png", "--no-overview", "--profile", profile, "-q"]);
@@ -15,7 +15,7 @@ fn with_page(profile: &str) -> Place {
     place
 }
 
-fn read(place: &Place, name: &str) -> Page {
+pub(crate) fn read(place: &Place, name: &str) -> Page {
     reading(&place.text(name))
 }
 
@@ -23,7 +23,7 @@ fn reading(svg: &str) -> Page {
     tactograph::internals::reading::read(svg.as_bytes()).expect("it is a page").page
 }
 
-fn done(place: &Place, args: &[&str]) -> String {
+pub(crate) fn done(place: &Place, args: &[&str]) -> String {
     let run = place.run(args);
     assert_eq!(run.code, 0, "{args:?}: {}", run.err);
     run.err

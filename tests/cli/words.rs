@@ -32,6 +32,59 @@ fn timings_are_told_for_every_stage() {
 }
 
 #[test]
+fn print_stands_beside_the_braille_where_it_is_asked_for() {
+    let place = Place::new();
+    place.put("bars.svg", &crate::common::samples::read("bars.svg"));
+    place.put("labels.csv", b"10%,10%,Rain\n");
+    let args = |more: &[&'static str]| {
+        let all =
+            ["convert", "bars.svg", "--title", "Regen & Schnee", "--lang", "de", "--labels", "labels.csv", "--force"];
+        [&all[..], more].concat()
+    };
+    let done = |more: &[&'static str]| {
+        let run = place.run(&args(more));
+        assert_eq!(run.code, 0, "{}", run.err);
+        run.err
+    };
+    done(&["-o", "plain.svg"]);
+    done(&["--set", "braille.print=true", "-o", "print.svg"]);
+    let (plain, print) = (place.text("plain.svg"), place.text("print.svg"));
+    assert!(!plain.contains("print-words") && !plain.contains("<text"));
+    assert!(print.contains("fill=\"#c4c4c4\"") && print.matches("<text").count() == 2, "{print}");
+    assert!(print.contains("Regen &amp; Schnee\n</text>") && print.contains("Rain\n</text>"));
+    // it is read as it was, saved by another program or not, and is no fault
+    let run = place.run(&["render", "print.svg", "-o", "again.svg"]);
+    assert!(run.code == 0 && !run.err.contains("note"), "{}", run.err);
+    assert_eq!(place.text("again.svg"), print);
+    let style = "<g style=\"fill:#c4c4c4;stroke:none\" fill=\"#c4c4c4\"";
+    place.put("saved.svg", print.replace("<g aria-hidden=\"true\" fill=\"#c4c4c4\"", style).as_bytes());
+    let run = place.run(&["render", "saved.svg", "-o", "saved-again.svg"]);
+    assert!(run.code == 0 && place.text("saved-again.svg") == print, "{}", run.err);
+    for page in ["print.svg", "saved.svg"] {
+        let run = place.run(&["check", page]);
+        assert!(run.code == 0 && !run.out.contains("letters") && !run.out.contains("black-only"), "{}", run.out);
+    }
+    // darker than that, it would rise
+    place.put("dark.svg", print.replace("#c4c4c4", "#444444").as_bytes());
+    let run = place.run(&["check", "dark.svg"]);
+    assert!(run.code == 1 && run.out.contains("\"Rain\" is written in letters"), "{}", run.out);
+    // in a PDF in a font that viewers have; in a PNG where there are fonts
+    done(&["--set", "braille.print=true", "-o", "print.pdf"]);
+    let pdf = fs::read(place.path("print.pdf")).expect("it is there");
+    let has = |what: &[u8]| pdf.windows(what.len()).any(|part| part == what);
+    assert!(has(b"/BaseFont/Helvetica") && !has(b"pdfuaid:part"));
+    done(&["-o", "plain.pdf"]);
+    let pdf = fs::read(place.path("plain.pdf")).expect("it is there");
+    let has = |what: &[u8]| pdf.windows(what.len()).any(|part| part == what);
+    assert!(!has(b"Helvetica") && has(b"pdfuaid:part"));
+    done(&["--set", "braille.print=true", "-o", "print.png"]);
+    // dots print no letters
+    let told = done(&["--set", "braille.print=true", "--profile", "index-basic-d", "--no-overview", "-o", "dots.svg"]);
+    assert!(told.contains("braille.print does not count on a page of dots"), "{told}");
+    assert!(!place.text("dots.svg").contains("print-words"));
+}
+
+#[test]
 fn notes_are_told_unless_quiet() {
     let place = Place::new();
     place.put("white.png", &png(60, 60, &[255; 60 * 60 * 3]));

@@ -45,8 +45,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // A page from its SVG, with the layers that the writer gives it.
     ("reading", &["units", "geom", "raster", "devices", "page", "output"]),
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
-    // Rules over finished marks.
-    ("legibility", &["units", "geom", "braille", "wording", "devices", "page", "touch"]),
+    // Rules over finished marks, by the names that the file of the page has.
+    ("legibility", &["units", "geom", "braille", "wording", "devices", "page", "reading", "touch"]),
     ("description", &["units", "geom", "wording", "page", "legibility"]), // a page in sentences
     (
         "profile",
@@ -96,6 +96,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "output",
             "reading",
             "touch",
+            "legibility",
             "description",
             "profile",
             "picture",

@@ -5,15 +5,17 @@
 //! printer, and never a mixture of colours.
 
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
-use pdf_writer::{Content, Name, Settings, TextStr};
+use pdf_writer::{Content, Name, Settings, Str, TextStr};
 
-use super::super::layer::{Layer, grey};
+use super::super::layer::{Layer, PRINT_GREY, grey};
 use super::super::text::{plain, written_corners};
-use crate::page::{BrailleText, Class, Dots, Glyph, Height, Line, Page, Pen, Run, Shape, TextRole};
+use crate::page::{BrailleText, Class, Dots, Glyph, Height, Line, Page, Pen, PrintText, Run, Shape, TextRole};
 use crate::units::MmPoint;
 
 /// Points of a PDF in a millimetre.
 pub(super) const POINTS_PER_MM: f32 = 72.0 / 25.4;
+/// The name of the font of words in print.
+pub(super) const FONT: Name<'static> = Name(b"F1");
 /// Units of user space in a millimetre.
 const UNITS: f32 = 100.0;
 /// The page's only piece of tagged content.
@@ -58,6 +60,7 @@ pub(super) fn layers(page: &Page) -> Vec<Layer> {
     TextRole::ALL.into_iter().for_each(|role| {
         add(Layer::Braille(role), page.braille.iter().any(|text| text.role == role));
     });
+    add(Layer::PrintWords, !page.print.is_empty());
     layers
 }
 
@@ -97,6 +100,7 @@ impl Writer<'_> {
                     out.raise(Height::High);
                     page.braille.iter().filter(|text| text.role == role).for_each(|text| out.braille(text));
                 }),
+                Layer::PrintWords => self.layer(layer, |out| out.print_words(&page.print)),
                 Layer::Textures | Layer::Texture(_) | Layer::Lines => {} // in the figure
             }
         }
@@ -188,6 +192,19 @@ impl Writer<'_> {
         self.content.end_marked_content();
     }
 
+    /// Words in print, in a font that every viewer has.
+    fn print_words(&mut self, words: &[PrintText]) {
+        let grey = f32::from(PRINT_GREY) / 255.0;
+        self.content.save_state().set_fill_gray((grey * 1000.0).round() / 1000.0).begin_text();
+        for text in words {
+            self.content.set_font(FONT, units(text.size));
+            // y runs down, and letters stand upright
+            self.content.set_text_matrix([1.0, 0.0, 0.0, -1.0, units(text.at.x), units(text.at.y)]);
+            self.content.show(Str(&in_font(&plain(&text.string))));
+        }
+        self.content.end_text().restore_state();
+    }
+
     fn dots(&mut self, dots: &Dots) {
         dots.at.iter().for_each(|&at| self.disc(at, dots.diameter));
         self.content.fill_nonzero();
@@ -219,6 +236,25 @@ impl Writer<'_> {
         }
         self.content.close_path();
     }
+}
+
+/// A text in the bytes of WinAnsiEncoding; letters that it has not are written without their marks, or as "?".
+fn in_font(text: &str) -> Vec<u8> {
+    const OTHERS: &str = "€‚„…ŠŽ‘’“”–—šž";
+    const THEIR_BYTES: [u8; 14] = [0x80, 0x82, 0x84, 0x85, 0x8a, 0x8e, 0x91, 0x92, 0x93, 0x94, 0x96, 0x97, 0x9a, 0x9e];
+    // of Polish and Czech, whose words are written too
+    const MARKED: &str = "ąĄćĆčČďĎęĘěĚłŁńŃňŇřŘśŚťŤůŮźŹżŻ";
+    const BARE: &[u8] = b"aAcCcCdDeEeElLnNnNrRsStTuUzZzZ";
+    let place = |letters: &str, letter: char| letters.chars().position(|known| known == letter);
+    let byte = |letter: char| match letter {
+        ' '..='~' | '\u{a0}'..='\u{ff}' => letter as u8,
+        _ => {
+            let other = place(OTHERS, letter).and_then(|at| THEIR_BYTES.get(at));
+            let bare = || place(MARKED, letter).and_then(|at| BARE.get(at));
+            other.or_else(bare).copied().unwrap_or(b'?')
+        }
+    };
+    text.chars().map(byte).collect()
 }
 
 /// A length in whole units of user space: 0.01 mm, as in the SVG.

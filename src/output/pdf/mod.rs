@@ -49,9 +49,13 @@ pub fn write(title: &str, pages: &[Page]) -> Vec<u8> {
     for (number, (page, own)) in pages.iter().zip(&ids.pages).enumerate() {
         sheet(&mut pdf, page, own, number as i32, &ids);
     }
+    let has_print = pages.iter().any(|page| !page.print.is_empty());
+    if has_print {
+        pdf.type1_font(ids.font).base_font(Name(b"Helvetica")).encoding_predefined(Name(b"WinAnsiEncoding"));
+    }
     if let Some(first) = pages.first() {
         let title = plain(title);
-        let packet = xmp(&title, first);
+        let packet = xmp(&title, first, !has_print);
         let mut metadata = pdf.stream(ids.metadata, packet.as_bytes());
         metadata.pair(Name(b"Type"), Name(b"Metadata")).pair(Name(b"Subtype"), Name(b"XML"));
         metadata.finish();
@@ -93,6 +97,8 @@ struct Ids {
     metadata: Ref,
     root: Ref,
     document: Ref,
+    /// That of words in print.
+    font: Ref,
     /// Every layer of any page, in the order of a page.
     layers: BTreeMap<Layer, Ref>,
     pages: Vec<PageIds>,
@@ -113,7 +119,8 @@ impl Ids {
             pages.iter().flat_map(content::layers).map(|layer| (layer, root)).collect();
         layers.values_mut().for_each(|id| *id = new());
         let pages = pages.iter().map(|_| PageIds { page: new(), content: new(), figure: new() }).collect();
-        Self { catalog, tree, info, metadata, root, document, layers, pages }
+        let font = new();
+        Self { catalog, tree, info, metadata, root, document, font, layers, pages }
     }
 }
 
@@ -198,6 +205,9 @@ fn sheet(pdf: &mut Pdf, page: &Page, own: &PageIds, number: i32, ids: &Ids) {
         }
     }
     properties.finish();
+    if !page.print.is_empty() {
+        resources.fonts().pair(content::FONT, ids.font);
+    }
     resources.finish();
     leaf.finish();
     let content = compressed(&content::write(page, &name));
@@ -227,8 +237,8 @@ const NAMESPACES: &str = concat!(
 
 /// What a PDF says of itself as XMP, for a document whose first page is this. The number of PDF/UA says that the file
 /// keeps the rules of ISO 14289-1 (accessible PDF); `tactograph:made` says how the page was made, as the SVG does in
-/// its `metadata`.
-fn xmp(title: &str, page: &Page) -> String {
+/// its `metadata`. A file with words in print does not say so: their font is not in it.
+fn xmp(title: &str, page: &Page, is_accessible: bool) -> String {
     let (title, description) = (escaped(title), escaped(&page.description));
     let mut languages = vec![&page.language, &page.description_language];
     languages.dedup();
@@ -242,8 +252,7 @@ fn xmp(title: &str, page: &Page) -> String {
 <x:xmpmeta xmlns:x="adobe:ns:meta/">
 <rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
 <rdf:Description rdf:about=""{NAMESPACES}>
-<pdfuaid:part>1</pdfuaid:part>
-<dc:format>application/pdf</dc:format>
+{claim}<dc:format>application/pdf</dc:format>
 <dc:title><rdf:Alt><rdf:li xml:lang="x-default">{title}</rdf:li></rdf:Alt></dc:title>
 <dc:description><rdf:Alt><rdf:li xml:lang="x-default">{description}</rdf:li></rdf:Alt></dc:description>
 <dc:language><rdf:Bag>{languages}</rdf:Bag></dc:language>
@@ -255,6 +264,7 @@ fn xmp(title: &str, page: &Page) -> String {
 </rdf:RDF>
 </x:xmpmeta>
 <?xpacket end="r"?>"#,
+        claim = if is_accessible { "<pdfuaid:part>1</pdfuaid:part>\n" } else { "" },
         bom = '\u{feff}'
     )
 }

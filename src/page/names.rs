@@ -1,0 +1,43 @@
+//! What lines and areas are called: in an editor's list of objects, and where somebody is told of them.
+
+use super::parts::{Class, Page};
+
+/// The names of a page's objects, in the order of the page.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Names {
+    /// Those of the lines of the figure, such as "line 7".
+    pub lines: Vec<String>,
+    /// Those of the lines of the overview, such as "overview line 7".
+    pub overview_lines: Vec<String>,
+    /// Those of the areas, such as "red area 2".
+    pub areas: Vec<String>,
+}
+
+impl Names {
+    /// The names that a page's objects have when it is written.
+    pub fn of(page: &Page) -> Self {
+        let textures = &page.figure.textures;
+        let nth = |at: usize| textures[..=at].iter().filter(|of| of.class == textures[at].class).count();
+        let overview = page.overview.as_ref().map_or(0, |overview| overview.lines.len());
+        Self {
+            lines: (1..=page.figure.lines.len()).map(line_name).collect(),
+            overview_lines: (1..=overview).map(overview_line_name).collect(),
+            areas: (0..textures.len()).map(|at| area_name(textures[at].class, nth(at))).collect(),
+        }
+    }
+}
+
+/// The name of a line of the figure; they count from 1.
+pub fn line_name(number: usize) -> String {
+    format!("line {number}")
+}
+
+/// The name of a line of the overview.
+pub fn overview_line_name(number: usize) -> String {
+    format!("overview line {number}")
+}
+
+/// The name of an area: each class counts its own.
+pub fn area_name(class: Class, nth: usize) -> String {
+    format!("{} area {nth}", class.name())
+}

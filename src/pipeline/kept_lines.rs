@@ -1,0 +1,111 @@
+//! Which lines of a page are still there where it was drawn anew, so that those that are lost can be named.
+
+use crate::Note;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::lines::{Line, Pen, Run};
+use crate::units::{MmPoint, MmRect};
+
+/// Lines are looked at this often, mm.
+const STEP: f32 = 1.0;
+/// Farthest that a line lies from where it was, mm: lines are moved aside by less than this.
+const REACH: f32 = 8.0;
+/// A line of which less than this share is there is lost.
+const LOST: f32 = 0.2;
+/// Most lines that are named.
+const MOST: usize = 6;
+
+/// The lines of `before` that each line of `after` stands for, and what share of each line of `before` is there. Both
+/// are lines of one figure, that lies in `from` and in `to`.
+pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect) -> (Vec<usize>, Vec<f32>) {
+    let mut near = Nearby::new(from, REACH);
+    for (line, of) in (0..).zip(before) {
+        for (a, b) in of.runs.iter().flat_map(steps_of) {
+            near.insert(Segment { a, b, half_width: 0.0, line, index: 0, arc: 0.0 });
+        }
+    }
+    let scale = from.width() / to.width().max(f32::MIN_POSITIVE);
+    let mut lengths = vec![0.0; before.len()];
+    let mut stand_for = Vec::with_capacity(after.len());
+    for line in after {
+        let mut own = vec![0.0; before.len()];
+        for (a, b) in row(line).iter().flat_map(steps_of) {
+            let length = (b - a).length() * scale;
+            let count = (length / STEP).ceil().max(1.0);
+            for k in 0..count as u32 {
+                let at = from.min + (a.lerp(b, (k as f32 + 0.5) / count) - to.min) * scale;
+                if let Some((_, _, found)) = near.nearest(at, REACH, |_| true) {
+                    own[found.line as usize] += length / count;
+                }
+            }
+        }
+        stand_for.push((0..own.len()).fold(0, |best, i| if own[i] > own[best] { i } else { best }));
+        lengths.iter_mut().zip(own).for_each(|(all, own)| *all += own);
+    }
+    let share = |(line, kept): (&Line, f32)| {
+        let length: f32 = row(line).iter().map(Run::length).sum();
+        if length > 0.0 { kept / length } else { 1.0 }
+    };
+    (stand_for, before.iter().zip(lengths).map(share).collect())
+}
+
+/// The segments of a run; of one point, that point.
+fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
+    match run.points[..] {
+        [only] => vec![(only, only)],
+        _ => run.polyline().segments().map(|(a, b)| (*a, *b)).collect(),
+    }
+}
+
+/// The runs of a line, without the second row of a heavy line of dots.
+fn row(line: &Line) -> &[Run] {
+    let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
+    if is_dotted { &line.runs[..1] } else { &line.runs }
+}
+
+/// Names the lines that are lost; none if none is.
+pub(super) fn lost(names: &[String], shares: &[f32]) -> Option<Note> {
+    let mut lost: Vec<&str> =
+        shares.iter().zip(names).filter(|(share, _)| **share < LOST).map(|(_, name)| name.as_str()).collect();
+    // those that a person drew matter most: our own are numbered
+    lost.sort_by_key(|name| name.starts_with("line ") && !name.contains('"'));
+    let (last, first) = lost[..lost.len().min(MOST)].split_last()?;
+    let (count, more) = (lost.len(), lost.len().saturating_sub(MOST));
+    let named = match (first.is_empty(), more) {
+        (true, _) => (*last).to_owned(),
+        (false, 0) => format!("{} and {last}", first.join(", ")),
+        (false, _) => format!("{}, {last} and {more} more", first.join(", ")),
+    };
+    let why = "too short for this page or too near to others; move them apart, or take a larger sheet";
+    Some(Note::LeftOut(match count {
+        1 => format!("{named}, {}", why.replace("them", "the lines")),
+        _ => format!("{count} lines, {named}: {why}"),
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(y: f32, from: f32, to: f32) -> Line {
+        Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![MmPoint::new(from, y), MmPoint::new(to, y)])] }
+    }
+
+    #[test]
+    fn a_line_that_is_gone_is_named_though_its_neighbour_is_near() {
+        let (from, to) = (MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), MmPoint::new(10.0, 20.0));
+        let to = MmRect::new(to, to + MmPoint::new(50.0, 50.0).to_vector());
+        let before = [line(10.0, 0.0, 80.0), line(13.0, 0.0, 80.0), line(60.0, 0.0, 100.0)];
+        // half as large, the first moved a little, the second gone, half of the third
+        let after = [line(50.0, 10.0, 35.0), line(25.4, 10.0, 50.0)];
+        let (stand_for, shares) = matched(&before, from, &after, to);
+        assert_eq!(stand_for, [2, 0]);
+        assert!(shares[0] > 0.9 && shares[1] < 0.1 && (shares[2] - 0.5).abs() < 0.05, "{shares:?}");
+        let names = ["line 1", "line 2", "line 3"].map(str::to_owned);
+        let told = lost(&names, &shares).expect("one is lost").to_string();
+        assert!(told.contains("line 2, too short") && !told.contains("line 1"), "{told}");
+        assert_eq!(lost(&names, &[1.0, 0.5, 0.3]), None);
+        let names = ["line 1".to_owned(), "line \"roof\"".to_owned()];
+        let told = lost(&names, &[0.0, 0.0]).expect("two are lost").to_string();
+        assert!(told.contains("2 lines, line \"roof\" and line 1: "), "what a person drew comes first: {told}");
+    }
+}

@@ -1,0 +1,110 @@
+//! What the objects of a page that was read are called: as an editor lists them.
+
+use std::collections::HashMap;
+
+use usvg::roxmltree::Node;
+
+use super::document::{UNNAMED, label_of};
+use crate::page::Class;
+
+/// Most characters of a name.
+const MOST: usize = 40;
+
+/// How an object is called, and by which element.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Name {
+    kind: &'static str,
+    /// None if it has neither a label nor an id of its own.
+    shown: Option<String>,
+    id: String,
+}
+
+/// The name of a line.
+pub(super) fn of_line(element: Node<'_, '_>) -> Name {
+    named(element, "line", |name| is_numbered(name, "line ") || is_numbered(name, "overview line "))
+}
+
+/// The name of an area; one that was moved to another texture keeps its old name in the list, so its class is said too.
+pub(super) fn of_area(element: Node<'_, '_>, class: Class) -> Name {
+    let name = named(element, "area", |name| name.split_once(" area ").is_some_and(|(_, number)| is_number(number)));
+    let shown = name.shown.map(|shown| match shown.starts_with(class.name()) {
+        true => shown,
+        false => format!("{shown} ({})", class.name()),
+    });
+    Name { shown, ..name }
+}
+
+/// By its label, or else by its id: "line 7" as it is, other names in quotation marks.
+fn named(element: Node<'_, '_>, kind: &'static str, is_ours: impl Fn(&str) -> bool) -> Name {
+    let id = element.attribute("id").unwrap_or_default();
+    let own = Some(id).filter(|id| !id.is_empty() && !id.starts_with(UNNAMED));
+    let label = label_of(element).map(|label| label.split_whitespace().collect::<Vec<_>>().join(" "));
+    let ours = |id: &str| Some(id.replace('-', " ")).filter(|name| is_ours(name));
+    let name =
+        label.filter(|label| !label.is_empty()).or_else(|| own.and_then(ours)).or_else(|| own.map(str::to_owned));
+    let shown = match name {
+        Some(name) if is_ours(&name) => Some(name),
+        Some(name) => {
+            let short: String = name.chars().filter(|c| !c.is_control()).take(MOST).collect();
+            Some(format!("{kind} \"{short}\""))
+        }
+        None => None,
+    };
+    Name { kind, shown, id: id.to_owned() }
+}
+
+fn is_numbered(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix).is_some_and(is_number)
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// The names as they are told. Copies of an object have its label: they are told by their ids as well; objects without
+/// a name are counted.
+pub(super) fn told(names: &[Name]) -> Vec<String> {
+    let mut ids: HashMap<Option<&str>, Vec<&str>> = HashMap::new();
+    for name in names {
+        let of_name = ids.entry(name.shown.as_deref()).or_default();
+        if !of_name.contains(&name.id.as_str()) {
+            of_name.push(&name.id);
+        }
+    }
+    let tell = |name: &Name| {
+        let all = ids.get(&name.shown.as_deref()).map_or(&[][..], Vec::as_slice);
+        let nth = all.iter().position(|id| *id == name.id).unwrap_or(0) + 1;
+        match &name.shown {
+            None if all.len() > 1 => format!("{} {nth} without a name", name.kind),
+            None => format!("a {} without a name", name.kind),
+            Some(shown) if all.len() > 1 => format!("{shown} (\"{}\")", name.id),
+            Some(shown) => shown.clone(),
+        }
+    };
+    names.iter().map(tell).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use usvg::roxmltree::Document;
+
+    use super::*;
+
+    /// The names of the lines of a drawing.
+    fn lines(elements: &str) -> Vec<String> {
+        let svg = format!("<svg xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\">{elements}</svg>");
+        let document = Document::parse(&svg).expect("it is XML");
+        told(&document.root_element().children().map(of_line).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn objects_are_called_as_an_editor_lists_them() {
+        assert_eq!(lines("<path id=\"line-7\" inkscape:label=\"line 7\"/>"), ["line 7"]);
+        assert_eq!(lines("<path id=\"line-7\"/><path id=\"path12\"/>"), ["line 7", "line \"path12\""]);
+        assert_eq!(lines("<path id=\"a\" inkscape:label=\" the  roof \"/>"), ["line \"the roof\""]);
+        assert_eq!(lines("<path/>"), ["a line without a name"]);
+        assert_eq!(lines("<path/><path id=\"unnamed-4\"/>"), ["line 1 without a name", "line 2 without a name"]);
+        let copies = "<path id=\"line-7\" inkscape:label=\"line 7\"/><path id=\"b\" inkscape:label=\"line 7\"/>";
+        assert_eq!(lines(copies), ["line 7 (\"line-7\")", "line 7 (\"b\")"]);
+    }
+}
