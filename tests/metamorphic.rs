@@ -244,7 +244,7 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
         let outlines = |raster: &Raster| -> Vec<(f32, f32)> {
             let (transform, _) = sheet(raster.size());
             let tree = edges::find_with_regions(raster, &EDGES).regions;
-            let traces = tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[])).unwrap_or_default();
+            let traces = tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[]).0).unwrap_or_default();
             let points = |trace: &regions::Trace| {
                 let vertices = trace.vertices.iter().map(|point| point.at).collect();
                 Polyline { vertices, closed: trace.closed }.resampled(0.5).vertices

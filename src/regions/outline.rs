@@ -1,5 +1,6 @@
 //! Outlines of the most telling regions.
 
+use super::areas::Areas;
 use super::border::{Border, borders, corner_at};
 use super::choose::{Params, choose};
 use super::label_map::label_map;
@@ -19,14 +20,16 @@ impl Tree {
     /// the picture. Neighbours share one border, which belongs to the first of them; one that is not closed ends on the
     /// frame or on others. The strength is the mean of what is seen along the line.
     /// The regions of `subjects` come before those that tell most.
-    pub fn outlines(&self, mm_per_px: f32, params: &Params, subjects: &[u32]) -> Vec<Trace> {
+    /// Also returns the areas between the outlines.
+    pub fn outlines(&self, mm_per_px: f32, params: &Params, subjects: &[u32]) -> (Vec<Trace>, Areas) {
         let mm = self.mm_of_cell(mm_per_px);
         let chosen = choose(self, mm, params, subjects);
         let labels = label_map(self, &chosen, mm, params.narrowest);
         let mut placed = vec![None; (self.grid.cells.width as usize + 1) * (self.grid.cells.height as usize + 1)];
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
         let all = borders(&labels, chosen.len(), self.grid.cells);
-        all.iter().map(|border| self.trace(border, sigma, &mut placed)).collect()
+        let traces = all.iter().map(|border| self.trace(border, sigma, &mut placed)).collect();
+        (traces, Areas { grid: self.grid, labels, count: chosen.len() })
     }
 
     /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.
@@ -99,7 +102,7 @@ mod tests {
         let size = Size::new(120, 90);
         let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
         let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
-        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS, &[])
+        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS, &[]).0
     }
 
     fn circle(x: f32, y: f32, radius: f32) -> Trace {
@@ -183,8 +186,8 @@ mod tests {
         assert!(area > 4500.0, "{area}");
         assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &one), None, "beyond the picture");
         let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
-        assert!(area_of(tree.outlines(0.5, &one, &[])) > 250.0, "the large one tells most");
-        assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner]))), "the subject comes first");
+        assert!(area_of(tree.outlines(0.5, &one, &[]).0) > 250.0, "the large one tells most");
+        assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner]).0)), "the subject comes first");
     }
 
     #[test]
