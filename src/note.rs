@@ -105,6 +105,15 @@ pub enum Note {
     ShapesNotInOverview(usize),
     /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
     MixedAreas(usize),
+    /// What was left out as the maker of the page wants few shapes.
+    Simplified {
+        /// Shapes that were left out.
+        shapes: usize,
+        /// Other lines that were.
+        lines: usize,
+        /// The most of each that were asked for.
+        most: usize,
+    },
     /// There is nothing on the page but its frame.
     EmptyPage,
     /// The dots of the page are those of text cells, which stand apart.
@@ -148,6 +157,7 @@ impl Note {
             Self::TooDense { .. } => "too-dense",
             Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
             Self::MixedAreas(..) => "mixed-areas",
+            Self::Simplified { .. } => "simplified",
             Self::EmptyPage => "empty-page",
             Self::UnevenDots => "uneven-dots",
             Self::TooBlack { .. } => "too-black",
@@ -273,6 +283,15 @@ impl std::fmt::Display for Note {
                 if *count == 1 { "shape" } else { "shapes" },
                 if *count == 1 { "it" } else { "them" },
             ),
+            Self::Simplified { shapes, lines, most } => {
+                let counted = |count: usize, noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" });
+                write!(
+                    f,
+                    "{} and {} are left out, as at most {most} of each are to be drawn (lines.shapes)",
+                    counted(*shapes, "shape"),
+                    counted(*lines, "other line")
+                )
+            }
             Self::MixedAreas(1) => {
                 f.write_str("1 outlined area has the textures of several colours, as none of them fills two thirds of it")
             }

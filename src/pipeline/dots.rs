@@ -21,7 +21,7 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
     let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
-    Lines { lines, lost: drawn.lost.keeping(kept) }
+    Lines { lines, lost: drawn.lost.keeping(kept), beyond: drawn.beyond }
 }
 
 /// The lines of the overview: all of one width and, where there are heights, high.

@@ -9,7 +9,7 @@ use super::subject;
 use super::texts::{self, Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, PictureKind};
-use crate::lines::{self, Line, Lines, Lost, Outlines};
+use crate::lines::{self, Beyond, Line, Lines, Lost, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium, Texture};
 use crate::picture::Picture;
@@ -114,6 +114,7 @@ pub(super) fn draw(
     }
     let left_out = left_out(&drawn.lost, small);
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
+    notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let lines = drawn.lines;
     drop(edges);
     drop(picture.raster);
@@ -259,7 +260,7 @@ pub(super) fn draw_lines(
         Some(edges) if !edges.is_empty() => {
             let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
-                let (outlines, areas) = outlines_of(edges, &transform, plan, false);
+                let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
                 let drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
                 (dots::pressed(drawn, layout.figure, layout, plan), areas)
             });
@@ -275,6 +276,7 @@ pub(super) fn draw_lines(
 fn outlines_of(
     edges: &Edges,
     transform: &PageTransform,
+    layout: &Layout,
     plan: &Plan,
     of_overview: bool,
 ) -> (Outlines, Option<Areas>) {
@@ -283,9 +285,23 @@ fn outlines_of(
     if edges.only_subjects {
         params.most = edges.subjects.len();
     }
-    let (traces, areas) = tree.outlines(transform.mm_per_px(), &params, &edges.subjects);
+    // where there are to be few shapes, the overview has no others than the figure
+    let of_figure = (of_overview && params.drawn.is_some()).then(|| {
+        let of_figure = PageTransform::new(edges.size, layout.figure);
+        tree.chosen(of_figure.mm_per_px(), &plan.regions(false), &edges.subjects)
+    });
+    let (traces, areas) =
+        tree.outlines(transform.mm_per_px(), &params, &edges.subjects, of_figure.as_deref());
     let traces = with_room(traces, edges);
-    (Outlines { traces, others: of_overview.then_some((OTHERS, OTHERS_LENGTH)) }, Some(areas))
+    let others = of_overview.then_some((params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH));
+    (Outlines { traces, shapes: areas.count(), others }, Some(areas))
+}
+
+/// What the maker is told of lines that are left out as there are to be few.
+fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
+    let most = plan.lines().most_shapes?;
+    let shapes = beyond.shapes + areas.map_or(0, Areas::beyond);
+    (shapes + beyond.lines > 0).then_some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
@@ -327,7 +343,7 @@ pub(super) fn draw_overview(
             let transform = PageTransform::new(edges.size, place);
             let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
             let (lines, Lost { rings, .. }) = run(watch, Stage::Overview, || {
-                let (outlines, _) = outlines_of(edges, &transform, plan, true);
+                let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
                 let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
                 (dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
             });

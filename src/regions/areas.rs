@@ -11,12 +11,19 @@ pub struct Areas {
     pub(super) labels: Vec<u8>,
     /// How many there are beside the ground.
     pub(super) count: usize,
+    /// How many regions tell enough for an outline beside these, and are beyond the most that are drawn.
+    pub(super) beyond: usize,
 }
 
 impl Areas {
     /// How many there are, without the ground between and around them.
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// How many regions tell enough for an outline and are left out, as they are beyond the most that are drawn.
+    pub fn beyond(&self) -> usize {
+        self.beyond
     }
 
     /// The number of the area at a place of the picture, from 1 on; 0 is the ground, which also is outside the picture.
