@@ -284,17 +284,15 @@ impl std::fmt::Display for Note {
                 if *count == 1 { "it" } else { "them" },
             ),
             Self::Simplified { shapes, lines, most } => {
-                let counted = |count: usize, noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" });
-                write!(
-                    f,
-                    "{} and {} are left out, as at most {most} of each are to be drawn (lines.shapes)",
-                    counted(*shapes, "shape"),
-                    counted(*lines, "other line")
-                )
+                let counted = [(*shapes, "shape"), (*lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
+                let counted: Vec<String> = counted
+                    .map(|(count, noun)| format!("{count} {noun}{}", if count == 1 { "" } else { "s" }))
+                    .collect();
+                write!(f, "left out, as few shapes are asked for (lines.shapes = {most}): {}", counted.join(" and "))
             }
-            Self::MixedAreas(1) => {
-                f.write_str("1 outlined area has the textures of several colours, as none of them fills two thirds of it")
-            }
+            Self::MixedAreas(1) => f.write_str(
+                "1 outlined area has the textures of several colours, as none of them fills two thirds of it",
+            ),
             Self::MixedAreas(count) => write!(
                 f,
                 "{count} outlined areas have the textures of several colours each, as none of them fills two thirds"

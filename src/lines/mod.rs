@@ -27,8 +27,8 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 use clearance::Cleared;
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 use vertex::Vertex;
 
 use lost::Tally;

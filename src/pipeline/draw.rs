@@ -290,8 +290,7 @@ fn outlines_of(
         let of_figure = PageTransform::new(edges.size, layout.figure);
         tree.chosen(of_figure.mm_per_px(), &plan.regions(false), &edges.subjects)
     });
-    let (traces, areas) =
-        tree.outlines(transform.mm_per_px(), &params, &edges.subjects, of_figure.as_deref());
+    let (traces, areas) = tree.outlines(transform.mm_per_px(), &params, &edges.subjects, of_figure.as_deref());
     let traces = with_room(traces, edges);
     let others = of_overview.then_some((params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH));
     (Outlines { traces, shapes: areas.count(), others }, Some(areas))

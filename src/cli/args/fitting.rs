@@ -97,9 +97,10 @@ impl Fitting {
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
         let switches = given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set)));
-        let shapes = self.simplify.iter().map(|most| {
-            Change::of_option(&format!("--simplify {most}"), &format!("lines.shapes={most}"))
-        });
+        let shapes = self
+            .simplify
+            .iter()
+            .map(|most| Change::of_option(&format!("--simplify {most}"), &format!("lines.shapes={most}")));
         switches.chain(shapes).collect()
     }
 }

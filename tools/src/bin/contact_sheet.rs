@@ -174,7 +174,8 @@ fn draw(svg: &str, per_mm: f32) -> Result<Pixmap, Fault> {
 /// All rows, one below the other, with what the programs said.
 fn index(rows: &[Row], commands: &[String]) -> String {
     let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
-    let mut text = "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Contact sheet</title>\n".to_owned();
+    let mut text =
+        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Contact sheet</title>\n".to_owned();
     text += "<style>img { max-width: 100%; }</style>\n<p>From the left: the picture, then figure and overview of ";
     text += &commands.iter().map(|command| escaped(command)).collect::<Vec<_>>().join("; ");
     text += ", as they are and blurred by 1 mm.</p>\n";

@@ -88,9 +88,12 @@ fn main() -> Result<(), Fault> {
     .into_iter()
     .collect();
     let rows = rows?;
-    println!("{}\n{}\n{}", table(&rows, &wanted, "lines", |c| c.lines), table(&rows, &wanted, "textures", |c| c.textures), {
-        table(&rows, &wanted, "amplification", |c| c.amplification)
-    });
+    println!(
+        "{}\n{}\n{}",
+        table(&rows, &wanted, "lines", |c| c.lines),
+        table(&rows, &wanted, "textures", |c| c.textures),
+        { table(&rows, &wanted, "amplification", |c| c.amplification) }
+    );
     if is_of_docs && wanted == Change::ALL {
         let names: Vec<String> = Change::ALL.iter().map(|change| change.name()).collect();
         let rows: Vec<(&str, &[Changed])> = rows.iter().map(|row| (row.name.as_str(), &row.changes[..])).collect();
