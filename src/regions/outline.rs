@@ -204,6 +204,15 @@ mod tests {
         let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
         assert!(area_of(tree.outlines(0.5, &one, &[], None).0) > 250.0, "the large one tells most");
         assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner], None).0)), "the subject comes first");
+        let (few, areas) = tree.outlines(0.5, &Params { drawn: Some(1), ..PARAMS }, &[], None);
+        assert_eq!((areas.count(), areas.beyond()), (1, 1), "the small one is beyond");
+        assert!(area_of(few) > 250.0);
+        let (few, _) = tree.outlines(0.5, &PARAMS, &[], Some(&[inner]));
+        assert!((60.0..90.0).contains(&area_of(few)), "no other than the one that it may be");
+        let (_, areas) = tree.outlines(0.5, &PARAMS, &[], None);
+        let [of_inner, of_outer, ground] =
+            [(40.0, 40.0), (80.0, 60.0), (5.0, 5.0)].map(|(x, y)| areas.at(PxPoint::new(x, y)));
+        assert!(of_inner != of_outer && of_inner > 0 && of_outer > 0 && ground == 0);
     }
 
     #[test]
