@@ -103,6 +103,17 @@ pub enum Note {
     },
     /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
     ShapesNotInOverview(usize),
+    /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
+    MixedAreas(usize),
+    /// What was left out as the maker of the page wants few shapes.
+    Simplified {
+        /// Shapes that were left out.
+        shapes: usize,
+        /// Other lines that were.
+        lines: usize,
+        /// The most of each that were asked for.
+        most: usize,
+    },
     /// There is nothing on the page but its frame.
     EmptyPage,
     /// The dots of the page are those of text cells, which stand apart.
@@ -145,6 +156,8 @@ impl Note {
             Self::LinesLeftOut { .. } => "lines-left-out",
             Self::TooDense { .. } => "too-dense",
             Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
+            Self::MixedAreas(..) => "mixed-areas",
+            Self::Simplified { .. } => "simplified",
             Self::EmptyPage => "empty-page",
             Self::UnevenDots => "uneven-dots",
             Self::TooBlack { .. } => "too-black",
@@ -269,6 +282,20 @@ impl std::fmt::Display for Note {
                 "the overview leaves out {count} closed {}, as there is no room in it to draw {} whole",
                 if *count == 1 { "shape" } else { "shapes" },
                 if *count == 1 { "it" } else { "them" },
+            ),
+            Self::Simplified { shapes, lines, most } => {
+                let counted = [(*shapes, "shape"), (*lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
+                let counted: Vec<String> = counted
+                    .map(|(count, noun)| format!("{count} {noun}{}", if count == 1 { "" } else { "s" }))
+                    .collect();
+                write!(f, "left out, as few shapes are asked for (lines.shapes = {most}): {}", counted.join(" and "))
+            }
+            Self::MixedAreas(1) => f.write_str(
+                "1 outlined area has the textures of several colours, as none of them fills two thirds of it",
+            ),
+            Self::MixedAreas(count) => write!(
+                f,
+                "{count} outlined areas have the textures of several colours each, as none of them fills two thirds"
             ),
             Self::TooBlack { percent, most } => write!(
                 f,

@@ -11,6 +11,7 @@ mod common;
 mod decode;
 mod dots;
 mod dotted;
+mod few;
 mod gcode;
 mod golden;
 mod legibility;

@@ -39,6 +39,7 @@ const LINES: lines::Params = lines::Params {
     smoothing: 0.6,
     tolerance: 0.05,
     detail: 0.5,
+    most_shapes: None,
     whole_rings: false,
 };
 
@@ -237,14 +238,22 @@ fn lines_follow_every_flip_and_turn() {
 
 #[test]
 fn outlines_of_regions_follow_every_flip_and_turn() {
-    let params =
-        regions::Params { most: 8, least_gain: 0.2, most_near: 0.3, spacing: 4.7, narrowest: 4.7, smoothing: 0.6 };
+    let params = regions::Params {
+        most: 8,
+        drawn: None,
+        least_gain: 0.2,
+        most_near: 0.3,
+        spacing: 4.7,
+        narrowest: 4.7,
+        smoothing: 0.6,
+    };
     let mut looked_at = 0;
     for (name, raster) in pictures() {
         let outlines = |raster: &Raster| -> Vec<(f32, f32)> {
             let (transform, _) = sheet(raster.size());
             let tree = edges::find_with_regions(raster, &EDGES).regions;
-            let traces = tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[])).unwrap_or_default();
+            let traces =
+                tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[], None).0).unwrap_or_default();
             let points = |trace: &regions::Trace| {
                 let vertices = trace.vertices.iter().map(|point| point.at).collect();
                 Polyline { vertices, closed: trace.closed }.resampled(0.5).vertices

@@ -197,8 +197,8 @@ impl Options {
     /// Takes the lines of the figure from a page, an SVG that [`Page::to_svg`] wrote and somebody may have changed, or
     /// from any SVG with a layer (a group) that is called "lines"; or from a picture of lines, black on white and of
     /// the shape of the part that is drawn, along the middle of its strokes. Colours, textures, overview and frame are
-    /// made around them. All of them are drawn that have room: `lines.detail` counts as 1. The page has to show the
-    /// same part of the picture.
+    /// made around them. All of them are drawn that have room: `lines.detail` counts as 1 and `lines.shapes` as 0. The
+    /// page has to show the same part of the picture.
     ///
     /// # Errors
     /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
@@ -209,6 +209,7 @@ impl Options {
             self.given.drawn_lines = Some(lines.as_ref().to_vec());
         }
         self.profile.set("lines.detail", "1")?;
+        self.profile.set("lines.shapes", "0")?;
         Ok(self)
     }
 

@@ -104,7 +104,7 @@ fn mean_membership(cells: &[usize], memberships: &[Membership], grid: &Cells) ->
 ///
 /// All components of a round decide at once, and each only for a neighbour that is larger (or, at equal size, comes
 /// later in the order of labels). So two never swap labels, the loop ends, and no direction of the picture is special.
-fn join<L: Copy + Ord>(
+pub(super) fn join<L: Copy + Ord>(
     mut labels: Vec<L>,
     size: Size,
     wants: impl Fn(&[usize]) -> bool,

@@ -5,12 +5,15 @@
 //!   -> clean (small components, undecided components) -> Classes
 //! ```
 //!
+//! Of photographs, `settle` then makes them agree with the outlines that are drawn.
+//!
 //! All of it is done on cells of about a millimetre: a texture cannot show finer detail.
 
 mod blur;
 mod class;
 mod clean;
 mod hue;
+mod settle;
 
 use hue::Membership;
 
@@ -20,6 +23,7 @@ use crate::units::{PxPoint, Size};
 
 pub use class::{Class, Classes, Params, Region};
 pub use hue::{class_of, leaning};
+pub use settle::settle;
 
 /// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary
 /// one.

@@ -100,6 +100,8 @@ Examples:
         converts every picture, and every page changed in an editor, that is saved into a directory
   tactograph convert coffee.png --detail 0.2
         draws the main outlines only
+  tactograph convert coffee.png --simplify 5
+        draws the five most telling shapes, and at most five other lines
   tactograph convert photo.jpg --quality draft
         shows in less time what the page of a large picture will be like
   tactograph convert coffee.png --crop 20%,10%,50%,70% --width-mm 120

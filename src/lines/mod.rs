@@ -13,6 +13,7 @@
 mod centreline;
 mod clearance;
 mod corner;
+mod few;
 mod join;
 mod junction;
 mod line;
@@ -26,12 +27,14 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
+use clearance::Cleared;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 use vertex::Vertex;
 
 use lost::Tally;
 use outlines::Rank;
 
+pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
 pub use lost::Lost;
 pub use outlines::Outlines;
@@ -47,8 +50,10 @@ use crate::units::{MmPoint, MmRect, PageTransform};
 pub struct Lines {
     /// The weightiest line comes first.
     pub lines: Vec<Line>,
-    /// What is not drawn.
+    /// What is not drawn for want of room.
     pub lost: Lost,
+    /// What is not drawn as it is beyond the most that were asked for.
+    pub beyond: Beyond,
 }
 
 /// Draws the contours in `area`, the part of the sheet where `transform` puts the picture.
@@ -110,7 +115,15 @@ pub fn draw_with(
     let salient = all[..first_outline].iter().zip(&saliencies).filter(|(_, of)| **of >= least);
     let contours: Vec<_> = salient.map(|(polyline, _)| polyline).collect();
     contours.iter().for_each(|polyline| wanted.add(polyline));
-    let drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
+    let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
+    let beyond = match params.most_shapes {
+        Some(most) if edges.of_drawing() => {
+            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+            few::keep_first_things(&mut drawn, most, &all, params)
+        }
+        Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
+        None => Beyond::default(),
+    };
     let mut kept = Tally::new(area);
     if first_outline == all.len() {
         drawn.iter().for_each(|line| kept.add(&line.polyline));
@@ -121,8 +134,10 @@ pub fn draw_with(
         contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
         kept.count_rings(drawn.iter().map(|line| &line.polyline));
     }
-    let finish = |line: &clearance::Cleared| weight::finish(&line.polyline, &line.anchored, params);
-    Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost: wanted.lost(&kept) }
+    let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, params);
+    // of lines that are left out on purpose nobody asks whether they had room
+    let lost = if beyond == Beyond::default() { wanted.lost(&kept) } else { Lost::default() };
+    Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
 }
 
 /// The segments of lines, to be found by their places.

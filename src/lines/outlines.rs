@@ -11,6 +11,8 @@ use crate::units::PageTransform;
 pub struct Outlines {
     /// The outlines, in pixels of the picture.
     pub traces: Vec<Trace>,
+    /// How many shapes they are; neighbours share a border.
+    pub shapes: usize,
     /// How many other lines are drawn, and the least length of each, mm; all if none.
     pub others: Option<(usize, f32)>,
 }

@@ -24,6 +24,8 @@ pub struct Params {
     /// How many of the lines are drawn, 0..=1: from the longest, strongest, closed and smooth ones only to all. Those
     /// drawn at one detail are drawn, the same, at every higher one.
     pub detail: f32,
+    /// At most so many closed shapes, and as many other lines, the most salient ones; all if none.
+    pub most_shapes: Option<usize>,
     /// Whether a ring that has no room as a whole is left out, and not opened or drawn in parts.
     pub whole_rings: bool,
 }
@@ -50,6 +52,7 @@ impl Params {
         smoothing: 0.6,
         tolerance: 0.05,
         detail: 1.0,
+        most_shapes: None,
         whole_rings: false,
     };
 

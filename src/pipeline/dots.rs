@@ -26,7 +26,7 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let rings = drawn.lines.iter().zip(shares).filter(|(line, share)| *share < WHOLE && is_small_ring(line));
     let middles: Vec<MmPoint> = rings.map(|(line, _)| extent(line).center()).collect();
     let lost = Lost { broken: middles.len(), broken_at: middles.first().copied(), ..drawn.lost.keeping(kept) };
-    Lines { lines, lost }
+    Lines { lines, lost, beyond: drawn.beyond }
 }
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.

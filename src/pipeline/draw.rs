@@ -9,15 +9,15 @@ use super::subject;
 use super::texts::{self, Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, PictureKind};
-use crate::lines::{self, Line, Lines, Lost, Outlines};
+use crate::lines::{self, Beyond, Line, Lines, Lost, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium, Texture};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
-use crate::units::PageTransform;
-use crate::units::{MmRect, Size};
+use crate::regions::Areas;
+use crate::units::{MmRect, PageTransform, PxPoint, Size};
 use crate::{Error, Note, textures};
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
@@ -90,28 +90,32 @@ pub(super) fn draw(
     }
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
-    let (drawn, ((overview, small), classes)) = in_parallel(
+    let ((drawn, areas), ((overview, small), mut classes)) = in_parallel(
         has_lines,
         watch,
         |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
         |watch| {
             let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
-            let mut classes = match &given.areas {
+            let classes = match &given.areas {
                 Some(areas) => plan.profile().figure.textures.then(|| areas.clone()),
                 None => sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch),
             };
-            classes.iter_mut().for_each(|classes| blank(classes, &erased));
-            if let (Some(classes), Some(subject)) = (&mut classes, &background) {
-                subject::blank_around(classes, subject, picture.raster.size());
-            }
             (overview, classes)
         },
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
     notes.extend(told_broken(&drawn.lost).filter(|_| edges.as_ref().is_some_and(Edges::of_drawing)));
+    if let (Some(classes), Some(areas), None) = (&mut classes, &areas, &given.areas) {
+        notes.extend(settle(classes, areas, picture.raster.size(), &layout, plan));
+    }
+    classes.iter_mut().for_each(|classes| blank(classes, &erased));
+    if let (Some(classes), Some(subject)) = (&mut classes, &background) {
+        subject::blank_around(classes, subject, picture.raster.size());
+    }
     let left_out = left_out(&drawn.lost, small);
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
+    notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let lines = drawn.lines;
     drop(edges);
     drop(picture.raster);
@@ -245,32 +249,59 @@ pub(super) fn find_edges(
     None
 }
 
-pub(super) fn draw_lines(edges: Option<&Edges>, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Lines {
+/// The lines of the figure, and the areas that the outlines of regions among them surround.
+pub(super) fn draw_lines(
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> (Lines, Option<Areas>) {
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
             let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
-                let outlines = outlines_of(edges, &transform, plan, false);
+                let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
                 let drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
-                dots::pressed(drawn, layout.figure, layout, plan)
+                (dots::pressed(drawn, layout.figure, layout, plan), areas)
             });
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Lines, reason));
-    Lines::default()
+    (Lines::default(), None)
 }
 
-/// The outlines of the most telling regions, for a figure or an overview where `transform` puts it.
-fn outlines_of(edges: &Edges, transform: &PageTransform, plan: &Plan, of_overview: bool) -> Outlines {
-    let Some(tree) = &edges.regions else { return Outlines::default() };
+/// The outlines of the most telling regions, for a figure or an overview where `transform` puts it, and what they
+/// surround.
+fn outlines_of(
+    edges: &Edges,
+    transform: &PageTransform,
+    layout: &Layout,
+    plan: &Plan,
+    of_overview: bool,
+) -> (Outlines, Option<Areas>) {
+    let Some(tree) = &edges.regions else { return (Outlines::default(), None) };
     let mut params = plan.regions(of_overview);
     if edges.only_subjects {
         params.most = edges.subjects.len();
     }
-    let traces = with_room(tree.outlines(transform.mm_per_px(), &params, &edges.subjects), edges);
-    Outlines { traces, others: of_overview.then_some((OTHERS, OTHERS_LENGTH)) }
+    // where there are to be few shapes, the overview has no others than the figure
+    let of_figure = (of_overview && params.drawn.is_some()).then(|| {
+        let of_figure = PageTransform::new(edges.size, layout.figure);
+        tree.chosen(of_figure.mm_per_px(), &plan.regions(false), &edges.subjects)
+    });
+    let (traces, areas) = tree.outlines(transform.mm_per_px(), &params, &edges.subjects, of_figure.as_deref());
+    let traces = with_room(traces, edges);
+    let others = of_overview.then_some((params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH));
+    (Outlines { traces, shapes: areas.count(), others }, Some(areas))
+}
+
+/// What the maker is told of lines that are left out as there are to be few.
+fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
+    let most = plan.lines().most_shapes?;
+    let shapes = beyond.shapes + areas.map_or(0, Areas::beyond);
+    (shapes + beyond.lines > 0).then_some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
@@ -324,7 +355,7 @@ pub(super) fn draw_overview(
             let transform = PageTransform::new(edges.size, place);
             let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
             let (lines, Lost { rings, .. }) = run(watch, Stage::Overview, || {
-                let outlines = outlines_of(edges, &transform, plan, true);
+                let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
                 let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
                 (dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
             });
@@ -357,6 +388,23 @@ pub(super) fn sort_colours(
         let contours = edges.map(Edges::borders).unwrap_or_default();
         classes::sort(raster, &contours, &plan.classes(px_per_mm))
     }))
+}
+
+/// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
+fn settle(classes: &mut Classes, areas: &Areas, picture: Size, layout: &Layout, plan: &Plan) -> Option<Note> {
+    if areas.count() == 0 {
+        return None;
+    }
+    let (width, height) = (classes.size.width, classes.size.height);
+    let at = |cell: usize, count: u32, pixels: u32| (cell as f32 + 0.5) / count as f32 * pixels as f32;
+    let area = |cell: usize| {
+        let (x, y) = (cell % width as usize, cell / width as usize);
+        areas.at(PxPoint::new(at(x, width, picture.width), at(y, height, picture.height)))
+    };
+    let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
+    let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
+    let mixed = classes::settle(classes, &area, min_cells);
+    (mixed > 0).then_some(Note::MixedAreas(mixed))
 }
 
 pub(super) fn draw_textures(

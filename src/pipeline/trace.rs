@@ -120,7 +120,7 @@ pub fn trace<'p>(
         None => Trace { size: source, polylines: Vec::new() },
         Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),
         Some(edges) => {
-            let drawn = draw_lines(Some(edges), &layout, plan, watch);
+            let (drawn, _) = draw_lines(Some(edges), &layout, plan, watch);
             notes.extend(told_left_out(&drawn, Some(edges), &layout));
             let transform = PageTransform::new(edges.size, layout.figure);
             let params = plan.lines();

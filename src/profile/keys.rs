@@ -309,6 +309,8 @@ table! {
         /// How many lines are drawn: 0 the longest, strongest, closed and smooth ones only, 1 all that
         /// fingers can tell apart.
         detail: f32 = 0.0 to 1.0;
+        /// Most shapes that are drawn, the most telling ones, and most other lines; 0 is no limit.
+        shapes: usize = 0.0 to 100.0;
         /// Lines shorter than this are left out.
         min_length: f32 = 0.0 to 200.0, "mm";
         /// Least blank between the edges of two lines.

@@ -114,6 +114,27 @@ impl Setting for f32 {
     }
 }
 
+/// A whole number.
+impl Setting for usize {
+    const BLANK: Self = Self::MAX;
+
+    fn range(limits: Option<NumberRange>) -> String {
+        match limits {
+            None => "a whole number".to_owned(),
+            Some(NumberRange { low, high, .. }) => format!("a whole number from {low} to {high}"),
+        }
+    }
+
+    fn read(value: &Value, limits: Option<NumberRange>) -> Option<Self> {
+        let number = <f32 as Setting>::read(value, limits)?;
+        (number >= 0.0 && number.fract().abs() <= 0.0).then_some(number as Self)
+    }
+
+    fn write(&self) -> Value {
+        Value::Number(*self as f32)
+    }
+}
+
 impl Setting for Sign {
     const BLANK: Self = Self::Dot;
 

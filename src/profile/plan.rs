@@ -147,6 +147,7 @@ impl Plan {
             smoothing: lines.smoothing,
             tolerance: lines.tolerance,
             detail: lines.detail,
+            most_shapes: (lines.shapes > 0).then_some(lines.shapes),
             whole_rings: false,
         }
     }
@@ -158,7 +159,9 @@ impl Plan {
             if of_overview { OVERVIEW_SHAPES } else { FIGURE_SHAPES };
         let (distance, smoothing) = (lines.max_spacing(), lines.smoothing);
         let (spacing, narrowest) = (spacing * distance, narrowest * distance);
-        regions::Params { most, least_gain, most_near, spacing, narrowest, smoothing }
+        let drawn = lines.most_shapes;
+        let most = drawn.map_or(most, |drawn| most.max(drawn));
+        regions::Params { most, drawn, least_gain, most_near, spacing, narrowest, smoothing }
     }
 
     /// How lines become dots, on a page of dots.

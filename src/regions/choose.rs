@@ -16,6 +16,8 @@ use crate::units::Size;
 pub struct Params {
     /// At most so many.
     pub most: usize,
+    /// At most so many of them are drawn, the first ones; all if none.
+    pub drawn: Option<usize>,
     /// Each is worth at least this share of the first, 0..=1.
     pub least_gain: f32,
     /// Outlines nearer than this disturb one another.
@@ -88,10 +90,11 @@ impl PartialEq for Candidate {
 impl Eq for Candidate {}
 
 /// The numbers of the most telling regions, the first first, after those of `subjects`, which come first whatever they
-/// tell; if they are among the most telling ones, the others stay the same. `mm` is the side of a cell on the sheet.
-pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32]) -> Vec<u32> {
+/// tell; if they are among the most telling ones, the others stay the same. With `among` no others than those are
+/// looked at. `mm` is the side of a cell on the sheet.
+pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], among: Option<&[u32]>) -> Vec<u32> {
     if !subjects.is_empty() {
-        let plain = choose(tree, mm, params, &[]);
+        let plain = choose(tree, mm, params, &[], among);
         if subjects.iter().all(|subject| plain.contains(subject)) {
             let others = plain.into_iter().filter(|node| !subjects.contains(node));
             return subjects.iter().copied().chain(others).collect();
@@ -100,7 +103,7 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32]) ->
     let members = Members::of(tree);
     let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(of, tree.basin.len(), mm), of.area));
     let mut heap: BinaryHeap<Candidate> = scores
-        .filter(|(_, gain, _)| *gain > 0.0)
+        .filter(|(node, gain, _)| *gain > 0.0 && among.is_none_or(|among| among.contains(node)))
         .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 })
         .collect();
     let (mut chosen, mut first) = (subjects.to_vec(), None);

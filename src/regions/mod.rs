@@ -14,6 +14,7 @@
 //! looked at): `docs/photographs.md` has the figures.
 
 mod arcs;
+mod areas;
 mod border;
 mod choose;
 mod grid;
@@ -28,6 +29,7 @@ mod traces;
 mod tree;
 mod watershed;
 
+pub use areas::Areas;
 pub use choose::Params;
 pub use grid::Grid;
 pub use mask::Mask;

@@ -1,5 +1,6 @@
 //! Outlines of the most telling regions.
 
+use super::areas::Areas;
 use super::border::{Border, borders, corner_at};
 use super::choose::{Params, choose};
 use super::label_map::label_map;
@@ -19,14 +20,32 @@ impl Tree {
     /// the picture. Neighbours share one border, which belongs to the first of them; one that is not closed ends on the
     /// frame or on others. The strength is the mean of what is seen along the line.
     /// The regions of `subjects` come before those that tell most.
-    pub fn outlines(&self, mm_per_px: f32, params: &Params, subjects: &[u32]) -> Vec<Trace> {
+    /// With `among` there are no others than these. Also returns the areas that the outlines surround.
+    pub fn outlines(
+        &self,
+        mm_per_px: f32,
+        params: &Params,
+        subjects: &[u32],
+        among: Option<&[u32]>,
+    ) -> (Vec<Trace>, Areas) {
         let mm = self.mm_of_cell(mm_per_px);
-        let chosen = choose(self, mm, params, subjects);
+        let mut chosen = choose(self, mm, params, subjects, among);
+        let count = chosen.len();
+        chosen.truncate(params.drawn.unwrap_or(count));
+        let beyond = count - chosen.len();
         let labels = label_map(self, &chosen, mm, params.narrowest);
         let mut placed = vec![None; (self.grid.cells.width as usize + 1) * (self.grid.cells.height as usize + 1)];
         let sigma = (params.smoothing / mm).max(LEAST_SMOOTHING);
         let all = borders(&labels, chosen.len(), self.grid.cells);
-        all.iter().map(|border| self.trace(border, sigma, &mut placed)).collect()
+        let traces = all.iter().map(|border| self.trace(border, sigma, &mut placed)).collect();
+        (traces, Areas { grid: self.grid, labels, count: chosen.len(), beyond })
+    }
+
+    /// The numbers of the regions whose outlines [`Tree::outlines`] draws, the first first.
+    pub fn chosen(&self, mm_per_px: f32, params: &Params, subjects: &[u32]) -> Vec<u32> {
+        let mut chosen = choose(self, self.mm_of_cell(mm_per_px), params, subjects, None);
+        chosen.truncate(params.drawn.unwrap_or(usize::MAX));
+        chosen
     }
 
     /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.
@@ -83,7 +102,7 @@ mod tests {
     use crate::regions::Grid;
 
     const PARAMS: Params =
-        Params { most: 8, least_gain: 0.1, most_near: 0.3, spacing: 4.0, narrowest: 4.0, smoothing: 0.6 };
+        Params { most: 8, drawn: None, least_gain: 0.1, most_near: 0.3, spacing: 4.0, narrowest: 4.0, smoothing: 0.6 };
 
     /// A trace through points, a pixel apart.
     fn trace(points: &[(f32, f32)], closed: bool) -> Trace {
@@ -99,7 +118,7 @@ mod tests {
         let size = Size::new(120, 90);
         let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
         let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
-        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS, &[])
+        Tree::new(traces, &[Plane { size, values }], Grid::new(size)).outlines(0.5, &PARAMS, &[], None).0
     }
 
     fn circle(x: f32, y: f32, radius: f32) -> Trace {
@@ -183,8 +202,30 @@ mod tests {
         assert!(area > 4500.0, "{area}");
         assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &one), None, "beyond the picture");
         let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
-        assert!(area_of(tree.outlines(0.5, &one, &[])) > 250.0, "the large one tells most");
-        assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner]))), "the subject comes first");
+        assert!(area_of(tree.outlines(0.5, &one, &[], None).0) > 250.0, "the large one tells most");
+        assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner], None).0)), "the subject comes first");
+    }
+
+    #[test]
+    fn of_two_discs_the_larger_is_drawn_where_there_is_to_be_one() {
+        let size = Size::new(120, 90);
+        let discs = [(35.0, 45.0, 16.0), (90.0, 45.0, 10.0)];
+        let is_in = |cell: usize| {
+            let (x, y) = ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
+            discs.iter().any(|(a, b, radius)| (x - a).hypot(y - b) < *radius)
+        };
+        let plane = Plane { size, values: (0..size.len()).map(|cell| if is_in(cell) { 80.0 } else { 20.0 }).collect() };
+        let tree = Tree::new(&discs.map(|(x, y, radius)| circle(x, y, radius)), &[plane], Grid::new(size));
+        let places = [(35.0, 45.0), (90.0, 45.0), (5.0, 5.0)].map(|(x, y)| PxPoint::new(x, y));
+        let (two, areas) = tree.outlines(0.5, &PARAMS, &[], None);
+        assert_eq!((two.len(), areas.count(), areas.beyond()), (2, 2, 0));
+        assert_eq!(places.map(|at| areas.at(at)), [1, 2, 0]);
+        let (one, areas) = tree.outlines(0.5, &Params { drawn: Some(1), ..PARAMS }, &[], None);
+        assert_eq!((one.len(), areas.count(), areas.beyond()), (1, 1, 1));
+        assert_eq!(places.map(|at| areas.at(at)), [1, 0, 0]);
+        let small = tree.subject_at(places[1], 0.5, &PARAMS).expect("a disc is there");
+        let (one, areas) = tree.outlines(0.5, &PARAMS, &[], Some(&[small]));
+        assert_eq!((one.len(), places.map(|at| areas.at(at))), (1, [0, 1, 0]), "no other than those it may be");
     }
 
     #[test]

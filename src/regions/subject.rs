@@ -23,7 +23,7 @@ impl Tree {
         let members = Members::of(self);
         let basin = self.basin[cell];
         // regions are numbered in the order in which they are merged, so that the smaller of two comes first
-        let chosen = choose(self, mm, params, &[]).into_iter().filter(|&node| members.has(node, basin)).min();
+        let chosen = choose(self, mm, params, &[], None).into_iter().filter(|&node| members.has(node, basin)).min();
         chosen.or_else(|| {
             let around: Vec<(u32, f64)> = (0_u32..)
                 .zip(&self.nodes)

@@ -13,5 +13,6 @@ pub(crate) const LINES: lines::Params = lines::Params {
     smoothing: 0.6,
     tolerance: 0.05,
     detail: 0.5,
+    most_shapes: None,
     whole_rings: false,
 };

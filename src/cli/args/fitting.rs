@@ -33,6 +33,14 @@ pub(in crate::cli) struct Fitting {
     #[arg(long, value_name = "CxR")]
     pub(in crate::cli) sheets: Option<SheetGrid>,
 
+    /// Draws only the N most telling shapes, and at most as many other lines
+    ///
+    /// For those who are new to tactile graphics: begin with 3 to 5, and draw more when these are known. In a drawing
+    /// lines that meet are one shape. The overview of a photo outlines nothing else. What is left out is told. The same
+    /// as --set lines.shapes=N. Range: 1 to 100.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=100), conflicts_with = "lines")]
+    simplify: Option<u8>,
+
     /// Draws contours only, no textures
     ///
     /// The same as --set figure.textures=false.
@@ -42,7 +50,7 @@ pub(in crate::cli) struct Fitting {
     /// Draws textures only: no contours, and so no overview
     ///
     /// The same as --set figure.lines=false --set overview=false.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     textures_only: bool,
 
     /// Draws no overview
@@ -89,7 +97,12 @@ impl Fitting {
             (self.no_overview, "--no-overview", &["overview.on=false"]),
         ];
         let given = given.into_iter().filter(|(given, ..)| *given);
-        given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set))).collect()
+        let switches = given.flat_map(|(_, option, sets)| sets.iter().map(|set| Change::of_option(option, set)));
+        let shapes = self
+            .simplify
+            .iter()
+            .map(|most| Change::of_option(&format!("--simplify {most}"), &format!("lines.shapes={most}")));
+        switches.chain(shapes).collect()
     }
 }
 

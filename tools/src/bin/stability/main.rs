@@ -4,6 +4,7 @@
 //! cargo run --release -p tactograph-tools --bin stability            the table of docs/stability.md, and its plot
 //!   --pictures FILE... instead: these pictures (PNG, JPEG, SVG)
 //!   --keep DIR         also writes every page into a folder
+//!   --changes NAME,... only these changes, by their names in the table, such as 1/255,+1
 //! ```
 //!
 //! **Lines** is the share of the length of all lines of one figure without a line within 1 mm in the other, the mean of
@@ -57,10 +58,11 @@ struct Row {
 
 fn main() -> Result<(), Fault> {
     let mut words = Words::of_program("tools/src/bin/stability/main.rs");
-    let (mut files, mut keep) = (Vec::new(), None::<PathBuf>);
+    let (mut files, mut keep, mut wanted) = (Vec::new(), None::<PathBuf>, Change::ALL.to_vec());
     while let Some(word) = words.next() {
         match word.as_str() {
             "--keep" => keep = Some(words.value(&word)?.into()),
+            "--changes" => wanted = only(&words.value(&word)?)?,
             "--pictures" => files.extend(words.by_ref().map(PathBuf::from)),
             _ => return Err(words.unknown(&word).into()),
         }
@@ -80,16 +82,19 @@ fn main() -> Result<(), Fault> {
         tasks.extend(scenes::all()?.into_iter().map(|(name, picture)| (name.to_owned(), Kind::Scene, picture)));
     }
     let rows: Result<Vec<Row>, Fault> = on_all_cores(&tasks, |(name, kind, picture)| {
-        let changes = changes(name, picture, keep.as_deref())?;
+        let changes = changes(name, picture, &wanted, keep.as_deref())?;
         Ok(Row { name: name.clone(), kind: *kind, changes })
     })
     .into_iter()
     .collect();
     let rows = rows?;
-    println!("{}\n{}\n{}", table(&rows, "lines", |c| c.lines), table(&rows, "textures", |c| c.textures), {
-        table(&rows, "amplification", |c| c.amplification)
-    });
-    if is_of_docs {
+    println!(
+        "{}\n{}\n{}",
+        table(&rows, &wanted, "lines", |c| c.lines),
+        table(&rows, &wanted, "textures", |c| c.textures),
+        { table(&rows, &wanted, "amplification", |c| c.amplification) }
+    );
+    if is_of_docs && wanted == Change::ALL {
         let names: Vec<String> = Change::ALL.iter().map(|change| change.name()).collect();
         let rows: Vec<(&str, &[Changed])> = rows.iter().map(|row| (row.name.as_str(), &row.changes[..])).collect();
         std::fs::write(format!("{ROOT}/docs/stability.svg"), plot::plot(&names, &rows))?;
@@ -108,7 +113,16 @@ fn samples() -> Result<Vec<PathBuf>, Fault> {
     Ok(paths)
 }
 
-fn changes(name: &str, picture: &Picture, keep: Option<&Path>) -> Result<Vec<Changed>, Fault> {
+/// The changes of these names, or whose names begin so.
+fn only(names: &str) -> Result<Vec<Change>, Fault> {
+    let named = |name: &str| {
+        let found = Change::ALL.into_iter().find(|change| change.name().starts_with(name));
+        found.ok_or_else(|| format!("no change is called {name}").into())
+    };
+    names.split(',').map(named).collect()
+}
+
+fn changes(name: &str, picture: &Picture, wanted: &[Change], keep: Option<&Path>) -> Result<Vec<Changed>, Fault> {
     // as wide as can be, but for the millimetre that is added
     let profile = Profile::named("swell-a4")?;
     let fits = tactograph::convert(&picture.png()?, &Options::new(profile.clone()))?.page.figure.place.width();
@@ -118,7 +132,7 @@ fn changes(name: &str, picture: &Picture, keep: Option<&Path>) -> Result<Vec<Cha
     };
     let before = convert(picture, 0.0)?;
     let mut all = Vec::new();
-    for change in Change::ALL {
+    for &change in wanted {
         let changed = change.of(picture)?;
         let wider = if let Change::Wider(mm) = change { mm } else { 0.0 };
         let after = convert(&changed, wider)?;
@@ -178,11 +192,11 @@ impl Laid {
     }
 }
 
-fn table(rows: &[Row], what: &str, value: impl Fn(&Changed) -> f64) -> String {
+fn table(rows: &[Row], wanted: &[Change], what: &str, value: impl Fn(&Changed) -> f64) -> String {
     let mut text = format!("| {what} |");
-    Change::ALL.iter().for_each(|change| text += &format!(" {} |", change.name()));
+    wanted.iter().for_each(|change| text += &format!(" {} |", change.name()));
     text += "\n|---|";
-    text += &"---|".repeat(Change::ALL.len());
+    text += &"---|".repeat(wanted.len());
     text += "\n";
     let mut line = |name: &str, values: Vec<f64>| {
         text += &format!("| {name} |");
@@ -204,7 +218,7 @@ fn table(rows: &[Row], what: &str, value: impl Fn(&Changed) -> f64) -> String {
             values.sort_by(f64::total_cmp);
             values
         };
-        let columns = 0..Change::ALL.len();
+        let columns = 0..wanted.len();
         line(&format!("**{name}, median**"), columns.clone().map(|i| column(i)[of_kind.len() / 2]).collect());
         line(&format!("**{name}, worst**"), columns.map(|i| column(i)[of_kind.len() - 1]).collect());
     }

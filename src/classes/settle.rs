@@ -1,0 +1,149 @@
+//! Classes that agree with outlines: an outlined area has one class, if one holds it clearly, and none ends just beyond
+//! an outline.
+
+use std::collections::BTreeMap;
+
+use super::class::{Class, Classes, Region};
+use super::clean::join;
+use crate::geom::components::{self, Connectivity};
+
+type Label = Option<Class>;
+
+/// An outlined area is of one class if that one has this share of it. Chosen by us: two thirds of an area are what a
+/// finger that sweeps over it meets first; below it, as at one half, the other part is as much what is there.
+const CLEARLY: f32 = 0.65;
+
+/// Gives outlined areas one class each, and components within an area or between areas, which are smaller than
+/// `min_cells` cells, to their neighbours on the same side of the outline. `area` has the number of the area of each
+/// cell, 0 for the ground between them, which may have any classes. Returns how many areas still have several classes.
+pub fn settle(classes: &mut Classes, area: &[usize], min_cells: f32) -> usize {
+    let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
+    let before: Vec<Label> = classes.region.iter().map(class_of).collect();
+    let held = holders(&before, area);
+    let own = before.iter().zip(area).map(|(label, area)| (*area, held[*area].unwrap_or(*label)));
+    let small = |component: &[usize]| (component.len() as f32) < min_cells;
+    let labels = join(own.collect(), classes.size, small, |component, (other, _), border| {
+        (area[component[0]] == other).then_some(border.len() as f32)
+    });
+    let labels: Vec<Label> = labels.into_iter().map(|(_, label)| label).collect();
+    relabel(classes, &before, &labels);
+    let mut seen = vec![None::<Label>; held.len()];
+    let mut is_mixed = vec![false; held.len()];
+    for (&area, &label) in area.iter().zip(&labels).filter(|(area, _)| **area > 0) {
+        is_mixed[area] |= *seen[area].get_or_insert(label) != label;
+    }
+    is_mixed.iter().filter(|is_mixed| **is_mixed).count()
+}
+
+/// By area the label that holds it clearly, if one does; the ground has none.
+fn holders(labels: &[Label], area: &[usize]) -> Vec<Option<Label>> {
+    let count = area.iter().max().map_or(0, |most| most + 1);
+    let mut cells = vec![BTreeMap::<Label, usize>::new(); count];
+    for (label, area) in labels.iter().zip(area) {
+        *cells[*area].entry(*label).or_default() += 1;
+    }
+    let holder = |(number, cells): (usize, BTreeMap<Label, usize>)| {
+        let all: usize = cells.values().sum();
+        let (label, most) = cells.into_iter().max_by_key(|(_, count)| *count).filter(|_| number > 0)?;
+        (most as f32 >= CLEARLY * all as f32).then_some(label)
+    };
+    cells.into_iter().enumerate().map(holder).collect()
+}
+
+/// Makes regions of new labels. Cells that change take the lightness of those around them that do not, so that one
+/// texture is as bold all over.
+fn relabel(classes: &mut Classes, before: &[Label], labels: &[Label]) {
+    let mut of_cell = vec![None; labels.len()];
+    let mut regions = Vec::new();
+    for component in components::of_labels(labels, classes.size, Connectivity::Four).iter() {
+        let label = labels[component[0]];
+        let stay = || component.iter().copied().filter(|&cell| before[cell] == label);
+        let lightness: f64 = stay().map(|cell| f64::from(classes.lightness.values[cell])).sum();
+        let count = stay().count();
+        if count > 0 {
+            let lightness = (lightness / count as f64) as f32;
+            for &cell in component.iter().filter(|&&cell| before[cell] != label) {
+                classes.lightness.values[cell] = lightness;
+            }
+        }
+        for &cell in component.iter().filter(|&&cell| before[cell] != label) {
+            if let Some(fringe) = classes.fringe.get_mut(cell) {
+                *fringe = None;
+            }
+        }
+        let Some(class) = label else { continue };
+        // the colour of the region that most of it comes from
+        let mut from = BTreeMap::<u32, usize>::new();
+        stay().filter_map(|cell| classes.region[cell]).for_each(|region| *from.entry(region).or_default() += 1);
+        let most = from.into_iter().max_by_key(|(region, cells)| (*cells, classes.regions[*region as usize].cells));
+        let colour = most.map_or([128; 3], |(region, _)| classes.regions[region as usize].colour);
+        component.iter().for_each(|&cell| of_cell[cell] = Some(regions.len() as u32));
+        regions.push(Region { class, colour, cells: component.len() as u32 });
+    }
+    (classes.region, classes.regions) = (of_cell, regions);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::plane::Plane;
+    use crate::units::Size;
+
+    /// Classes of rows of letters: blue, red, white.
+    fn classes(rows: &[&str]) -> Classes {
+        let size = Size::new(rows[0].len() as u32, rows.len() as u32);
+        let label = |letter: u8| match letter {
+            b'b' => Some(Class::Blue),
+            b'r' => Some(Class::Red),
+            _ => None,
+        };
+        let labels: Vec<Label> = rows.iter().flat_map(|row| row.bytes()).map(label).collect();
+        let lightness = labels.iter().map(|label| if label.is_none() { 1.0 } else { 0.4 }).collect();
+        let lightness = Plane { size, values: lightness };
+        let mut classes = Classes { size, region: Vec::new(), regions: Vec::new(), lightness, fringe: Vec::new() };
+        let nothing = vec![None; labels.len()];
+        classes.region = nothing.clone();
+        relabel(&mut classes, &labels, &labels);
+        classes
+    }
+
+    fn rows(classes: &Classes) -> Vec<String> {
+        let letter = |region: &Option<u32>| match region.map(|region| classes.regions[region as usize].class) {
+            Some(Class::Blue) => 'b',
+            Some(_) => 'r',
+            None => '.',
+        };
+        classes.region.chunks(classes.size.width as usize).map(|row| row.iter().map(letter).collect()).collect()
+    }
+
+    fn areas(rows: &[&str]) -> Vec<usize> {
+        rows.iter().flat_map(|row| row.bytes()).map(|digit| usize::from(digit - b'0')).collect()
+    }
+
+    #[test]
+    fn an_outlined_area_is_of_the_class_that_holds_it() {
+        let mut sorted = classes(&["bbbbbbbb", "bbrrr.bb", "bbrrrrbb", "bbbrrrrb", "bbbbbbbb"]);
+        let mixed = settle(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0);
+        assert_eq!(rows(&sorted), ["bbbbbbbb", "bbrrrrbb", "bbrrrrbb", "bbrrrrbb", "bbbbbbbb"]);
+        assert_eq!(mixed, 0);
+        assert_eq!(sorted.regions.len(), 2);
+        assert!(sorted.lightness.values.iter().all(|lightness| (lightness - 0.4).abs() < 1e-6), "of one boldness");
+    }
+
+    #[test]
+    fn an_area_of_two_classes_keeps_them_and_is_counted() {
+        let two = ["bbbbbb", "brrbbb", "brrbbb", "bbbbbb"];
+        let mut sorted = classes(&two);
+        let mixed = settle(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0);
+        assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), 1));
+    }
+
+    #[test]
+    fn a_crumb_joins_its_own_side() {
+        // three red cells beyond the outline, fewer than the least
+        let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
+        let area = areas(&["1111000000", "1111000000", "1111000000", "1111000000"]);
+        assert_eq!(settle(&mut sorted, &area, 4.0), 0);
+        assert_eq!(rows(&sorted), ["rrrr......"; 4]);
+    }
+}

@@ -1,0 +1,102 @@
+//! Few shapes: where the maker of a page wants no more than some, the most salient ones stay.
+
+use super::clearance::Cleared;
+use super::outlines::Rank;
+use super::params::Params;
+use super::vertex::Source;
+use crate::geom::nearby::Nearby;
+use crate::geom::nearest_on_segment;
+
+/// How many of the lines are left out as there are to be few.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Beyond {
+    /// Shapes: closed lines, and in a drawing lines that hang together.
+    pub shapes: usize,
+    /// Other lines.
+    pub lines: usize,
+}
+
+/// Keeps of the lines, which come in the order of their saliency, the first shapes, at most so many, and as many single
+/// open lines. Outlines of regions are shapes already, and none of them goes.
+pub(super) fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
+    let mut room = Room::new(most.saturating_sub(of_outlines), most);
+    // a photograph's exact lines were added by a person
+    let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == Source::Vector);
+    drawn.retain(|line| line.rank == Rank::Outline || is_added(line) || room.has(line.polyline.closed));
+    room.beyond
+}
+
+/// The same of a drawing. There lines that meet are one shape, and are drawn together or not at all. `all` has the
+/// segments of the lines, under their places among them.
+pub(super) fn keep_first_things(drawn: &mut Vec<&Cleared>, most: usize, all: &Nearby, params: &Params) -> Beyond {
+    let thing = things(drawn, all, params);
+    let mut things = vec![(0.0_f32, 0_usize, false); thing.len()];
+    for (&thing, line) in thing.iter().zip(drawn.iter()) {
+        let (saliency, lines, has_ring) = &mut things[thing];
+        *saliency += line.saliency;
+        *lines += 1;
+        *has_ring |= line.polyline.closed;
+    }
+    let mut order: Vec<usize> = (0..things.len()).filter(|&thing| things[thing].1 > 0).collect();
+    order.sort_by(|&a, &b| things[b].0.total_cmp(&things[a].0).then(a.cmp(&b)));
+    let mut room = Room::new(most, most);
+    let mut stays = vec![false; things.len()];
+    for number in order {
+        let (_, lines, has_ring) = things[number];
+        stays[number] = room.has(has_ring || lines > 1);
+    }
+    let mut of_line = thing.into_iter();
+    drawn.retain(|_| of_line.next().is_some_and(|thing| stays[thing]));
+    room.beyond
+}
+
+/// How many more may be drawn, and how many had no room.
+struct Room {
+    shapes: usize,
+    lines: usize,
+    beyond: Beyond,
+}
+
+impl Room {
+    fn new(shapes: usize, lines: usize) -> Self {
+        Self { shapes, lines, beyond: Beyond::default() }
+    }
+
+    /// Whether there is room for one more, which takes it.
+    fn has(&mut self, is_shape: bool) -> bool {
+        let (room, beyond) = match is_shape {
+            true => (&mut self.shapes, &mut self.beyond.shapes),
+            false => (&mut self.lines, &mut self.beyond.lines),
+        };
+        let has_room = *room > 0;
+        *room = room.saturating_sub(1);
+        *beyond += usize::from(!has_room);
+        has_room
+    }
+}
+
+/// For each line the number of a line that stands for all that it hangs together with: an end of one lies on another.
+/// `all` has their segments.
+fn things(drawn: &[&Cleared], all: &Nearby, params: &Params) -> Vec<usize> {
+    let reach = 0.5 * params.width_max;
+    let mut of: Vec<usize> = (0..drawn.len()).collect();
+    for (number, line) in drawn.iter().enumerate().filter(|(_, line)| !line.polyline.closed) {
+        let vertices = &line.polyline.vertices;
+        for end in vertices.first().into_iter().chain(vertices.last()) {
+            all.around(end.at, end.at, reach, |segment| {
+                if nearest_on_segment(end.at, segment.a, segment.b).0 <= reach {
+                    let [a, b] = [number, segment.line as usize].map(|line| standing_for(&of, line));
+                    of[a.max(b)] = a.min(b);
+                }
+            });
+        }
+    }
+    (0..of.len()).map(|line| standing_for(&of, line)).collect()
+}
+
+fn standing_for(of: &[usize], mut line: usize) -> usize {
+    while of[line] != line {
+        line = of[line];
+    }
+    line
+}
