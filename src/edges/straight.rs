@@ -4,8 +4,8 @@
 //! taken first, and of the roof's base line only the eaves are left, which end on corners of the ring: two lines nearer
 //! to one another than fingers can tell apart. Of an axis that is thinner than a pixel, nothing can be told along the
 //! bars that stand on it, whose borders are there, and short pieces are left between them. Through a junction the
-//! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the wall
-//! and the bars end on it.
+//! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the
+//! wall and the bars end on it.
 
 use super::contour::{Contour, ContourPoint};
 use super::tips::Found;
@@ -15,7 +15,8 @@ use lyon::geom::euclid::Box2D;
 
 /// The direction of a line beside a vertex is taken over this much of it, px.
 const HEADING: f32 = 8.0;
-/// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15 degrees).
+/// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15
+/// degrees).
 const STRAIGHT: f32 = 0.966;
 /// ... and not in the other side if it is at most this (45 degrees).
 const ASIDE: f32 = 0.707;
@@ -37,8 +38,8 @@ struct Onward {
     forwards: bool,
 }
 
-/// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners; what
-/// is left of the contour ends there. `sigma` is the scale of the edge detector, px.
+/// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners;
+/// what is left of the contour ends there. `sigma` is the scale of the edge detector, px.
 pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
     let piece = |found: Found| Piece { free: [found.stroke.is_some() && !found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
@@ -72,7 +73,8 @@ struct Piece {
     free: [bool; 2],
 }
 
-/// The ends of strokes that go straight on along a contour, if there are two that do so towards one another in one side.
+/// The ends of strokes that go straight on along a contour, if there are two that do so towards one another in one
+/// side.
 fn facing(owner: usize, pieces: &[Piece], sigma: f32) -> Option<[Onward; 2]> {
     let contour = &pieces[owner].found.contour;
     let ends = (0..pieces.len()).filter(|piece| *piece != owner).flat_map(|piece| [(piece, true), (piece, false)]);

@@ -64,8 +64,8 @@ impl Blend for Vertex {
 }
 
 impl Vertex {
-    /// Its strength; of a stroke in a drawing at least full strength: one that is half a pixel wide is found with half its
-    /// contrast, or less, and means as much as a wide one.
+    /// Its strength; of a stroke in a drawing at least full strength: one that is half a pixel wide is found with half
+    /// its contrast, or less, and means as much as a wide one.
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
         match self.source {
             Source::Stroke => self.strength.max(full_strength),
