@@ -16,7 +16,7 @@ const DEPTH: usize = 8;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;
 
-/// The saliency of each line; of a stroke of a drawing at least that of the lines that end on it.
+/// The saliency of each line; of one of a drawing at least that of the lines that end on it.
 pub(super) fn saliencies(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<f32> {
     let mut all: Vec<f32> = lines.iter().map(|(line, _)| saliency(line, params)).collect();
     let standing = standing(lines, area, params);
@@ -34,10 +34,10 @@ pub(super) fn saliencies(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, param
     all
 }
 
-/// Which lines end on which strokes of drawings, away from their ends.
+/// Which lines end on which strokes and paths of drawings, away from their ends.
 fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<(usize, usize)> {
-    let strokes = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source == Source::Stroke).count();
-    let is_base = |line: &Polyline<Vertex>| 2 * strokes(line) > line.vertices.len();
+    let drawn = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source != Source::Pixels).count();
+    let is_base = |line: &Polyline<Vertex>| 2 * drawn(line) > line.vertices.len();
     if !lines.iter().any(|(line, _)| is_base(line)) {
         return Vec::new();
     }
