@@ -76,7 +76,11 @@ fn relabel(classes: &mut Classes, before: &[Label], labels: &[Label]) {
         let mut from = BTreeMap::<u32, usize>::new();
         stay().filter_map(|cell| classes.region[cell]).for_each(|region| *from.entry(region).or_default() += 1);
         let most = from.into_iter().max_by_key(|(region, cells)| (*cells, classes.regions[*region as usize].cells));
-        let colour = most.map_or([128; 3], |(region, _)| classes.regions[region as usize].colour);
+        // where none of it stays, that of the largest region of its class
+        let of_class =
+            || classes.regions.iter().filter(|region| region.class == class).max_by_key(|region| region.cells);
+        let most = most.map(|(region, _)| &classes.regions[region as usize]).or_else(of_class);
+        let colour = most.map_or([128; 3], |region| region.colour);
         component.iter().for_each(|&cell| of_cell[cell] = Some(regions.len() as u32));
         regions.push(Region { class, colour, cells: component.len() as u32 });
     }

@@ -120,6 +120,9 @@ fn size(place: MmRect) -> [Value<'static>; 2] {
     [place.width(), place.height()].map(|side| side.round().into())
 }
 
+/// A smaller share of a figure without texture is not told: it may be the rounding of numbers in a file.
+const LEAST_BLANK: f32 = 1e-3;
+
 /// The colours, the one with the largest area first, and how much has none.
 fn areas(page: &Page, wording: &Wording) -> Vec<String> {
     let place = page.figure.place;
@@ -139,7 +142,7 @@ fn areas(page: &Page, wording: &Wording) -> Vec<String> {
     let mut all: Vec<(f32, String)> = Class::ALL.into_iter().filter_map(of_class).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     let blank = 1.0 - page.figure.textured_share();
-    let blank = (!all.is_empty() && blank > 0.0).then(|| wording.percent(blank));
+    let blank = (!all.is_empty() && blank >= LEAST_BLANK).then(|| wording.percent(blank));
     let blank = blank.map(|share| wording.say("blank", &[("share", share.into())]));
     all.into_iter().map(|(_, text)| text).chain(blank).collect()
 }

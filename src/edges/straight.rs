@@ -24,6 +24,8 @@ const ASIDE: f32 = 0.707;
 /// contour that takes its place.
 const BEFORE: f32 = 3.0;
 const BEFORE_SCALES: f32 = 1.6;
+/// What is left of a contour is at least this long, px; less is no line on any page.
+const LEAST: f32 = 8.0;
 /// Two lines are one if they are no farther aside from one another than half of each width and this much, px.
 const OFF: f32 = 1.0;
 
@@ -60,7 +62,7 @@ pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
         });
         // what is left has its turn once more
         pieces.push(joined);
-        pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= HEADING));
+        pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= LEAST));
     }
     pieces.into_iter().map(|piece| piece.found).collect()
 }

@@ -4,6 +4,7 @@ use super::clearance::Cleared;
 use super::outlines::Rank;
 use super::params::Params;
 use super::vertex::Source;
+use crate::geom::components::DisjointSets;
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 
@@ -79,24 +80,19 @@ impl Room {
 /// `all` has their segments.
 fn things(drawn: &[&Cleared], all: &Nearby, params: &Params) -> Vec<usize> {
     let reach = 0.5 * params.width_max;
-    let mut of: Vec<usize> = (0..drawn.len()).collect();
+    let mut sets = DisjointSets::default();
+    drawn.iter().for_each(|_| {
+        sets.add();
+    });
     for (number, line) in drawn.iter().enumerate().filter(|(_, line)| !line.polyline.closed) {
         let vertices = &line.polyline.vertices;
         for end in vertices.first().into_iter().chain(vertices.last()) {
             all.around(end.at, end.at, reach, |segment| {
                 if nearest_on_segment(end.at, segment.a, segment.b).0 <= reach {
-                    let [a, b] = [number, segment.line as usize].map(|line| standing_for(&of, line));
-                    of[a.max(b)] = a.min(b);
+                    sets.join(number, segment.line as usize);
                 }
             });
         }
     }
-    (0..of.len()).map(|line| standing_for(&of, line)).collect()
-}
-
-fn standing_for(of: &[usize], mut line: usize) -> usize {
-    while of[line] != line {
-        line = of[line];
-    }
-    line
+    (0..drawn.len()).map(|line| sets.lowest(line)).collect()
 }

@@ -91,7 +91,19 @@ fn is_seen_text(node: Node<'_, '_>) -> bool {
             || above.attribute("display") == Some("none")
             || style.contains("display:none")
     };
-    node.tag_name().name() == "text" && !node.ancestors().any(hides)
+    node.tag_name().name() == "text" && !node.ancestors().any(hides) && is_visible(node)
+}
+
+/// What the nearest element that sets it says of an element's visibility.
+fn is_visible(node: Node<'_, '_>) -> bool {
+    let of = |above: Node<'_, '_>| {
+        let style = above.attribute("style").unwrap_or_default().split(';');
+        let declared = style.filter_map(|declared| declared.split_once(':'));
+        let set =
+            declared.filter(|(key, _)| key.trim() == "visibility").last().map(|(_, value)| value.trim().to_owned());
+        set.or_else(|| above.attribute("visibility").map(str::to_owned))
+    };
+    node.ancestors().find_map(of).is_none_or(|set| set != "hidden" && set != "collapse")
 }
 
 /// The letters of a part of a text, and a blank before each line: a part that has a place of its own, or is a line of

@@ -64,20 +64,21 @@ fn is_number(text: &str) -> bool {
 /// The names as they are told. Copies of an object have its label: they are told by their ids as well; objects without
 /// a name are counted.
 pub(super) fn told(names: &[Name]) -> Vec<String> {
-    let mut ids: HashMap<Option<&str>, Vec<&str>> = HashMap::new();
+    // for each shown name the ids that have it, numbered in order
+    let mut ids: HashMap<Option<&str>, HashMap<&str, usize>> = HashMap::new();
     for name in names {
         let of_name = ids.entry(name.shown.as_deref()).or_default();
-        if !of_name.contains(&name.id.as_str()) {
-            of_name.push(&name.id);
-        }
+        let next = of_name.len() + 1;
+        of_name.entry(&name.id).or_insert(next);
     }
     let tell = |name: &Name| {
-        let all = ids.get(&name.shown.as_deref()).map_or(&[][..], Vec::as_slice);
-        let nth = all.iter().position(|id| *id == name.id).unwrap_or(0) + 1;
+        let of_name = ids.get(&name.shown.as_deref());
+        let all = of_name.map_or(0, HashMap::len);
+        let nth = of_name.and_then(|ids| ids.get(name.id.as_str())).copied().unwrap_or(1);
         match &name.shown {
-            None if all.len() > 1 => format!("{} {nth} without a name", name.kind),
+            None if all > 1 => format!("{} {nth} without a name", name.kind),
             None => format!("a {} without a name", name.kind),
-            Some(shown) if all.len() > 1 => format!("{shown} (\"{}\")", name.id),
+            Some(shown) if all > 1 => format!("{shown} (\"{}\")", name.id),
             Some(shown) => shown.clone(),
         }
     };

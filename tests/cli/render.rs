@@ -347,7 +347,7 @@ fn typed_texts_are_written_in_braille_or_told_with_their_place() {
     let place = with_page("swell-a4");
     let added = "<g id=\"labels-text\" transform=\"translate(10 20)\"><text x=\"90\" y=\"120\"><tspan>c</tspan>u<tspan>p</tspan></text></g>\
                  <text transform=\"scale(2)\" x=\"12\" y=\"60\">\u{2813}\u{280a}</text>\
-                 <text x=\"30\" y=\"60\">Oven</text><text x=\"31\" y=\"61\" style=\"display:none\">never</text>";
+                 <text x=\"30\" y=\"60\">Oven</text><text x=\"31\" y=\"61\" style=\"display:none\">never</text><text x=\"31\" y=\"65\" visibility=\"hidden\">never</text>";
     place.put("typed.svg", place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1).as_bytes());
     let told = done(&place, &["render", "typed.svg", "-o", "done.svg"]);
     assert!(told.contains("2 texts that were typed are written in braille beside their places"), "{told}");

@@ -1,5 +1,6 @@
 //! A line of a drawing on which others end goes before them: an axis before the bars that stand on it. They end on it
-//! whenever it is drawn, but where they come first, it has no room between two that are near to one another.
+//! whenever it is drawn, but where they come first, it has no room between two that are near to one another. What is left
+//! of a line that had to be cut has its own saliency again.
 
 use super::drawn::TOUCH;
 use crate::geom::nearby::{Nearby, Segment};
@@ -117,6 +118,10 @@ mod tests {
             stroke(&[(90.0, 70.0), (30.0, 70.0)], 50.0),
             stroke(&[(30.0, 90.0), (30.0, 30.0)], 60.0),
         ];
-        assert!(saliencies(&circle, area(), &Params::TEST).iter().all(|saliency| saliency.is_finite()));
+        let own: Vec<f32> = circle.iter().map(|(line, _)| saliency(line, &Params::TEST)).collect();
+        let most = own.iter().copied().fold(0.0, f32::max) * (1.0 + MORE).powi(DEPTH as i32 + 1);
+        let raised = saliencies(&circle, area(), &Params::TEST);
+        assert!(raised.iter().zip(&own).all(|(raised, own)| (*own..most).contains(raised)), "{own:?} {raised:?}");
+        assert!(raised[0] > own[0], "something stands on it");
     }
 }

@@ -240,19 +240,49 @@ impl Writer<'_> {
 
 /// A text in the bytes of WinAnsiEncoding; letters that it has not are written without their marks, or as "?".
 fn in_font(text: &str) -> Vec<u8> {
-    const OTHERS: &str = "€‚„…ŠŽ‘’“”–—šž";
-    const THEIR_BYTES: [u8; 14] = [0x80, 0x82, 0x84, 0x85, 0x8a, 0x8e, 0x91, 0x92, 0x93, 0x94, 0x96, 0x97, 0x9a, 0x9e];
-    // of Polish and Czech, whose words are written too
-    const MARKED: &str = "ąĄćĆčČďĎęĘěĚłŁńŃňŇřŘśŚťŤůŮźŹżŻ";
-    const BARE: &[u8] = b"aAcCcCdDeEeElLnNnNrRsStTuUzZzZ";
-    let place = |letters: &str, letter: char| letters.chars().position(|known| known == letter);
     let byte = |letter: char| match letter {
         ' '..='~' | '\u{a0}'..='\u{ff}' => letter as u8,
-        _ => {
-            let other = place(OTHERS, letter).and_then(|at| THEIR_BYTES.get(at));
-            let bare = || place(MARKED, letter).and_then(|at| BARE.get(at));
-            other.or_else(bare).copied().unwrap_or(b'?')
-        }
+        '€' => 0x80,
+        '‚' => 0x82,
+        '„' => 0x84,
+        '…' => 0x85,
+        'Š' => 0x8a,
+        'Œ' => 0x8c,
+        'Ž' => 0x8e,
+        '‘' => 0x91,
+        '’' => 0x92,
+        '“' => 0x93,
+        '”' => 0x94,
+        '•' => 0x95,
+        '–' => 0x96,
+        '—' => 0x97,
+        'š' => 0x9a,
+        'œ' => 0x9c,
+        'ž' => 0x9e,
+        // of Polish and Czech, whose words are written too
+        'ą' => b'a',
+        'Ą' => b'A',
+        'ć' | 'č' => b'c',
+        'Ć' | 'Č' => b'C',
+        'ď' => b'd',
+        'Ď' => b'D',
+        'ę' | 'ě' => b'e',
+        'Ę' | 'Ě' => b'E',
+        'ł' => b'l',
+        'Ł' => b'L',
+        'ń' | 'ň' => b'n',
+        'Ń' | 'Ň' => b'N',
+        'ř' => b'r',
+        'Ř' => b'R',
+        'ś' => b's',
+        'Ś' => b'S',
+        'ť' => b't',
+        'Ť' => b'T',
+        'ů' => b'u',
+        'Ů' => b'U',
+        'ź' | 'ż' => b'z',
+        'Ź' | 'Ż' => b'Z',
+        _ => b'?',
     };
     text.chars().map(byte).collect()
 }
@@ -260,4 +290,18 @@ fn in_font(text: &str) -> Vec<u8> {
 /// A length in whole units of user space: 0.01 mm, as in the SVG.
 fn units(mm: f32) -> f32 {
     (f64::from(mm) * f64::from(UNITS)).round() as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_of_all_languages_are_written_at_least_without_their_marks() {
+        // French, German, Polish, Czech, Swedish, Spanish, Portuguese
+        let letters = "œŒàâçéèêëîïôùûüÿäöüßÄÖÜąćęłńóśźżčďěňřšťůžŠŽåÅñÑ¿¡ãõ";
+        assert!(!in_font(letters).contains(&b'?'));
+        assert_eq!(in_font("œuf, žluť"), [0x9c, b'u', b'f', b',', b' ', 0x9e, b'l', b'u', b't']);
+        assert_eq!(in_font("☕"), b"?");
+    }
 }
