@@ -1,6 +1,6 @@
 //! A line of a drawing on which others end goes before them: an axis before the bars that stand on it. They end on it
-//! whenever it is drawn, but where they come first, it has no room between two that are near to one another. What is left
-//! of a line that had to be cut has its own saliency again.
+//! whenever it is drawn, but where they come first, it has no room between two that are near to one another. What is
+//! left of a line that had to be cut has its own saliency again.
 
 use super::drawn::TOUCH;
 use crate::geom::nearby::{Nearby, Segment};
