@@ -99,8 +99,8 @@ fn is_visible(node: Node<'_, '_>) -> bool {
     let of = |above: Node<'_, '_>| {
         let style = above.attribute("style").unwrap_or_default().split(';');
         let declared = style.filter_map(|declared| declared.split_once(':'));
-        let set =
-            declared.filter(|(key, _)| key.trim() == "visibility").last().map(|(_, value)| value.trim().to_owned());
+        let last = declared.rev().find(|(key, _)| key.trim() == "visibility");
+        let set = last.map(|(_, value)| value.trim().to_owned());
         set.or_else(|| above.attribute("visibility").map(str::to_owned))
     };
     node.ancestors().find_map(of).is_none_or(|set| set != "hidden" && set != "collapse")
