@@ -13,7 +13,7 @@ use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
 use crate::raster::shrink::Shrinker;
-use crate::regions::{Grid, Trace, TracePoint, Tree};
+use crate::regions::{Detail, Grid, Trace, TracePoint, Tree};
 
 /// The tree of the regions between all chains, be they strong enough for contours or not.
 pub(super) fn tree(
@@ -22,6 +22,7 @@ pub(super) fn tree(
     chains: &[Chain],
     sides: &SideStatistics,
     params: &Params,
+    detail: Detail,
 ) -> Tree {
     let grid = Grid::new(raster.size());
     let trace = |chain: &Chain| -> Trace {
@@ -30,7 +31,7 @@ pub(super) fn tree(
         Polyline { vertices: chain.vertices.iter().zip(strengths).map(point).collect(), closed: chain.closed }
     };
     let (traces, colours) = rayon::join(|| chains.par_iter().map(trace).collect::<Vec<_>>(), || colours(raster, grid));
-    Tree::new(&traces, &colours, grid)
+    Tree::new(&traces, &colours, grid, detail)
 }
 
 /// L, 2a and 2b of the cells, or L alone.

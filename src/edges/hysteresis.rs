@@ -7,8 +7,7 @@ use super::chain::{self, Chain};
 use super::contour::{Contour, ContourPoint};
 use super::params::Params;
 use super::ridge::RidgePoint;
-use super::side_statistics::SideStatistics;
-use super::strength;
+use super::strength::{self, Evidence};
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::lab;
@@ -19,7 +18,7 @@ use crate::units::{PxPoint, PxVector};
 pub(super) struct Selection<'a> {
     pub(super) points: &'a [RidgePoint],
     pub(super) raster: &'a Raster,
-    pub(super) sides: &'a SideStatistics,
+    pub(super) evidence: Evidence<'a>,
     /// Standard deviation of the noise of a pixel, in units of strength.
     pub(super) noise: f32,
     pub(super) params: &'a Params,
@@ -38,7 +37,7 @@ impl Selection<'_> {
         if !chain.vertices.iter().any(|&number| points[number as usize].height >= params.high) {
             return Vec::new();
         }
-        let strengths = strength::along(points, chain, self.sides, params);
+        let strengths = strength::weighted(points, chain, &self.evidence, params);
         let mut contours = Vec::new();
         for piece in pieces(&strengths, chain.closed, params.low, params.high) {
             let numbers = piece.vertices.iter().map(|&i| chain.vertices[i]).collect();

@@ -6,7 +6,7 @@
 //!                 `-> side_statistics (colours on both sides) ----v                  |
 //!                                  edge_stopping (filter) -> strength                |
 //!   Edges <- junction <- corner <- refine <- bridge <---------- hysteresis <- step_height <- chain
-//!                                                 grouping (regions, where asked for) <------'
+//!                                                      ^---- grouping (regions, where asked for) <-'
 //! ```
 //!
 //! All colour planes exist for a few rows only. From `maxima` on there are points, and the time grows with their
@@ -51,9 +51,11 @@ use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
 use ridge::RidgePoint;
+use strength::Evidence;
 use tips::Found;
 
 use crate::raster::Raster;
+use crate::regions::{Detail, Tree};
 use crate::units::Size;
 
 /// What kind of picture it is. Contours and letters are looked for by it.
@@ -74,16 +76,16 @@ impl PictureKind {
 
 /// Finds the contours of a picture.
 pub fn find(raster: &Raster, params: &Params) -> Edges {
-    find_of_kind(raster, &PictureKind::of(raster), params, false)
+    find_of_kind(raster, &PictureKind::of(raster), params, None)
 }
 
-/// Finds the contours of a picture and, unless it is a drawing, the regions between them.
+/// Finds the contours of a picture and, unless it is a drawing, the regions between them, by which they are weighted.
 pub fn find_with_regions(raster: &Raster, params: &Params) -> Edges {
-    find_of_kind(raster, &PictureKind::of(raster), params, true)
+    find_of_kind(raster, &PictureKind::of(raster), params, Some(Detail::OUTLINES))
 }
 
-/// [`find`], or with `with_regions` [`find_with_regions`], where it is known what kind of picture it is.
-pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, with_regions: bool) -> Edges {
+/// [`find`], or with regions of some detail [`find_with_regions`], where it is known what kind of picture it is.
+pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, regions: Option<Detail>) -> Edges {
     let size = raster.size();
     let (noise, drawn) = (&kind.noise, kind.is_drawing);
     let params = &noise.adapted(params);
@@ -103,8 +105,11 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, with_r
     let chains = chain::link(&points, size, params.min_length);
     step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
     let sides = &sides.finish(&points, &chains, noise.height_sigma(params.sigma));
-    let tree = (with_regions && !drawn).then(|| grouping::tree(raster, &points, &chains, sides, params));
-    let selection = Selection { points: &points, raster, sides, noise: noise.pixel, params };
+    let regions = regions.filter(|_| !drawn);
+    let tree = regions.map(|detail| grouping::tree(raster, &points, &chains, sides, params, detail));
+    let heights = tree.as_ref().map(Tree::heights);
+    let evidence = Evidence { sides, heights: heights.as_ref() };
+    let selection = Selection { points: &points, raster, evidence, noise: noise.pixel, params };
     let mut contours = bridge::join(selection.contours(&chains), params.sigma);
     contours.par_iter_mut().for_each(|contour| {
         refine::refine(contour, params.sigma);

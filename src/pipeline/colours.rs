@@ -31,7 +31,7 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let options = request.decoding(&working_size);
     let Read { picture, is_flat, kind } = read(Picture::file(picture), &options, None, watch)?;
     let layout = fit.layout(picture.source.size, plan)?;
-    let edges = find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, false, watch);
+    let edges = find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch);
     let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
     Ok(Sorted { classes, place: layout.figure })
 }

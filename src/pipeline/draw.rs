@@ -16,7 +16,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
-use crate::regions::Areas;
+use crate::regions::{Areas, Detail};
 use crate::units::{MmRect, PageTransform, PxPoint, Size};
 use crate::{Error, Note, textures};
 
@@ -72,7 +72,7 @@ pub(super) fn draw(
     request.go_on()?;
     let erased = given.boxes(picture.source.size, layout.figure)?;
     let mut edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
-        find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, true, watch)
+        find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch)
     })?;
     let least = plan.profile().lines.min_length;
     let short = given.lines.iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
@@ -167,7 +167,7 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
     };
     let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
     let drawn = decode::decode(bytes, &options)?;
-    Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), false))
+    Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), None))
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
@@ -218,13 +218,13 @@ pub(super) fn edges_of(
     picture: &decode::Picture,
     kind: Option<&PictureKind>,
     params: &edges::Params,
-    with_regions: bool,
+    regions: Option<Detail>,
 ) -> Edges {
     let raster = &picture.raster;
     match (&picture.drawing, kind) {
         (Some(drawing), _) => edges::find_drawn(raster, drawing, params),
-        (None, Some(kind)) => edges::find_of_kind(raster, kind, params, with_regions),
-        (None, None) => edges::find_of_kind(raster, &PictureKind::of(raster), params, with_regions),
+        (None, Some(kind)) => edges::find_of_kind(raster, kind, params, regions),
+        (None, None) => edges::find_of_kind(raster, &PictureKind::of(raster), params, regions),
     }
 }
 
@@ -234,7 +234,6 @@ pub(super) fn find_edges(
     is_flat: bool,
     layout: &Layout,
     plan: &Plan,
-    with_regions: bool,
     watch: &mut Watch<'_>,
 ) -> Option<Edges> {
     let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
@@ -243,7 +242,9 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return Some(run(watch, Stage::Edges, || edges_of(picture, kind, &plan.edges(px_per_mm), with_regions)));
+        return Some(run(watch, Stage::Edges, || {
+            edges_of(picture, kind, &plan.edges(px_per_mm), Some(Detail::OUTLINES))
+        }));
     };
     watch(Event::Skip(Stage::Edges, reason));
     None

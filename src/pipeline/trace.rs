@@ -11,6 +11,7 @@ use crate::page::layout::Layout;
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::Source;
+use crate::regions::Detail;
 use crate::units::PageTransform;
 use crate::{Error, Note};
 
@@ -151,6 +152,9 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
     if let Some(Thresholds { low, high }) = tracing.thresholds {
         (params.low, params.high) = (low, high);
     }
-    let with_regions = tracing.subject == Subject::Lines;
-    Some(run(watch, Stage::Edges, || edges_of(picture, kind.as_ref(), &params, with_regions)))
+    let detail = match tracing.subject {
+        Subject::ContoursAtFullResolution => Detail::CONTOURS,
+        Subject::Contours | Subject::Lines => Detail::OUTLINES,
+    };
+    Some(run(watch, Stage::Edges, || edges_of(picture, kind.as_ref(), &params, Some(detail))))
 }

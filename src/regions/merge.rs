@@ -11,8 +11,6 @@ const COLOUR: f64 = 0.15;
 const MOST_COLOUR: f64 = 30.0;
 /// Regions of this share of the picture, and smaller ones, merge early: crumbs are no regions.
 const CRUMB: f64 = 0.003;
-/// ... and of this share of it before they merge with larger ones: parts join one another before they join the ground.
-const PART: f64 = 0.02;
 /// How much size counts.
 const POWER: f64 = 0.3;
 
@@ -29,6 +27,8 @@ pub(super) struct Node {
     pub(super) outline: Sums,
     /// The two regions that it was merged of.
     pub(super) children: Option<[u32; 2]>,
+    /// The greatest cost of all the merging that made it; 0 of a basin.
+    pub(super) height: f64,
 }
 
 /// An edge of the region adjacency graph: the arc between two regions that are yet to be merged.
@@ -79,22 +79,24 @@ struct Merging {
     neighbours: Vec<Vec<(u32, u32)>>,
     heap: BinaryHeap<Candidate>,
     cells: f64,
+    /// See [`Detail::part`](super::tree::Detail).
+    part: f64,
 }
 
-/// All regions, basins first, in the order in which they are merged.
-pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize) -> Vec<Node> {
-    let mut merging = Merging::new(basins, arcs, cells as f64);
-    while let Some(Candidate { adjacency, version, .. }) = merging.heap.pop() {
+/// All regions, basins first, in the order in which they are merged. `part`: see [`Detail`](super::tree::Detail).
+pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize, part: f64) -> Vec<Node> {
+    let mut merging = Merging::new(basins, arcs, cells as f64, part);
+    while let Some(Candidate { adjacency, version, cost, .. }) = merging.heap.pop() {
         let Adjacency { alive, version: current, .. } = merging.adjacencies[adjacency as usize];
         if alive && current == version {
-            merging.unite(adjacency);
+            merging.unite(adjacency, cost);
         }
     }
     merging.nodes
 }
 
 impl Merging {
-    fn new(mut nodes: Vec<Node>, arcs: &[Arc], cells: f64) -> Self {
+    fn new(mut nodes: Vec<Node>, arcs: &[Arc], cells: f64, part: f64) -> Self {
         let mut neighbours = vec![Vec::new(); nodes.len()];
         let mut adjacencies = Vec::with_capacity(arcs.len());
         for (number, arc) in (0_u32..).zip(arcs) {
@@ -107,8 +109,8 @@ impl Merging {
             adjacencies.push(Adjacency { ends: arc.ends, sums, version: 0, alive: true });
         }
         neighbours.iter_mut().for_each(|list| list.sort_unstable());
-        let weights = nodes.iter().map(|node| weights(node.area, cells)).collect();
-        let mut merging = Self { nodes, weights, adjacencies, neighbours, heap: BinaryHeap::new(), cells };
+        let weights = nodes.iter().map(|node| weights(node.area, cells, part)).collect();
+        let mut merging = Self { nodes, weights, adjacencies, neighbours, heap: BinaryHeap::new(), cells, part };
         (0..arcs.len() as u32).for_each(|adjacency| merging.put(adjacency));
         merging
     }
@@ -129,14 +131,14 @@ impl Merging {
         (adjacency.sums.mean() + COLOUR * colour) * self.weights[small][0] * self.weights[large][1]
     }
 
-    /// Makes one region of the two beside an adjacency.
-    fn unite(&mut self, adjacency: u32) {
+    /// Makes one region of the two beside an adjacency, at its cost.
+    fn unite(&mut self, adjacency: u32, cost: f64) {
         let [a, b] = self.adjacencies[adjacency as usize].ends;
         self.adjacencies[adjacency as usize].alive = false;
         let node = united(&self.nodes[a as usize], &self.nodes[b as usize], &self.adjacencies[adjacency as usize].sums);
         let number = self.nodes.len() as u32;
-        self.weights.push(weights(node.area, self.cells));
-        self.nodes.push(Node { children: Some([a, b]), ..node });
+        self.weights.push(weights(node.area, self.cells, self.part));
+        self.nodes.push(Node { children: Some([a, b]), height: node.height.max(cost), ..node });
         let [of_a, of_b] = [a, b].map(|end| std::mem::take(&mut self.neighbours[end as usize]));
         let mut merged = Vec::with_capacity(of_a.len() + of_b.len());
         for (old, list) in [(a, of_a), (b, of_b)] {
@@ -178,8 +180,8 @@ impl Merging {
 }
 
 /// What a region of an area counts beside a larger one, and beside a smaller one.
-fn weights(area: f64, cells: f64) -> [f64; 2] {
-    [CRUMB, PART].map(|share| (area / (area + share * cells)).powf(POWER))
+fn weights(area: f64, cells: f64, part: f64) -> [f64; 2] {
+    [CRUMB, part].map(|share| (area / (area + share * cells)).powf(POWER))
 }
 
 /// Distance of the mean colours of two regions.
@@ -199,5 +201,6 @@ fn united(a: &Node, b: &Node, between: &Sums) -> Node {
         frame: a.frame + b.frame,
         outline,
         children: None,
+        height: a.height.max(b.height),
     }
 }

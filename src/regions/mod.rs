@@ -3,13 +3,14 @@
 //! ```text
 //! traces, colours -> landscape -> watershed (basins) -> arcs (what is seen between them) -> merge -> Tree
 //!                                      Tree -> choose (the most telling) -> label_map -> border -> outlines
+//!                                      Tree -> heights (of borders): how strong contours are
 //! ```
 //!
 //! A watershed over the contours divides the picture into basins; they are merged, the least visible border first, into
 //! ever larger regions (hierarchy of contours: Arbelaez et al. 2011). Every region that ever was is a candidate for an
 //! outline.
 //!
-//! The numbers of `tree`, `arcs`, `merge` and `choose` that have no other reason were chosen together on 50 photographs
+//! The numbers of `tree`, `arcs`, `merge`, `choose` and `heights` that have no other reason were chosen together on 50 photographs
 //! of BSDS500 (val), by how well outlines of pages agree with those of people, and tested on 50 others (train, then not
 //! looked at): `docs/photographs.md` has the figures.
 
@@ -18,6 +19,7 @@ mod areas;
 mod border;
 mod choose;
 mod grid;
+mod heights;
 mod label_map;
 mod mask;
 mod members;
@@ -32,6 +34,7 @@ mod watershed;
 pub use areas::Areas;
 pub use choose::Params;
 pub use grid::Grid;
+pub use heights::Heights;
 pub use mask::Mask;
 pub use trace::{Trace, TracePoint};
-pub use tree::Tree;
+pub use tree::{Detail, Tree};

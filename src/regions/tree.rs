@@ -4,6 +4,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::arcs::{Arc, Crack, Sums, arcs};
 use super::grid::Grid;
+use super::heights::Heights;
 use super::merge::{Node, merge};
 use super::trace::Trace;
 use super::traces::TraceMap;
@@ -14,11 +15,26 @@ use crate::raster::plane::Plane;
 const GRADIENT_SCALE: f32 = 1.5;
 /// Scale at which traces become ridges of the landscape, cells.
 const TRACE_SCALE: f32 = 1.2;
-/// Scale at which the landscape is smoothed, cells: what is narrower has no basin of its own.
-const LANDSCAPE_SCALE: f32 = 2.0;
 /// Weights of traces and of the gradient in the landscape.
 const TRACES: f32 = 3.0;
 const GRADIENT: f32 = 0.25 * 3.75;
+
+/// How fine a tree is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Detail {
+    /// Scale at which the landscape is smoothed, cells: what is narrower has no basin of its own.
+    landscape_scale: f32,
+    /// Regions of this share of the picture, and smaller ones, merge early with larger ones: parts join one another
+    /// before they join the ground.
+    pub(super) part: f64,
+}
+
+impl Detail {
+    /// For the outlines of things on a page, and for the contours beside them.
+    pub const OUTLINES: Self = Self { landscape_scale: 2.0, part: 0.02 };
+    /// For contours that are traced in all their detail: twice as many basins, in twice the time.
+    pub const CONTOURS: Self = Self { landscape_scale: 1.0, part: 0.004 };
+}
 
 /// All regions of a picture: basins, and what they are merged to.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,13 +53,18 @@ pub struct Tree {
 
 impl Tree {
     /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
-    pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid) -> Self {
+    pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid, detail: Detail) -> Self {
         let traces = TraceMap::of(traces, grid);
-        let (basin, count) = basins(&landscape(&traces, colours));
+        let (basin, count) = basins(&landscape(&traces, colours, detail.landscape_scale));
         let soft: Vec<Plane> = colours.par_iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
         let (cracks, arcs) = arcs(&basin, grid, &traces, &soft);
-        let nodes = merge(basin_nodes(&basin, count, colours, grid), &arcs, basin.len());
+        let nodes = merge(basin_nodes(&basin, count, colours, grid), &arcs, basin.len(), detail.part);
         Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
+    }
+
+    /// How much keeps the regions on both sides of each border apart.
+    pub fn heights(&self) -> Heights {
+        Heights::of(self)
     }
 
     /// The side of a cell on the sheet, mm.
@@ -52,8 +73,8 @@ impl Tree {
     }
 }
 
-/// High where traces run and colours change, smooth, so that every basin is worth one.
-fn landscape(traces: &TraceMap, colours: &[Plane]) -> Plane {
+/// High where traces run and colours change, smooth at a scale, in cells, so that every basin is worth one.
+fn landscape(traces: &TraceMap, colours: &[Plane], scale: f32) -> Plane {
     let mut ridges = traces.strengths().blurred(TRACE_SCALE);
     ridges.values.iter_mut().for_each(|v| *v *= TRACES);
     let mut squares = vec![0.0_f32; ridges.values.len()];
@@ -76,12 +97,12 @@ fn landscape(traces: &TraceMap, colours: &[Plane]) -> Plane {
         }
     }
     ridges.values.iter_mut().zip(&squares).for_each(|(v, square)| *v += GRADIENT * square.sqrt());
-    ridges.blurred(LANDSCAPE_SCALE)
+    ridges.blurred(scale)
 }
 
 /// Basins with their areas and colours.
 fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Vec<Node> {
-    let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None };
+    let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None, height: 0.0 };
     let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     for (cell, &basin) in basin.iter().enumerate() {
