@@ -82,10 +82,18 @@ fn refitted(contour: &Contour, corner: Corner) -> Corner {
     let Some((before, after)) = side(false).zip(side(true)) else { return corner };
     match before.crossing(&after) {
         Some((back, on)) if back < 0.0 && on < 0.0 => {
-            Corner { at: before.point_at(back), sides: [before, after], ..corner }
+            let (at, point) = (before.point_at(back), &contour.vertices[corner.point]);
+            // sides that are fitted anew may be nearly parallel, and cross anywhere
+            let is_near = (at - point.at).length() <= farthest(point.blur, &before, &after);
+            if is_near { Corner { at, sides: [before, after], ..corner } } else { corner }
         }
         Some(_) | None => corner,
     }
+}
+
+/// Greatest distance of a corner with these sides from the contour as it was found, px.
+fn farthest(blur: f32, before: &LineFit, after: &LineFit) -> f32 {
+    MAX_DISTANCE * blur * turn_and_stretch(before, after).1
 }
 
 /// The length of the contour to which a line is fitted, px.
@@ -119,7 +127,7 @@ fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<Corner> {
     let to = rounding + fit_length(point.blur);
     let before = contour.line_fit(i, false, rounding, to)?;
     let after = contour.line_fit(i, true, rounding, to)?;
-    let (cosine, stretch) = turn_and_stretch(&before, &after);
+    let (cosine, _) = turn_and_stretch(&before, &after);
     let max_rms = MAX_RMS.hypot(REFINED_SIGMA * point.position_sigma);
     if cosine > MIN_TURN || before.rms > max_rms || after.rms > max_rms {
         return None;
@@ -137,7 +145,7 @@ fn find_beyond(contour: &Contour, i: usize, rounding: f32) -> Option<Corner> {
     }
     let at = before.point_at(back);
     let distance = (at - point.at).length();
-    let near = distance <= MAX_DISTANCE * point.blur * stretch;
+    let near = distance <= farthest(point.blur, &before, &after);
     near.then_some(Corner { point: i, at, sides: [before, after], rounding, distance })
 }
 
@@ -225,6 +233,18 @@ mod tests {
         let same = short.clone();
         sharpen(&mut short);
         assert_eq!(short, same, "too short for two sides");
+    }
+
+    #[test]
+    fn a_corner_stays_where_it_was_found_if_its_sides_fitted_anew_are_nearly_parallel() {
+        // the sides cross 30 px beyond the turn
+        let hairpin = polyline(&[(0.0, 50.0), (30.0, 50.0), (30.0, 50.5), (0.0, 51.0)]);
+        let point = hairpin.vertices.iter().position(|vertex| vertex.at.x >= 30.0).expect("it turns there");
+        let at = hairpin.vertices[point].at;
+        let sides =
+            [false, true].map(|forwards| hairpin.line_fit(point, forwards, 3.0, 10.0).expect("it is long enough"));
+        let after = refitted(&hairpin, Corner { point, at, sides, rounding: 3.0, distance: 0.0 });
+        assert_eq!(after.at, at);
     }
 
     #[test]

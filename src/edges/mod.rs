@@ -55,7 +55,7 @@ use strength::Evidence;
 use tips::Found;
 
 use crate::raster::Raster;
-use crate::regions::{Detail, Tree};
+use crate::regions::{Detail, Heights};
 use crate::units::Size;
 
 /// What kind of picture it is. Contours and letters are looked for by it.
@@ -107,7 +107,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let sides = &sides.finish(&points, &chains, noise.height_sigma(params.sigma));
     let regions = regions.filter(|_| !drawn);
     let tree = regions.map(|detail| grouping::tree(raster, &points, &chains, sides, params, detail));
-    let heights = tree.as_ref().map(Tree::heights);
+    let heights = tree.as_ref().map(Heights::of);
     let evidence = Evidence { sides, heights: heights.as_ref() };
     let selection = Selection { points: &points, raster, evidence, noise: noise.pixel, params };
     let mut contours = bridge::join(selection.contours(&chains), params.sigma);

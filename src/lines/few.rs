@@ -6,7 +6,6 @@ use super::params::Params;
 use super::vertex::Source;
 use crate::geom::components::DisjointSets;
 use crate::geom::nearby::Nearby;
-use crate::geom::nearest_on_segment;
 
 /// How many of the lines are left out as there are to be few.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -84,15 +83,8 @@ fn things(drawn: &[&Cleared], all: &Nearby, params: &Params) -> Vec<usize> {
     drawn.iter().for_each(|_| {
         sets.add();
     });
-    for (number, line) in drawn.iter().enumerate().filter(|(_, line)| !line.polyline.closed) {
-        let vertices = &line.polyline.vertices;
-        for end in vertices.first().into_iter().chain(vertices.last()) {
-            all.around(end.at, end.at, reach, |segment| {
-                if nearest_on_segment(end.at, segment.a, segment.b).0 <= reach {
-                    sets.join(number, segment.line as usize);
-                }
-            });
-        }
+    for (number, line) in drawn.iter().enumerate() {
+        line.polyline.each_that_it_ends_on(all, reach, |other| sets.join(number, other));
     }
     (0..drawn.len()).map(|line| sets.lowest(line)).collect()
 }

@@ -116,14 +116,6 @@ pub fn draw_with(
     let contours: Vec<_> = salient.map(|(polyline, _)| polyline).collect();
     contours.iter().for_each(|polyline| wanted.add(polyline));
     let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
-    let beyond = match params.most_shapes {
-        Some(most) if edges.of_drawing() => {
-            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
-            few::keep_first_things(&mut drawn, most, &all, params)
-        }
-        Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
-        None => Beyond::default(),
-    };
     let mut kept = Tally::new(area);
     if first_outline == all.len() {
         drawn.iter().for_each(|line| kept.add(&line.polyline));
@@ -134,9 +126,17 @@ pub fn draw_with(
         contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
         kept.count_rings(drawn.iter().map(|line| &line.polyline));
     }
+    let lost = wanted.lost(&kept);
+    // What follows is left out on purpose, and not lost.
+    let beyond = match params.most_shapes {
+        Some(most) if edges.of_drawing() => {
+            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+            few::keep_first_things(&mut drawn, most, &all, params)
+        }
+        Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
+        None => Beyond::default(),
+    };
     let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, params);
-    // of lines that are left out on purpose nobody asks whether they had room
-    let lost = if beyond == Beyond::default() { wanted.lost(&kept) } else { Lost::default() };
     Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
 }
 

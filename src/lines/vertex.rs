@@ -1,6 +1,8 @@
 //! Lines in the making: polylines on the sheet, before it is known what of them is drawn.
 
 use crate::edges::{ChainKind, Edgel};
+use crate::geom::nearby::Nearby;
+use crate::geom::nearest_on_segment;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
 use crate::units::{Mm, MmPoint, PageTransform};
 
@@ -75,6 +77,20 @@ impl Vertex {
 }
 
 impl Polyline<Vertex> {
+    /// Calls `visit` with the number of each line of which a segment is within `reach` of one of this line's ends, mm;
+    /// once for each such segment. A ring has no ends.
+    pub(super) fn each_that_it_ends_on(&self, segments: &Nearby, reach: f32, mut visit: impl FnMut(usize)) {
+        if let (Some(first), Some(last), false) = (self.vertices.first(), self.vertices.last(), self.closed) {
+            for at in [first.at, last.at] {
+                segments.around(at, at, reach, |segment| {
+                    if nearest_on_segment(at, segment.a, segment.b).0 <= reach {
+                        visit(segment.line as usize);
+                    }
+                });
+            }
+        }
+    }
+
     /// A contour on the sheet.
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
         let source = match kind {

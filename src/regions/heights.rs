@@ -17,8 +17,8 @@ pub struct Heights {
 }
 
 impl Heights {
-    /// The heights of a tree.
-    pub(super) fn of(tree: &Tree) -> Self {
+    /// How much keeps the regions of a tree on both sides of each border apart.
+    pub fn of(tree: &Tree) -> Self {
         let parent = parents(tree);
         let mut of_cell = vec![0.0_f32; tree.basin.len()];
         for arc in &tree.arcs {
@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_border_is_as_high_as_what_keeps_its_two_sides_apart() {
-        let heights = fields().heights();
+        let heights = Heights::of(&fields());
         let [weak, strong, inside] = [30.0, 60.0, 15.0].map(|x| heights.near(PxPoint::new(x, 20.0)));
         assert!(strong > 1.5 * weak && weak > 0.0, "{weak} {strong}");
         assert!(inside < weak, "{inside} inside a field, {weak} at its border");

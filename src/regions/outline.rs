@@ -119,7 +119,9 @@ mod tests {
         let size = Size::new(120, 90);
         let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
         let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
-        Tree::new(traces, &[Plane { size, values }], Grid::new(size), Detail::OUTLINES).outlines(0.5, &PARAMS, &[], None).0
+        Tree::new(traces, &[Plane { size, values }], Grid::new(size), Detail::OUTLINES)
+            .outlines(0.5, &PARAMS, &[], None)
+            .0
     }
 
     fn circle(x: f32, y: f32, radius: f32) -> Trace {
@@ -216,7 +218,8 @@ mod tests {
             discs.iter().any(|(a, b, radius)| (x - a).hypot(y - b) < *radius)
         };
         let plane = Plane { size, values: (0..size.len()).map(|cell| if is_in(cell) { 80.0 } else { 20.0 }).collect() };
-        let tree = Tree::new(&discs.map(|(x, y, radius)| circle(x, y, radius)), &[plane], Grid::new(size), Detail::OUTLINES);
+        let tree =
+            Tree::new(&discs.map(|(x, y, radius)| circle(x, y, radius)), &[plane], Grid::new(size), Detail::OUTLINES);
         let places = [(35.0, 45.0), (90.0, 45.0), (5.0, 5.0)].map(|(x, y)| PxPoint::new(x, y));
         let (two, areas) = tree.outlines(0.5, &PARAMS, &[], None);
         assert_eq!((two.len(), areas.count(), areas.beyond()), (2, 2, 0));

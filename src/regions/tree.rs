@@ -4,7 +4,6 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::arcs::{Arc, Crack, Sums, arcs};
 use super::grid::Grid;
-use super::heights::Heights;
 use super::merge::{Node, merge};
 use super::trace::Trace;
 use super::traces::TraceMap;
@@ -60,11 +59,6 @@ impl Tree {
         let (cracks, arcs) = arcs(&basin, grid, &traces, &soft);
         let nodes = merge(basin_nodes(&basin, count, colours, grid), &arcs, basin.len(), detail.part);
         Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
-    }
-
-    /// How much keeps the regions on both sides of each border apart.
-    pub fn heights(&self) -> Heights {
-        Heights::of(self)
     }
 
     /// The side of a cell on the sheet, mm.

@@ -12,12 +12,12 @@ pub struct Stage {
     pub svg: String,
 }
 
-/// Short pieces beside the saucer and on the table, and a spot on the cup.
-const CLUTTER: [&str; 7] = ["line-18", "line-20", "line-22", "line-23", "line-25", "line-26", "line-27"];
+/// Short pieces on the saucer and on the table, and a spot on the cup.
+const CLUTTER: [&str; 7] = ["line-17", "line-19", "line-22", "line-23", "line-24", "line-25", "line-27"];
 /// What was found of the saucer's left side ...
-const BROKEN: [&str; 2] = ["line-8", "line-12"];
+const BROKEN: [&str; 3] = ["line-7", "line-10", "line-14"];
 /// ... and the curve that is drawn in its place, mm.
-const SAUCER: &str = "M62,84 C44,95 43,118 54,130 C60,137 68,141 77,142";
+const SAUCER: &str = "M70.12,58.59 C60,60 44,72 43.6,92 C43.2,112 52,131 75.83,141.76";
 /// The table at the left, which is red like the rest of it.
 const MOVED: (&str, &str) = ("region-2", "texture-red");
 /// A dot of a braille cell's size on the cup, mm.

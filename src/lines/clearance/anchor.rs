@@ -1,6 +1,7 @@
 //! Anchors: where lines end on others, so that simplification leaves them joined.
 
-use super::drawn::{DrawnLines, TOUCH};
+use super::drawn::DrawnLines;
+use super::passage::TOUCH;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::outlines::Rank;

@@ -2,9 +2,8 @@
 //! whenever it is drawn, but where they come first, it has no room between two that are near to one another. What is
 //! left of a line that had to be cut has its own saliency again.
 
-use super::drawn::TOUCH;
+use super::passage::TOUCH;
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
@@ -55,15 +54,12 @@ fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -
         }
     }
     let mut standing = Vec::new();
-    for (number, (line, _)) in lines.iter().enumerate().filter(|(_, (line, _))| !line.closed) {
-        for at in [line.vertices.first(), line.vertices.last()].into_iter().flatten().map(|vertex| vertex.at) {
-            segments.around(at, at, TOUCH, |segment| {
-                let base = segment.line as usize;
-                if base != number && nearest_on_segment(at, segment.a, segment.b).0 <= TOUCH {
-                    standing.push((number, base));
-                }
-            });
-        }
+    for (number, (line, _)) in lines.iter().enumerate() {
+        line.each_that_it_ends_on(&segments, TOUCH, |base| {
+            if base != number {
+                standing.push((number, base));
+            }
+        });
     }
     standing.sort_unstable();
     standing.dedup();

@@ -1,7 +1,8 @@
 //! A line that is a little too near to others is displaced instead of being cut: a ring stays a ring. It moves by less
 //! than a finger notices, and swings back to its place on both sides.
 
-use super::drawn::{DrawnLines, Passage};
+use super::drawn::DrawnLines;
+use super::passage::Passage;
 use crate::geom::polyline::Polyline;
 use crate::lines::vertex::Vertex;
 use crate::units::MmVector;

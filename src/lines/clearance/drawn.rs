@@ -10,6 +10,7 @@
 //! ```
 
 use super::near_map::{MARK, NearMap};
+use super::passage::{Junction, Meeting, Passage, SPIKE, TOUCH, back_and_forth};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::{Polyline, PolylineRef};
 use crate::geom::{crossing, nearest_on_segment};
@@ -18,51 +19,8 @@ use crate::lines::vertex::Vertex;
 use crate::lines::weight;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
-/// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
-pub(super) const TOUCH: f32 = 0.1;
-/// Crossings of one line with this much way between them, mm, or less, are those of one spike.
-const SPIKE: f32 = 1.0;
-/// Crossings nearer than this, mm, are one.
-const SAME: f32 = 0.01;
-
 /// How far beyond its ends a segment is still crossed, as a share of its length.
 const VERTEX: f32 = 1e-3;
-
-/// A junction of a polyline with a drawn line.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Junction {
-    /// How far along the polyline, mm.
-    pub(super) arc: f32,
-    pub(super) at: MmPoint,
-    /// Number of the line.
-    pub(super) line: u32,
-    /// How far along the line, mm.
-    line_arc: f32,
-    /// Whether it is an end of the line that lies here.
-    tip: bool,
-    /// Of a crossing, to which side of the line the polyline goes: 1 or -1; 0 where one of them ends.
-    side: i8,
-}
-
-impl Junction {
-    /// The junction of a polyline that ends at `at` with the line of a segment, if it ends on that.
-    fn of_end(at: MmPoint, arc: f32, segment: &Segment) -> Option<Self> {
-        let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
-        let line_arc = segment.arc + (touched - segment.a).length();
-        (distance <= TOUCH).then_some(Self { arc, at, line: segment.line, line_arc, tip: false, side: 0 })
-    }
-
-    /// Whether it is an end of the polyline that lies here.
-    fn is_own_end(&self) -> bool {
-        self.side == 0 && !self.tip
-    }
-
-    /// Whether the other junction, with the same line, is so near that only one of them will be drawn.
-    fn is_beside(&self, other: &Self) -> bool {
-        self.line == other.line && (self.arc - other.arc).abs().max((self.line_arc - other.line_arc).abs()) <= SPIKE
-    }
-}
 
 /// How near a vertex is to drawn lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,24 +44,6 @@ pub(super) struct Near<'a> {
     pub(super) missing: f32,
     /// Whether the two lines have a junction close by.
     pub(super) joins: bool,
-}
-
-/// A polyline among the drawn lines.
-pub(super) struct Passage {
-    /// Arc length at each vertex, mm.
-    pub(super) arcs: Vec<f32>,
-    /// Its whole length if it is closed.
-    round: Option<f32>,
-    /// Its junctions with the lines.
-    pub(super) junctions: Vec<Junction>,
-}
-
-impl Passage {
-    /// Length along the polyline between two arcs, of a ring the shorter way round, mm.
-    pub(super) fn between(&self, s: f32, t: f32) -> f32 {
-        let apart = (s - t).abs();
-        self.round.map_or(apart, |round| apart.min(round - apart))
-    }
 }
 
 /// The drawn lines.
@@ -236,7 +176,7 @@ impl<'a> DrawnLines<'a> {
                 let arc = arc + (at - a).length();
                 let line_arc = segment.arc + (at - segment.a).length();
                 let side = if (b - a).cross(segment.b - segment.a) > 0.0 { 1 } else { -1 };
-                junctions.push(Junction { arc, at, line: segment.line, line_arc, tip: false, side });
+                junctions.push(Junction { arc, at, line: segment.line, line_arc, meeting: Meeting::Cross(side) });
             }
         });
     }
@@ -247,7 +187,13 @@ impl<'a> DrawnLines<'a> {
             let (distance, at) = nearest_on_segment(tip.a, a, b);
             if distance <= TOUCH {
                 let arc = arc + (at - a).length();
-                junctions.push(Junction { arc, at: tip.a, line: tip.line, line_arc: tip.arc, tip: true, side: 0 });
+                junctions.push(Junction {
+                    arc,
+                    at: tip.a,
+                    line: tip.line,
+                    line_arc: tip.arc,
+                    meeting: Meeting::LineEnds,
+                });
             }
         });
     }
@@ -260,39 +206,43 @@ impl<'a> DrawnLines<'a> {
     /// Whether a polyline that joins a line does so again before it has been apart from it, or the line from the
     /// polyline: the two wind round one another.
     fn winds(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
-        let stretch = |from: f32, to: f32| {
-            let (from, to) = (from.min(to), from.max(to));
-            let index = |arc: f32| passage.arcs.partition_point(|&other| other < arc).min(vertices.len());
-            index(from)..index(to)
-        };
-        let line = &self.lines[junction.line as usize];
+        let again = |other: &&Junction| other.line == junction.line && (other.arc - junction.arc).abs() > SPIKE;
+        let mut others = passage.junctions.iter().filter(again);
         self.grazes(junction, vertices, passage)
-            || passage.junctions.iter().any(|other| {
-                if other.line != junction.line || (other.arc - junction.arc).abs() <= SPIKE {
-                    return false;
-                }
-                let hugs = |vertex: &Vertex| {
-                    let reach = self.params.clearance(0.5 * vertex.width);
-                    self.segments.nearest(vertex.at, reach, |segment| segment.line == junction.line).is_some()
-                };
-                let (from, to) = (junction.line_arc.min(other.line_arc), junction.line_arc.max(other.line_arc));
-                let along = || line.iter().filter(|(arc, _)| (from..to).contains(arc));
-                // All of the polyline is looked at, as it may be near the line beyond the two. Where it ends at one of
-                // them and has just come from there, as the legs of a bar on its axis, it is no winding.
-                let ends = junction.is_own_end() || other.is_own_end();
-                let hugging = |at: MmPoint| {
-                    let near = vertices.iter().zip(&passage.arcs);
-                    let near = near.filter(move |(v, _)| (v.at - at).length() < self.params.clearance(0.5 * v.width));
-                    near.map(|(v, &arc)| {
-                        let approach = self.params.approach(0.5 * v.width, 0.5 * self.params.width_max);
-                        passage.between(arc, junction.arc) > approach && passage.between(arc, other.arc) > approach
-                    })
-                };
-                vertices[stretch(junction.arc, other.arc)].iter().all(hugs)
-                    || (to - from > 1.0
-                        && along().all(|(_, at)| hugging(*at).next().is_some())
-                        && (!ends || along().any(|(_, at)| hugging(*at).any(|winds| winds))))
+            || others.any(|other| {
+                self.follows([junction, other], vertices, passage)
+                    || self.is_followed([junction, other], vertices, passage)
             })
+    }
+
+    /// Whether a polyline is near to a line all the way between two of its junctions with it.
+    fn follows(&self, [a, b]: [&Junction; 2], vertices: &[Vertex], passage: &Passage) -> bool {
+        let index = |arc: f32| passage.arcs.partition_point(|&other| other < arc).min(vertices.len());
+        let between = &vertices[index(a.arc.min(b.arc))..index(a.arc.max(b.arc))];
+        between.iter().all(|vertex| {
+            let reach = self.params.clearance(0.5 * vertex.width);
+            self.segments.nearest(vertex.at, reach, |segment| segment.line == a.line).is_some()
+        })
+    }
+
+    /// Whether a line is near to a polyline all the way between two of their junctions. All of the polyline is looked
+    /// at, as it may be near the line beyond the two. Where it ends at one of them and has just come from there, as the
+    /// legs of a bar on its axis, it does not count.
+    fn is_followed(&self, [a, b]: [&Junction; 2], vertices: &[Vertex], passage: &Passage) -> bool {
+        let (from, to) = (a.line_arc.min(b.line_arc), a.line_arc.max(b.line_arc));
+        let line = || self.lines[a.line as usize].iter().filter(|(arc, _)| (from..to).contains(arc)).map(|(_, at)| *at);
+        let is_near =
+            |at: MmPoint, vertex: &Vertex| (vertex.at - at).length() < self.params.clearance(0.5 * vertex.width);
+        let is_apart = |vertex: &Vertex, arc: f32| {
+            let approach = self.params.approach(0.5 * vertex.width, 0.5 * self.params.width_max);
+            passage.between(arc, a.arc) > approach && passage.between(arc, b.arc) > approach
+        };
+        let near_again =
+            |at| vertices.iter().zip(&passage.arcs).any(|(vertex, &arc)| is_near(at, vertex) && is_apart(vertex, arc));
+        let ends = a.is_own_end() || b.is_own_end();
+        to - from > SPIKE
+            && line().all(|at| vertices.iter().any(|vertex| is_near(at, vertex)))
+            && (!ends || line().any(near_again))
     }
 
     /// Whether a polyline that joins a line comes so near to it again, before it has been apart from it, that the two
@@ -353,7 +303,10 @@ impl<'a> DrawnLines<'a> {
             let line_arc = segment.arc + (at - segment.a).length();
             // it is the line that ends there, or either of two that cross, that must have come from far enough
             let joins = passage.junctions.iter().any(|j| {
-                let way = if j.tip { (j.line_arc - line_arc).abs() } else { passage.between(j.arc, arc) };
+                let way = match j.meeting {
+                    Meeting::LineEnds => (j.line_arc - line_arc).abs(),
+                    Meeting::PolylineEnds | Meeting::Cross(_) => passage.between(j.arc, arc),
+                };
                 j.line == segment.line && way <= limit
             });
             on = visit(&Near { segment, away: vertex.at - at, distance, missing: clearance - distance, joins });
@@ -387,54 +340,62 @@ pub(super) fn goes_round(polyline: PolylineRef<'_, Vertex>) -> bool {
     polyline.closed || at(polyline.vertices.first()) == at(polyline.vertices.last())
 }
 
-/// Numbers of the crossings that lead to no other side of a line. A polyline that crosses a line and is back within
-/// [`SPIKE`] has only touched it, and simplification may part the two; `round` is the length of a closed one.
-///
-/// ```text
-///       line
-///   ------|---.
-///         |    > spike: two crossings that are none
-///   ------|---´
-/// ```
-fn back_and_forth(crossings: &[Junction], round: Option<f32>) -> Vec<usize> {
-    let mut numbers: Vec<usize> = (0..crossings.len()).collect();
-    numbers.sort_by(|&a, &b| {
-        let (a, b) = (&crossings[a], &crossings[b]);
-        a.line.cmp(&b.line).then(a.arc.total_cmp(&b.arc))
-    });
-    let mut found = Vec::new();
-    for of_line in numbers.chunk_by(|&a, &b| crossings[a].line == crossings[b].line) {
-        let arc = |i: &usize| crossings[*i].arc;
-        let mut spikes: Vec<Vec<usize>> =
-            of_line.chunk_by(|a, b| arc(b) - arc(a) <= SPIKE).map(<[usize]>::to_vec).collect();
-        // one over the start of a ring
-        if let (Some(round), [first, .., last]) = (round, of_line)
-            && arc(first) + round - arc(last) <= SPIKE
-            && spikes.len() > 1
-        {
-            let before_the_start = spikes.pop().unwrap_or_default();
-            spikes[0].splice(0..0, before_the_start);
-        }
-        for spike in spikes {
-            let side = |i: &usize| crossings[*i].side;
-            // where it passes a vertex of either it crosses both segments there
-            let mut once: Vec<usize> = Vec::with_capacity(spike.len());
-            for &i in &spike {
-                let same = |j: &usize| side(j) == side(&i) && (crossings[*j].at - crossings[i].at).length() <= SAME;
-                if !once.iter().any(same) {
-                    once.push(i);
-                }
-            }
-            if once.iter().map(side).map(i32::from).sum::<i32>() == 0 {
-                found.extend(spike);
-            }
-        }
-    }
-    found
-}
-
 /// The segment of a line between two vertices.
 pub(super) fn segment(a: &Vertex, b: &Vertex, i: usize, line: u32, arc: f32) -> Segment {
     let half_width = 0.5 * weight::between(a, b);
     Segment { a: a.at, b: b.at, half_width, line, index: i as u32, arc }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{drawn, polyline};
+    use super::*;
+
+    /// A line to be joined, from left to right.
+    const LINE: &[(f32, f32)] = &[(10.0, 50.0), (90.0, 50.0)];
+
+    /// In how many places a polyline has junctions with lines; at a vertex there may be several.
+    fn junctions(lines: &[&[(f32, f32)]], points: &[(f32, f32)], closed: bool) -> usize {
+        let mut places: Vec<MmPoint> = Vec::new();
+        for Junction { at, .. } in drawn(lines).passage(polyline(points, closed).view()).junctions {
+            if places.iter().all(|place| (*place - at).length() > TOUCH) {
+                places.push(at);
+            }
+        }
+        places.len()
+    }
+
+    #[test]
+    fn a_polyline_joins_a_line_again_where_it_was_apart_from_it_between() {
+        assert_eq!(junctions(&[LINE], &[(20.0, 70.0), (20.0, 20.0), (60.0, 20.0), (60.0, 70.0)], false), 2);
+        assert_eq!(junctions(&[LINE], &[(20.0, 30.0), (40.0, 30.0), (40.0, 70.0), (20.0, 70.0)], true), 2, "a ring");
+    }
+
+    #[test]
+    fn one_that_keeps_beside_the_line_between_two_crossings_winds_round_it_and_joins_it_nowhere() {
+        let along = [(20.0, 70.0), (20.0, 48.0), (40.0, 48.0), (40.0, 70.0)];
+        assert_eq!(junctions(&[LINE], &along, false), 0);
+    }
+
+    #[test]
+    fn a_line_that_keeps_beside_the_polyline_between_two_crossings_winds_round_that() {
+        // the same two with their parts exchanged
+        let along: &[(f32, f32)] = &[(20.0, 70.0), (20.0, 48.0), (40.0, 48.0), (40.0, 70.0)];
+        assert_eq!(junctions(&[along], LINE, false), 0);
+    }
+
+    #[test]
+    fn the_legs_of_a_narrow_bar_join_its_axis_though_they_are_near_to_one_another() {
+        let width = Params::TEST.max_clearance();
+        assert_eq!(
+            junctions(&[LINE], &[(30.0, 50.0), (30.0, 20.0), (30.0 + width, 20.0), (30.0 + width, 50.0)], false),
+            2
+        );
+    }
+
+    #[test]
+    fn a_spike_over_a_line_is_no_crossing_and_one_through_it_is() {
+        assert_eq!(junctions(&[LINE], &[(20.0, 70.0), (30.0, 49.9), (30.2, 70.0)], false), 0);
+        assert_eq!(junctions(&[LINE], &[(20.0, 70.0), (30.0, 30.0)], false), 1);
+    }
 }

@@ -10,6 +10,7 @@ mod displace;
 mod drawn;
 mod extend;
 mod near_map;
+mod passage;
 mod queue;
 mod self_distance;
 mod split;

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::drawn::{TOUCH, goes_round, segment};
+use super::drawn::{goes_round, segment};
+use super::passage::TOUCH;
 use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::drawn::{DrawnLines, Junction, State};
+use super::drawn::{DrawnLines, State};
 use super::extend::{Extended, extension};
+use super::passage::Junction;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
