@@ -1,5 +1,5 @@
-//! Inputs that fuzzing kept because each reaches something that no other reaches, and those that once broke a promise, given
-//! to their targets again (`tools/fuzz/README.md`). The latter have names that say what they are.
+//! Inputs that fuzzing kept because each reaches something that no other reaches, and those that once broke a promise,
+//! given to their targets again (`tools/fuzz/README.md`). The latter have names that say what they are.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;

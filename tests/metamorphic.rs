@@ -114,9 +114,9 @@ fn edge_points(edges: &Edges) -> Vec<(f32, f32)> {
     edges.edgels.iter().map(|p| (p.at.x, p.at.y)).collect()
 }
 
-/// How far an edge may lie from where it should, px. In a turned picture it may be farther off at the corners of rectangles:
-/// where an edge runs at 45 degrees to the last digit, its position is sought along rows, and after the turn along what
-/// were columns.
+/// How far an edge may lie from where it should, px. In a turned picture it may be farther off at the corners of
+/// rectangles: where an edge runs at 45 degrees to the last digit, its position is sought along rows, and after the
+/// turn along what were columns.
 const EDGE_OFF: f32 = 0.02;
 const EDGE_OFF_TURNED: f32 = 0.4;
 /// The same of the middle of a stroke: of two rows of pixels that are alike its search begins in one.
@@ -233,7 +233,8 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
             let expected: Vec<_> = before.iter().map(|&at| change.place(raster.size(), at)).collect();
             let found = outlines(&change.raster(&raster));
             let (lost, new) = (unmatched(&expected, &found, 1.0), unmatched(&found, &expected, 1.0));
-            // where basins of one height meet, a flip may part them elsewhere: in this photograph an eighth of one outline
+            // where basins of one height meet, a flip may part them elsewhere: in this photograph an eighth of one
+            // outline
             let most = if name == "rocket.jpg" { 0.12 } else { 0.0 };
             assert!(lost <= most && new <= most, "{name} {}: {lost} of the outlines are lost, {new} new", change.name);
         }

@@ -1,7 +1,8 @@
-//! The program's f32 beside the same computations in f64, where rounding may turn a decision: `docs/stability.md` has the
-//! table of `tools/src/bin/reference.rs`, these are its bounds.
+//! The program's f32 beside the same computations in f64, where rounding may turn a decision: `docs/stability.md` has
+//! the table of `tools/src/bin/reference.rs`, these are its bounds.
 
 use tactograph::internals::profile::{Plan, Profile};
+use tactograph_tools::reference::edges::quantile;
 use tactograph_tools::reference::{colours, edges, glyphs, scenes};
 
 fn plan() -> Plan {
@@ -14,15 +15,17 @@ fn positions_and_heights_of_edges_are_those_of_f64() {
     for (name, raster) in scenes::all() {
         let found = edges::compare(&raster, &plan().edges(4.0));
         looked_at += found.both;
-        // Where the gradient is least (saddles of a checkerboard, beyond the resolution of a zone plate, noise), and where colours
-        // are nearly black, the height of a step hangs on the last digits; elsewhere it does not.
+        // Where the gradient is least (saddles of a checkerboard, beyond the resolution of a zone plate, noise), and
+        // where colours are nearly black, the height of a step hangs on the last digits; elsewhere it does not.
         let (px, share) = match name {
             "checkerboards of 1 to 8 px" | "zone plate" | "saturated, and nearly black" => (0.02, 0.25),
             _ if name.starts_with("noise") => (0.005, 0.03),
             _ => (0.001, 0.002),
         };
-        assert!(found.px <= px && found.share <= share, "{name}: {found:?}");
-        assert!(found.single * 300 <= found.both, "{name}: {found:?}");
+        let [off_px, off_share] = [&found.px, &found.share].map(|values| quantile(values, 1.0));
+        assert!(off_px <= px && off_share <= share, "{name}: {off_px} px, {off_share} of the height");
+        assert!(found.single * 300 <= found.both, "{name}: {} of {} points", found.single, found.both);
+        assert!(found.other_axis * 50 <= found.both, "{name}: {} of {} points", found.other_axis, found.both);
     }
     assert!(looked_at > 10_000, "{looked_at}");
 }

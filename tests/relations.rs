@@ -1,7 +1,7 @@
-//! What must hold between a picture's page and the page of the same picture changed in a way that a reader would not notice,
-//! or would notice in one way only. No truth has to be known. Everything is with the thresholds that profiles ship; flips,
-//! turns and shifts are in `tests/metamorphic.rs`, detail in `tests/lines.rs`, threads in `tests/threads.rs`. What each
-//! relation tolerates, and why, is in `docs/stability.md`.
+//! What must hold between a picture's page and the page of the same picture changed in a way that a reader would not
+//! notice, or would notice in one way only. No truth has to be known. Everything is with the thresholds that profiles
+//! ship; flips, turns and shifts are in `tests/metamorphic.rs`, detail in `tests/lines.rs`, threads in
+//! `tests/threads.rs`. What each relation tolerates, and why, is in `docs/stability.md`.
 
 use tactograph::internals::classes::{self, Class};
 use tactograph::internals::edges::{self, Edges};
@@ -234,9 +234,9 @@ fn edges_astray(one: &Edges, other: &Edges, within: f64) -> f64 {
     unmatched(points(one), points(other), within)
 }
 
-/// Light times k is lightness times a power of k, so thresholds times that power find the same edges: of greys, above the
-/// straight part of the curve of sRGB. Drawings only: what separates texture from objects in photographs has bounds of its
-/// own in code values, which do not scale.
+/// Light times k is lightness times a power of k, so thresholds times that power find the same edges: of greys, above
+/// the straight part of the curve of sRGB. Drawings only: what separates texture from objects in photographs has bounds
+/// of its own in code values, which do not scale.
 #[test]
 fn brightness_scaled_with_the_thresholds_gives_the_same_edges() {
     let plan = plan();
@@ -294,4 +294,71 @@ fn permuted_hues_permute_the_classes() {
     );
     // at corners a cell may be of either side
     assert!(other <= 3, "{other} of {} cells", before.len());
+}
+
+/// A figure of shapes in a square of 100 units times `k`, whose places are times `k` as well.
+fn drawn(shapes: &str, k: f64) -> Figure {
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {0}' width='400' height='400'>\
+         <rect width='{0}' height='{0}' fill='#fff'/><g transform='scale({k})'>{shapes}</g></svg>",
+        100.0 * k
+    );
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("overview.on", "false").expect("a key");
+    tactograph::convert(svg.as_bytes(), &Options::new(profile).width_mm(120.0)).expect("a page").page.figure.clone()
+}
+
+const SHAPES: &str = "<path d='M10 20L60 15L85 60L40 90Z' fill='#c22' stroke='#000' stroke-width='1.5'/>\
+                      <path d='M70 10C95 5 95 40 75 35' fill='none' stroke='#024' stroke-width='2'/>";
+
+fn same_lines(one: &Figure, other: &Figure) -> f64 {
+    assert_eq!(one.lines.len(), other.lines.len());
+    astray(&one.lines, corner(one), &other.lines, corner(other), 0.05)
+}
+
+/// Units are nobody's business: a drawing in millionths, or in millions, is the same drawing.
+#[test]
+fn drawings_a_million_times_larger_or_smaller_give_the_same_page() {
+    let before = drawn(SHAPES, 1.0);
+    assert!(before.lines.len() >= 2 && !marks(&before).is_empty());
+    for k in [1e-6, 1e-3, 1e3, 1e6] {
+        let after = drawn(SHAPES, k);
+        assert_eq!(same_lines(&before, &after), 0.0, "x {k}");
+        assert_eq!(marks(&before).len(), marks(&after).len(), "x {k}");
+    }
+}
+
+/// What draws nothing new: a path over itself, and paths without length or area.
+#[test]
+fn paths_that_coincide_or_have_no_length_change_nothing() {
+    let before = drawn(SHAPES, 1.0);
+    let nothing = "<path d='M30 30L30 30' stroke='#000'/><path d='M20 80z' stroke='#000'/><line x1='5' y1='5' x2='5' y2='5' \
+                   stroke='#000'/><rect x='50' y='50' width='0' height='9'/><path d='M50 50h0v0h0z' fill='#00f'/>\
+                   <polygon points='1,1'/><path d=''/><circle cx='50' cy='50' r='0'/>";
+    for more in [SHAPES.to_owned(), SHAPES.repeat(9), nothing.to_owned()] {
+        let after = drawn(&format!("{SHAPES}{more}"), 1.0);
+        assert_eq!(same_lines(&before, &after), 0.0, "{more}");
+        assert_eq!(marks(&before).len(), marks(&after).len(), "{more}");
+    }
+}
+
+/// Paths that cross themselves, turn back on themselves or wind many times round a point are pages like others.
+#[test]
+fn paths_that_cross_themselves_make_pages() {
+    let wound = (0..400).map(|i| {
+        let (angle, r) = (0.37 * f64::from(i), 5.0 + 0.1 * f64::from(i));
+        format!("{} {}", 50.0 + r * angle.cos(), 50.0 + r * angle.sin())
+    });
+    let wound = format!("<path d='M{}' fill='none' stroke='#000'/>", wound.collect::<Vec<_>>().join("L"));
+    for path in [
+        "<path d='M10 10L90 90L90 10L10 90Z' fill='#c22'/>",
+        "<path d='M50 5L79 95L3 39H97L21 95Z' fill='#c22' fill-rule='evenodd' stroke='#000'/>",
+        "<path d='M10 50H90H10H90H10' fill='none' stroke='#000' stroke-width='2'/>",
+        "<path d='M10 50C200 50 -100 50 90 50' fill='none' stroke='#000' stroke-width='2'/>",
+        &wound,
+    ] {
+        let figure = drawn(path, 1.0);
+        let length: f32 = figure.lines.iter().map(Line::length).sum();
+        assert!(length > 50.0, "{path}: {length} mm of lines");
+    }
 }

@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 use super::report::{Exit, Report};
 use super::temporary;
 
-/// How long a run that is stopped waits for files that are taking their names: they do so in less than a millisecond each,
-/// but a disk can be slow, and standard output can be a pipe that nobody reads.
+/// How long a run that is stopped waits for files that are taking their names: they do so in less than a millisecond
+/// each, but a disk can be slow, and standard output can be a pipe that nobody reads.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// What a run of several pictures has done. Locked while files take their names, so that those which belong together do so
-/// together.
+/// What a run of several pictures has done. Locked while files take their names, so that those which belong together do
+/// so together.
 static DONE: Mutex<Option<Progress>> = Mutex::new(None);
 
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +24,8 @@ struct Progress {
     how: &'static str,
 }
 
-/// From now on Ctrl-C ends the program in good order. Where the system has no way to do so, it ends as any program does.
+/// From now on Ctrl-C ends the program in good order. Where the system has no way to do so, it ends as any program
+/// does.
 pub(super) fn listen() {
     // refused: then the system's own way stays
     let _ = ctrlc::set_handler(stop);

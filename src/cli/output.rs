@@ -249,8 +249,8 @@ fn explain(error: &io::Error, noun: &str) -> anyhow::Error {
             anyhow!("the {noun} cannot be written, as the disk is full; make room and try again")
         }
         ErrorKind::FileTooLarge => anyhow!(
-            "the {noun} cannot be written, as the system takes no file of this length here; raise that limit (ulimit -f) \
-             or choose another place with -o"
+            "the {noun} cannot be written, as the system takes no file of this length here; raise that limit \
+             (ulimit -f) or choose another place with -o"
         ),
         _ => anyhow!("the {noun} cannot be written here ({error}); choose another place with -o"),
     }

@@ -1,5 +1,5 @@
-//! Files that have not taken their names yet. Each is locked while its run lives, so that the next run can tell those of runs
-//! that were killed, and removes them.
+//! Files that have not taken their names yet. Each is locked while its run lives, so that the next run can tell those
+//! of runs that were killed, and removes them.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;

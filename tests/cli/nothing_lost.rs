@@ -1,5 +1,5 @@
-//! Runs that are stopped, killed or have no room: every file that stands is whole, nothing else is left, and one line says
-//! what happened.
+//! Runs that are stopped, killed or have no room: every file that stands is whole, nothing else is left, and one line
+//! says what happened.
 #![cfg(unix)]
 
 use std::fs;
@@ -97,8 +97,8 @@ fn a_file_longer_than_the_system_takes_is_told() {
     place.put("a.svg", b"");
     // 512 or 1024 bytes, and no signal for it
     let run = in_shell(&place, "trap '' XFSZ; ulimit -f 1", &["convert", "a.png"]);
-    let line = "tactograph: a.svg: the page cannot be written, as the system takes no file of this length here; raise that \
-                limit (ulimit -f) or choose another place with -o\n";
+    let line = "tactograph: a.svg: the page cannot be written, as the system takes no file of this length here; raise \
+                that limit (ulimit -f) or choose another place with -o\n";
     assert_eq!((run.code, run.err.as_str()), (1, line));
     assert_eq!((place.text("a.svg").as_str(), place.names().len()), ("", 2), "something is left over");
 }
@@ -124,7 +124,8 @@ fn a_full_disk_and_one_that_cannot_be_written_to() {
     assert_eq!((run.code, run.err), (1, format!("{full}big\n")));
     let run = in_namespace("echo old >m/a.svg; head -c 58000 /dev/zero >m/big", &["convert", "a.png", "-o", "m/a.svg"]);
     assert_eq!((run.code, run.err), (1, format!("{full}a.svg\nbig\n")), "the old page stays");
-    let not = "tactograph: m/a.svg: the page cannot be written here, as you have no permission; choose another place with -o\n";
+    let not = "tactograph: m/a.svg: the page cannot be written here, as you have no permission; choose another place \
+               with -o\n";
     let run = in_namespace("mount -o remount,ro m", &["convert", "a.png", "-o", "m/a.svg"]);
     assert_eq!((run.code, run.err.as_str()), (1, not));
 }

@@ -1,7 +1,7 @@
 //! The program killed (SIGKILL) at random moments: is every file that stands whole, and does the next run tidy up?
 //!
-//! Each round begins with old pages, starts a run that replaces them, and kills it: half of the rounds at any moment of the
-//! time that a run takes, half as soon as a temporary file is seen, which is when files are written.
+//! Each round begins with old pages, starts a run that replaces them, and kills it: half of the rounds at any moment of
+//! the time that a run takes, half as soon as a temporary file is seen, which is when files are written.
 
 use std::collections::BTreeMap;
 use std::fs;

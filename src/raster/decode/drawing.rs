@@ -297,8 +297,8 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
                 Ok(Some(size)) if is_over(size, limits) => {
                     let most = limits.megapixels;
                     left_out.add(format!(
-                        "a picture inside the drawing, of {size} pixels, which is over the limit of {most} megapixels (raise it, or \
-                         make that picture smaller)"
+                        "a picture inside the drawing, of {size} pixels, which is over the limit of {most} megapixels \
+                         (raise it, or make that picture smaller)"
                     ));
                     return None;
                 }

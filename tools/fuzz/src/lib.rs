@@ -3,8 +3,8 @@
 pub use libfuzzer_sys;
 pub use tactograph_tools::fuzz;
 
-/// Runs a target on whatever libFuzzer gives. Panics that the library catches are told once for each place; any other ends
-/// the run with the input in a file.
+/// Runs a target on whatever libFuzzer gives. Panics that the library catches are told once for each place; any other
+/// ends the run with the input in a file.
 #[macro_export]
 macro_rules! run {
     ($name:literal) => {

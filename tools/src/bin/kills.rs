@@ -1,7 +1,7 @@
 //! Is nothing lost when the program is killed? See `tools/src/killing.rs`.
 //!
 //! ```text
-//! cargo build --release && cargo run --release -p tactograph-tools --bin kills       1000 runs killed (about 10 minutes)
+//! cargo build --release && cargo run --release -p tactograph-tools --bin kills       1000 runs killed (10 minutes)
 //!   --runs N           so many
 //!   --seed N           other moments (default 1)
 //!   --program PATH     the program to kill (default target/release/tactograph)

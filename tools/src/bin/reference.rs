@@ -1,5 +1,5 @@
-//! How far the program's f32 is from the same computations in f64 (`tools/src/reference/`), on the samples and on scenes where
-//! rounding may turn a decision.
+//! How far the program's f32 is from the same computations in f64 (`tools/src/reference/`), on the samples and on
+//! scenes where rounding may turn a decision.
 //!
 //! ```text
 //! cargo run --release -p tactograph-tools --bin reference
@@ -12,6 +12,7 @@ use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
 use tactograph::internals::units::Size;
+use tactograph_tools::reference::edges::quantile;
 use tactograph_tools::reference::{colours, edges, glyphs, scenes};
 
 /// Working pixels along the longer side, as of a figure 174 mm wide.
@@ -29,21 +30,30 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         pictures.push((name.to_owned(), sample(name)?));
     }
     pictures.extend(scenes::all().into_iter().map(|(name, raster)| (name.to_owned(), raster)));
-    println!("| | points | of one only | position, px | height | height, share | line width, mm | other class |");
-    println!("|---|{}", "---|".repeat(7));
+    println!(
+        "| | points | along the other axis | of one only | position, px: 99.9 % | all | strength: 99.9 % | all | as a \
+         share: 99.9 % | all | line width, mm: 99.9 % | other class |"
+    );
+    println!("|---|{}", "---|".repeat(11));
     let lines = plan.lines();
     let mm_per_unit = f64::from((lines.width_max - lines.width_min) / (lines.full_strength - lines.least_strength));
     for (name, raster) in &pictures {
         let found = edges::compare(raster, &plan.edges(PX_PER_MM));
         let classes = colours::compare(codes(raster), &plan.classes(PX_PER_MM));
+        let [px, height, share] =
+            [&found.px, &found.height, &found.share].map(|values| [0.999, 1.0].map(|share| quantile(values, share)));
         println!(
-            "| {name} | {} | {} | {:.5} | {:.5} | {:.5} | {:.5} | {} |",
+            "| {name} | {} | {} | {} | {:.4} | {:.4} | {:.4} | {:.3} | {:.4} | {:.3} | {:.4} | {} |",
             found.both,
+            found.other_axis,
             found.single,
-            found.px,
-            found.height,
-            found.share,
-            found.height * mm_per_unit,
+            px[0],
+            px[1],
+            height[0],
+            height[1],
+            share[0],
+            share[1],
+            height[0] * mm_per_unit,
             classes.other
         );
     }

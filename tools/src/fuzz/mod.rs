@@ -1,8 +1,8 @@
-//! What a fuzzer does with bytes: one target for each kind of input. `tools/fuzz` runs them under libFuzzer, and the tests
-//! replay the inputs that were kept (`tests/corpus`).
+//! What a fuzzer does with bytes: one target for each kind of input. `tools/fuzz` runs them under libFuzzer, and the
+//! tests replay the inputs that were kept (`tests/corpus`).
 //!
-//! A target panics where a promise is broken. What is refused with a reason is an answer. Decoders that panic are caught by
-//! the library and told as faults of the file, so they break no promise; [`heard`] tells of them.
+//! A target panics where a promise is broken. What is refused with a reason is an answer. Decoders that panic are
+//! caught by the library and told as faults of the file, so they break no promise; [`listen`] tells of them.
 
 mod pages;
 mod pictures;
@@ -42,11 +42,11 @@ pub fn target(name: &str) -> Option<Target> {
     TARGETS.iter().find(|(known, _)| *known == name).map(|(_, target)| *target)
 }
 
-/// Where decoders have panicked, one line each. Nothing before [`listen`] was called.
+/// Where anything has panicked. Nothing before [`listen`] was called.
 static HEARD: LazyLock<Mutex<BTreeSet<String>>> = LazyLock::new(Mutex::default);
 
-/// From now on panics are kept, and each new place is told once on standard error. Panics that nobody catches still end a
-/// fuzzer's run.
+/// From now on panics are kept, and each new place is told once on standard error. Panics that nobody catches still end
+/// a fuzzer's run.
 pub fn listen() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map_or_else(String::new, |place| format!("{}:{}", place.file(), place.line()));
@@ -55,11 +55,6 @@ pub fn listen() {
             let _ = std::io::Write::write_all(&mut std::io::stderr(), format!("PANIC {text}\n").as_bytes());
         }
     }));
-}
-
-/// Where anything has panicked since [`listen`].
-pub fn heard() -> Vec<String> {
-    HEARD.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
 }
 
 /// Longest line that somebody reads, letters; a list of all names that there are has some 600.

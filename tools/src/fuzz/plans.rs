@@ -75,8 +75,8 @@ fn value(key: &Key, share: u8) -> String {
     words.get(usize::from(share) % words.len().max(1)).map_or_else(String::new, |word| (*word).to_owned())
 }
 
-/// A picture of up to 64 x 64 px with a built-in profile and a few settings; the page that it makes is written, and read
-/// again as it was.
+/// A picture of up to 64 x 64 px with a built-in profile and a few settings; the page that it makes is written, and
+/// read again as it was.
 pub(super) fn convert(bytes: &[u8]) {
     let mut bytes = Bytes(bytes);
     let named = &Profile::built_in()[bytes.below(Profile::built_in().len())];

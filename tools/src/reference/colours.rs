@@ -53,7 +53,8 @@ pub fn class(rgb: [f64; 3], params: &Params) -> (Option<Class>, f64) {
     (Some(class), SECTORS.iter().map(|(_, from)| away(*from)).fold(near, f64::min))
 }
 
-/// Of so many colours, how many the program puts into another class, and how far the farthest of them is from a boundary.
+/// Of so many colours, how many the program puts into another class, and how far the farthest of them is from a
+/// boundary.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Difference {
     /// All colours.
@@ -64,8 +65,8 @@ pub struct Difference {
     pub farthest: f64,
 }
 
-/// Holds the program's classes of these colours against these. Colours that lie on a boundary to the last digit are left
-/// out: both answers are right.
+/// Holds the program's classes of these colours against these. Colours that lie on a boundary to the last digit are
+/// left out: both answers are right.
 pub fn compare(colours: impl Iterator<Item = [f32; 3]>, params: &Params) -> Difference {
     let mut found = Difference::default();
     for rgb in colours {

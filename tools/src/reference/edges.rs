@@ -32,19 +32,27 @@ pub struct Point {
 }
 
 /// How far the two computations are from one another.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Difference {
-    /// Points that both have, by the pixels of their maxima.
+    /// Points that both have, by the pixels of their maxima, and measure along the same axis.
     pub both: usize,
-    /// Points of one of them only, though clear of the threshold, whose edge is not that of any point of the other within 2 px:
-    /// farther than 0.01 px across it. Of equal neighbours either may be the maximum.
+    /// Points that both have and measure along different axes: the edge runs at 45 degrees to the last digits.
+    pub other_axis: usize,
+    /// Points of one of them only, though clear of the threshold, whose edge is not that of any point of the other
+    /// within 2 px: farther than 0.01 px across it. Of equal neighbours either may be the maximum.
     pub single: usize,
-    /// Greatest distance across the edge, px.
-    pub px: f64,
-    /// Greatest difference of height, in units of strength.
-    pub height: f64,
-    /// The same as a share of the height.
-    pub share: f64,
+    /// Distances across the edge, px, sorted.
+    pub px: Vec<f64>,
+    /// Differences of height, in units of strength, sorted.
+    pub height: Vec<f64>,
+    /// The same as a share of the height, sorted.
+    pub share: Vec<f64>,
+}
+
+/// The value that a share of sorted values does not exceed; 0 of none.
+pub fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let last = sorted.len().saturating_sub(1);
+    sorted.get((share * last as f64).ceil() as usize).copied().unwrap_or(0.0)
 }
 
 /// All points of a picture, by column and row of their pixels.
@@ -203,11 +211,18 @@ pub fn compare(raster: &Raster, params: &Params) -> Difference {
     for (pixel, point) in &exact {
         match fast.get(pixel) {
             Some((at, height)) => {
+                // along the axis on which a point was not sought it stands in the middle of its pixel
+                let axis = |at: [f64; 2]| at.map(|place| (place - place.floor() - 0.5).abs() < 1e-9);
+                let [one, other] = [axis(point.at), axis(*at)];
+                if one != other && one != [true; 2] && other != [true; 2] {
+                    found.other_axis += 1;
+                    continue;
+                }
                 found.both += 1;
-                found.px = found.px.max(across(point, *at));
+                found.px.push(across(point, *at));
                 let error = (height - point.height).abs();
-                found.height = found.height.max(error);
-                found.share = found.share.max(error / point.height);
+                found.height.push(error);
+                found.share.push(error / point.height);
             }
             None => {
                 let is_there =
@@ -221,6 +236,9 @@ pub fn compare(raster: &Raster, params: &Params) -> Difference {
             let is_there = around(*pixel).filter_map(|pixel| exact.get(&pixel)).any(|point| across(point, *at) <= 0.01);
             found.single += usize::from(!is_there);
         }
+    }
+    for values in [&mut found.px, &mut found.height, &mut found.share] {
+        values.sort_by(f64::total_cmp);
     }
     found
 }
