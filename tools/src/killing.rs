@@ -190,15 +190,19 @@ impl Ground {
         Ok(pages)
     }
 
+    /// The old pages again.
+    fn restore(&self) -> Result<(), String> {
+        let mut pages = self.old.iter();
+        pages.try_for_each(|(name, bytes)| fs::write(self.path("out").join(name), bytes).map_err(told))
+    }
+
     fn has_temporary(&self) -> bool {
         let names = fs::read_dir(self.path("out")).into_iter().flatten().flatten();
         names.into_iter().any(|entry| entry.file_name().to_string_lossy().starts_with('.'))
     }
 
     fn round(&self, at_sight: bool, rng: &mut Rng, tally: &mut Tally) -> Result<(), String> {
-        for (name, bytes) in &self.old {
-            fs::write(self.path("out").join(name), bytes).map_err(told)?;
-        }
+        self.restore()?;
         let after = self.takes.mul_f64(rng.between(0.0, 1.0));
         // how many temporary files of this run are seen before it is killed
         let mut sights = 1 + rng.below(self.old.len());
@@ -243,6 +247,8 @@ impl Ground {
         }
         tally.left_over += usize::from(left_over);
         if left_over {
+            // so that it is seen when the next run has replaced all of them
+            self.restore()?;
             self.whole("new")?;
             if self.pages()? != self.new {
                 return Err("the next run does not leave the new pages alone".into());

@@ -58,7 +58,7 @@ pub fn listen() {
 }
 
 /// Longest line that somebody reads, letters; a list of all names that there are has some 600.
-const LONGEST_LINE: usize = 1000;
+pub const LONGEST_LINE: usize = 1000;
 
 /// A fault is said in words on one line. Those of a profile are told one by one.
 fn is_clear(fault: &Error) {

@@ -56,8 +56,8 @@ fn roxmltree_reads(text: &str) -> bool {
 /// Lines of a person for a picture, added and in place of those that are found; and areas.
 pub(super) fn lines(bytes: &[u8]) {
     let square = square();
-    let given: [fn(Options, &[u8]) -> Result<Options, tactograph::Error>; 3] =
-        [|to, bytes| to.lines(bytes), |to, bytes| to.add_lines(bytes), |to, bytes| to.areas(bytes)];
+    type Give = fn(Options, &[u8]) -> Result<Options, tactograph::Error>;
+    let given: [Give; 3] = [|to, bytes| to.lines(bytes), |to, bytes| to.add_lines(bytes), |to, bytes| to.areas(bytes)];
     for give in given {
         let drawn = give(options(), bytes).and_then(|options| {
             let picture = Picture::rgba8(SIDE, SIDE, &square)?;

@@ -118,7 +118,7 @@ fn colours(raster: &Raster) -> Vec<Vec<f64>> {
     };
     match raster.planes().as_slice() {
         [red, green, blue] => {
-            let mut planes = vec![Vec::with_capacity(red.len()); 3];
+            let mut planes = vec![Vec::new(); 3];
             for ((r, g), b) in red.iter().zip(green).zip(blue) {
                 let rgb = [*r, *g, *b].map(f64::from);
                 let [x, y, z] = TO_XYZ.map(|row| row.iter().zip(rgb).map(|(k, value)| k * value).sum::<f64>());

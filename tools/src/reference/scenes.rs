@@ -25,7 +25,7 @@ pub fn all() -> Vec<(&'static str, Raster)> {
         (
             "equal neighbours: edges between pixels",
             grey([240, 160], |x, y| {
-                linear(if ((x / 30.0) as u32 + (y / 20.0) as u32) % 2 == 0 { 60.0 } else { 190.0 })
+                linear(if ((x / 30.0) as u32 + (y / 20.0) as u32).is_multiple_of(2) { 60.0 } else { 190.0 })
             }),
         ),
         (

@@ -267,8 +267,7 @@ const KINDS: [(&str, &str); 8] = [
 fn table(cases: &Cases, outcomes: &[Outcome]) {
     let mut rows: BTreeMap<&str, Vec<&Outcome>> = BTreeMap::new();
     for (number, outcome) in outcomes.iter().enumerate() {
-        let row =
-            number.checked_sub(cases.files).map_or_else(|| cases.row(cases.from + number), |_| "bombs");
+        let row = number.checked_sub(cases.files).map_or_else(|| cases.row(cases.from + number), |_| "bombs");
         rows.entry(row).or_default().push(outcome);
     }
     let heads: Vec<&str> = KINDS.iter().map(|(_, head)| *head).collect();
