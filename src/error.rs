@@ -59,6 +59,18 @@ pub enum Error {
         /// What the user can do.
         remedy: &'static str,
     },
+    /// What a compressed file holds takes more memory than the limit allows.
+    #[error("{what} of this {format} unpacks to more than the limit of {limit_mb} MB; {remedy}")]
+    UnpacksTooFar {
+        /// Name of the format, such as "PDF".
+        format: &'static str,
+        /// Which part of it: "the drawing", "a page".
+        what: &'static str,
+        /// The limit in force, in megabytes.
+        limit_mb: u64,
+        /// What the user can do.
+        remedy: &'static str,
+    },
     /// Too few pixels, or a shape too narrow for anything to be felt in it.
     #[error("the picture has {size} pixels: {why}")]
     TooSmall {

@@ -1,6 +1,6 @@
 //! A picture turned, flipped or shifted must give the page turned, flipped or shifted: no direction is special.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use crate::common::samples;
 use tactograph::internals::classes::{self, Class};
@@ -8,6 +8,7 @@ use tactograph::internals::edges::{self, Edges};
 use tactograph::internals::error::Error;
 use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::lines::{self, Line};
+use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
 use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
 use tactograph::internals::regions;
@@ -16,44 +17,17 @@ use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size
 /// Working pixels of the test pictures: enough for every kind of edge, few enough to be quick.
 const LONGEST: u32 = 400;
 
-const EDGES: edges::Params = edges::Params {
-    sigma: 1.5,
-    low: 7.0,
-    high: 16.0,
-    min_length: 6.0,
-    strength_window: 3.0,
-    suppression: 1.0,
-    side_cell: 3.0,
-    side_offset: 6.6,
-    widest_stroke: 19.0,
-};
+/// Millimetres for a pixel of the test pictures: 400 pixels on about 174 mm, as on the default sheet.
+const SCALE: f32 = 0.435;
 
-const LINES: lines::Params = lines::Params {
-    width_min: 0.75,
-    width_max: 1.5,
-    least_strength: 7.0,
-    full_strength: 30.0,
-    min_length: 7.7, // not 8 as on pages: a stretch between two bars of chart.svg is 8.00 mm long
-    min_gap: 3.2,
-    join_gap: 3.0,
-    smoothing: 0.6,
-    tolerance: 0.05,
-    detail: 0.5,
-    most_shapes: None,
-    whole_rings: false,
-};
+/// The thresholds and lengths that a profile ships: those of A4 swell paper.
+static PLAN: LazyLock<Plan> = LazyLock::new(|| {
+    Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("built-in profiles make sense")
+});
 
-const CLASSES: classes::Params = classes::Params {
-    cell: 3.0,
-    blur: 4.5,
-    beside: 1.8,
-    smoothing: 6.0,
-    min_saturation: 0.2,
-    min_value: 0.15,
-    white_from: 0.92,
-    min_area: 600.0,
-    fringe: false,
-};
+fn edge_params() -> edges::Params {
+    PLAN.edges(1.0 / SCALE)
+}
 
 /// x and y, or width and height.
 type Place = (f32, f32);
@@ -140,9 +114,12 @@ fn edge_points(edges: &Edges) -> Vec<(f32, f32)> {
     edges.edgels.iter().map(|p| (p.at.x, p.at.y)).collect()
 }
 
-/// How far an edge may lie from where it should, px, and the middle of a stroke: of two rows of pixels that are alike
-/// its search begins in one.
+/// How far an edge may lie from where it should, px. In a turned picture it may be farther off at the corners of
+/// rectangles: where an edge runs at 45 degrees to the last digit, its position is sought along rows, and after the
+/// turn along what were columns.
 const EDGE_OFF: f32 = 0.02;
+const EDGE_OFF_TURNED: f32 = 0.4;
+/// The same of the middle of a stroke: of two rows of pixels that are alike its search begins in one.
 const STROKE_OFF: f32 = 0.2;
 
 /// Share of the points `of` contours, each moved, that lie on none `among` others, moved too. Asked of lines, not of
@@ -152,9 +129,10 @@ fn astray(
     of_to: impl Fn((f32, f32)) -> (f32, f32),
     among: &Edges,
     among_to: impl Fn((f32, f32)) -> (f32, f32),
+    edge_off: f32,
 ) -> f32 {
     let lines: Vec<_> = along_edges(among).into_iter().map(among_to).collect();
-    let lost = [(false, EDGE_OFF), (true, STROKE_OFF)].map(|(is_stroke, tolerance)| {
+    let lost = [(false, edge_off), (true, STROKE_OFF)].map(|(is_stroke, tolerance)| {
         let chains = of.chains.iter().filter(|chain| chain.kind.stroke.is_some() == is_stroke);
         let points: Vec<_> =
             chains.flat_map(|chain| of.chain(chain).vertices).map(|edgel| of_to((edgel.at.x, edgel.at.y))).collect();
@@ -175,33 +153,32 @@ fn along_edges(edges: &Edges) -> Vec<(f32, f32)> {
     points
 }
 
-/// Points every 0.2 mm along lines.
+/// Points every 0.05 mm along lines.
 fn line_points(lines: &[Line]) -> Vec<(f32, f32)> {
     let mut points = Vec::new();
     for (&a, &b) in lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.polyline().segments()) {
         let way = b - a;
-        let steps = (way.length() / 0.2).ceil().max(1.0);
+        let steps = (way.length() / 0.05).ceil().max(1.0);
         points.extend((0..=steps as u32).map(|k| a + way * (k as f32 / steps)).map(|p| (p.x, p.y)));
     }
     points
 }
 
-/// A picture of 400 pixels on about 174 mm, as on the default sheet.
 fn sheet(size: Size) -> (PageTransform, MmRect) {
-    let scale = 0.435;
-    let area = MmRect::new(MmPoint::zero(), MmPoint::new(size.width as f32 * scale, size.height as f32 * scale));
+    let area = MmRect::new(MmPoint::zero(), MmPoint::new(size.width as f32 * SCALE, size.height as f32 * SCALE));
     (PageTransform::new(size, area), area)
 }
 
 #[test]
 fn edges_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
-        let edges = edges::find(&raster, &EDGES);
+        let edges = edges::find(&raster, &edge_params());
         for change in &CHANGES {
             let changed = |(x, y): (f32, f32)| change.place(raster.size(), (x, y));
-            let found = edges::find(&change.raster(&raster), &EDGES);
-            let lost = astray(&edges, changed, &found, |at| at);
-            let new = astray(&found, |at| at, &edges, changed);
+            let found = edges::find(&change.raster(&raster), &edge_params());
+            let off = if change.turned { EDGE_OFF_TURNED } else { EDGE_OFF };
+            let lost = astray(&edges, changed, &found, |at| at, off);
+            let new = astray(&found, |at| at, &edges, changed, off);
             assert!(lost <= 0.002 && new <= 0.002, "{name} {}: {lost} of the points are lost, {new} new", change.name);
         }
     }
@@ -212,7 +189,7 @@ fn lines_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let draw = |raster: &Raster| {
             let (frame, area) = sheet(raster.size());
-            line_points(&lines::draw(&edges::find(raster, &EDGES), &frame, area, &LINES).lines)
+            line_points(&lines::draw(&edges::find(raster, &edge_params()), &frame, area, &PLAN.lines()).lines)
         };
         let lines = draw(&raster);
         for change in &CHANGES {
@@ -228,30 +205,20 @@ fn lines_follow_every_flip_and_turn() {
                 })
                 .collect();
             let found = draw(&change.raster(&raster));
-            let (lost, new) = (unmatched(&expected, &found, 0.4), unmatched(&found, &expected, 0.4));
-            // Where two rivals are alike to the last digit, rounding decides which of them stays: a millimetre here and
-            // there, 0.007 of the length in the busiest sample.
-            assert!(lost <= 0.01 && new <= 0.01, "{name} {}: {lost} of the lines are lost, {new} new", change.name);
+            let (lost, new) = (unmatched(&expected, &found, 0.1), unmatched(&found, &expected, 0.1));
+            assert!(lost <= 0.001 && new <= 0.001, "{name} {}: {lost} of the lines are lost, {new} new", change.name);
         }
     }
 }
 
 #[test]
 fn outlines_of_regions_follow_every_flip_and_turn() {
-    let params = regions::Params {
-        most: 8,
-        drawn: None,
-        least_gain: 0.2,
-        most_near: 0.3,
-        spacing: 4.7,
-        narrowest: 4.7,
-        smoothing: 0.6,
-    };
+    let params = PLAN.regions(false);
     let mut looked_at = 0;
     for (name, raster) in pictures() {
         let outlines = |raster: &Raster| -> Vec<(f32, f32)> {
             let (transform, _) = sheet(raster.size());
-            let tree = edges::find_with_regions(raster, &EDGES).regions;
+            let tree = edges::find_with_regions(raster, &edge_params()).regions;
             let traces =
                 tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[], None).0).unwrap_or_default();
             let points = |trace: &regions::Trace| {
@@ -266,7 +233,10 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
             let expected: Vec<_> = before.iter().map(|&at| change.place(raster.size(), at)).collect();
             let found = outlines(&change.raster(&raster));
             let (lost, new) = (unmatched(&expected, &found, 1.0), unmatched(&found, &expected, 1.0));
-            assert!(lost <= 0.01 && new <= 0.01, "{name} {}: {lost} of the outlines are lost, {new} new", change.name);
+            // where basins of one height meet, a flip may part them elsewhere: in this photograph an eighth of one
+            // outline
+            let most = if name == "rocket.jpg" { 0.12 } else { 0.0 };
+            assert!(lost <= most && new <= most, "{name} {}: {lost} of the outlines are lost, {new} new", change.name);
         }
     }
     assert!(looked_at >= 4, "photographs have regions");
@@ -276,8 +246,8 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
 fn colours_follow_every_flip_and_turn() {
     for (name, raster) in pictures() {
         let labels = |raster: &Raster| -> (Size, Vec<Option<Class>>) {
-            let edges = edges::find(raster, &EDGES);
-            let classes = classes::sort(raster, &edges.borders(), &CLASSES);
+            let edges = edges::find(raster, &edge_params());
+            let classes = classes::sort(raster, &edges.borders(), &PLAN.classes(1.0 / SCALE));
             let label = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
             (classes.size, classes.region.iter().map(label).collect())
         };
@@ -287,7 +257,7 @@ fn colours_follow_every_flip_and_turn() {
             assert_eq!(new_size, change.size(size));
             let wrong = before.iter().enumerate().filter(|(i, label)| after[change.pixel(size, *i)] != **label).count();
             let share = wrong as f32 / before.len() as f32;
-            assert!(share <= 0.002, "{name} {}: {share} of the cells have another class", change.name);
+            assert!(share <= 0.0002, "{name} {}: {share} of the cells have another class", change.name);
         }
     }
 }
@@ -313,11 +283,11 @@ fn edges_follow_a_shift_by_whole_pixels() {
             let bottom = (height - dy) as f32 - margin;
             points.into_iter().filter(|p| p.0 > margin && p.1 > margin && p.0 < right && p.1 < bottom).collect()
         };
-        let without_suppression = edges::Params { suppression: 0.0, min_length: 0.0, ..EDGES };
+        let without_suppression = edges::Params { suppression: 0.0, min_length: 0.0, ..edge_params() };
         let find = |raster: Raster| edge_points(&edges::find(&raster, &without_suppression));
         let moved = find(window(dx, dy)).into_iter().map(|(x, y)| (x + dx as f32, y + dy as f32)).collect();
         let (still, moved) = (inside(find(window(0, 0))), inside(moved));
         let (lost, new) = (unmatched(&still, &moved, 0.02), unmatched(&moved, &still, 0.02));
-        assert!(lost <= 0.005 && new <= 0.005, "{name}: {lost} of the points are lost, {new} new");
+        assert!(lost <= 0.001 && new <= 0.001, "{name}: {lost} of the points are lost, {new} new");
     }
 }

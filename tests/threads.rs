@@ -22,7 +22,7 @@ fn page(picture: &[u8], plan: &Plan) -> String {
 }
 
 #[test]
-fn one_two_and_three_threads_make_the_same_page() {
+fn any_number_of_threads_makes_the_same_page_again_and_again() {
     let profiles = ["swell-a4", "index-everest-d"].map(|name| Profile::named(name).expect("built in"));
     for profile in profiles {
         let plan = Plan::new(&profile).expect("built-in profiles make sense");
@@ -35,7 +35,7 @@ fn one_two_and_three_threads_make_the_same_page() {
             };
             let alone = on(1);
             assert!(alone.contains("<path"), "{sample} has no lines");
-            for threads in [2, 3] {
+            for threads in [1, 2, 3, 8] {
                 assert!(on(threads) == alone, "{sample}, {}: {threads} threads make another page", profile.name);
             }
         }

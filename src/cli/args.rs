@@ -131,7 +131,8 @@ switched off with the environment variable NO_COLOR.
 Exit codes:
   0  every page is written
   1  a picture could not be converted, or its page not written; the other pages are written
-  2  wrong usage: an option, a profile or a value is wrong; nothing is written";
+  2  wrong usage: an option, a profile or a value is wrong; nothing is written
+  130  stopped with Ctrl-C; pages that were written are complete";
 
 #[derive(Debug, Parser)]
 #[command(name = "tactograph", version, about = ABOUT, long_about = LONG_ABOUT, after_help = AFTER_HELP)]

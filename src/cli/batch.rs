@@ -19,7 +19,7 @@ use super::settings::Change;
 use super::sheets::{self, Failure, Piece};
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{input, output, panics, settings};
+use super::{input, interrupt, output, panics, settings};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {
@@ -122,6 +122,7 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
     let report = Report::of_pictures(if session.is_some() { 1 } else { jobs.len() }, shared.quiet);
     notes.iter().for_each(|(place, what)| report.note(place, what));
     let mut failed: Vec<&Path> = Vec::new();
+    interrupt::begin(jobs.len(), product.done());
     side_by_side::run(
         jobs.len(),
         side_by_side::workers(jobs.len()),
@@ -259,7 +260,7 @@ fn wrote(pages: &[Piece<'_>], previews: &[Piece<'_>], sheets: usize) -> String {
 fn explain(error: &Error) -> String {
     match error {
         Error::TooManyPixels { .. } => format!("{error} with --max-megapixels"),
-        Error::TooMuchMemory { .. } => format!("{error} with --max-memory"),
+        Error::TooMuchMemory { .. } | Error::UnpacksTooFar { .. } => format!("{error} with --max-memory"),
         Error::TooFine { .. } => format!("{error} with --dpi"),
         Error::TooWide { wanted, most, without_overview: Some(without) } => format!(
             "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, or \

@@ -10,6 +10,7 @@ mod dots;
 mod external;
 mod feel;
 mod input;
+mod interrupt;
 mod louis;
 mod output;
 mod panics;
@@ -23,6 +24,7 @@ mod session;
 mod settings;
 mod sheets;
 mod side_by_side;
+mod temporary;
 mod tesseract;
 mod timings;
 mod titles;
@@ -55,6 +57,10 @@ fn command() -> ExitCode {
         Parsed::Command(command) => *command,
         Parsed::Shown(exit) => return ExitCode::from(exit as u8),
     };
+    // a run that watches a directory has an ending of its own
+    if !matches!(&command, Command::Convert(convert) if convert.running.watch.is_some()) {
+        interrupt::listen();
+    }
     let exit = match command {
         Command::Convert(convert) => convert::run(&convert),
         Command::Render(render) => render::run(&render),

@@ -5,9 +5,9 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{anyhow, bail};
-use tempfile::NamedTempFile;
 
 use super::product::Product;
+use super::temporary::Temporary;
 
 /// What becomes of a file that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -120,7 +120,7 @@ pub(super) struct Staged<'a> {
 
 enum How<'a> {
     /// Beside its place.
-    Temporary(NamedTempFile),
+    Temporary(Temporary),
     /// What is no file is written to at the end.
     Special(File, &'a [u8]),
 }
@@ -150,26 +150,23 @@ impl Staged<'_> {
     /// In plain words, without the path.
     pub(super) fn commit(self) -> anyhow::Result<()> {
         let done = match self.how {
-            How::Temporary(file) => file.persist(&self.path).map(drop).map_err(|error| error.error),
+            How::Temporary(file) => file.persist(&self.path),
             How::Special(mut special, bytes) => special.write_all(bytes),
         };
         done.map_err(|error| explain(&error, self.noun))
     }
 }
 
-fn temporary(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".tactograph-").suffix(".tmp");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less what the user's umask takes
-    let mut file = builder.tempfile_in(directory(path))?;
+fn temporary(path: &Path, bytes: &[u8], found: Option<&Metadata>) -> io::Result<Temporary> {
+    let mut temporary = Temporary::new_in(directory(path))?;
+    let file = temporary.file()?;
     file.write_all(bytes)?;
     if let Some(found) = found {
-        file.as_file().set_permissions(found.permissions())?;
+        file.set_permissions(found.permissions())?;
         // Without this, a power cut just after the rename could leave neither the old file nor the new one.
-        file.as_file().sync_all()?;
+        file.sync_all()?;
     }
-    Ok(file)
+    Ok(temporary)
 }
 
 fn refuse(found: &Metadata, noun: &str) -> anyhow::Result<()> {
@@ -251,6 +248,10 @@ fn explain(error: &io::Error, noun: &str) -> anyhow::Error {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
             anyhow!("the {noun} cannot be written, as the disk is full; make room and try again")
         }
+        ErrorKind::FileTooLarge => anyhow!(
+            "the {noun} cannot be written, as the system takes no file of this length here; raise that limit \
+             (ulimit -f) or choose another place with -o"
+        ),
         _ => anyhow!("the {noun} cannot be written here ({error}); choose another place with -o"),
     }
 }

@@ -13,6 +13,8 @@ pub(super) enum Exit {
     Failed = 1,
     /// The command line or the profile is wrong; nothing was done.
     Usage = 2,
+    /// Ctrl-C, or the system told it to end: 128 and the number of that signal (SIGINT), as shells count.
+    Stopped = 130,
 }
 
 /// The one place that writes to standard error.

@@ -5,6 +5,7 @@ use std::path::Path;
 use tactograph::{Embossing, Error, Page, write_dots, write_pdf};
 
 use super::args::Chosen;
+use super::interrupt;
 use super::output::{self, Existing};
 use super::places::{self, Target};
 use super::product::{DrawingFormat, Format, Product};
@@ -103,7 +104,9 @@ pub(super) fn write(pieces: &[Piece<'_>]) -> Result<(), Failure> {
     for piece in pieces.iter().filter(|piece| piece.target.path().is_none()) {
         output::to_stdout(piece.bytes, piece.product.noun()).map_err(|error| about(piece, error))?;
     }
-    staged.into_iter().try_for_each(|(piece, staged)| staged.commit().map_err(|error| about(piece, error)))
+    interrupt::one_more(|| {
+        staged.into_iter().try_for_each(|(piece, staged)| staged.commit().map_err(|error| about(piece, error)))
+    })
 }
 
 /// What files are called together in a message.

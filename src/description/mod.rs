@@ -115,9 +115,9 @@ fn sheet(page: &Page, wording: &Wording) -> String {
     wording.say("sheet", &values)
 }
 
-/// Width and height in whole mm.
+/// Width and height in whole mm, of what is written: 135.496 mm are written as 135.5, and told as 136 before and after.
 fn size(place: MmRect) -> [Value<'static>; 2] {
-    [place.width(), place.height()].map(|side| side.round().into())
+    [place.width(), place.height()].map(|side| ((100.0 * side).round() / 100.0).round().into())
 }
 
 /// A smaller share of a figure without texture is not told: it may be the rounding of numbers in a file.

@@ -56,7 +56,7 @@ use tips::Found;
 
 use crate::raster::Raster;
 use crate::regions::{Detail, Heights};
-use crate::units::Size;
+use crate::units::{PxPoint, Size};
 
 /// What kind of picture it is. Contours and letters are looked for by it.
 #[derive(Debug, Clone)]
@@ -82,6 +82,13 @@ pub fn find(raster: &Raster, params: &Params) -> Edges {
 /// Finds the contours of a picture and, unless it is a drawing, the regions between them, by which they are weighted.
 pub fn find_with_regions(raster: &Raster, params: &Params) -> Edges {
     find_of_kind(raster, &PictureKind::of(raster), params, Some(Detail::OUTLINES))
+}
+
+/// The points where the colour steps, before any are linked or dropped, of a picture without noise: the pixel of each
+/// (column, row), its position and the height of its step. For measuring how exact they are.
+pub fn ridge_points(raster: &Raster, params: &Params) -> Vec<([u32; 2], PxPoint, f32)> {
+    let (points, _) = bands::scan(raster, &[1.0; 3], params);
+    points.iter().map(|point| ([point.column, point.row], point.at, point.height)).collect()
 }
 
 /// [`find`], or with regions of some detail [`find_with_regions`], where it is known what kind of picture it is.

@@ -12,6 +12,7 @@ mod fitting;
 mod formats;
 mod louis;
 mod newcomers;
+mod nothing_lost;
 mod pages;
 mod pictures;
 mod places;

@@ -288,3 +288,45 @@ fn damaged_pictures_never_panic() {
     }
     assert!(panicked.is_empty(), "{}", panicked.join("\n"));
 }
+
+/// A TIFF of floating point samples, two rows of two pixels.
+fn float_tiff(planes: u32, samples: [f32; 4]) -> Vec<u8> {
+    let data: Vec<u8> = samples.iter().flat_map(|value| value.to_le_bytes().repeat(planes as usize)).collect();
+    let tags = 10_u32;
+    let bits_at = 8 + 2 + 12 * tags + 4;
+    let data_at = bits_at + 12;
+    let mut tiff = b"II*\0\x08\0\0\0\x0a\0".to_vec();
+    // a value of three numbers of 16 bits stands elsewhere, one number in the tag itself
+    let three = |value: u32, at: u32| if planes == 3 { at } else { value };
+    for (tag, kind, count, value) in [
+        (256, 4, 1, 2),
+        (257, 4, 1, 2),
+        (258, 3, planes, three(32, bits_at)),
+        (259, 3, 1, 1),
+        (262, 3, 1, if planes == 3 { 2 } else { 1 }),
+        (273, 4, 1, data_at),
+        (277, 3, 1, planes),
+        (278, 4, 1, 2),
+        (279, 4, 1, data.len() as u32),
+        (339, 3, planes, three(3, bits_at + 6)),
+    ] {
+        tiff.extend(u16::to_le_bytes(tag));
+        tiff.extend(u16::to_le_bytes(kind));
+        tiff.extend(u32::to_le_bytes(count));
+        tiff.extend(u32::to_le_bytes(value));
+    }
+    tiff.extend([0; 4]);
+    tiff.extend([32_u16, 32, 32, 3, 3, 3].map(u16::to_le_bytes).as_flattened());
+    tiff.extend(data);
+    tiff
+}
+
+#[test]
+fn samples_of_floating_point_are_refused_by_name_whatever_they_hold() {
+    let values = [[0.0, 0.2, 0.5, 1.0], [f32::NAN; 4], [f32::INFINITY, -1.0, 1e30, f32::MIN_POSITIVE]];
+    for (planes, samples) in [1, 3].into_iter().flat_map(|planes| values.map(|samples| (planes, samples))) {
+        let told = fault(&float_tiff(planes, samples));
+        assert!(told.starts_with("the TIFF picture cannot be read: ") && told.contains("samples"), "{planes}: {told}");
+        assert!(told.lines().count() == 1 && told.len() < 300, "{planes}: {told}");
+    }
+}

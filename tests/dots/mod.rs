@@ -3,7 +3,7 @@
 
 mod index;
 mod pef;
-pub(crate) mod reading;
+pub(crate) use tactograph_tools::dot_reading as reading;
 mod recorded;
 mod text;
 

@@ -3,11 +3,15 @@
 pub mod cjpeg;
 pub mod cores;
 pub mod correction;
+pub mod dot_reading;
 pub mod drawn;
 pub mod full_page;
+pub mod fuzz;
+pub mod killing;
 pub mod near;
 pub mod photo;
 pub mod plot;
+pub mod reference;
 pub mod rng;
 pub mod scenes;
 pub mod touch;

@@ -160,15 +160,32 @@ pub(super) fn apply_matrix([red, green, blue]: &mut [Vec<f32>; 3], matrix: &Matr
     }
 }
 
+/// Longest message of a decoder that is passed on, letters: their own sentences have up to 100, but some quote what
+/// stands in the file, such as the bits of each of a thousand channels.
+const LONGEST_MESSAGE: usize = 160;
+
 /// A fault as words on one line.
 pub(super) fn one_line(fault: &dyn std::fmt::Display) -> String {
     let text = fault.to_string();
-    text.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
+    let plain = |c: char| if c.is_control() { ' ' } else { c };
+    let text = text.chars().map(plain).collect::<String>();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned();
+    match text.char_indices().nth(LONGEST_MESSAGE) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn messages_of_decoders_are_short_and_on_one_line() {
+        assert_eq!(one_line(&"a\n b\u{1b}[31m c."), "a b [31m c");
+        let long = one_line(&"2, ".repeat(1000));
+        assert!(long.chars().count() <= LONGEST_MESSAGE + 3 && long.ends_with("..."), "{long}");
+    }
 
     #[test]
     fn the_curve_of_srgb_meets_known_values() {

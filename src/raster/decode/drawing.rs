@@ -15,7 +15,8 @@ use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 use super::colour::{Kind, Meaning, one_line};
 use super::complexity;
 use super::job::{
-    self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, working_bytes,
+    self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, unpacks_too_far,
+    working_bytes,
 };
 use super::light::{Depth, Layout};
 use super::rows::{Extents, Samples};
@@ -36,14 +37,13 @@ const MOST_NOTES: usize = 8;
 
 /// An SVG drawing compressed with gzip (SVGZ), or something else that is.
 pub(super) fn decode_gzip(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
-    let limit_mb = options.limits.memory_mb;
-    let limit = limit_mb.saturating_mul(1_000_000);
+    let limit = options.limits.memory_mb.saturating_mul(1_000_000);
     let mut text = Vec::new();
     // One byte more than the limit, to distinguish an end at the limit from a cut.
     let mut inflate = flate2::read::GzDecoder::new(bytes).take(limit.saturating_add(1));
     inflate.read_to_end(&mut text).map_err(|fault| undecodable("SVGZ", one_line(&fault)))?;
     if text.len() as u64 > limit {
-        return Err(undecodable("SVGZ", format!("it inflates to more than the limit of {limit_mb} MB")));
+        return Err(unpacks_too_far("SVGZ", "the drawing", options.limits));
     }
     match super::sniff::format(&text) {
         Ok(super::sniff::Format::Svg) => decode(&text, options),
@@ -295,7 +295,11 @@ fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
         resolve_data: Box::new(move |mime, data, options| {
             let found = match size_of_picture(&data) {
                 Ok(Some(size)) if is_over(size, limits) => {
-                    left_out.add(format!("a picture inside the drawing, of {size} pixels, which is over the limit"));
+                    let most = limits.megapixels;
+                    left_out.add(format!(
+                        "a picture inside the drawing, of {size} pixels, which is over the limit of {most} megapixels \
+                         (raise it, or make that picture smaller)"
+                    ));
                     return None;
                 }
                 Ok(Some(_)) => inside(mime, data, options),

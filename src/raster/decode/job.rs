@@ -75,6 +75,9 @@ pub struct Picture {
 /// What to do about a picture over a limit.
 pub(super) const OVER_LIMIT: &str = "make it smaller in a picture editor first, or raise the limit";
 
+/// The same of a file that unpacks to more than the limit.
+const OVER_LIMIT_UNPACKED: &str = "open and save it again in another program, or raise the limit";
+
 /// What a decoder knows once the header is read.
 pub(super) struct Job {
     pub(super) format: &'static str,
@@ -163,6 +166,11 @@ pub(super) fn check_memory(format: &'static str, size: Size, needed_bytes: u64, 
 
 pub(super) fn undecodable(format: &'static str, why: impl Into<String>) -> Error {
     Error::Undecodable { format, why: why.into() }
+}
+
+/// What is packed in a file is more than the limit.
+pub(super) fn unpacks_too_far(format: &'static str, what: &'static str, limits: Limits) -> Error {
+    Error::UnpacksTooFar { format, what, limit_mb: limits.memory_mb, remedy: OVER_LIMIT_UNPACKED }
 }
 
 pub(super) fn ends_early(format: &'static str) -> Error {

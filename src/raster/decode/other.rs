@@ -9,6 +9,7 @@ use image::codecs::gif::GifDecoder;
 use image::codecs::pnm::PnmDecoder;
 use image::codecs::tiff::TiffDecoder;
 use image::codecs::webp::WebPDecoder;
+use image::error::UnsupportedErrorKind;
 use image::metadata::Orientation;
 use image::{ColorType, ImageDecoder, ImageError};
 
@@ -79,10 +80,13 @@ fn layout(format: &'static str, colour: ColorType) -> Result<Layout, Error> {
         ColorType::La16 => (Kind::Grey, true, Depth::SixteenNative),
         ColorType::Rgb16 => (Kind::Rgb, false, Depth::SixteenNative),
         ColorType::Rgba16 => (Kind::Rgb, true, Depth::SixteenNative),
-        _ => return Err(undecodable(format, "its samples are no whole numbers of 8 or 16 bits")),
+        _ => return Err(undecodable(format, NO_SUCH_SAMPLES)),
     };
     Ok(Layout { kind, alpha, depth })
 }
+
+/// Floating point, say.
+const NO_SUCH_SAMPLES: &str = "its samples are no whole numbers of 8 or 16 bits";
 
 fn fault_in(format: &'static str, fault: ImageError) -> Error {
     match &fault {
@@ -91,6 +95,9 @@ fn fault_in(format: &'static str, fault: ImageError) -> Error {
         ImageError::Decoding(_) => {
             let cause = fault.source().unwrap_or(&fault);
             if is_end_of_file(cause) { ends_early(format) } else { undecodable(format, one_line(&cause)) }
+        }
+        ImageError::Unsupported(what) if matches!(what.kind(), UnsupportedErrorKind::Color(_)) => {
+            undecodable(format, NO_SUCH_SAMPLES)
         }
         ImageError::Unsupported(what) => {
             let what = one_line(&what);

@@ -10,7 +10,7 @@ use hayro_interpret::hayro_syntax::page::{Page, Resources};
 
 use super::common::FORMAT;
 use crate::Error;
-use crate::raster::decode::job::{Limits, undecodable};
+use crate::raster::decode::job::{Limits, undecodable, unpacks_too_far};
 
 /// Most steps with each form, pattern and letter counted as often as it is drawn. Maps of whole countries have some
 /// millions; hayro takes about a second for ten.
@@ -26,8 +26,7 @@ const TWICE: u64 = 2;
 /// If the page has too many steps, is too deep, or draws a part of itself inside that part.
 pub(super) fn check(page: &Page<'_>, limits: Limits) -> Result<(), Error> {
     if length(page) > limits.memory_mb.saturating_mul(1_000_000) {
-        let limit_mb = limits.memory_mb;
-        return Err(undecodable(FORMAT, format!("its page unpacks to more than the limit of {limit_mb} MB")));
+        return Err(unpacks_too_far(FORMAT, "the page", limits));
     }
     let steps =
         page.page_stream().map_or(Ok(0), |content| Costs::default().of_content(content, page.resources(), MOST_LEVELS));

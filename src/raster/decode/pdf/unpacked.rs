@@ -5,7 +5,7 @@ use std::io::Read;
 
 use super::common::FORMAT;
 use crate::Error;
-use crate::raster::decode::job::{Limits, undecodable};
+use crate::raster::decode::job::{Limits, unpacks_too_far};
 
 /// Most bytes that DEFLATE makes of one.
 const MOST_FOR_ONE: u64 = 1032;
@@ -30,11 +30,7 @@ pub(super) fn check(bytes: &[u8], limits: Limits) -> Result<(), Error> {
         if is_zlib(part) {
             let end = find(part, b"endstream").unwrap_or(part.len());
             if most(end) > limit && unpacks_beyond(&part[..end], limit) {
-                let limit_mb = limits.memory_mb;
-                return Err(undecodable(
-                    FORMAT,
-                    format!("a part of it unpacks to more than the limit of {limit_mb} MB"),
-                ));
+                return Err(unpacks_too_far(FORMAT, "a part", limits));
             }
             rest = &part[end..];
         } else {

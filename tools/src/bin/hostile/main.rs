@@ -5,6 +5,7 @@
 //! cargo run --release -p tactograph-tools --bin hostile          20 000 damaged files and all bombs (about 20 minutes)
 //!   --files N          so many damaged files
 //!   --seed N           other damage (default 1)
+//!   --from N           the files from this number on, without bombs: goes on where another run has ended
 //!   --bombs            the bombs only
 //!   --keep DIR         writes the files that went wrong into a folder
 //! ```
@@ -43,6 +44,8 @@ pub(crate) struct Cases {
     seeds: Vec<Seed>,
     bombs: Vec<Seed>,
     files: usize,
+    /// Number of the first.
+    from: usize,
     seed: u64,
 }
 
@@ -62,15 +65,21 @@ impl Cases {
         if let Some(bomb) = number.checked_sub(self.files) {
             return Case { seed: &self.bombs[bomb], bytes: self.bombs[bomb].bytes.clone() };
         }
+        let number = self.from + number;
         let mut rng = Rng::new(self.seed ^ (number as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15));
         // every row of the table as often as any other, whatever the number of its seeds
-        let rows: Vec<&str> = self.rows();
-        let row = rows[number % rows.len()];
+        let row = self.row(number);
         let of_row: Vec<&Seed> = self.seeds.iter().filter(|seed| seed.row == row).collect();
         let seed = of_row[rng.below(of_row.len())];
         let other =
             if rng.below(4) > 0 { of_row[rng.below(of_row.len())] } else { &self.seeds[rng.below(self.seeds.len())] };
         Case { seed, bytes: mutate::mutate(&seed.bytes, &other.bytes, seed.is_text, &mut rng) }
+    }
+
+    /// The row of a damaged file.
+    fn row(&self, number: usize) -> &str {
+        let rows = self.rows();
+        rows[number % rows.len()]
     }
 
     fn rows(&self) -> Vec<&str> {
@@ -105,6 +114,7 @@ impl Outcome {
 
 struct Args {
     files: usize,
+    from: usize,
     seed: u64,
     keep: Option<PathBuf>,
     is_worker: bool,
@@ -112,11 +122,12 @@ struct Args {
 
 impl Args {
     fn read() -> Result<Self, Fault> {
-        let mut args = Self { files: 20_000, seed: 1, keep: None, is_worker: false };
+        let mut args = Self { files: 20_000, from: 0, seed: 1, keep: None, is_worker: false };
         let mut words = Words::of_program("tools/src/bin/hostile/main.rs");
         while let Some(word) = words.next() {
             match word.as_str() {
                 "--files" => args.files = words.number(&word)?,
+                "--from" => args.from = words.number(&word)?,
                 "--seed" => args.seed = words.number(&word)?,
                 "--keep" => args.keep = Some(words.value(&word)?.into()),
                 "--bombs" => args.files = 0,
@@ -133,7 +144,9 @@ fn main() -> Result<(), Fault> {
     if args.is_worker {
         return worker::run();
     }
-    let cases = Cases { seeds: seeds::all(Path::new("."))?, bombs: bombs::all()?, files: args.files, seed: args.seed };
+    let Args { files, from, seed, .. } = args;
+    let bombs = if from == 0 { bombs::all()? } else { Vec::new() };
+    let cases = Cases { seeds: seeds::all(Path::new("."))?, bombs, files, from, seed };
     // a process for so many cases, so that what one leaves behind is seen by few others
     let stretches: Vec<Vec<usize>> = (0..cases.count()).collect::<Vec<_>>().chunks(50).map(<[usize]>::to_vec).collect();
     let outcomes: Vec<Outcome> = on_all_cores(&stretches, |stretch| try_all(&cases, stretch))
@@ -254,8 +267,7 @@ const KINDS: [(&str, &str); 8] = [
 fn table(cases: &Cases, outcomes: &[Outcome]) {
     let mut rows: BTreeMap<&str, Vec<&Outcome>> = BTreeMap::new();
     for (number, outcome) in outcomes.iter().enumerate() {
-        let row =
-            number.checked_sub(cases.files).map_or_else(|| cases.rows()[number % cases.rows().len()], |_| "bombs");
+        let row = number.checked_sub(cases.files).map_or_else(|| cases.row(cases.from + number), |_| "bombs");
         rows.entry(row).or_default().push(outcome);
     }
     let heads: Vec<&str> = KINDS.iter().map(|(_, head)| *head).collect();

@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use tactograph::{Error, Fonts, Label, Options, Profile};
+use tactograph_tools::fuzz::LONGEST_LINE;
 
 use crate::Fault;
 use crate::seeds::Input;
@@ -42,7 +43,9 @@ pub(crate) fn run() -> Result<(), Fault> {
             Err(_) => ("panic", last()),
             Ok(_) if PANICS.load(Ordering::Relaxed) > 0 => ("caught", last()),
             Ok(Ok(())) => ("page", String::new()),
-            Ok(Err(fault)) if fault.trim().is_empty() || fault.lines().any(|line| line.len() > 600) => {
+            Ok(Err(fault))
+                if fault.trim().is_empty() || fault.lines().any(|line| line.chars().count() > LONGEST_LINE) =>
+            {
                 ("unclear", fault)
             }
             Ok(Err(fault)) => ("refused", fault),
@@ -68,7 +71,10 @@ impl With {
 
     /// Does with a file what the program would do with it. A fault is given as the program would say it.
     fn give(&self, input: Input, bytes: &[u8]) -> Result<(), String> {
-        let said = |fault: Error| fault.to_string();
+        let said = |fault: Error| match fault {
+            Error::Profile(faults) => faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
+            other => other.to_string(),
+        };
         let text = || std::str::from_utf8(bytes).map_err(|fault| fault.to_string());
         let convert = |picture: &[u8], options: &Options| {
             let drawing = tactograph::convert(picture, options).map_err(said)?;

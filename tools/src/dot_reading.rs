@@ -9,12 +9,12 @@ const BITS: [(usize, usize); 8] = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2
 const ASCII: &str = r##" A1B'K2L@CIF/MSP"E3H9O6R^DJG>NTQ,*5<-U8V.%[$+X!&;:4\0Z7(_?W]#Y)="##;
 
 /// The pages of Unicode braille.
-pub(crate) fn ubrl(text: &str) -> Vec<DotMatrix> {
+pub fn ubrl(text: &str) -> Vec<DotMatrix> {
     pages(text, 8, |c| u32::from(c).checked_sub(0x2800))
 }
 
 /// The pages of ASCII braille.
-pub(crate) fn brf(text: &str) -> Vec<DotMatrix> {
+pub fn brf(text: &str) -> Vec<DotMatrix> {
     pages(text, 6, |c| ASCII.chars().position(|known| known == c).map(|cell| cell as u32))
 }
 
@@ -37,7 +37,7 @@ fn pages(text: &str, dots: usize, cell: impl Fn(char) -> Option<u32>) -> Vec<Dot
 }
 
 /// The matrix of a picture in characters: a full stop or a space is no dot, anything else a high one.
-pub(crate) fn drawn(picture: &str) -> DotMatrix {
+pub fn drawn(picture: &str) -> DotMatrix {
     let columns = picture.lines().map(|row| row.chars().count()).max().unwrap_or(0);
     let mut matrix = matrix(columns, picture.lines().count());
     for (y, row) in picture.lines().enumerate() {
@@ -49,6 +49,6 @@ pub(crate) fn drawn(picture: &str) -> DotMatrix {
 }
 
 /// A matrix without dots.
-pub(crate) fn matrix(columns: usize, rows: usize) -> DotMatrix {
+pub fn matrix(columns: usize, rows: usize) -> DotMatrix {
     DotMatrix::new(columns, rows).expect("not more dots than there can be")
 }

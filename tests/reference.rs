@@ -1,0 +1,45 @@
+//! The program's f32 beside the same computations in f64, where rounding may turn a decision: `docs/stability.md` has
+//! the table of `tools/src/bin/reference.rs`, these are its bounds.
+
+use tactograph::internals::profile::{Plan, Profile};
+use tactograph_tools::reference::edges::quantile;
+use tactograph_tools::reference::{colours, edges, glyphs, scenes};
+
+fn plan() -> Plan {
+    Plan::new(&Profile::named("swell-a4").expect("it is built in")).expect("built-in profiles make sense")
+}
+
+#[test]
+fn positions_and_heights_of_edges_are_those_of_f64() {
+    let mut looked_at = 0;
+    for (name, raster) in scenes::all() {
+        let found = edges::compare(&raster, &plan().edges(4.0));
+        looked_at += found.both;
+        // Where the gradient is least (saddles of a checkerboard, beyond the resolution of a zone plate, noise), and
+        // where colours are nearly black, the height of a step hangs on the last digits; elsewhere it does not.
+        let (px, share) = match name {
+            "checkerboards of 1 to 8 px" | "zone plate" | "saturated, and nearly black" => (0.02, 0.25),
+            _ if name.starts_with("noise") => (0.005, 0.03),
+            _ => (0.001, 0.002),
+        };
+        let [off_px, off_share] = [&found.px, &found.share].map(|values| quantile(values, 1.0));
+        assert!(off_px <= px && off_share <= share, "{name}: {off_px} px, {off_share} of the height");
+        assert!(found.single * 300 <= found.both, "{name}: {} of {} points", found.single, found.both);
+        assert!(found.other_axis <= 1 + found.both / 50, "{name}: {} of {} points", found.other_axis, found.both);
+    }
+    assert!(looked_at > 10_000, "{looked_at}");
+}
+
+#[test]
+fn classes_are_those_of_f64() {
+    let all = (0..1 << 24).step_by(101).map(|code: u32| [16, 8, 0].map(|shift| (code >> shift & 0xff) as f32 / 255.0));
+    let found = colours::compare(all, &plan().classes(4.0));
+    assert!(found.colours > 100_000);
+    assert!(found.farthest < 1e-5 && found.other * 10_000 < found.colours, "{found:?}");
+}
+
+#[test]
+fn marks_of_textures_are_as_large_as_in_f64() {
+    let off = glyphs::compare(&plan().textures());
+    assert!(off < 1e-6, "{off} mm");
+}
