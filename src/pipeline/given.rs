@@ -1,16 +1,18 @@
 //! What a person gives beside the picture: lines that are drawn in place of those that would be found.
 
+use super::kept_lines::LineName;
 use super::label::Position;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::Polyline;
 use crate::lines::{Line, Pen, Run};
 use crate::page::Page;
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
 use crate::regions::{Trace, TracePoint};
-use crate::units::{MmPoint, MmRect, Px, PxPoint, Size};
+use crate::units::{MmPoint, MmRect, PageTransform, Px, PxPoint, Size};
 use crate::{Error, Note};
 use lyon::geom::euclid::Box2D;
 
@@ -98,6 +100,8 @@ pub struct HandLines {
 
 #[derive(Debug, Clone, PartialEq)]
 struct HandLine {
+    /// Which line of the figure it is, or a part of.
+    of_line: usize,
     /// Each with its strength.
     vertices: Vec<([f32; 2], f32)>,
     closed: bool,
@@ -121,11 +125,11 @@ impl HandLines {
     fn of(lines: &[Line], place: MmRect, plan: &Plan) -> Self {
         let [width, height] = [place.width(), place.height()].map(|side| side.max(f32::MIN_POSITIVE));
         let share = |at: MmPoint| [(at.x - place.min.x) / width, (at.y - place.min.y) / height];
-        let lines = lines.iter().flat_map(|line| {
+        let lines = lines.iter().enumerate().flat_map(|(of_line, line)| {
             // of a heavy line of dots the second row is a part of the first
             let dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
             let runs = if dotted { &line.runs[..1] } else { &line.runs[..] };
-            joined(runs).into_iter().map(|runs| {
+            joined(runs).into_iter().map(move |runs| {
                 let closed = runs.len() == 1 && runs[0].closed;
                 let mut vertices = Vec::new();
                 for (number, run) in runs.iter().enumerate() {
@@ -133,7 +137,7 @@ impl HandLines {
                     let skip = usize::from(number > 0);
                     vertices.extend(run.points.iter().skip(skip).map(|&at| (share(at), strength)));
                 }
-                HandLine { vertices, closed }
+                HandLine { of_line, vertices, closed }
             })
         });
         let mut lines: Vec<HandLine> = lines.collect();
@@ -147,6 +151,36 @@ impl HandLines {
     /// If the picture has another shape than the figure of the page.
     pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
         self.edges_of(size, ChainKind { exact: true, drawn: true, ..ChainKind::default() })
+    }
+
+    /// The same, with those that a person drew first: along them others give way that are nearer than `reach`, px.
+    /// What only leads up to them or across ends on them, with a gap of `gap` px that is closed when lines are drawn.
+    ///
+    /// # Errors
+    /// As [`HandLines::edges`].
+    pub(super) fn edges_below(&self, names: &[LineName], size: Size, [reach, gap]: [f32; 2]) -> Result<Edges, Error> {
+        let is_by_hand = |line: &&HandLine| names.get(line.of_line).is_some_and(|name| name.by_hand);
+        let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) = self.lines.iter().partition(is_by_hand);
+        let own = |lines: Vec<&HandLine>| Self { lines: lines.into_iter().cloned().collect(), aspect: self.aspect };
+        let kind = ChainKind { exact: true, drawn: true, added: true, ..ChainKind::default() };
+        let first = own(by_hand).edges_of(size, kind)?;
+        let found = own(others).edges(size)?;
+        if first.is_empty() {
+            return Ok(found);
+        }
+        let near = near(&first);
+        let mut edges = Edges::none(size);
+        for range in &found.chains {
+            let polyline = found.chain(range);
+            let whole = Polyline { vertices: polyline.vertices.to_vec(), closed: range.closed };
+            for (vertices, closed) in beside(whole, &near, [reach, gap]) {
+                edges.push_as(range.kind, vertices.into_iter(), closed);
+            }
+        }
+        for range in &first.chains {
+            edges.push_as(range.kind, first.chain(range).vertices.iter().copied(), range.closed);
+        }
+        Ok(edges)
     }
 
     /// Adds the lines to contours that were found, of which the parts nearer than `reach`, px, give way.
@@ -245,6 +279,55 @@ fn near(edges: &Edges) -> Nearby<Px> {
 /// Side of the cells of that, px.
 const CELL: f32 = 16.0;
 
+/// The parts of a contour that do not run along lines nearer than `reach`, px; where it meets one, up to `gap` from it.
+fn beside(whole: Polyline<Edgel>, near: &Nearby<Px>, [reach, gap]: [f32; 2]) -> Vec<(Vec<Edgel>, bool)> {
+    let distance = |edgel: &Edgel| near.nearest(edgel.at, reach, |_| true).map(|(distance, ..)| distance);
+    let closed = whole.closed;
+    let mut vertices: Vec<Edgel> = whole.segments().flat_map(|(a, b)| steps(a, b, STEP * reach)).collect();
+    vertices.extend(whole.vertices.last().filter(|_| !closed));
+    if closed {
+        // begun away from them, no part along them is cut in two
+        let first = vertices.iter().position(|edgel| distance(edgel).is_none());
+        vertices.rotate_left(first.unwrap_or(0));
+    }
+    let distances: Vec<Option<f32>> = vertices.iter().map(distance).collect();
+    let mut is_gone = vec![false; vertices.len()];
+    let mut at = 0;
+    for part in distances.chunk_by(|a, b| a.is_some() == b.is_some()) {
+        let range = at..at + part.len();
+        at = range.end;
+        let nearest = part.iter().flatten().copied().fold(f32::MAX, f32::min);
+        let arc: f32 = vertices[range.clone()].windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum();
+        let meets = nearest <= MEETS * reach && arc <= CROSSING * reach;
+        for (is_gone, distance) in is_gone[range].iter_mut().zip(part) {
+            *is_gone = distance.is_some_and(|distance| !meets || distance < gap);
+        }
+    }
+    if is_gone.iter().all(|gone| !gone) {
+        return vec![(whole.vertices, closed)];
+    }
+    let marked: Vec<(Edgel, bool)> = vertices.into_iter().zip(is_gone).collect();
+    let parts = outside(&marked, closed, |(_, gone)| *gone);
+    parts.into_iter().map(|(part, closed)| (part.into_iter().map(|(edgel, _)| edgel).collect(), closed)).collect()
+}
+
+/// A segment from its first end on, in steps of at most this length, px.
+fn steps(a: &Edgel, b: &Edgel, longest: f32) -> impl Iterator<Item = Edgel> + use<> {
+    let (a, b) = (*a, *b);
+    let count = ((b.at - a.at).length() / longest).ceil().max(1.0);
+    (0..count as u32).map(move |k| {
+        let share = k as f32 / count;
+        Edgel { at: a.at.lerp(b.at, share), strength: a.strength + share * (b.strength - a.strength), ..a }
+    })
+}
+
+/// Contours are looked at this often, as a share of how far lines reach.
+const STEP: f32 = 0.1;
+/// A line meets another if it comes this near, as a share of that: two lines that were drawn to touch seldom do exactly.
+const MEETS: f32 = 0.25;
+/// ... and is beside it for no longer than this, in the same unit: a line that crosses at 42 degrees or more.
+const CROSSING: f32 = 3.0;
+
 /// Takes the parts of contours out that lie in boxes, in shares of the picture.
 pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
     if boxes.is_empty() {
@@ -285,12 +368,39 @@ pub(super) fn blank_where(classes: &mut Classes, is_blank: impl Fn([f32; 2]) -> 
     }
 }
 
-/// The parts of outlines of regions that are not erased, and make room for the lines that were added.
-pub(super) fn with_room(traces: Vec<Trace>, edges: &Edges) -> Vec<Trace> {
+/// The lines with those first that a person drew or added; as many of them as the others keep their order.
+pub(super) fn by_hand_first(lines: Vec<Line>, edges: &Edges, transform: &PageTransform) -> Vec<Line> {
+    let own = added(edges);
+    if own.is_empty() {
+        return lines;
+    }
+    let near = near(&own);
+    let reach = BY_HAND / transform.mm_per_px();
+    let is_there = |at: MmPoint| near.nearest(transform.to_px(at), reach, |_| true).is_some();
+    let is_by_hand = |line: &Line| {
+        let points = || line.runs.iter().flat_map(|run| &run.points);
+        2 * points().filter(|at| is_there(**at)).count() > points().count()
+    };
+    let (mut first, others): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(is_by_hand);
+    first.extend(others);
+    first
+}
+
+/// How far a line may lie from where a person drew it, mm: lines are moved aside only where others came first.
+const BY_HAND: f32 = 0.5;
+
+/// The contours that a person drew or added.
+fn added(edges: &Edges) -> Edges {
     let mut own = Edges::none(edges.size);
     for range in edges.chains.iter().filter(|range| range.kind.added) {
         own.push_as(range.kind, edges.chain(range).vertices.iter().copied(), range.closed);
     }
+    own
+}
+
+/// The parts of outlines of regions that are not erased, and make room for the lines that were added.
+pub(super) fn with_room(traces: Vec<Trace>, edges: &Edges) -> Vec<Trace> {
+    let own = added(edges);
     if edges.erased.is_empty() && own.is_empty() {
         return traces;
     }
@@ -346,6 +456,42 @@ mod tests {
         assert_eq!(room(&edges), [1, 0], "nothing was erased");
         erase(&mut edges, vec![[0.0, 0.68, 1.0, 0.71]]);
         assert_eq!(room(&edges), [1, 1]);
+    }
+
+    #[test]
+    fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
+        let name = |by_hand: bool| LineName { name: String::new(), by_hand };
+        let line = |of_line: usize, ends: [[f32; 2]; 2]| HandLine {
+            of_line,
+            vertices: ends.map(|at| (at, 40.0)).to_vec(),
+            closed: false,
+        };
+        // the first by a person; one along it, one across, one up to it and one far away
+        let ends = [
+            [[0.2, 0.5], [0.8, 0.5]],
+            [[0.0, 0.52], [1.0, 0.52]],
+            [[0.4, 0.0], [0.4, 1.0]],
+            [[0.6, 0.1], [0.6, 0.495]],
+            [[0.1, 0.1], [0.9, 0.1]],
+        ];
+        let lines = HandLines { lines: ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect(), aspect: 1.0 };
+        let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
+        let edges = lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0]).expect("it has the same shape");
+        let row =
+            |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
+        assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
+        let column =
+            |x: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.x - x).abs() < 1.0)).count();
+        assert_eq!((column(400.0), column(600.0)), (2, 1), "the one across ends on it from both sides");
+        let end = |x: f32| {
+            let of_column = edges.edgels.iter().filter(|v| (v.at.x - x).abs() < 1.0 && (v.at.y - 500.0).abs() > 1.0);
+            of_column.map(|v| (v.at.y - 500.0).abs()).fold(f32::MAX, f32::min)
+        };
+        assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
+        assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
+        let none =
+            lines.edges_below(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0]).expect("the same shape");
+        assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
     }
 
     #[test]

@@ -175,7 +175,10 @@ fn the_verdict_is_weighted_by_area_and_says_what_was_not_judged() {
     let textures = checked.verdict.textures.expect("it has textures");
     assert!(textures.judged < 0.5 && textures.right > 0.9, "{textures:?}");
     let told = checked.verdict.to_string();
-    let not = format!("{:.0} % lie too near to lines and borders to be judged", 100.0 * (1.0 - textures.judged));
+    let not = format!(
+        "the other {:.0} % lie so near to lines and borders that nothing is said of them",
+        100.0 * (1.0 - textures.judged)
+    );
     assert!(told.contains(&not), "{told}");
 }
 
