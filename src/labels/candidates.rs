@@ -47,6 +47,8 @@ const NOT_BELOW: f32 = 12.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
 /// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
 const ALONG: f32 = 3.0;
+/// How far from a text a line ends that leads to what the text names, mm: print stands up to 4 mm beside it.
+const BESIDE_TEXT: f32 = 5.0;
 /// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
 /// on: more than a step of a grid of dots, mm.
 const ON_THE_LEFT: f32 = 3.0;
@@ -120,31 +122,39 @@ impl Candidate {
     }
 }
 
-/// What lies around the point that a label names.
-struct Around<'a> {
+/// What lies around what a label names.
+pub(super) struct Around<'a> {
     room: &'a Room,
     params: &'a Params,
     /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
     end: f32,
     /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
     is_at_lower_side: bool,
+    /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
+    line_on: Option<f32>,
+}
+
+impl<'a> Around<'a> {
+    pub(super) fn of(label: &Wanted, room: &'a Room, params: &'a Params) -> Self {
+        let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
+        // a small ring around a point, such as a town on a map, is what it names
+        let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
+        Self {
+            room,
+            params,
+            end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
+            is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
+            line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
+        }
+    }
 }
 
 /// Places for a label in its forms.
-pub(super) fn of(label: &Wanted, forms: &[Form], room: &Room, cells: &CellGrid<'_>, params: &Params) -> Vec<Candidate> {
-    let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
-    // a small ring around a point, such as a town on a map, is what it names
-    let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
-    let around = Around {
-        room,
-        params,
-        end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
-        is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
-    };
+pub(super) fn of(label: &Wanted, forms: &[Form], around: &Around<'_>, cells: &CellGrid<'_>) -> Vec<Candidate> {
     let mut candidates: Vec<Candidate> = forms
         .iter()
         .enumerate()
-        .flat_map(|(number, form)| apart(of_form(label, (number, form), &around, cells)))
+        .flat_map(|(number, form)| apart(of_form(label, (number, form), around, cells)))
         .collect();
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     candidates
@@ -184,7 +194,7 @@ fn of_form(
 }
 
 fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: &Around<'_>) -> Option<Candidate> {
-    let Around { room, params, end, is_at_lower_side } = *around;
+    let Around { room, params, end, is_at_lower_side, line_on } = *around;
     let anchor = label.anchor.center();
     let gap = to_box(anchor, place);
     let is_point = label.anchor.is_empty();
@@ -222,6 +232,8 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
         (true, true) => gap + 0.3 * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
         (true, false) => gap + 0.1 * away.x.abs() + ABOVE_OR_BELOW,
+        // in the row of the line's end, and away from it
+        (false, _) if line_on.is_some_and(|side| side * away.x <= 0.0) => away.x.hypot(ALONG * away.y),
         (false, _) => (ALONG * away.x).hypot(away.y),
     };
     let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
@@ -234,6 +246,38 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
     let cost = form.cost + distance + elsewhere + GLYPH * glyphs + leader_cost;
     Some(Candidate { form: number, place, leader, crosses, cost })
 }
+
+/// A better place of a label near to the one that it has, by the steps between those that were kept; none if there is
+/// none that is `free` of other labels.
+pub(super) fn better(
+    label: &Wanted,
+    form: &Form,
+    now: &Candidate,
+    around: &Around<'_>,
+    cells: &CellGrid<'_>,
+    free: impl Fn(&Candidate) -> bool,
+) -> Option<Candidate> {
+    let step = around.params.step;
+    let steps = (APART / step).ceil() as i32;
+    let mut best: Option<Candidate> = None;
+    for (x, y) in (-steps..=steps).flat_map(|y| (-steps..=steps).map(move |x| (x, y))) {
+        let place = cells.snapped(now.place.translate(MmVector::new(x as f32, y as f32) * step));
+        let params = around.params;
+        let is_whole = params.tiles.is_empty() || params.tiles.iter().any(|tile| tile.contains_box(&place));
+        if !is_whole || !around.room.is_free(place) {
+            continue;
+        }
+        let least = best.as_ref().map_or(now.cost - WORTH, |best| best.cost);
+        let found = candidate(label, now.form, form, place, around);
+        if let Some(found) = found.filter(|found| found.cost < least && free(found)) {
+            best = Some(found);
+        }
+    }
+    best
+}
+
+/// By how much a place has to be better for a label to be moved to it, mm.
+const WORTH: f32 = 0.1;
 
 fn corners(place: MmRect) -> [MmPoint; 4] {
     let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];

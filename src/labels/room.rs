@@ -17,6 +17,8 @@ const RAYS: u32 = 32;
 const ON_A_LINE: f32 = 1.75;
 /// The sides of a shape are looked for as far as this, mm: the width of A3.
 const BROADEST: f32 = 420.0;
+/// Height in which a line counts that comes up to the side of a text, mm: its letters' own, about.
+const SIDE_OF_TEXT: f32 = 4.0;
 /// Sides that are nearer than this to those above are the same ones, mm: a third of what labels keep from lines.
 const SAME_SIDE: f32 = 1.0;
 /// Blank between a leader line and other lines, mm.
@@ -118,6 +120,24 @@ impl Room {
         // of a line across a shape, or the top of one, the lines go on below it, or are nearer there
         let goes_on = |sides: [f32; 2]| sides[0] <= left + SAME_SIDE && sides[1] <= right + SAME_SIDE;
         !self.sides(start).is_some_and(goes_on)
+    }
+
+    /// On which side a line comes up to a box, when it is only one and none is above or below it: -1 on the left, 1 on
+    /// the right. So a text stands at the end of the line that leads to what it names, or beside an axis.
+    pub(super) fn comes_up_to(&self, place: MmRect, reach: f32) -> Option<f32> {
+        let middle = place.center();
+        let has = |direction: MmVector, half: f32| {
+            // beside the middle too, as a line seldom ends exactly on it
+            let across = MmVector::new(direction.y, direction.x) * (0.5 * SIDE_OF_TEXT);
+            [-1.0, 0.0, 1.0].iter().any(|&k| self.first_ink(middle + across * k, direction, half + reach).is_some())
+        };
+        let [left, right] = [-1.0, 1.0].map(|x| has(MmVector::new(x, 0.0), 0.5 * place.width()));
+        let [above, below] = [-1.0, 1.0].map(|y| has(MmVector::new(0.0, y), 0.5 * place.height()));
+        match (left, right, above || below) {
+            (true, false, false) => Some(-1.0),
+            (false, true, false) => Some(1.0),
+            _ => None,
+        }
     }
 
     /// How far the first lines on the left and on the right lie, mm; none if there are not both.
@@ -236,6 +256,17 @@ mod tests {
         assert!((reach - 4.2).abs() < 0.6, "{reach}");
         assert_eq!(whole.shut_in(MmPoint::new(50.0, 50.0), 3.0), None);
         assert_eq!(arc.shut_in(MmPoint::new(50.0, 50.0), 12.0), None);
+    }
+
+    #[test]
+    fn a_line_comes_up_to_one_side_of_a_text() {
+        let text = MmRect::new(MmPoint::new(40.0, 48.0), MmPoint::new(60.0, 52.0));
+        let of = |points: &[(f32, f32)]| room(points, false).comes_up_to(text, 5.0);
+        assert_eq!(of(&[(10.0, 50.0), (37.0, 51.0)]), Some(-1.0));
+        assert_eq!(of(&[(62.0, 10.0), (62.0, 90.0)]), Some(1.0));
+        assert_eq!(of(&[(10.0, 50.0), (30.0, 50.0)]), None, "too far");
+        assert_eq!(of(&[(10.0, 55.0), (90.0, 55.0)]), None, "below");
+        assert_eq!(of(&[(37.0, 50.0), (37.0, 70.0), (63.0, 70.0), (63.0, 50.0)]), None, "on both sides");
     }
 
     #[test]

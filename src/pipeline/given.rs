@@ -155,15 +155,23 @@ impl HandLines {
 
     /// The same, with those that a person drew first: along them others give way that are nearer than `reach`, px.
     /// What only leads up to them or across ends on them, with a gap of `gap` px that is closed when lines are drawn.
+    /// Those of a person are all of full strength, however thin they are: they are meant.
     ///
     /// # Errors
     /// As [`HandLines::edges`].
-    pub(super) fn edges_below(&self, names: &[LineName], size: Size, [reach, gap]: [f32; 2]) -> Result<Edges, Error> {
+    pub(super) fn edges_below(
+        &self,
+        names: &[LineName],
+        size: Size,
+        [reach, gap]: [f32; 2],
+        full_strength: f32,
+    ) -> Result<Edges, Error> {
         let is_by_hand = |line: &&HandLine| names.get(line.of_line).is_some_and(|name| name.by_hand);
         let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) = self.lines.iter().partition(is_by_hand);
         let own = |lines: Vec<&HandLine>| Self { lines: lines.into_iter().cloned().collect(), aspect: self.aspect };
         let kind = ChainKind { exact: true, drawn: true, added: true, ..ChainKind::default() };
-        let first = own(by_hand).edges_of(size, kind)?;
+        let mut first = own(by_hand).edges_of(size, kind)?;
+        first.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.max(full_strength));
         let found = own(others).edges(size)?;
         if first.is_empty() {
             return Ok(found);
@@ -476,7 +484,8 @@ mod tests {
         ];
         let lines = HandLines { lines: ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect(), aspect: 1.0 };
         let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
-        let edges = lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0]).expect("it has the same shape");
+        let edges =
+            lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
         let row =
             |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
         assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
@@ -489,8 +498,9 @@ mod tests {
         };
         assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
         assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
-        let none =
-            lines.edges_below(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0]).expect("the same shape");
+        let none = lines
+            .edges_below(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
+            .expect("the same shape");
         assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
     }
 

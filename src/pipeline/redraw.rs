@@ -15,7 +15,7 @@ use super::request::Request;
 use super::typed;
 use super::words::{Words, Written, blank_to_signs};
 use crate::classes::Classes;
-use crate::lines::{Line, Pen};
+use crate::lines::{Line, Pen, Run};
 use crate::page::layout::Layout;
 use crate::page::{
     BrailleText, Figure, Glyph, InSet, Medium, MediumParams, Names, Page, Parts, Shape, Sign, TextRole, Texture,
@@ -239,7 +239,7 @@ pub(super) fn marks(
     let params = plan.lines();
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
-    let mut edges = HandLines::of_figure(page, own).edges_below(lines, size, blank)?;
+    let mut edges = HandLines::of_figure(page, own).edges_below(lines, size, blank, params.full_strength)?;
     if let MediumParams::Dots { device, .. } = plan.medium()
         && !device.has_heights()
     {
@@ -248,12 +248,14 @@ pub(super) fn marks(
         edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
-    let (drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
+    let (mut drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
     let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
     let left_out = left_out(&drawn.lost, small);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
-        let (_, shares) = kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
+        let (stand_for, shares) =
+            kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
+        keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
@@ -262,6 +264,24 @@ pub(super) fn marks(
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+}
+
+/// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they are
+/// all of full strength.
+fn keep_widths(drawn: &mut [Line], stand_for: &[usize], (page, names): (&Page, &[LineName]), own: &Plan, plan: &Plan) {
+    let (params, swell) = (plan.lines(), own.profile().print.swell);
+    for (line, &number) in drawn.iter_mut().zip(stand_for) {
+        let Some(before) = page.figure.lines.get(number).filter(|_| names.get(number).is_some_and(|of| of.by_hand))
+        else {
+            continue;
+        };
+        let strokes = || before.runs.iter().filter(|run| run.pen == Pen::Stroke);
+        let length: f32 = strokes().map(Run::length).sum();
+        let width = strokes().map(|run| run.width * run.length()).sum::<f32>() / length.max(f32::MIN_POSITIVE) + swell;
+        for run in line.runs.iter_mut().filter(|run| run.pen == Pen::Stroke && length > 0.0) {
+            run.width = width.clamp(params.width_min, params.width_max);
+        }
+    }
 }
 
 /// A note as it is of use for a page: it has no parts to draw, and no sheets to be spread over.
