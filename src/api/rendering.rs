@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::Error;
 use crate::page::Page;
 use crate::pipeline::{self, Drawing, Fit, Key as KeySheets, Ready, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading;
+use crate::{About, Error, Note};
 
 /// Reads a page from its SVG, as [`Page::to_svg`](crate::Page::to_svg) wrote it and somebody may have changed it, so
 /// that it can be written in any format.
@@ -62,6 +62,12 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
     };
     let plan = Plan::new(profile)?;
+    // words are placed anew
+    let of_places = |note: &Note| {
+        use About::{Braille, Leaders, Print};
+        matches!(note, Note::Faulty(Braille, _) | Note::TakenAs(Braille | Leaders | Print, _) | Note::Abbreviated(_))
+    };
+    notes.retain(|note| !of_places(note));
     let mut drawing = pipeline::redraw((&page, &lines), &own, key, &request(&plan, false), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());

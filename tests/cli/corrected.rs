@@ -42,9 +42,9 @@ fn a_page_with_new_abbreviations_has_a_key() {
     let dots = ["--profile", "index-basic-d", "--set", "overview=false", "--key", "always"];
     done(&place, &[&["render", "typed.svg", "-o", "dots.svg"][..], &dots].concat());
     assert!(says(&read(&place, "dots-2.svg")).iter().any(|text| text == "blue"));
-    done(&place, &["render", "dots-1.svg", "--key", "always", "-o", "again.brf"]);
-    done(&place, &["render", "dots-1.svg", "-o", "less.brf"]);
-    assert!(place.text("again.brf").len() > place.text("less.brf").len(), "the key follows in the same file");
+    done(&place, &["render", "dots-1.svg", "--key", "always", "-o", "again.pef"]);
+    done(&place, &["render", "dots-1.svg", "-o", "less.pef"]);
+    assert!(place.text("again.pef").len() > place.text("less.pef").len(), "the key follows in the same file");
     // when it is asked for
     let told = done(&place, &["render", "typed.svg", "--key", "never", "-o", "alone.svg"]);
     assert!(told.contains("wrote alone.svg\n"), "{told}");
