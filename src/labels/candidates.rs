@@ -232,8 +232,11 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
         (true, true) => gap + 0.3 * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
         (true, false) => gap + 0.1 * away.x.abs() + ABOVE_OR_BELOW,
-        // in the row of the line's end, and away from it
-        (false, _) if line_on.is_some_and(|side| side * away.x <= 0.0) => away.x.hypot(ALONG * away.y),
+        // in the row of the line's end, and rather away from it than back over it
+        (false, _) if line_on.is_some() => {
+            let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
+            (away.x * if is_back { ALONG } else { 1.0 }).hypot(ALONG * away.y)
+        }
         (false, _) => (ALONG * away.x).hypot(away.y),
     };
     let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };

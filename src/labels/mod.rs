@@ -31,8 +31,8 @@ pub const MOST: usize = 300;
 /// row under the bars of a chart each is below its bar.
 const WORTH: f32 = 8.0;
 
-/// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some mm
-/// apart. A row of five that stand a little too near together needs three rounds.
+/// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some
+/// mm apart. A row of five that stand a little too near together needs three rounds.
 const ROUNDS: usize = 6;
 
 pub use forms::LONGEST;

@@ -12,8 +12,8 @@ const SQUARE: f32 = 0.5;
 const CORNER: f32 = 0.354;
 /// Directions in which a point is looked at from.
 const RAYS: u32 = 32;
-/// How far the ink of a line reaches below a point on its middle, at most, mm: half of the widest line, and the corner of
-/// a square.
+/// How far the ink of a line reaches below a point on its middle, at most, mm: half of the widest line, and the corner
+/// of a square.
 const ON_A_LINE: f32 = 1.75;
 /// The sides of a shape are looked for as far as this, mm: the width of A3.
 const BROADEST: f32 = 420.0;
@@ -106,8 +106,8 @@ impl Room {
         hits.into_iter().try_fold(0.0_f32, |most, hit| hit.map(|hit| most.max(hit)))
     }
 
-    /// Whether a point lies at the lower side of a shape: on a line or at most `above` mm below it, with an inside above
-    /// that line, which has lines on both sides, and nothing for `below` mm under the point.
+    /// Whether a point lies at the lower side of a shape: on a line or at most `above` mm below it, with an inside
+    /// above that line, which has lines on both sides, and nothing for `below` mm under the point.
     pub(super) fn is_at_lower_side(&self, at: MmPoint, above: f32, below: f32) -> bool {
         let down = MmVector::new(0.0, 1.0);
         // a point on the line itself stands in its ink

@@ -87,7 +87,7 @@ pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<S
     Some(format!("the overview is as it was: {}{more}; change it there too, or delete it", first.what))
 }
 
-/// Braille of a page that has too little blank around it or is no standard braille, in words; none if all of it is well.
+/// Braille of a page that has too little blank around it or is no standard braille, in words; none if all is well.
 pub fn braille_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<String> {
     let felt = page.risen();
     let mut found = spaces::findings(&felt, names, &marks::marks_of(&felt), limits);

@@ -1,7 +1,8 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::dots;
-use super::given::{Given, SAME_SHAPE, blank, by_hand_first, erase, with_room};
+use super::given::{Given, blank, erase, with_room};
+use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Read, read};
 use super::request::{Fit, Request};

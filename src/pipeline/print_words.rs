@@ -42,8 +42,8 @@ pub(super) fn left_out<'p>(pages: impl Iterator<Item = &'p Page>, plan: &Plan) -
     let no_room = "there is no room in print beside their braille (braille.print)";
     let no_room = (!lost.is_empty()).then(|| format!("{} in print, as {no_room}", lost.join(", ")));
     let mirrored = mirrored.then(|| {
-        "words in print (braille.print), as the page is mirrored: it is pressed from its back, where they would be read \
-         in a mirror"
+        "words in print (braille.print), as the page is mirrored: it is pressed from its back, where they would be \
+         read in a mirror"
             .to_owned()
     });
     no_room.into_iter().chain(mirrored).map(|told| Note::NotOnPage(About::Print, told)).collect()

@@ -5,7 +5,7 @@ use super::described::{described, is_made};
 use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
 use super::drawn_areas;
 use super::give_way;
-use super::given::HandLines;
+use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::key::Key;
 use super::label::{Label, Position};
@@ -29,7 +29,8 @@ use crate::{About, Error, Note, dots, legibility};
 /// Pixels for a millimetre in which the shape of a figure is said.
 const PX_PER_MM: f32 = 20.0;
 
-/// How far lines end before one that a person drew across them, as a share of the gap over which ends are joined or led on.
+/// How far lines end before one that a person drew across them, as a share of the gap over which ends are joined or
+/// led on.
 const GAP_OF_ENDS: f32 = 0.6;
 
 /// How far the sign of an area may be turned from that of its class before it is another one, degrees.
@@ -266,8 +267,8 @@ pub(super) fn marks(
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
 }
 
-/// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they are
-/// all of full strength.
+/// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
+/// are all of full strength.
 fn keep_widths(drawn: &mut [Line], stand_for: &[usize], (page, names): (&Page, &[LineName]), own: &Plan, plan: &Plan) {
     let (params, swell) = (plan.lines(), own.profile().print.swell);
     for (line, &number) in drawn.iter_mut().zip(stand_for) {

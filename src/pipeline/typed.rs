@@ -13,8 +13,9 @@ use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};
 
 /// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is
-/// there, nearest to where they were typed, and Unicode braille in its very place. Tells what has no room, what its code
-/// cannot write, what stands elsewhere than it was typed, and what was typed outside the figure, where no labels stand.
+/// there, nearest to where they were typed, and Unicode braille in its very place. Tells what has no room, what its
+/// code cannot write, what stands elsewhere than it was typed, and what was typed outside the figure, where no labels
+/// stand.
 pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<Note> {
     if texts.is_empty() {
         return Vec::new();

@@ -28,8 +28,8 @@ pub fn is_print_words(text: Node<'_, '_>) -> bool {
 /// What an element says of a property, in its style or as an attribute; the last that is declared counts.
 fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     let in_style = node.attribute("style").and_then(|style| {
-        let pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
-        pairs.filter(|(key, _)| key.trim() == name).last().map(|(_, value)| value.trim())
+        let mut pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
+        pairs.rfind(|(key, _)| key.trim() == name).map(|(_, value)| value.trim())
     });
     in_style.or(node.attribute(name)).map(|value| value.trim_end_matches("!important").trim())
 }
