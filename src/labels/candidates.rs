@@ -47,6 +47,9 @@ const NOT_BELOW: f32 = 12.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
 /// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
 const ALONG: f32 = 3.0;
+/// What a label costs for each mm above or below the row of the line that leads to it: a word that is whole just above
+/// that line is better than one that is divided beside it.
+const OFF_THE_ROW: f32 = 1.8;
 /// How far from a text a line ends that leads to what the text names, mm: print stands up to 4 mm beside it.
 const BESIDE_TEXT: f32 = 5.0;
 /// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
@@ -235,7 +238,7 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         // in the row of the line's end, and rather away from it than back over it
         (false, _) if line_on.is_some() => {
             let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
-            (away.x * if is_back { ALONG } else { 1.0 }).hypot(ALONG * away.y)
+            (away.x * if is_back { ALONG } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
         }
         (false, _) => (ALONG * away.x).hypot(away.y),
     };
