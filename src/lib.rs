@@ -148,7 +148,7 @@ mod wording;
 // Functions, and what they take.
 pub use api::{
     Calibration, FeelError, Felt, Fonts, Options, calibrate, check, check_marked, convert, convert_to_sheets, describe,
-    feel, profile_of_page, render, rules, trace, write_pdf,
+    feel, profile_of_page, render, render_with_key, rules, trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
@@ -164,7 +164,7 @@ pub use contours::{Polyline, Trace};
 pub use description::Description;
 pub use error::Error;
 pub use legibility::{Checked, Finding, Rule, Severity, Verdict};
-pub use note::Note;
+pub use note::{About, Note};
 pub use page::{Class, Page};
 pub use pipeline::sheets::Sheets;
 pub use pipeline::trace::Traced;

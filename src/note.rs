@@ -2,6 +2,34 @@
 
 use crate::braille::Code;
 
+/// What on a page a remark is about, for programs: its sentence may change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum About {
+    /// Marks of any kind.
+    Marks,
+    /// Lines, or contours that would be lines.
+    Lines,
+    /// How wide lines are.
+    Widths,
+    /// Areas and their textures.
+    Areas,
+    /// Single signs of textures.
+    Signs,
+    /// Texts that a person typed.
+    Texts,
+    /// Words in braille.
+    Braille,
+    /// Leader lines of labels.
+    Leaders,
+    /// Words in print beside braille.
+    Print,
+    /// Dots that a person drew.
+    Dots,
+    /// The overview.
+    Overview,
+}
+
 /// One remark about a page that was made all the same.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
@@ -10,8 +38,12 @@ pub enum Note {
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
     LeftOut(String),
-    /// Something on a page that was read is taken otherwise than it looks; says what, where and as what.
-    TakenAs(String),
+    /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
+    NotOnPage(About, String),
+    /// Something on a page is taken otherwise than it looks; says what, where and as what.
+    TakenAs(About, String),
+    /// Something on the page is as it was given and breaks a rule of legibility; says what, where and what to do.
+    Faulty(About, String),
     /// Of a document only the first page was taken, as no page was asked for.
     FirstPageOnly {
         /// How many pages it has.
@@ -66,6 +98,8 @@ pub enum Note {
     BackgroundCalmed(u32),
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
     Abbreviated(Vec<(String, String)>),
+    /// A key is asked for, and there is none; says why.
+    NoKey(&'static str),
     /// The texts of the picture were to be labels, and it has none.
     NoTexts,
     /// Labels that are not on the page.
@@ -128,12 +162,22 @@ pub enum Note {
 }
 
 impl Note {
+    /// What on the page it is about, of the kinds `not-on-page`, `taken-as` and `faulty`.
+    pub fn about(&self) -> Option<About> {
+        match self {
+            Self::NotOnPage(about, _) | Self::TakenAs(about, _) | Self::Faulty(about, _) => Some(*about),
+            _ => None,
+        }
+    }
+
     /// Its kind as a word for programs, such as `lines-left-out`, which stays the same when the sentence changes.
     pub fn id(&self) -> &'static str {
         match self {
             Self::ColourProfileIgnored(..) => "colour-profile-ignored",
             Self::LeftOut(..) => "left-out",
+            Self::NotOnPage(..) => "not-on-page",
             Self::TakenAs(..) => "taken-as",
+            Self::Faulty(..) => "faulty",
             Self::FirstPageOnly { .. } => "first-page-only",
             Self::TextsLeftOut(..) => "texts-left-out",
             Self::LetteringLeftOut { .. } => "lettering-left-out",
@@ -148,6 +192,7 @@ impl Note {
             Self::NoSubject(..) => "no-subject",
             Self::BackgroundCalmed(..) => "background-calmed",
             Self::Abbreviated(..) => "abbreviated",
+            Self::NoKey(..) => "no-key",
             Self::NoTexts => "no-texts",
             Self::LabelsLeftOut { .. } => "labels-left-out",
             Self::NoLines => "no-lines",
@@ -165,14 +210,33 @@ impl Note {
     }
 }
 
+impl About {
+    /// Its name, such as "lines".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Marks => "marks",
+            Self::Lines => "lines",
+            Self::Widths => "widths",
+            Self::Areas => "areas",
+            Self::Signs => "signs",
+            Self::Texts => "texts",
+            Self::Braille => "braille",
+            Self::Leaders => "leaders",
+            Self::Print => "print",
+            Self::Dots => "dots",
+            Self::Overview => "overview",
+        }
+    }
+}
+
 impl std::fmt::Display for Note {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::ColourProfileIgnored(why) => {
                 write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
             }
-            Self::LeftOut(what) => write!(f, "left out of the page: {what}"),
-            Self::TakenAs(what) => f.write_str(what),
+            Self::LeftOut(what) | Self::NotOnPage(_, what) => write!(f, "left out of the page: {what}"),
+            Self::TakenAs(_, what) | Self::Faulty(_, what) => f.write_str(what),
             Self::FirstPageOnly { pages } => {
                 write!(f, "this is page 1 of {pages}; ask for another by its number")
             }
@@ -245,6 +309,7 @@ impl std::fmt::Display for Note {
                     labels.iter().map(|(abbreviation, text)| format!("{abbreviation} = {}", short(text))).collect();
                 write!(f, "abbreviated for want of room: {}", all.join(", "))
             }
+            Self::NoKey(why) => write!(f, "there is no key, as {why}"),
             Self::NoTexts => f.write_str(
                 "there are no texts for labels: none was found in this picture, or its letters are pixels that \
                  nobody has read; write a list of labels",

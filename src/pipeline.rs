@@ -11,6 +11,7 @@ mod drawn_areas;
 mod finish;
 mod give_way;
 mod given;
+mod hand_lines;
 mod kept_lines;
 mod key;
 mod label;
@@ -28,14 +29,16 @@ mod typed;
 mod unwritten;
 mod words;
 
-pub use areas::of_page as areas_of;
 pub use described::is_made;
+pub use drawn_areas::with_drawn as areas_of;
 pub use finish::{title_of_key, title_of_overview};
-pub use given::{Given, HandLines};
+pub use given::Given;
+pub use hand_lines::HandLines;
+pub use kept_lines::LineName;
 pub use key::Key;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
-pub use redraw::{Settled, dots_left_out, settle};
+pub use redraw::{Ready, dots_left_out, key_of_page, made_ready};
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;
@@ -44,7 +47,7 @@ pub use words::Words;
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Names, Overview, Page, Parts, frame};
+use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::units::MmRect;
@@ -100,21 +103,22 @@ pub fn convert_with_words<'p>(
 }
 
 /// Draws a page anew with another profile: lines and areas keep their places in the figure, and everything that hangs
-/// on paper or device is made for the new one. `names` are those of its objects, `own` is its profile.
+/// on paper or device is made for the new one. `lines` are what those of its figure are called, `own` is its profile.
 ///
 /// # Errors
 /// As [`convert`].
 pub fn redraw(
-    (page, names): (&Page, &Names),
+    (page, lines): (&Page, &[LineName]),
     own: &Plan,
+    key: Key,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let labels = redraw::labels(page);
-    let words = redraw::words(page, &labels);
+    let words = Words { key, ..redraw::words(page, &labels) };
     let written = Written::new(&words, request.plan);
     let layout = written.layout(redraw::shape(page), request)?;
-    let marks = redraw::marks((page, names), own, layout, request, watch)?;
+    let marks = redraw::marks((page, lines), own, layout, request, watch)?;
     compose(marks, &words, &written, request, watch)
 }
 
@@ -135,14 +139,9 @@ fn compose(
         let (braille, of_words) = written.on(&layout, &mut figure, &texts, words, plan);
         notes.extend(of_words);
         let alone = matches!(layout.medium, Medium::Dots(_)) && overview.is_some();
-        let key = match written.key(words, &braille, &figure, 1 + u32::from(alone)) {
-            Some(entries) => {
-                let (sheets, of_key) = key::sheets(&entries, &layout, figure.source, request)?;
-                notes.extend(of_key);
-                sheets
-            }
-            None => Vec::new(),
-        };
+        let before = 1 + u32::from(alone);
+        let (key, of_key) = written.key_sheets(words, &braille, &figure, before, &layout, request)?;
+        notes.extend(of_key);
         let (page, overview) = match &layout.medium {
             Medium::Print(_) => Ok((assemble(figure, overview, left_out, braille, &layout, request)?, None)),
             Medium::Dots(medium) => {
@@ -152,7 +151,7 @@ fn compose(
         }?;
         Ok::<_, Error>((page, overview, key))
     })?;
-    notes.extend(std::iter::once(&page).chain(&key).filter_map(|page| print_words::left_out(page, plan)));
+    notes.extend(print_words::left_out(std::iter::once(&page).chain(&key), plan));
     if page.is_empty() {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && page.figure.lines.is_empty() && !is_flat {

@@ -4,7 +4,7 @@ use usvg::{ImageHrefResolver, Tree};
 
 use super::feeling::feel;
 use crate::Error;
-use crate::legibility::{self, Checked, Drawn};
+use crate::legibility::{self, Checked, Drawn, Fingertip};
 use crate::page::{Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::checked_document;
@@ -72,9 +72,9 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
     let checked = match read {
         Some(read) => {
             let limits = limits(&read.page)?;
-            let felt = feel(bytes, FINGER).ok();
-            let felt = felt.as_ref().map(super::Felt::report);
-            let checked = drawn.check(&read, &limits, felt);
+            let felt = feel(bytes, FINGER);
+            let fingertip = felt.as_ref().map_or(Fingertip::TooLarge, |felt| Fingertip::Felt(felt.report()));
+            let checked = drawn.check(&read, &limits, fingertip);
             Checked { notes: read.notes, ..checked }
         }
         None => {

@@ -36,7 +36,7 @@ pub fn describe(
         read.page
     } else {
         let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-        pipeline::settle(&read, &plan)?.page
+        pipeline::made_ready(&read, &plan)?.page
     };
     Ok(description::describe(&page, &checked.verdict, wording))
 }

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::Translate;
 use crate::page::{LANGUAGE, Page};
-use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, Settled, TextReader, Words};
+use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
 use crate::reading::{self, Reading, TypedText};
-use crate::{Error, Note};
+use crate::{About, Error, Note};
 
 /// How a picture is converted: a profile, and what is chosen anew for each picture. A builder: what is not set has a
 /// default that does for most pictures. It owns all it holds, can be sent between threads, and clones are cheap enough
@@ -233,17 +233,10 @@ impl Options {
         let mut read = reading::read(svg.as_ref())?;
         let mut notes = std::mem::take(&mut read.notes);
         notes.extend(not_written(&std::mem::take(&mut read.texts)));
-        // drawn areas have signs only then
-        let (page, more) = match read.areas.is_empty() {
-            true => (read.page, Vec::new()),
-            false => {
-                let Settled { page, notes, .. } =
-                    pipeline::settle(&read, &Plan::new(&Profile::of_page(&read.page.origin)?)?)?;
-                (page, notes)
-            }
-        };
-        self.given.areas = Some(pipeline::areas_of(&page));
-        notes.extend(more);
+        let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
+        let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
+        self.given.areas = Some(areas);
+        notes.extend(told);
         self.add_notes(notes);
         Ok(self)
     }
@@ -398,9 +391,8 @@ fn not_written(texts: &[TypedText]) -> Option<Note> {
         1 => format!("the text \"{string}\" that was typed at {:.0}, {:.0} mm", at.x, at.y),
         count => format!("{count} texts that were typed, the first \"{string}\" at {:.0}, {:.0} mm", at.x, at.y),
     };
-    Some(Note::LeftOut(format!(
-        "{texts}: lines and areas are taken from a corrected page, and no words; give them as labels"
-    )))
+    let why = "lines and areas are taken from a corrected page, and no words; give them as labels";
+    Some(Note::NotOnPage(About::Texts, format!("{texts}: {why}")))
 }
 
 impl fmt::Debug for Options {

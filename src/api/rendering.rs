@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::Error;
-use crate::pipeline::{self, Drawing, Fit, Request, Settled};
+use crate::page::Page;
+use crate::pipeline::{self, Drawing, Fit, Key as KeySheets, Ready, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading;
+use crate::{About, Error, Note};
 
 /// Reads a page from its SVG, as [`Page::to_svg`](crate::Page::to_svg) wrote it and somebody may have changed it, so
 /// that it can be written in any format.
@@ -32,30 +33,53 @@ use crate::reading;
 /// # Errors
 /// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; faults of the profile.
 pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawing, Error> {
+    render_with_key(svg, profile, KeySheets::Auto)
+}
+
+/// As [`render`], which makes a key where labels are abbreviated, with a key when it is asked for.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: KeySheets) -> Result<Drawing, Error> {
     let mut read = reading::read(svg.as_ref())?;
     let mut notes = std::mem::take(&mut read.notes);
     let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-    let Settled { page, names, notes: more } = pipeline::settle(&read, &own)?;
+    let Ready { page, lines, notes: more } = pipeline::made_ready(&read, &own)?;
     notes.extend(more);
-    let Some(profile) = profile else {
-        return Ok(Drawing { page, overview: None, key: Vec::new(), texts: Vec::new(), notes });
-    };
-    let plan = Plan::new(profile)?;
-    let request = Request {
-        plan: &plan,
+    let request = |plan, mirrored| Request {
+        plan,
         limits: Limits::default(),
         fonts: &Arc::default,
         title: &page.title,
         language: &page.description_language,
-        fit: Fit::default(),
+        fit: Fit { mirrored, ..Fit::default() },
         cancelled: &|| false,
     };
-    let mut drawing = pipeline::redraw((&page, &names), &own, &request, &mut |_| ())?;
+    let Some(profile) = profile else {
+        let (key, of_key) = pipeline::key_of_page(&page, key, &request(&own, page.is_mirrored()))?;
+        notes.extend(of_key);
+        let key = in_language(key, &page);
+        return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
+    };
+    let plan = Plan::new(profile)?;
+    // words are placed anew
+    let of_places = |note: &Note| {
+        use About::{Braille, Leaders, Print};
+        matches!(note, Note::Faulty(Braille, _) | Note::TakenAs(Braille | Leaders | Print, _) | Note::Abbreviated(_))
+    };
+    notes.retain(|note| !of_places(note));
+    let mut drawing = pipeline::redraw((&page, &lines), &own, key, &request(&plan, false), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));
+    drawing.key = in_language(drawing.key, &page);
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })
+}
+
+/// Sheets of a key, whose titles are in the language of the page's.
+fn in_language(key: Vec<Page>, page: &Page) -> Vec<Page> {
+    key.into_iter().map(|sheet| sheet.called(None, None, Some(&page.language))).collect()
 }
 
 /// The profile that a page was made with, as its SVG says: what [`render`] takes if no other is given. What the page

@@ -1,11 +1,11 @@
 //! Pages and traces to bytes.
 
-use crate::Error;
 use crate::contours::Trace;
 use crate::output::dots::{gcode, pef};
 use crate::output::png::{Depth, Dpi};
 use crate::output::{DotFormat, DrawingFormat, Embossing, Format, json, pdf, png, svg, write_dots};
 use crate::page::Page;
+use crate::{About, Error, Note};
 
 impl Page {
     /// An SVG drawing in true millimetres, with a layer for each texture, for the lines, the frame and the overview:
@@ -29,6 +29,15 @@ impl Page {
     /// [`Error::TooFine`] if that would be more than 400 megapixels.
     pub fn to_png(&self, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
         png::write(self, dpi, depth)
+    }
+
+    /// What of the page a PNG made on this machine would lack: words in print, where no fonts are installed. None if it
+    /// has all.
+    #[must_use]
+    pub fn not_in_png(&self) -> Option<Note> {
+        let why = "words in print (braille.print): no fonts are installed on this machine; write a PDF, or install one";
+        let lacks = !self.print.is_empty() && !png::has_fonts();
+        lacks.then(|| Note::NotOnPage(About::Print, format!("from the PNG, {why}")))
     }
 
     /// The page in a format of drawings that is chosen while the program runs. `dpi` and `depth` are for PNG.

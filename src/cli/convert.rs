@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use tactograph::{Drawing, Error, Options, Page, Profile, convert, convert_to_sheets, profile_of_page, render};
+use tactograph::{
+    Drawing, Error, Options, Page, Profile, convert, convert_to_sheets, profile_of_page, render_with_key,
+};
 
 use super::args::{Convert, Corrections};
 use super::batch::{self, Input, Made, Order};
@@ -111,17 +113,18 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_
             convert(bytes, &options).map(|drawing| (pages_of(&drawing), drawing.notes))
         };
         let mut title = options.document_title().to_owned();
-        let (pages, notes) = match drawn {
+        let (pages, mut notes) = match drawn {
             // a page that is saved into a watched directory was changed by somebody
             Err(Error::IsAPage) if session.is_some() => {
                 let own = profile_of_page(bytes)?;
                 let other = Some(options.profile()).filter(|profile| profile.name != own.name);
-                let drawing = render(bytes, other)?;
+                let drawing = render_with_key(bytes, other, labels.key())?;
                 title = drawing.page.title.clone();
                 (pages_of(&drawing), drawing.notes)
             }
             drawn => drawn?,
         };
+        notes.extend(sheets::not_in(&pages, [Some(chosen.format), chosen.preview.map(Format::Drawing)]));
         let describe = |page: &Page| tactograph::describe(page.to_svg(), None, None).map(|told| told.to_string());
         let description = match args.describe {
             true => Some(pages.iter().map(describe).collect::<Result<Vec<_>, _>>()?.join("\n")),

@@ -1,10 +1,10 @@
 //! `tactograph render`: a page in, edited or not, the same page in any format out.
 
-use tactograph::{Page, Profile, profile_of_page, render};
+use tactograph::{Page, Profile, profile_of_page, render_with_key};
 
 use super::args::Render;
 use super::dots;
-use super::product::Product;
+use super::product::{Format, Product};
 use super::report::{Exit, Report};
 use super::settings::Change;
 use super::sheets::Failure;
@@ -40,6 +40,8 @@ pub(super) fn run(args: &Render) -> Exit {
             return exit;
         }
     };
+    let formats = [Some(chosen.format), chosen.preview.map(Format::Drawing)];
+    sheets::not_in(&pages, formats).into_iter().for_each(|note| report.note(&page, &note.to_string()));
     match sheets::write_pages((&title, &pages), (chosen, args.embossing.numbers()), &args.output, args.force) {
         Ok(names) => {
             names.iter().for_each(|name| report.done(&format!("wrote {name}")));
@@ -70,7 +72,7 @@ fn read(
             return Err((Exit::Usage, faults));
         }
     }
-    let drawing = render(&bytes, other).map_err(|error| failed(error.to_string()))?;
+    let drawing = render_with_key(&bytes, other, args.key.sheets()).map_err(|error| failed(error.to_string()))?;
     drawing.notes.iter().for_each(|note| report.note(name, &note.to_string()));
     let title = drawing.page.title.clone();
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))

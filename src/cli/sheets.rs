@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tactograph::{Embossing, Error, Page, write_dots, write_pdf};
+use tactograph::{Embossing, Error, Note, Page, write_dots, write_pdf};
 
 use super::args::Chosen;
 use super::interrupt;
@@ -45,6 +45,12 @@ pub(super) fn encode(
         (Format::Drawing(DrawingFormat::Pdf), pages) => write_pdf(title, pages).map(|file| vec![file]),
         (Format::Drawing(format), pages) => pages.iter().map(|page| drawn(page, format)).collect(),
     }
+}
+
+/// What pages have that is not in their files of these formats; told once.
+pub(super) fn not_in(pages: &[Page], formats: [Option<Format>; 2]) -> Option<Note> {
+    let has_png = formats.contains(&Some(Format::Drawing(DrawingFormat::Png)));
+    pages.iter().filter(|_| has_png).find_map(Page::not_in_png)
 }
 
 /// Where the files go: one to its target, several to names with numbers.

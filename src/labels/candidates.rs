@@ -31,9 +31,27 @@ const BEFORE_LEADER: f32 = 3.0;
 const BESIDE: f32 = 2.0;
 /// A leader line may come near to lines where it ends, over this length, mm.
 const AT_END: f32 = 4.0;
+/// A ring that reaches no further than this around a point is what the point names, mm: then a label beside it needs no
+/// leader line either.
+const LARGEST_RING: f32 = 9.0;
+/// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
+const AROUND_RING: f32 = 2.0;
+/// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given more
+/// exactly.
+const BELOW: f32 = 6.0;
+/// What a label of such a point costs for each mm that its middle is off it, so that it stands in the middle below the
+/// shape where there is room, and not below the next one...
+const OFF_MIDDLE: f32 = 0.5;
+/// ... and what it costs elsewhere than below, mm.
+const NOT_BELOW: f32 = 12.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
 /// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
 const ALONG: f32 = 3.0;
+/// What a label costs for each mm above or below the row of the line that leads to it: a word that is whole just above
+/// that line is better than one that is divided beside it.
+const OFF_THE_ROW: f32 = 1.8;
+/// How far from a text a line ends that leads to what the text names, mm: print stands up to 4 mm beside it.
+const BESIDE_TEXT: f32 = 5.0;
 /// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
 /// on: more than a step of a grid of dots, mm.
 const ON_THE_LEFT: f32 = 3.0;
@@ -94,8 +112,7 @@ impl Candidate {
         let near = self.place.inflate(aside, above).intersects(&other.place);
         let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
             leader.is_some_and(|[a, b]| {
-                let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
-                let corners = [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from);
+                let corners = corners(place);
                 let to_side = |i: usize| segment_distance((a, b), (corners[i], corners[(i + 1) % 4]));
                 place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < TO_LEADER)
             })
@@ -108,12 +125,39 @@ impl Candidate {
     }
 }
 
+/// What lies around what a label names.
+pub(super) struct Around<'a> {
+    room: &'a Room,
+    params: &'a Params,
+    /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
+    end: f32,
+    /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
+    is_at_lower_side: bool,
+    /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
+    line_on: Option<f32>,
+}
+
+impl<'a> Around<'a> {
+    pub(super) fn of(label: &Wanted, room: &'a Room, params: &'a Params) -> Self {
+        let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
+        // a small ring around a point, such as a town on a map, is what it names
+        let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
+        Self {
+            room,
+            params,
+            end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
+            is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
+            line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
+        }
+    }
+}
+
 /// Places for a label in its forms.
-pub(super) fn of(label: &Wanted, forms: &[Form], room: &Room, cells: &CellGrid<'_>, params: &Params) -> Vec<Candidate> {
+pub(super) fn of(label: &Wanted, forms: &[Form], around: &Around<'_>, cells: &CellGrid<'_>) -> Vec<Candidate> {
     let mut candidates: Vec<Candidate> = forms
         .iter()
         .enumerate()
-        .flat_map(|(number, form)| apart(of_form(label, (number, form), room, cells, params)))
+        .flat_map(|(number, form)| apart(of_form(label, (number, form), around, cells)))
         .collect();
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     candidates
@@ -123,10 +167,10 @@ pub(super) fn of(label: &Wanted, forms: &[Form], room: &Room, cells: &CellGrid<'
 fn of_form(
     label: &Wanted,
     (number, form): (usize, &Form),
-    room: &Room,
+    around: &Around<'_>,
     cells: &CellGrid<'_>,
-    params: &Params,
 ) -> Vec<Candidate> {
+    let Around { room, params, .. } = *around;
     let longest = form.lines.iter().map(Vec::len).max().unwrap_or(0);
     let size = cells.extent(longest, form.lines.len());
     let anchor = label.anchor.center();
@@ -145,61 +189,105 @@ fn of_form(
             let place = cells.snapped(MmRect::new(corner, corner + size));
             let is_whole = params.tiles.is_empty() || params.tiles.iter().any(|tile| tile.contains_box(&place));
             if is_whole && room.is_free(place) {
-                found.extend(candidate(label, number, form, place, room, params));
+                found.extend(candidate(label, number, form, place, around));
             }
         }
     }
     found
 }
 
-fn candidate(
-    label: &Wanted,
-    number: usize,
-    form: &Form,
-    place: MmRect,
-    room: &Room,
-    params: &Params,
-) -> Option<Candidate> {
+fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: &Around<'_>) -> Option<Candidate> {
+    let Around { room, params, end, is_at_lower_side, line_on } = *around;
     let anchor = label.anchor.center();
     let gap = to_box(anchor, place);
     let is_point = label.anchor.is_empty();
     if gap > FAR || is_point && gap < BESIDE {
         return None;
     }
-    let from = anchor.clamp(place.min, place.max);
+    // from the nearest point of the label, or from another one where lines lie between
+    let nearest = anchor.clamp(place.min, place.max);
+    let starts = || std::iter::once(nearest).chain(corners(place));
+    let is_open = |from: &MmPoint| !room.is_parted(*from, anchor, end);
+    let leads = |from: MmPoint| {
+        let way = anchor - from;
+        (way.length() > SHORTEST_LEADER).then(|| [from + way.normalize() * BEFORE_LEADER, anchor])
+    };
     // a label on the other side of a line names what is there, unless a line leads across
-    let is_parted = room.is_parted(from, anchor, AT_END);
-    if is_parted && !params.may_cross {
-        return None;
-    }
-    let leader = if gap > NEAR || is_parted {
-        let begin = from + (anchor - from).normalize() * BEFORE_LEADER;
-        let is_clear = is_parted || room.is_free_way(begin, anchor, AT_END);
-        (is_clear && gap > SHORTEST_LEADER).then_some(Some([begin, anchor]))?
-    } else {
-        None
+    let is_near = gap <= NEAR && is_open(&nearest);
+    let clear = || {
+        // one that begins at a corner must not run along its own label
+        let leaves = |[from, _]: &[MmPoint; 2]| to_box(*from, place) >= 0.7 * BEFORE_LEADER;
+        let ways = starts().filter(is_open).filter_map(leads).filter(leaves);
+        ways.into_iter().find(|[from, to]| room.is_free_way(*from, *to, end))
+    };
+    let (leader, crosses) = match is_near {
+        true => (None, false),
+        false => match clear() {
+            Some(way) => (Some(way), false),
+            None if !params.may_cross || is_open(&nearest) => return None,
+            None => (Some(leads(nearest)?), true),
+        },
     };
     // beside a point; in place of a text
     let away = place.center() - anchor;
     let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
     let distance = match (is_point, is_beside) {
+        (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
         (true, true) => gap + 0.3 * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
         (true, false) => gap + 0.1 * away.x.abs() + ABOVE_OR_BELOW,
+        // in the row of the line's end, and rather away from it than back over it
+        (false, _) if line_on.is_some() => {
+            let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
+            (away.x * if is_back { ALONG } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
+        }
         (false, _) => (ALONG * away.x).hypot(away.y),
     };
+    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
     let leader_cost = match leader {
-        Some([from, to]) if is_parted => ACROSS + ALONG_A_LINE * room.along(from, to, AT_END),
+        Some([from, to]) if crosses => ACROSS + ALONG_A_LINE * room.along(from, to, end),
         Some(_) => LEADER,
         None => 0.0,
     };
-    Some(Candidate {
-        form: number,
-        place,
-        leader,
-        crosses: is_parted,
-        cost: form.cost + distance + GLYPH * glyphs + leader_cost,
-    })
+    let cost = form.cost + distance + elsewhere + GLYPH * glyphs + leader_cost;
+    Some(Candidate { form: number, place, leader, crosses, cost })
+}
+
+/// A better place of a label near to the one that it has, by the steps between those that were kept; none if there is
+/// none that is `free` of other labels.
+pub(super) fn better(
+    label: &Wanted,
+    form: &Form,
+    now: &Candidate,
+    around: &Around<'_>,
+    cells: &CellGrid<'_>,
+    free: impl Fn(&Candidate) -> bool,
+) -> Option<Candidate> {
+    let step = around.params.step;
+    let steps = (APART / step).ceil() as i32;
+    let mut best: Option<Candidate> = None;
+    for (x, y) in (-steps..=steps).flat_map(|y| (-steps..=steps).map(move |x| (x, y))) {
+        let place = cells.snapped(now.place.translate(MmVector::new(x as f32, y as f32) * step));
+        let params = around.params;
+        let is_whole = params.tiles.is_empty() || params.tiles.iter().any(|tile| tile.contains_box(&place));
+        if !is_whole || !around.room.is_free(place) {
+            continue;
+        }
+        let least = best.as_ref().map_or(now.cost - WORTH, |best| best.cost);
+        let found = candidate(label, now.form, form, place, around);
+        if let Some(found) = found.filter(|found| found.cost < least && free(found)) {
+            best = Some(found);
+        }
+    }
+    best
+}
+
+/// By how much a place has to be better for a label to be moved to it, mm.
+const WORTH: f32 = 0.1;
+
+fn corners(place: MmRect) -> [MmPoint; 4] {
+    let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
+    [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from)
 }
 
 /// The best of the places, some way apart.

@@ -20,7 +20,7 @@ pub use placed::{Params, Placed, Unplaced, Wanted};
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
-use candidates::{Candidate, Spacing};
+use candidates::{Around, Candidate, Spacing};
 use forms::{Form, Forms};
 use room::Room;
 
@@ -30,6 +30,10 @@ pub const MOST: usize = 300;
 /// Labels have less blank between them where they lie nearer to what they name by this, all of them together, mm: in a
 /// row under the bars of a chart each is below its bar.
 const WORTH: f32 = 8.0;
+
+/// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some
+/// mm apart. A row of five that stand a little too near together needs three rounds.
+const ROUNDS: usize = 6;
 
 pub use forms::LONGEST;
 
@@ -45,11 +49,12 @@ pub fn place(
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let forms = forms::of(&texts, translator);
-    let candidates_of = |(label, forms): (&Wanted, &Result<Forms, Unplaced>)| match forms {
-        Ok(forms) => candidates::of(label, &forms.forms, &room, cells, params),
+    let around: Vec<Around<'_>> = wanted.iter().map(|label| Around::of(label, &room, params)).collect();
+    let candidates_of = |((label, around), forms): ((&Wanted, &Around<'_>), &Result<Forms, Unplaced>)| match forms {
+        Ok(forms) => candidates::of(label, &forms.forms, around, cells),
         Err(_) => Vec::new(),
     };
-    let candidates: Vec<Vec<Candidate>> = wanted.iter().zip(&forms).map(candidates_of).collect();
+    let candidates: Vec<Vec<Candidate>> = wanted.iter().zip(&around).zip(&forms).map(candidates_of).collect();
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
     let chosen_with = |spacing: Spacing| {
@@ -67,22 +72,43 @@ pub fn place(
         let cost: f32 = placed.iter().map(|(_, candidate)| candidate.cost).sum();
         ((chosen.len() - placed.len(), placed.iter().filter(is_short).count()), cost)
     };
-    let mut chosen = chosen_with(Spacing::wide(cells));
+    let mut spacing = Spacing::wide(cells);
+    let mut chosen = chosen_with(spacing);
     let narrow = chosen_with(Spacing::narrow(cells));
     let ((lost, cost), (of_narrow, cost_of_narrow)) = (loss(&chosen), loss(&narrow));
     if of_narrow < lost || of_narrow == lost && cost_of_narrow + WORTH < cost {
-        chosen = narrow;
+        (chosen, spacing) = (narrow, Spacing::narrow(cells));
     }
     let lost = loss(&chosen).0;
     if lost > (0, 0) {
         let tight = chosen_with(Spacing::TIGHT);
         if loss(&tight).0 < lost {
-            chosen = tight;
+            (chosen, spacing) = (tight, Spacing::TIGHT);
         }
     }
-    let placed = forms.into_iter().zip(chosen).zip(&candidates).map(|((forms, chosen), candidates)| {
+    let chosen = chosen.into_iter().zip(candidates);
+    let mut chosen: Vec<Option<Candidate>> =
+        chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
+    for _ in 0..ROUNDS {
+        let mut changed = false;
+        for number in 0..chosen.len() {
+            let (Some(now), Ok(of)) = (&chosen[number], &forms[number]) else { continue };
+            let others =
+                || chosen.iter().enumerate().filter(|(other, _)| *other != number).filter_map(|(_, of)| of.as_ref());
+            let is_free = |found: &Candidate| !others().any(|other| found.conflicts(other, spacing));
+            let form = &of.forms[now.form];
+            if let Some(better) = candidates::better(&wanted[number], form, now, &around[number], cells, is_free) {
+                chosen[number] = Some(better);
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+    let placed = forms.into_iter().zip(chosen).map(|(forms, chosen)| {
         let Forms { mut forms, lacking } = forms?;
-        let candidate = &candidates[chosen.ok_or(Unplaced::NoRoom)?];
+        let candidate = chosen.ok_or(Unplaced::NoRoom)?;
         let Form { lines, abbreviation, .. } = forms.swap_remove(candidate.form);
         Ok(Placed {
             place: candidate.place,

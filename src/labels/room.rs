@@ -1,5 +1,7 @@
 //! Which places of a figure are free of lines, and how many glyphs of textures a place would cost.
 
+use std::f32::consts::TAU;
+
 use crate::geom::nearest_on_segment;
 use crate::page::{Line, Pen, Texture};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -8,6 +10,17 @@ use crate::units::{MmPoint, MmRect, MmVector};
 const SQUARE: f32 = 0.5;
 /// From the middle of a square to its corner, mm.
 const CORNER: f32 = 0.354;
+/// Directions in which a point is looked at from.
+const RAYS: u32 = 32;
+/// How far the ink of a line reaches below a point on its middle, at most, mm: half of the widest line, and the corner
+/// of a square.
+const ON_A_LINE: f32 = 1.75;
+/// The sides of a shape are looked for as far as this, mm: the width of A3.
+const BROADEST: f32 = 420.0;
+/// Height in which a line counts that comes up to the side of a text, mm: its letters' own, about.
+const SIDE_OF_TEXT: f32 = 4.0;
+/// Sides that are nearer than this to those above are the same ones, mm: a third of what labels keep from lines.
+const SAME_SIDE: f32 = 1.0;
 /// Blank between a leader line and other lines, mm.
 const LEADER_CLEARANCE: f32 = 1.5;
 
@@ -83,6 +96,65 @@ impl Room {
         self.meets(&self.ink, from, to, end)
     }
 
+    /// How far the lines around a point reach that shut it in on all sides, mm; none if one side is open as far as
+    /// `reach`.
+    pub(super) fn shut_in(&self, at: MmPoint, reach: f32) -> Option<f32> {
+        let hits = (0..RAYS).map(|ray| {
+            let (sin, cos) = (TAU * ray as f32 / RAYS as f32).sin_cos();
+            self.first_ink(at, MmVector::new(cos, sin), reach)
+        });
+        hits.into_iter().try_fold(0.0_f32, |most, hit| hit.map(|hit| most.max(hit)))
+    }
+
+    /// Whether a point lies at the lower side of a shape: on a line or at most `above` mm below it, with an inside
+    /// above that line, which has lines on both sides, and nothing for `below` mm under the point.
+    pub(super) fn is_at_lower_side(&self, at: MmPoint, above: f32, below: f32) -> bool {
+        let down = MmVector::new(0.0, 1.0);
+        // a point on the line itself stands in its ink
+        let Some(up) = self.first_ink(at + down * SQUARE, -down, above + SQUARE) else { return false };
+        let start = at + down * ON_A_LINE;
+        if self.first_ink(start, down, below).is_some() {
+            return false;
+        }
+        let Some([left, right]) = self.sides(at - down * (up + ON_A_LINE)) else { return false };
+        // of a line across a shape, or the top of one, the lines go on below it, or are nearer there
+        let goes_on = |sides: [f32; 2]| sides[0] <= left + SAME_SIDE && sides[1] <= right + SAME_SIDE;
+        !self.sides(start).is_some_and(goes_on)
+    }
+
+    /// On which side a line comes up to a box, when it is only one and none is above or below it: -1 on the left, 1 on
+    /// the right. So a text stands at the end of the line that leads to what it names, or beside an axis.
+    pub(super) fn comes_up_to(&self, place: MmRect, reach: f32) -> Option<f32> {
+        let middle = place.center();
+        let has = |direction: MmVector, half: f32| {
+            // beside the middle too, as a line seldom ends exactly on it
+            let across = MmVector::new(direction.y, direction.x) * (0.5 * SIDE_OF_TEXT);
+            [-1.0, 0.0, 1.0].iter().any(|&k| self.first_ink(middle + across * k, direction, half + reach).is_some())
+        };
+        let [left, right] = [-1.0, 1.0].map(|x| has(MmVector::new(x, 0.0), 0.5 * place.width()));
+        let [above, below] = [-1.0, 1.0].map(|y| has(MmVector::new(0.0, y), 0.5 * place.height()));
+        match (left, right, above || below) {
+            (true, false, false) => Some(-1.0),
+            (false, true, false) => Some(1.0),
+            _ => None,
+        }
+    }
+
+    /// How far the first lines on the left and on the right lie, mm; none if there are not both.
+    fn sides(&self, at: MmPoint) -> Option<[f32; 2]> {
+        let side = |x: f32| self.first_ink(at, MmVector::new(x, 0.0), BROADEST);
+        Some([side(-1.0)?, side(1.0)?])
+    }
+
+    /// How far the first ink lies in a direction, mm.
+    fn first_ink(&self, at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
+        let steps = (2.0 * reach / SQUARE).ceil() as u32;
+        let distances = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|distance| *distance <= reach);
+        let is_ink =
+            |distance: &f32| self.squares.index(at + direction * *distance).is_some_and(|index| self.ink[index] > 0);
+        distances.into_iter().find(is_ink)
+    }
+
     /// How much of a straight leader line lies near to other lines, mm, without the last `end` mm.
     pub(super) fn along(&self, from: MmPoint, to: MmPoint, end: f32) -> f32 {
         let length = (to - from).length();
@@ -156,5 +228,55 @@ impl Squares {
         }
         let sum = |row: usize, column: usize| sums[row * (self.columns + 1) + column];
         sum(bottom, right) + sum(top, left) - sum(top, right) - sum(bottom, left)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::Run;
+
+    fn room(points: &[(f32, f32)], closed: bool) -> Room {
+        let points: Vec<MmPoint> = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+        let line = Line { strength: 1.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
+        Room::new(MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), &[line], &[], 3.0)
+    }
+
+    #[test]
+    fn a_point_is_shut_in_by_a_ring_and_not_by_an_arc() {
+        let ring = |count: u32| {
+            let at = |i: u32| {
+                let (sin, cos) = (TAU * i as f32 / 24.0).sin_cos();
+                (50.0 + 5.0 * cos, 50.0 + 5.0 * sin)
+            };
+            (0..count).map(at).collect::<Vec<_>>()
+        };
+        let (whole, arc) = (room(&ring(24), true), room(&ring(18), false));
+        let reach = whole.shut_in(MmPoint::new(50.0, 50.0), 12.0).expect("a ring is around it");
+        assert!((reach - 4.2).abs() < 0.6, "{reach}");
+        assert_eq!(whole.shut_in(MmPoint::new(50.0, 50.0), 3.0), None);
+        assert_eq!(arc.shut_in(MmPoint::new(50.0, 50.0), 12.0), None);
+    }
+
+    #[test]
+    fn a_line_comes_up_to_one_side_of_a_text() {
+        let text = MmRect::new(MmPoint::new(40.0, 48.0), MmPoint::new(60.0, 52.0));
+        let of = |points: &[(f32, f32)]| room(points, false).comes_up_to(text, 5.0);
+        assert_eq!(of(&[(10.0, 50.0), (37.0, 51.0)]), Some(-1.0));
+        assert_eq!(of(&[(62.0, 10.0), (62.0, 90.0)]), Some(1.0));
+        assert_eq!(of(&[(10.0, 50.0), (30.0, 50.0)]), None, "too far");
+        assert_eq!(of(&[(10.0, 55.0), (90.0, 55.0)]), None, "below");
+        assert_eq!(of(&[(37.0, 50.0), (37.0, 70.0), (63.0, 70.0), (63.0, 50.0)]), None, "on both sides");
+    }
+
+    #[test]
+    fn the_lower_side_of_a_shape_has_nothing_below_it() {
+        let bar = room(&[(40.0, 20.0), (60.0, 20.0), (60.0, 70.0), (40.0, 70.0)], true);
+        let is_low = |x: f32, y: f32| bar.is_at_lower_side(MmPoint::new(x, y), 6.0, 12.0);
+        assert!(is_low(50.0, 70.0) && is_low(50.0, 73.0) && is_low(45.0, 71.0));
+        assert!(!is_low(50.0, 20.0), "its inside is below it");
+        assert!(!is_low(50.0, 64.0), "inside, with the lower side below");
+        assert!(!is_low(50.0, 80.0), "too far below");
+        assert!(!is_low(60.0, 40.0) && !is_low(30.0, 70.0), "at a side");
     }
 }

@@ -8,8 +8,8 @@ use usvg::{Group, Paint, Tree};
 use super::finding::Found;
 use super::limits::{Limits, MediumLimits};
 use super::mark::LAYER;
-use super::rules::{BLACK_ONLY, IN_BRAILLE, LETTERS, PICTURE};
-use crate::reading::{is_light, is_print_words, is_written};
+use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
+use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
@@ -18,8 +18,8 @@ const WHITE: u8 = 248;
 /// Most colours that are told one by one.
 const MOST: usize = 6;
 
-/// All that is no black mark.
-pub(super) fn findings(document: &Document<'_>, tree: &Tree, limits: &Limits) -> Vec<Found> {
+/// All that is no black mark. `typed` are the texts of a page that are written in braille, with their places.
+pub(super) fn findings(document: &Document<'_>, tree: &Tree, typed: &[TypedText], limits: &Limits) -> Vec<Found> {
     let mut seen = Seen::default();
     seen.add(tree.root(), 1.0);
     let mut found = Vec::new();
@@ -28,7 +28,7 @@ pub(super) fn findings(document: &Document<'_>, tree: &Tree, limits: &Limits) ->
         found.extend(of_colours(seen.colours));
     }
     found.extend(pictures(document));
-    found.extend(letters(document));
+    found.extend(letters(document, typed));
     found
 }
 
@@ -112,7 +112,7 @@ fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = Found> + 'd 
 }
 
 /// Texts that are written in letters and shown.
-fn letters(document: &Document<'_>) -> Vec<Found> {
+fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<Found> {
     let is_print = |node: &Node<'_, '_>| is_print_words(*node) && is_light(*node);
     let is_text = |node: &Node<'_, '_>| {
         node.is_element() && node.tag_name().name() == "text" && is_shown(node) && !is_print(node)
@@ -120,12 +120,20 @@ fn letters(document: &Document<'_>) -> Vec<Found> {
     let found = |node: Node<'_, '_>| {
         let text: String = node.descendants().filter(Node::is_text).filter_map(|node| node.text()).collect();
         let text: Vec<&str> = text.split_whitespace().collect();
-        let text: String = text.join(" ").chars().take(40).collect();
-        let what = format!("\"{text}\" is written in letters, which fingers do not read");
-        let at = place(&node, document);
+        let whole = text.join(" ");
+        let text: String = whole.chars().take(40).collect();
+        // the reader knows what moves a text
+        let of_typed = || typed.iter().find(|typed| typed.string == whole).map(|typed| typed.at);
+        let at = place(&node, document).or_else(of_typed);
         let extent = at.map(|at| MmRect::new(at, at));
-        let mended = is_written(node, &text).then_some(IN_BRAILLE);
-        (!text.is_empty()).then_some(Found { rule: LETTERS, what, at, extent, measured: None, mended })
+        let mended = is_written(node, &whole).then_some(IN_BRAILLE);
+        let (rule, what) = match is_braille(&whole) {
+            true => {
+                (BRAILLE_CELL, format!("\"{text}\" is braille in a font, whose dots are not those of standard cells"))
+            }
+            false => (LETTERS, format!("\"{text}\" is written in letters, which fingers do not read")),
+        };
+        (!text.is_empty()).then_some(Found { rule, what, at, extent, measured: None, mended })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
 }

@@ -49,8 +49,10 @@ impl Found {
         Self { rule, what, at: None, extent: None, measured, mended }
     }
 
-    pub(super) fn placed(self, page: &Page) -> Finding {
+    /// `mends` says whether `render` would write the page otherwise.
+    pub(super) fn placed(self, page: &Page, mends: bool) -> Finding {
         let Self { rule, what, at, extent, measured, mended } = self;
+        let mended = mended.filter(|_| mends);
         let place = at.map_or_else(|| "the whole page".to_owned(), |at| place_of(at, page));
         Finding { rule, what, at, place, extent, measured, mended }
     }

@@ -37,7 +37,7 @@ pub use mark::{LAYER, marked};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
 pub use spaces::crowded;
-pub use verdict::{Textures, Verdict};
+pub use verdict::{Fingertip, Textures, Verdict};
 
 use usvg::Tree;
 use usvg::roxmltree::Document;
@@ -61,23 +61,19 @@ pub struct Drawn<'a> {
 impl<'a> Drawn<'a> {
     /// Holds the SVG of a page against the rules, and the page that was read from it.
     /// Where `render` puts a breach right, it is told as a warning.
-    pub fn check(&self, read: &Reading, limits: &Limits, felt: Option<&Report>) -> Checked {
+    pub fn check(&self, read: &Reading, limits: &Limits, felt: Fingertip<'_>) -> Checked {
         let page = &read.page;
         let mut found = found(page, &read.names, limits);
-        found.extend(drawn::findings(self.document, self.tree, limits));
-        if !self.mends {
-            found.iter_mut().for_each(|found| found.mended = None);
-        }
-        checked(found, page, limits, felt)
+        found.extend(drawn::findings(self.document, self.tree, &read.texts, limits));
+        checked((found, self.mends), page, limits, felt)
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
     pub fn check_as_ink(&self, sheet: &Page, limits: &Limits) -> Checked {
         let mut found = vec![Found::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
-        found.extend(drawn::findings(self.document, self.tree, limits));
+        found.extend(drawn::findings(self.document, self.tree, &[], limits));
         found.extend(ink::findings(self.tree, limits));
-        found.iter_mut().for_each(|found| found.mended = None);
-        checked(found, sheet, limits, None)
+        checked((found, false), sheet, limits, Fingertip::NotAsked)
     }
 }
 
@@ -91,15 +87,33 @@ pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<S
     Some(format!("the overview is as it was: {}{more}; change it there too, or delete it", first.what))
 }
 
-/// Holds a page against the rules. `felt` is what a fingertip feels of its textures, for the verdict.
-pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
-    let mut found = found(page, &Names::of(page), limits);
-    found.iter_mut().for_each(|found| found.mended = None);
-    checked(found, page, limits, felt)
+/// Braille of a page that has too little blank around it or is no standard braille, in words; none if all is well.
+pub fn braille_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<String> {
+    let felt = page.risen();
+    let mut found = spaces::findings(&felt, names, &marks::marks_of(&felt), limits);
+    found.extend(words::findings(&felt, names, limits));
+    found.retain(|found| [rules::BRAILLE_CLEAR, rules::BRAILLE_CELL].contains(&found.rule));
+    let place = |found: &Found| found.at.map_or_else(String::new, |at| format!(" (at {:.0}, {:.0} mm)", at.x, at.y));
+    let told: Vec<String> =
+        found.iter().take(MOST_TOLD).map(|found| format!("{}{}", found.what, place(found))).collect();
+    let more = found.len().saturating_sub(MOST_TOLD);
+    let more = if more > 0 { format!("; and {more} more such places") } else { String::new() };
+    (!told.is_empty())
+        .then(|| format!("braille stays where it is on the page: {}{more}; move one of them", told.join("; ")))
 }
 
-fn checked(found: Vec<Found>, page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
-    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page)).collect());
+/// Most places that are told one by one.
+const MOST_TOLD: usize = 5;
+
+/// Holds a page against the rules. `felt` is what a fingertip feels of its textures, for the verdict.
+pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
+    let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
+    checked((found(page, &Names::of(page), limits), false), page, limits, felt)
+}
+
+/// What was found, and whether `render` mends some of it.
+fn checked((found, mends): (Vec<Found>, bool), page: &Page, limits: &Limits, felt: Fingertip<'_>) -> Checked {
+    let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends)).collect());
     let verdict = Verdict::of(page, &findings, felt);
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }

@@ -65,7 +65,7 @@ impl Checked {
         };
         let findings: Vec<Value> = self.findings.iter().map(finding).collect();
         let (errors, warnings) = (self.errors(), self.warnings());
-        let textures = self.verdict.textures.map(|Textures { of_figure, judged, right }| {
+        let textures = self.verdict.textures.map(|Textures { of_figure, judged, right, .. }| {
             json!({ "of_figure": rounded(of_figure), "judged": rounded(judged), "right": rounded(right) })
         });
         let all = json!({

@@ -288,8 +288,8 @@ pub(super) fn mended(rule: &Rule) -> Option<&'static str> {
     MENDED.iter().find(|(known, _)| known == rule).map(|(_, what)| *what)
 }
 
-/// What `render` makes of letters that are to be written in braille.
-pub(super) const IN_BRAILLE: &str = "writes them in braille";
+/// What `render` makes of texts that are to be written in braille.
+pub(super) const IN_BRAILLE: &str = "writes them in braille of standard cells";
 
 /// All rules, in the order in which their breaches are told.
 pub const RULES: &[Rule] = &[

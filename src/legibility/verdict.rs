@@ -26,6 +26,17 @@ pub struct Verdict {
     pub textures: Option<Textures>,
 }
 
+/// What a fingertip says of a page.
+#[derive(Debug, Clone, Copy)]
+pub enum Fingertip<'a> {
+    /// Nobody asked it.
+    NotAsked,
+    /// It cannot be asked, as the page is too large for its model.
+    TooLarge,
+    /// What it feels.
+    Felt(&'a Report),
+}
+
 /// What a fingertip feels of a page's textures, in shares 0..=1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -36,17 +47,30 @@ pub struct Textures {
     pub judged: f32,
     /// Of what was judged, how much is read right.
     pub right: f32,
+    /// Whether a fingertip could be asked at all: of pages that are too large for its model nothing is judged.
+    pub felt: bool,
 }
 
 impl Verdict {
     /// The verdict on a page with these findings.
-    pub(super) fn of(page: &Page, findings: &[Finding], felt: Option<&Report>) -> Self {
+    pub(super) fn of(page: &Page, findings: &[Finding], felt: Fingertip<'_>) -> Self {
         let errors = findings.iter().filter(|finding| finding.is_error()).count();
-        let textures = felt.map(Report::total).filter(|total| total.textured() > 0.0).map(|total| Textures {
-            of_figure: page.figure.textured_share(),
-            judged: total.judged() / total.textured(),
-            right: total.right_of_judged(),
-        });
+        let of_figure = page.figure.textured_share();
+        let textures = match felt {
+            Fingertip::NotAsked => None,
+            Fingertip::TooLarge if of_figure > 0.0 => {
+                Some(Textures { of_figure, judged: 0.0, right: 0.0, felt: false })
+            }
+            Fingertip::TooLarge => None,
+            Fingertip::Felt(report) => {
+                Some(report.total()).filter(|total| total.textured() > 0.0).map(|total| Textures {
+                    of_figure,
+                    judged: total.judged() / total.textured(),
+                    right: total.right_of_judged(),
+                    felt: true,
+                })
+            }
+        };
         Self { errors, warnings: findings.len() - errors, faulty: faulty(page, findings), textures }
     }
 }
@@ -79,14 +103,15 @@ impl Verdict {
         let percent = |share: f32| wording.percent(share).into();
         let textures = textures.map_or_else(
             || "none".to_owned(),
-            |Textures { of_figure, judged, right }| match judged > 0.0 {
+            |Textures { of_figure, judged, right, felt }| match judged > 0.0 {
                 true => {
                     let near = ("near", percent(1.0 - judged));
                     let values =
                         [("share", percent(of_figure)), near, ("judged", percent(judged)), ("right", percent(right))];
                     wording.say("verdict-textures", &values)
                 }
-                false => wording.say("verdict-textures-near", &[("share", percent(of_figure))]),
+                false if felt => wording.say("verdict-textures-near", &[("share", percent(of_figure))]),
+                false => wording.say("verdict-textures-large", &[("share", percent(of_figure))]),
             },
         );
         let faulty = if faulty > 0.0 { percent(faulty) } else { "none".into() };

@@ -128,6 +128,13 @@ fn rows(page: &Page, size: Size, dpi: Dpi, depth: Depth, out: &mut dyn Write) ->
     Ok(())
 }
 
+/// Whether there are fonts for words in print.
+pub fn has_fonts() -> bool {
+    let mut options = usvg::Options::default();
+    load_fonts(&mut options);
+    !options.fontdb.is_empty()
+}
+
 /// The fonts of this machine, for words in print. Where there are none, they are left out.
 #[cfg(feature = "system-fonts")]
 fn load_fonts(options: &mut usvg::Options<'_>) {

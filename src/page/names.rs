@@ -1,5 +1,7 @@
 //! What lines and areas are called: in an editor's list of objects, and where somebody is told of them.
 
+use std::collections::BTreeMap;
+
 use super::parts::{Class, Page};
 
 /// The names of a page's objects, in the order of the page.
@@ -16,13 +18,17 @@ pub struct Names {
 impl Names {
     /// The names that a page's objects have when it is written.
     pub fn of(page: &Page) -> Self {
-        let textures = &page.figure.textures;
-        let nth = |at: usize| textures[..=at].iter().filter(|of| of.class == textures[at].class).count();
+        let mut counts: BTreeMap<Class, usize> = BTreeMap::new();
+        let mut area = |class: Class| {
+            let nth = counts.entry(class).or_default();
+            *nth += 1;
+            area_name(class, *nth)
+        };
         let overview = page.overview.as_ref().map_or(0, |overview| overview.lines.len());
         Self {
             lines: (1..=page.figure.lines.len()).map(line_name).collect(),
             overview_lines: (1..=overview).map(overview_line_name).collect(),
-            areas: (0..textures.len()).map(|at| area_name(textures[at].class, nth(at))).collect(),
+            areas: page.figure.textures.iter().map(|texture| area(texture.class)).collect(),
         }
     }
 }

@@ -23,7 +23,7 @@ const LARGER: f32 = 1.02;
 type Cells = Vec<(f32, usize)>;
 
 /// The areas of a page on a grid over its figure.
-pub fn of_page(page: &Page) -> Classes {
+pub(super) fn of_page(page: &Page) -> Classes {
     let place = page.figure.place;
     let cells = |side: f32| (side / CELL).round().clamp(1.0, 4000.0) as u32;
     let size = Size::new(cells(place.width()), cells(place.height()));

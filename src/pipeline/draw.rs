@@ -1,7 +1,8 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::dots;
-use super::given::{Given, SAME_SHAPE, blank, erase, with_room};
+use super::given::{Given, blank, erase, with_room};
+use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Read, read};
 use super::request::{Fit, Request};
@@ -18,7 +19,7 @@ use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
 use crate::regions::{Areas, Detail};
 use crate::units::{MmRect, PageTransform, PxPoint, Size};
-use crate::{Error, Note, textures};
+use crate::{About, Error, Note, textures};
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
 const MIN_PIXELS: u32 = 8;
@@ -80,7 +81,7 @@ pub(super) fn draw(
     if short > 0 {
         let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
         let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-        notes.push(Note::LeftOut(format!("{short} {noun} of those given, as {why}")));
+        notes.push(Note::NotOnPage(About::Lines, format!("{short} {noun} of those given, as {why}")));
     }
     let (subject, told) = subject::find(given, edges.as_mut(), picture.source.size, &layout, plan);
     notes.extend(told);
@@ -107,7 +108,7 @@ pub(super) fn draw(
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
     notes.extend(told_broken(&drawn.lost).filter(|_| edges.as_ref().is_some_and(Edges::of_drawing)));
     if let (Some(classes), Some(areas), None) = (&mut classes, &areas, &given.areas) {
-        notes.extend(settle(classes, areas, picture.raster.size(), &layout, plan));
+        notes.extend(fit_to_areas(classes, areas, picture.raster.size(), &layout, plan));
     }
     classes.iter_mut().for_each(|classes| blank(classes, &erased));
     if let (Some(classes), Some(subject)) = (&mut classes, &background) {
@@ -263,7 +264,10 @@ pub(super) fn draw_lines(
             let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
                 let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
-                let drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
+                let mut drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
+                if matches!(layout.medium, Medium::Dots(_)) {
+                    drawn.lines = by_hand_first(drawn.lines, edges, &transform);
+                }
                 (dots::pressed(drawn, layout.figure, layout, plan), areas)
             });
         }
@@ -332,7 +336,7 @@ fn told_broken(lost: &Lost) -> Option<Note> {
     };
     let what = format!("{shapes} (the first at {:.0}, {:.0} mm), in part or as a whole", at.x, at.y);
     let why = format!("dots have no room for {it} beside other lines, so a label may name what is not felt");
-    Some(Note::LeftOut(format!("{what}: {why}; make the figure larger")))
+    Some(Note::NotOnPage(About::Lines, format!("{what}: {why}; make the figure larger")))
 }
 
 /// What is kept in the page of contours that are not drawn.
@@ -392,7 +396,7 @@ pub(super) fn sort_colours(
 }
 
 /// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
-fn settle(classes: &mut Classes, areas: &Areas, picture: Size, layout: &Layout, plan: &Plan) -> Option<Note> {
+fn fit_to_areas(classes: &mut Classes, areas: &Areas, picture: Size, layout: &Layout, plan: &Plan) -> Option<Note> {
     if areas.count() == 0 {
         return None;
     }

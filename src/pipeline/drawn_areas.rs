@@ -2,16 +2,17 @@
 
 use std::ops::Range;
 
+use super::areas::of_page;
 use super::label::CLEARANCE;
 use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
 use crate::geom::nearest_on_segment;
-use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Parts, Texture};
+use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Page, Parts, Texture};
 use crate::profile::Plan;
 use crate::raster::plane::Plane;
 use crate::reading::DrawnArea;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
-use crate::{Note, dots, textures};
+use crate::{About, Note, dots, textures};
 
 /// Side of the cells in which areas are drawn, mm: as small as the blank beside signs.
 const CELL: f32 = 0.5;
@@ -22,75 +23,133 @@ const APART: f32 = 1.0;
 /// would keep a computer busy for long.
 const MOST: usize = 1000;
 
+/// What becomes of drawn areas.
+struct Drawn {
+    /// Those that have a colour and room, the last on top.
+    classes: Classes,
+    /// The middle of each of them.
+    middles: Vec<MmPoint>,
+    /// The others, each with its middle and why.
+    lost: Vec<(MmPoint, &'static str)>,
+}
+
+impl Drawn {
+    /// Areas on a figure in so many cells.
+    fn of(areas: &[DrawnArea], place: MmRect, size: Size, plan: &Plan) -> Self {
+        let cell = place.area() / size.area() as f32;
+        let classes = Classes {
+            size,
+            region: vec![None; size.area() as usize],
+            regions: Vec::new(),
+            lightness: Plane::filled(size, 0.5),
+            fringe: Vec::new(),
+        };
+        let mut drawn = Self { classes, middles: Vec::new(), lost: Vec::new() };
+        for (number, area) in areas.iter().enumerate() {
+            let at = MmRect::from_points(area.outlines.iter().flatten()).center();
+            let rgb = area.colour.map(|channel| f32::from(channel) / 255.0);
+            let class = area.class.or_else(|| classes::class_of(rgb, &plan.classes(1.0 / CELL)));
+            let inside = if number < MOST { inside(&area.outlines, place, size) } else { Vec::new() };
+            let count: usize = inside.iter().map(|(_, columns)| columns.len()).sum();
+            let why = match class {
+                _ if number >= MOST => Some("more than 1000, the most on a page"),
+                None => Some("too light for a colour"),
+                _ if count == 0 => Some("outside the figure"),
+                _ if count as f32 * cell < plan.profile().colours.min_area => Some("too small for a texture"),
+                Some(_) => None,
+            };
+            if let (Some(class), None) = (class, why) {
+                drawn.put(Region { class, colour: area.colour, cells: count as u32 }, inside);
+                drawn.middles.push(at);
+            }
+            drawn.lost.extend(why.map(|why| (at, why)));
+        }
+        drawn
+    }
+
+    /// Lays a region over the others.
+    fn put(&mut self, area: Region, inside: Vec<(usize, Range<usize>)>) {
+        let classes = &mut self.classes;
+        let region = classes.regions.len() as u32;
+        let light = lightness(area.colour);
+        let width = classes.size.width as usize;
+        for at in inside.into_iter().flat_map(|(row, columns)| columns.map(move |x| row * width + x)) {
+            if let Some(below) = classes.region[at].replace(region) {
+                classes.regions[below as usize].cells -= 1;
+            }
+            classes.lightness.values[at] = light;
+        }
+        classes.regions.push(area);
+    }
+
+    /// What is told of them: how many have got a texture, and which have none.
+    fn told(self, areas: usize) -> Vec<Note> {
+        let Self { lost, .. } = self;
+        let laid = areas - lost.len();
+        let areas = |count: usize| if count == 1 { "1 drawn area".to_owned() } else { format!("{count} drawn areas") };
+        let told = (laid > 0)
+            .then(|| Note::TakenAs(About::Areas, format!("{} filled with the texture of its colour", areas(laid))));
+        let gone = lost.first().map(|(at, why)| {
+            let told = format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(lost.len()), at.x, at.y);
+            Note::NotOnPage(About::Areas, told)
+        });
+        told.into_iter().chain(gone).collect()
+    }
+}
+
+/// HSL lightness of a colour.
+fn lightness(colour: [u8; 3]) -> f32 {
+    let channels = colour.map(f32::from);
+    let [low, high] = [channels.iter().copied().fold(255.0, f32::min), channels.iter().copied().fold(0.0, f32::max)];
+    (low + high) / 510.0
+}
+
 /// Lays the textures of drawn areas over those that are there, the last on top. Tells how many, and which have none.
 pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<Note> {
     let place = parts.figure.place;
     let size = Size::new(cells_along(place.width()), cells_along(place.height()));
-    let cell = place.area() / size.area() as f32;
-    let mut lost: Vec<(MmPoint, &str)> = Vec::new();
-    let mut drawn = Classes {
-        size,
-        region: vec![None; size.area() as usize],
-        regions: Vec::new(),
-        lightness: Plane::filled(size, 0.5),
-        fringe: Vec::new(),
-    };
-    // the middle of each region
-    let mut middles: Vec<MmPoint> = Vec::new();
-    for (number, area) in areas.iter().enumerate() {
-        let at = MmRect::from_points(area.outlines.iter().flatten()).center();
-        let rgb = area.colour.map(|channel| f32::from(channel) / 255.0);
-        let class = area.class.or_else(|| classes::class_of(rgb, &plan.classes(1.0 / CELL)));
-        let inside = if number < MOST { inside(&area.outlines, place, size) } else { Vec::new() };
-        let count: usize = inside.iter().map(|(_, columns)| columns.len()).sum();
-        let why = match class {
-            _ if number >= MOST => Some("more than 1000, the most on a page"),
-            None => Some("too light for a colour"),
-            _ if count == 0 => Some("outside the figure"),
-            _ if count as f32 * cell < plan.profile().colours.min_area => Some("too small for a texture"),
-            Some(_) => None,
-        };
-        if let (Some(class), None) = (class, why) {
-            let region = drawn.regions.len() as u32;
-            let [low, high] = [rgb.iter().copied().fold(1.0, f32::min), rgb.iter().copied().fold(0.0, f32::max)];
-            for at in inside.into_iter().flat_map(|(row, columns)| columns.map(move |x| row * size.width as usize + x))
-            {
-                if let Some(below) = drawn.region[at].replace(region) {
-                    drawn.regions[below as usize].cells -= 1;
-                }
-                drawn.lightness.values[at] = 0.5 * (low + high);
-            }
-            drawn.regions.push(Region { class, colour: area.colour, cells: count as u32 });
-            middles.push(at);
-        }
-        lost.extend(why.map(|why| (at, why)));
-    }
-    if !drawn.regions.is_empty() {
-        make_room(&mut parts.figure.textures, &drawn, place);
-        let mut textures = fill(&drawn, place, &parts.figure.lines, &parts.medium, plan);
+    let mut drawn = Drawn::of(areas, place, size, plan);
+    if !drawn.classes.regions.is_empty() {
+        make_room(&mut parts.figure.textures, &drawn.classes, place);
+        let mut textures = fill(&drawn.classes, place, &parts.figure.lines, &parts.medium, plan);
         let boxes: Vec<MmRect> = parts.braille.iter().filter_map(|text| text.dots.bounds()).collect();
         let least = blank_to_signs(&parts.medium);
         textures.iter_mut().for_each(|texture| clear_of_braille(&mut texture.glyphs, least, &boxes, &parts.braille));
-        let mut is_laid = vec![false; middles.len()];
+        let mut is_laid = vec![false; drawn.middles.len()];
         for glyph in textures.iter().flat_map(|texture| &texture.glyphs) {
-            if let Some(region) = region_at(&drawn, glyph.at, place) {
+            if let Some(region) = region_at(&drawn.classes, glyph.at, place) {
                 is_laid[region as usize] = true;
             }
         }
-        for (region, at) in middles.iter().enumerate().filter(|(region, _)| !is_laid[*region]) {
-            let hidden = drawn.regions[region].cells == 0;
-            lost.push((*at, if hidden { "under others" } else { "too narrow for a texture" }));
+        for (region, at) in drawn.middles.iter().enumerate().filter(|(region, _)| !is_laid[*region]) {
+            let hidden = drawn.classes.regions[region].cells == 0;
+            drawn.lost.push((*at, if hidden { "under others" } else { "too narrow for a texture" }));
         }
         parts.figure.textures.extend(textures);
         parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
     }
-    let laid = areas.len() - lost.len();
-    let areas = |count: usize| if count == 1 { "1 drawn area".to_owned() } else { format!("{count} drawn areas") };
-    let told = (laid > 0).then(|| Note::TakenAs(format!("{} filled with the texture of its colour", areas(laid))));
-    let gone = lost.first().map(|(at, why)| {
-        Note::LeftOut(format!("{} (the first at {:.0}, {:.0} mm), {why}", areas(lost.len()), at.x, at.y))
-    });
-    told.into_iter().chain(gone).collect()
+    drawn.told(areas.len())
+}
+
+/// The areas of a page that was read, those of its textures and over them those that a person drew; and what is told of
+/// the latter. Signs have no part in these: nothing gives way to lines or braille that the page has.
+pub fn with_drawn(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
+    let mut all = of_page(page);
+    let mut drawn = Drawn::of(areas, page.figure.place, all.size, plan);
+    let first = all.regions.len() as u32;
+    let Classes { region, regions, lightness, .. } = &drawn.classes;
+    for (cell, own) in region.iter().enumerate() {
+        let Some(own) = own else { continue };
+        if let Some(below) = all.region[cell].replace(first + own) {
+            all.regions[below as usize].cells -= 1;
+        }
+        all.lightness.values[cell] = lightness.values[cell];
+    }
+    let hidden = regions.iter().zip(&drawn.middles).filter(|(region, _)| region.cells == 0);
+    let hidden: Vec<MmPoint> = hidden.map(|(_, at)| *at).collect();
+    drawn.lost.extend(hidden.into_iter().map(|at| (at, "under others")));
+    all.regions.extend(regions.iter().cloned());
+    (all, drawn.told(areas.len()))
 }
 
 /// Takes out the signs that are nearer than `blank` mm to braille, which lies in these boxes, or to its leader lines.

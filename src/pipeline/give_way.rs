@@ -3,7 +3,7 @@
 use crate::legibility;
 use crate::page::{Page, Parts};
 use crate::profile::Plan;
-use crate::{Error, Note};
+use crate::{About, Error, Note};
 
 /// An area of which so much is left, as a share of the least that a texture needs, is left out as a whole: a few signs
 /// by themselves are felt as dots.
@@ -21,16 +21,17 @@ pub(super) fn textures(page: Page, plan: &Plan) -> Result<(Page, Option<Note>), 
     let mut parts = Parts::clone(&page);
     let least = LEAST_LEFT * plan.profile().colours.min_area;
     let mut areas = 0;
-    for (number, texture) in parts.figure.textures.iter_mut().enumerate() {
-        let gone: Vec<usize> = crowded.iter().filter(|(of, _)| *of == number).map(|(_, glyph)| *glyph).collect();
+    // those of one texture follow one another, in its order
+    for gone in crowded.chunk_by(|a, b| a.0 == b.0) {
+        let texture = &mut parts.figure.textures[gone[0].0];
         let mut at = 0;
         let before = texture.glyphs.len();
         texture.glyphs.retain(|_| {
             at += 1;
-            gone.binary_search(&(at - 1)).is_err()
+            gone.binary_search_by_key(&(at - 1), |(_, glyph)| *glyph).is_err()
         });
         let left = texture.area * texture.glyphs.len() as f32 / before.max(1) as f32;
-        if texture.glyphs.len() < before && left < least {
+        if left < least {
             texture.glyphs.clear();
             areas += 1;
         }
@@ -44,5 +45,5 @@ pub(super) fn textures(page: Page, plan: &Plan) -> Result<(Page, Option<Note>), 
         _ => format!("; of {areas} areas too little is left for a texture"),
     };
     let told = format!("{count} {signs} of textures that {are} too near to a line that was drawn or moved{whole}");
-    Ok((Page::new(parts)?, Some(Note::LeftOut(told))))
+    Ok((Page::new(parts)?, Some(Note::NotOnPage(About::Signs, told))))
 }

@@ -1,18 +1,14 @@
 //! What a person gives beside the picture: lines that are drawn in place of those that would be found.
 
+use super::hand_lines::{HandLines, added, near, outside, without};
 use super::label::Position;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
-use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
-use crate::geom::nearby::{Nearby, Segment};
-use crate::lines::{Line, Pen, Run};
-use crate::page::Page;
-use crate::profile::Plan;
+use crate::edges::Edges;
 use crate::raster::crop::Crop;
 use crate::regions::{Trace, TracePoint};
-use crate::units::{MmPoint, MmRect, Px, PxPoint, Size};
+use crate::units::{MmRect, PxPoint, Size};
 use crate::{Error, Note};
-use lyon::geom::euclid::Box2D;
 
 /// What a person gives beside the picture.
 #[derive(Debug, Clone, Default)]
@@ -88,163 +84,6 @@ fn around(boxes: &[[f32; 4]]) -> Vec<[f32; 4]> {
     left
 }
 
-/// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HandLines {
-    lines: Vec<HandLine>,
-    /// Width of the figure by its height.
-    aspect: f32,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct HandLine {
-    /// Each with its strength.
-    vertices: Vec<([f32; 2], f32)>,
-    closed: bool,
-}
-
-/// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
-pub(super) const SAME_SHAPE: f32 = 0.03;
-
-impl HandLines {
-    /// The lines of a page's figure, with the strengths that their widths stand for. `plan` says which those are.
-    pub fn of_figure(page: &Page, plan: &Plan) -> Self {
-        Self::of(&page.figure.lines, page.figure.place, plan)
-    }
-
-    /// The lines of its overview; none if it has none.
-    pub fn of_overview(page: &Page, plan: &Plan) -> Option<Self> {
-        let overview = page.overview.as_ref().filter(|overview| !overview.lines.is_empty())?;
-        Some(Self::of(&overview.lines, overview.place, plan))
-    }
-
-    fn of(lines: &[Line], place: MmRect, plan: &Plan) -> Self {
-        let [width, height] = [place.width(), place.height()].map(|side| side.max(f32::MIN_POSITIVE));
-        let share = |at: MmPoint| [(at.x - place.min.x) / width, (at.y - place.min.y) / height];
-        let lines = lines.iter().flat_map(|line| {
-            // of a heavy line of dots the second row is a part of the first
-            let dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-            let runs = if dotted { &line.runs[..1] } else { &line.runs[..] };
-            joined(runs).into_iter().map(|runs| {
-                let closed = runs.len() == 1 && runs[0].closed;
-                let mut vertices = Vec::new();
-                for (number, run) in runs.iter().enumerate() {
-                    let strength = strength(run, line.strength, plan);
-                    let skip = usize::from(number > 0);
-                    vertices.extend(run.points.iter().skip(skip).map(|&at| (share(at), strength)));
-                }
-                HandLine { vertices, closed }
-            })
-        });
-        let mut lines: Vec<HandLine> = lines.collect();
-        lines.iter_mut().for_each(HandLine::close);
-        Self { lines, aspect: width / height }
-    }
-
-    /// The same lines as contours of a picture of this size.
-    ///
-    /// # Errors
-    /// If the picture has another shape than the figure of the page.
-    pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
-        self.edges_of(size, ChainKind { exact: true, drawn: true, ..ChainKind::default() })
-    }
-
-    /// Adds the lines to contours that were found, of which the parts nearer than `reach`, px, give way.
-    ///
-    /// # Errors
-    /// As [`HandLines::edges`].
-    pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<(), Error> {
-        let own = self.edges_of(found.size, ChainKind { exact: true, added: true, ..ChainKind::default() })?;
-        let near = near(&own);
-        let is_near = |at: PxPoint| near.nearest(at, reach, |_| true).is_some();
-        without(found, |_, _, edgel| is_near(edgel.at));
-        for range in &own.chains {
-            found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
-        }
-        found.room = reach;
-        Ok(())
-    }
-
-    /// How many lines are shorter than a length in the figure, as shares of its width.
-    pub(super) fn shorter_than(&self, share: f32) -> usize {
-        let length = |line: &HandLine| {
-            let ends = line.vertices.windows(2).map(|pair| (pair[0].0, pair[1].0));
-            ends.map(|(a, b)| (b[0] - a[0]).hypot((b[1] - a[1]) / self.aspect)).sum::<f32>()
-        };
-        self.lines.iter().filter(|line| length(line) < share).count()
-    }
-
-    fn edges_of(&self, size: Size, kind: ChainKind) -> Result<Edges, Error> {
-        let [width, height] = [size.width as f32, size.height as f32];
-        if (self.aspect / (width / height) - 1.0).abs() > SAME_SHAPE + 1.0 / width.min(height) {
-            return Err(Error::OtherShape { lines: self.aspect, picture: width / height });
-        }
-        let mut edges = Edges::none(size);
-        for line in self.lines.iter().filter(|line| line.vertices.len() > 1) {
-            let edgel = |&([x, y], strength): &([f32; 2], f32)| Edgel {
-                at: PxPoint::new(x * width, y * height),
-                strength,
-                contrast: [0.0; 3],
-            };
-            edges.push_as(kind, line.vertices.iter().map(edgel), line.closed);
-        }
-        Ok(edges)
-    }
-}
-
-impl HandLine {
-    /// A line of several widths that comes back to where it began is a ring.
-    fn close(&mut self) {
-        let (Some((first, _)), Some((last, _))) = (self.vertices.first(), self.vertices.last()) else { return };
-        let near = (first[0] - last[0]).abs() < 1e-5 && (first[1] - last[1]).abs() < 1e-5;
-        if !self.closed && near && self.vertices.len() > 3 {
-            self.vertices.pop();
-            self.closed = true;
-        }
-    }
-}
-
-/// Runs that follow one another, line by line.
-fn joined(runs: &[Run]) -> Vec<Vec<&Run>> {
-    let mut all: Vec<Vec<&Run>> = Vec::new();
-    for run in runs {
-        let last = all.last().and_then(|line| line.last()).filter(|last| !last.closed && !run.closed);
-        let follows = last.is_some_and(|last| last.points.last() == run.points.first());
-        match all.last_mut() {
-            Some(line) if follows => line.push(run),
-            _ => all.push(vec![run]),
-        }
-    }
-    all
-}
-
-/// The strength whose lines are as wide as a run; of the widest, and of dots, that of the line.
-fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
-    let params = plan.lines();
-    let swell = plan.profile().print.swell;
-    let range = (params.width_max - params.width_min).max(f32::EPSILON);
-    let share = ((run.width + swell - params.width_min) / range).clamp(0.0, 1.0);
-    if run.pen != Pen::Stroke || share > 0.99 {
-        return of_line.max(params.full_strength);
-    }
-    params.least_strength + share * (params.full_strength - params.least_strength)
-}
-
-/// The segments of contours, to be found by their places.
-fn near(edges: &Edges) -> Nearby<Px> {
-    let area = Box2D::new(PxPoint::zero(), PxPoint::new(edges.size.width as f32, edges.size.height as f32));
-    let mut near = Nearby::new(area, CELL);
-    for (line, chain) in (0..).zip(edges.chains()) {
-        for (index, (a, b)) in (0..).zip(chain.segments()) {
-            near.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
-        }
-    }
-    near
-}
-
-/// Side of the cells of that, px.
-const CELL: f32 = 16.0;
-
 /// Takes the parts of contours out that lie in boxes, in shares of the picture.
 pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
     if boxes.is_empty() {
@@ -253,17 +92,6 @@ pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
     let size = edges.size;
     without(edges, |_, _, edgel| is_in(share(edgel.at, size), &boxes));
     edges.erased = boxes;
-}
-
-/// Takes the parts of contours out that are `gone`; each chain has its number.
-pub(super) fn without(edges: &mut Edges, gone: impl Fn(usize, &ChainRange, &Edgel) -> bool) {
-    let (edgels, chains) = (std::mem::take(&mut edges.edgels), std::mem::take(&mut edges.chains));
-    for (number, range) in chains.iter().enumerate() {
-        let vertices = &edgels[range.edgels.clone()];
-        for (vertices, closed) in outside(vertices, range.closed, |edgel| gone(number, range, edgel)) {
-            edges.push_as(range.kind, vertices.into_iter(), closed);
-        }
-    }
 }
 
 /// Leaves the cells in boxes, in shares of the picture, without a colour.
@@ -287,10 +115,7 @@ pub(super) fn blank_where(classes: &mut Classes, is_blank: impl Fn([f32; 2]) -> 
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.
 pub(super) fn with_room(traces: Vec<Trace>, edges: &Edges) -> Vec<Trace> {
-    let mut own = Edges::none(edges.size);
-    for range in edges.chains.iter().filter(|range| range.kind.added) {
-        own.push_as(range.kind, edges.chain(range).vertices.iter().copied(), range.closed);
-    }
+    let own = added(edges);
     if edges.erased.is_empty() && own.is_empty() {
         return traces;
     }
@@ -309,18 +134,6 @@ fn share(at: PxPoint, size: Size) -> [f32; 2] {
     [at.x / size.width as f32, at.y / size.height as f32]
 }
 
-/// The parts of a chain of which nothing is `inside`, and whether each is closed.
-fn outside<V: Copy>(vertices: &[V], closed: bool, inside: impl Fn(&V) -> bool) -> Vec<(Vec<V>, bool)> {
-    let Some(first) = vertices.iter().position(&inside) else { return vec![(vertices.to_vec(), closed)] };
-    let mut vertices = vertices.to_vec();
-    if closed {
-        // begun inside, no other part is cut in two
-        vertices.rotate_left(first);
-    }
-    let parts = vertices.chunk_by(|a, b| inside(a) == inside(b)).filter(|part| !inside(&part[0]) && part.len() > 1);
-    parts.map(|part| (part.to_vec(), false)).collect()
-}
-
 /// Whether a place, in shares of the picture, lies in one of the boxes.
 pub(super) fn is_in([x, y]: [f32; 2], boxes: &[[f32; 4]]) -> bool {
     boxes.iter().any(|[left, top, right, bottom]| (*left..=*right).contains(&x) && (*top..=*bottom).contains(&y))
@@ -329,6 +142,7 @@ pub(super) fn is_in([x, y]: [f32; 2], boxes: &[[f32; 4]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::edges::{ChainKind, Edgel};
 
     #[test]
     fn a_line_that_was_added_and_erased_again_takes_no_room() {

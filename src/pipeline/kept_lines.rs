@@ -1,9 +1,20 @@
 //! Which lines of a page are still there where it was drawn anew, so that those that are lost can be named.
 
-use crate::Note;
+use std::collections::BTreeMap;
+
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::{Line, Pen, Run};
 use crate::units::{MmPoint, MmRect};
+use crate::{About, Note};
+
+/// A line as it is told.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LineName {
+    /// What it is called.
+    pub name: String,
+    /// Whether a person drew it.
+    pub by_hand: bool,
+}
 
 /// Lines are looked at this often, mm.
 const STEP: f32 = 1.0;
@@ -11,6 +22,9 @@ const STEP: f32 = 1.0;
 const REACH: f32 = 8.0;
 /// A line of which less than this share is there is lost.
 const LOST: f32 = 0.2;
+/// ... and one that a person drew is lost in part where less than this is there: every line of theirs is meant, and up
+/// to a step of dots and the width of a line is missing where lines meet.
+const IN_PART: f32 = 0.7;
 /// Most lines that are named.
 const MOST: usize = 6;
 
@@ -27,19 +41,21 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
     let mut lengths = vec![0.0; before.len()];
     let mut stand_for = Vec::with_capacity(after.len());
     for line in after {
-        let mut own = vec![0.0; before.len()];
+        // few lines are near, and the others need not be looked at
+        let mut own: BTreeMap<u32, f32> = BTreeMap::new();
         for (a, b) in row(line).iter().flat_map(steps_of) {
             let length = (b - a).length() * scale;
             let count = (length / STEP).ceil().max(1.0);
             for k in 0..count as u32 {
                 let at = from.min + (a.lerp(b, (k as f32 + 0.5) / count) - to.min) * scale;
                 if let Some((_, _, found)) = near.nearest(at, REACH, |_| true) {
-                    own[found.line as usize] += length / count;
+                    *own.entry(found.line).or_default() += length / count;
                 }
             }
         }
-        stand_for.push((0..own.len()).fold(0, |best, i| if own[i] > own[best] { i } else { best }));
-        lengths.iter_mut().zip(own).for_each(|(all, own)| *all += own);
+        let most = own.iter().fold((0, 0.0), |best, (&line, &of)| if of > best.1 { (line as usize, of) } else { best });
+        stand_for.push(most.0);
+        own.into_iter().for_each(|(line, of)| lengths[line as usize] += of);
     }
     let share = |(line, kept): (&Line, f32)| {
         let length: f32 = row(line).iter().map(Run::length).sum();
@@ -62,24 +78,33 @@ fn row(line: &Line) -> &[Run] {
     if is_dotted { &line.runs[..1] } else { &line.runs }
 }
 
-/// Names the lines that are lost; none if none is.
-pub(super) fn lost(names: &[String], shares: &[f32]) -> Option<Note> {
-    let mut lost: Vec<&str> =
-        shares.iter().zip(names).filter(|(share, _)| **share < LOST).map(|(_, name)| name.as_str()).collect();
-    // those that a person drew matter most: our own are numbered
-    lost.sort_by_key(|name| name.starts_with("line ") && !name.contains('"'));
-    let (last, first) = lost[..lost.len().min(MOST)].split_last()?;
-    let (count, more) = (lost.len(), lost.len().saturating_sub(MOST));
+/// Names the lines that are lost, those that a person drew first and all of them: our own are numbered. None if none is
+/// lost.
+pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
+    let told = |(share, LineName { name, by_hand }): (&f32, &LineName)| match *share {
+        share if share < LOST => Some((*by_hand, name.clone())),
+        share if share < IN_PART && *by_hand => Some((true, format!("{name} in part"))),
+        _ => None,
+    };
+    let (by_hand, ours): (Vec<_>, Vec<_>) =
+        shares.iter().zip(names).filter_map(told).partition(|(by_hand, _)| *by_hand);
+    let (count, most) = (by_hand.len() + ours.len(), MOST.max(by_hand.len()));
+    let named: Vec<String> = by_hand.into_iter().chain(ours).map(|(_, name)| name).take(most).collect();
+    let (last, first) = named.split_last()?;
+    let more = count - named.len();
     let named = match (first.is_empty(), more) {
-        (true, _) => (*last).to_owned(),
+        (true, _) => last.clone(),
         (false, 0) => format!("{} and {last}", first.join(", ")),
         (false, _) => format!("{}, {last} and {more} more", first.join(", ")),
     };
-    let why = "too short for this page or too near to others; move them apart, or take a larger sheet";
-    Some(Note::LeftOut(match count {
-        1 => format!("{named}, {}", why.replace("them", "the lines")),
-        _ => format!("{count} lines, {named}: {why}"),
-    }))
+    let why = |them: &str| {
+        format!("too short for this page or too near to others; move {them} apart, or take a larger sheet")
+    };
+    let told = match count {
+        1 => format!("{named}, {}", why("the lines")),
+        _ => format!("{count} lines, {named}: {}", why("them")),
+    };
+    Some(Note::NotOnPage(About::Lines, told))
 }
 
 #[cfg(test)]
@@ -100,12 +125,21 @@ mod tests {
         let (stand_for, shares) = matched(&before, from, &after, to);
         assert_eq!(stand_for, [2, 0]);
         assert!(shares[0] > 0.9 && shares[1] < 0.1 && (shares[2] - 0.5).abs() < 0.05, "{shares:?}");
-        let names = ["line 1", "line 2", "line 3"].map(str::to_owned);
+        let name = |name: &str, by_hand: bool| LineName { name: name.to_owned(), by_hand };
+        let names = ["line 1", "line 2", "line 3"].map(|line| name(line, false));
         let told = lost(&names, &shares).expect("one is lost").to_string();
         assert!(told.contains("line 2, too short") && !told.contains("line 1"), "{told}");
         assert_eq!(lost(&names, &[1.0, 0.5, 0.3]), None);
-        let names = ["line 1".to_owned(), "line \"roof\"".to_owned()];
+        let names = [name("line 1", false), name("line 2", true)];
         let told = lost(&names, &[0.0, 0.0]).expect("two are lost").to_string();
-        assert!(told.contains("2 lines, line \"roof\" and line 1: "), "what a person drew comes first: {told}");
+        assert!(told.contains("2 lines, line 2 and line 1: "), "what a person drew comes first: {told}");
+        let told = lost(&names, &[0.5, 0.5]).expect("a part of one is lost").to_string();
+        assert!(told.contains("line 2 in part, too short"), "{told}");
+        let names: Vec<LineName> = (0..30).map(|i| name(&format!("line {i}"), i % 3 == 0)).collect();
+        let told = lost(&names, &[0.0; 30]).expect("all are lost").to_string();
+        assert!(
+            (0..30).step_by(3).all(|i| told.contains(&format!("line {i}"))) && told.contains("and 20 more"),
+            "{told}"
+        );
     }
 }

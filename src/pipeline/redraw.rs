@@ -5,38 +5,44 @@ use super::described::{described, is_made};
 use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
 use super::drawn_areas;
 use super::give_way;
-use super::given::HandLines;
-use super::kept_lines;
+use super::hand_lines::HandLines;
+use super::kept_lines::{self, LineName};
+use super::key::Key;
 use super::label::{Label, Position};
+use super::print_words;
 use super::progress::Watch;
 use super::request::Request;
 use super::typed;
-use super::words::{Words, blank_to_signs};
+use super::words::{Words, Written, blank_to_signs};
 use crate::classes::Classes;
-use crate::lines::{Line, Pen};
+use crate::lines::{Line, Pen, Run};
 use crate::page::layout::Layout;
 use crate::page::{
-    BrailleText, Figure, Glyph, Medium, MediumParams, Names, Page, Parts, Shape, Sign, TextRole, Texture,
+    BrailleText, Figure, Glyph, InSet, Medium, MediumParams, Names, Page, Parts, Shape, Sign, TextRole, Texture,
 };
 use crate::profile::Plan;
 use crate::reading::Reading;
-use crate::units::{MmPoint, MmRect, Size};
+use crate::units::{MmPoint, MmRect, PageTransform, Size};
 use crate::wording::Wording;
-use crate::{Error, Note, dots, legibility};
+use crate::{About, Error, Note, dots, legibility};
 
 /// Pixels for a millimetre in which the shape of a figure is said.
 const PX_PER_MM: f32 = 20.0;
+
+/// How far lines end before one that a person drew across them, as a share of the gap over which ends are joined or
+/// led on.
+const GAP_OF_ENDS: f32 = 0.6;
 
 /// How far the sign of an area may be turned from that of its class before it is another one, degrees.
 const TURNED: f32 = 15.0;
 
 /// A page as its paper or device takes it.
 #[derive(Debug)]
-pub struct Settled {
+pub struct Ready {
     /// The page.
     pub page: Page,
-    /// What its objects are called.
-    pub names: Names,
+    /// What the lines of its figure are called in the file that was read.
+    pub lines: Vec<LineName>,
     /// What was changed.
     pub notes: Vec<Note>,
 }
@@ -47,9 +53,12 @@ pub struct Settled {
 ///
 /// # Errors
 /// If a mark is off the sheet then.
-pub fn settle(read: &Reading, plan: &Plan) -> Result<Settled, Error> {
+pub fn made_ready(read: &Reading, plan: &Plan) -> Result<Ready, Error> {
     let Reading { page, .. } = read;
-    let (mut parts, mut names) = (Parts::clone(page), read.names.clone());
+    let mut parts = Parts::clone(page);
+    let own_names = read.names.lines.iter().zip(&read.by_hand);
+    let mut lines: Vec<LineName> =
+        own_names.map(|(name, by_hand)| LineName { name: name.clone(), by_hand: *by_hand }).collect();
     let mut notes = Vec::new();
     let classes = wrong_signs(page);
     if !classes.is_empty() {
@@ -59,7 +68,8 @@ pub fn settle(read: &Reading, plan: &Plan) -> Result<Settled, Error> {
         }
         parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
         let (count, noun) = (classes.len(), if classes.len() == 1 { "area has" } else { "areas have" });
-        notes.push(Note::TakenAs(format!("{count} {noun} another colour now, and the texture was drawn anew")));
+        let told = format!("{count} {noun} another colour now, and the texture was drawn anew");
+        notes.push(Note::TakenAs(About::Areas, told));
     }
     match &page.medium {
         Medium::Print(print) => {
@@ -71,44 +81,56 @@ pub fn settle(read: &Reading, plan: &Plan) -> Result<Settled, Error> {
                 parts.figure.lines.iter_mut().chain(overview).map(|line| snap(line, range)).filter(|s| *s).count();
             if count > 0 {
                 let noun = if count == 1 { "line is" } else { "lines are" };
-                notes.push(Note::TakenAs(format!(
-                    "{count} {noun} drawn {:.2} to {:.2} mm wide, the range of the profile",
-                    range[0].max(0.0),
-                    range[1]
-                )));
+                let [least, most] = [range[0].max(0.0), range[1]];
+                let told = format!("{count} {noun} drawn {least:.2} to {most:.2} mm wide, the range of the profile");
+                notes.push(Note::TakenAs(About::Widths, told));
             }
         }
         Medium::Dots(medium) => {
             let params = plan.dots(medium);
-            let all: Vec<(Line, String)> = parts.figure.lines.drain(..).zip(names.lines.drain(..)).collect();
-            let is_stroke = |(line, _): &(Line, String)| line.runs.iter().any(|run| run.pen == Pen::Stroke);
+            let all: Vec<(Line, LineName)> = parts.figure.lines.drain(..).zip(lines).collect();
+            let is_stroke = |(line, _): &(Line, LineName)| line.runs.iter().any(|run| run.pen == Pen::Stroke);
             let (strokes, rows): (Vec<_>, Vec<_>) = all.into_iter().partition(is_stroke);
-            (parts.figure.lines, names.lines) = rows.into_iter().unzip();
+            (parts.figure.lines, lines) = rows.into_iter().unzip();
             if !strokes.is_empty() {
-                let (strokes, of_strokes): (Vec<Line>, Vec<String>) = strokes.into_iter().unzip();
+                let (strokes, of_strokes): (Vec<Line>, Vec<LineName>) = strokes.into_iter().unzip();
                 let (count, place) = (strokes.len(), page.figure.place);
                 let drawn = dots::lines(&strokes, place, &medium.area, &params);
                 let (stand_for, shares) = kept_lines::matched(&strokes, place, &drawn, place);
                 let noun = if count == 1 { "line" } else { "lines" };
-                notes.push(Note::TakenAs(format!("{count} {noun} on a page of dots made dots")));
+                notes.push(Note::TakenAs(About::Lines, format!("{count} {noun} on a page of dots made dots")));
                 notes.extend(kept_lines::lost(&of_strokes, &shares));
-                names.lines.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
+                lines.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
                 parts.figure.lines.extend(drawn);
             }
         }
     }
     notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
+    let labels = parts.braille.len();
     notes.extend(typed::write(&mut parts, &read.texts, plan));
+    if read.is_changed {
+        notes.extend(print_words::follow(&mut parts, labels, plan));
+    }
     let made = is_made(page);
     let mut page = Page::new(parts)?;
     if read.is_changed {
         let (free, told) = give_way::textures(page, plan)?;
         page = free;
         notes.extend(told);
-        notes.extend(legibility::overview_as_told(&page, &names, &plan.limits()).map(Note::TakenAs));
+        let names = Names {
+            lines: lines.iter().map(|line| line.name.clone()).collect(),
+            overview_lines: read.names.overview_lines.clone(),
+            // they have others than in the file where some were drawn or left out
+            areas: Names::of(&page).areas,
+        };
+        let limits = plan.limits();
+        let of_overview = legibility::overview_as_told(&page, &names, &limits);
+        notes.extend(of_overview.map(|told| Note::TakenAs(About::Overview, told)));
+        let of_braille = legibility::braille_as_told(&page, &names, &limits);
+        notes.extend(of_braille.map(|told| Note::Faulty(About::Braille, told)));
     }
     let wording = Wording::nearest(&page.description_language);
-    Ok(Settled { page: if made { described(page, wording) } else { page }, names, notes })
+    Ok(Ready { page: if made { described(page, wording) } else { page }, lines, notes })
 }
 
 /// Which textures have signs of another class.
@@ -176,20 +198,49 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
     }
 }
 
-/// The marks of a page in another layout: lines and areas keep their places in the figure. `names` are those of its
-/// objects, `own` is its profile.
+/// The sheets of a page's own key, none where there is to be none, and what is told of them.
+///
+/// # Errors
+/// If a mark is off its sheet.
+pub fn key_of_page(page: &Page, key: Key, request: &Request<'_>) -> Result<(Vec<Page>, Vec<Note>), Error> {
+    if page.braille.iter().any(|text| text.role == TextRole::Key) {
+        let told = (key == Key::Always).then_some(Note::NoKey("this sheet is one of a key itself"));
+        return Ok((Vec::new(), told.into_iter().collect()));
+    }
+    let labels = labels(page);
+    let words = Words { key, ..words(page, &labels) };
+    let written = Written::new(&words, request.plan);
+    let layout = Layout {
+        sheet: page.sheet,
+        figure: page.figure.place,
+        overview: None,
+        mark: None,
+        heading: None,
+        medium: page.medium.clone(),
+    };
+    // an overview has the next sheet to itself
+    let before = 1 + u32::from(InSet::of(page) == Some(InSet::Followed));
+    written.key_sheets(&words, &page.braille, &page.figure, before, &layout, request)
+}
+
+/// The marks of a page in another layout: lines and areas keep their places in the figure. `lines` are what its lines
+/// are called, of which those that a person drew come first; `own` is its profile.
 ///
 /// # Errors
 /// If the figure has no area.
 pub(super) fn marks(
-    (page, names): (&Page, &Names),
+    (page, lines): (&Page, &[LineName]),
     own: &Plan,
     layout: Layout,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Marks, Error> {
     let (plan, size) = (request.plan, shape(page));
-    let mut edges = HandLines::of_figure(page, own).edges(size)?;
+    let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
+    let params = plan.lines();
+    // two ends that face one another over such a gap are not joined, and each is led on to the line between them
+    let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
+    let mut edges = HandLines::of_figure(page, own).edges_below(lines, size, blank, params.full_strength)?;
     if let MediumParams::Dots { device, .. } = plan.medium()
         && !device.has_heights()
     {
@@ -198,13 +249,15 @@ pub(super) fn marks(
         edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
-    let (drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
+    let (mut drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
     let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
     let left_out = left_out(&drawn.lost, small);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
-        let (_, shares) = kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
-        notes.extend(kept_lines::lost(&names.lines, &shares));
+        let (stand_for, shares) =
+            kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
+        keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
+        notes.extend(kept_lines::lost(lines, &shares));
     }
     notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
     notes.extend(dots_left_out(page));
@@ -212,6 +265,24 @@ pub(super) fn marks(
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+}
+
+/// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they
+/// are all of full strength.
+fn keep_widths(drawn: &mut [Line], stand_for: &[usize], (page, names): (&Page, &[LineName]), own: &Plan, plan: &Plan) {
+    let (params, swell) = (plan.lines(), own.profile().print.swell);
+    for (line, &number) in drawn.iter_mut().zip(stand_for) {
+        let Some(before) = page.figure.lines.get(number).filter(|_| names.get(number).is_some_and(|of| of.by_hand))
+        else {
+            continue;
+        };
+        let strokes = || before.runs.iter().filter(|run| run.pen == Pen::Stroke);
+        let length: f32 = strokes().map(Run::length).sum();
+        let width = strokes().map(|run| run.width * run.length()).sum::<f32>() / length.max(f32::MIN_POSITIVE) + swell;
+        for run in line.runs.iter_mut().filter(|run| run.pen == Pen::Stroke && length > 0.0) {
+            run.width = width.clamp(params.width_min, params.width_max);
+        }
+    }
 }
 
 /// A note as it is of use for a page: it has no parts to draw, and no sheets to be spread over.
@@ -227,7 +298,7 @@ pub fn dots_left_out(page: &Page) -> Option<Note> {
     let count: usize = page.labels.iter().map(|dots| dots.at.len()).sum();
     let dots = if count == 1 { "1 dot" } else { &format!("{count} dots") };
     let why = "drawn by hand: they stay only where the page is written as it is, for its own paper or device";
-    (count > 0).then(|| Note::LeftOut(format!("{dots} {why}")))
+    (count > 0).then(|| Note::NotOnPage(About::Dots, format!("{dots} {why}")))
 }
 
 /// The labels of a page as they would be given, each at what it names.

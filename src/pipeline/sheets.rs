@@ -3,7 +3,6 @@
 use super::draw::{Marks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
-use super::key;
 use super::print_words;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
@@ -60,16 +59,11 @@ pub fn convert<'p>(
         let (labels, of_labels) = written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
         let (pages, of_heading) = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
         notes.extend(of_heading.into_iter().chain(of_labels));
-        let key = match written.key(words, &labels, &figure, pages.len() as u32) {
-            Some(entries) => {
-                let (sheets, of_key) = key::sheets(&entries, &sheet, figure.source, request)?;
-                notes.extend(of_key);
-                sheets
-            }
-            None => Vec::new(),
-        };
+        let (key, of_key) = written.key_sheets(words, &labels, &figure, pages.len() as u32, &sheet, request)?;
+        notes.extend(of_key);
         Ok::<_, Error>((pages, key))
     })?;
+    notes.extend(print_words::left_out(pages.iter().chain(&key), plan));
     if pages.iter().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
@@ -208,7 +202,6 @@ fn assemble(
         let origin = [parts.origin.clone(), left_out.clone()].concat();
         pages.push(finished(Parts { origin, ..parts }, request)?);
     }
-    notes.extend(pages.iter().filter_map(|page| print_words::left_out(page, request.plan)));
     Ok((pages, notes))
 }
 

@@ -1,6 +1,7 @@
 //! What the picture is about, as its maker says by places on it.
 
-use super::given::{Given, blank_where, without};
+use super::given::{Given, blank_where};
+use super::hand_lines::without;
 use crate::Note;
 use crate::classes::Classes;
 use crate::edges::{Edgel, Edges};

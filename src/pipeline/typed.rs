@@ -1,18 +1,21 @@
 //! Texts that a person typed into a page, written in braille beside their places.
 
 use super::label::{Label, Position};
+use super::texts::Text;
 use super::words::{Words, Written};
-use crate::Note;
 use crate::lines::{Line, Run};
+use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
-use crate::page::{Dots, Parts, TextRole};
+use crate::page::{BrailleText, Dots, Parts, TextRole};
 use crate::profile::Plan;
 use crate::reading::TypedText;
 use crate::units::{MmPoint, MmRect};
+use crate::{About, Note};
 
 /// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is
-/// there, nearest to where they were typed. Tells what has no room, what its code cannot write, and what was typed
-/// outside the figure, where no labels stand.
+/// there, nearest to where they were typed, and Unicode braille in its very place. Tells what has no room, what its
+/// code cannot write, what stands elsewhere than it was typed, and what was typed outside the figure, where no labels
+/// stand.
 pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<Note> {
     if texts.is_empty() {
         return Vec::new();
@@ -24,27 +27,33 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
         y: percent(text.at.y, place.min.y, place.height()),
         text: text.string.clone(),
     };
-    let labels: Vec<Label> = texts.iter().map(label).collect();
+    let (exact, beside): (Vec<&TypedText>, Vec<&TypedText>) = texts.iter().partition(|text| text.is_braille);
+    let labels: Vec<Label> = beside.into_iter().map(label).collect();
+    let cells = CellGrid::of(&parts.medium, plan.profile().braille.cell);
+    let exact: Vec<Text> = exact.into_iter().map(|text| in_place(text, &cells)).collect();
     // half a line of braille beside the figure is not far
     let is_outside = |text: &&TypedText| !place.inflate(SLACK, SLACK).contains(text.at);
     let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
     let language = parts.language.clone();
-    let words = Words { language: Some(&language), labels: &labels, ..Words::default() };
+    let own_texts = !exact.is_empty();
+    let words = Words { language: Some(&language), labels: &labels, own_texts, ..Words::default() };
     let written = Written::new(&words, plan);
     let (sheet, medium) = (parts.sheet, parts.medium.clone());
     let layout = Layout { sheet, figure: place, overview: None, mark: None, heading: None, medium };
     let count = parts.figure.lines.len();
     parts.figure.lines.extend(taken(parts));
-    let (mut braille, notes) = written.on(&layout, &mut parts.figure, &[], &words, plan);
+    let (mut braille, notes) = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     parts.figure.lines.truncate(count);
     braille.retain(|text| text.role == TextRole::Label);
     let written = braille.len();
+    let elsewhere = elsewhere(&exact, &braille);
     parts.braille.extend(braille);
     let told = (written > 0).then(|| {
-        Note::TakenAs(match written {
+        let told = match written {
             1 => "1 text that was typed is written in braille beside its place".to_owned(),
             _ => format!("{written} texts that were typed are written in braille beside their places"),
-        })
+        };
+        Note::TakenAs(About::Texts, told)
     });
     let moved = outside.first().map(|first| {
         let (string, at) = (&first.string, first.at);
@@ -52,9 +61,36 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
             1 => format!("the text \"{string}\" at {:.0}, {:.0} mm lies", at.x, at.y),
             count => format!("{count} typed texts, the first \"{string}\" at {:.0}, {:.0} mm, lie", at.x, at.y),
         };
-        Note::TakenAs(format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge"))
+        let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
+        Note::TakenAs(About::Texts, told)
     });
-    told.into_iter().chain(moved).chain(notes).collect()
+    told.into_iter().chain(moved).chain(elsewhere).chain(notes).collect()
+}
+
+/// Unicode braille as it was typed: its cells stand on the line on which its letters do.
+fn in_place(text: &TypedText, cells: &CellGrid<'_>) -> Text {
+    let size = cells.extent(text.string.chars().count(), 1);
+    let corner = MmPoint::new(text.at.x, text.at.y - size.y);
+    let place = MmRect::new(corner, corner + size);
+    Text { string: text.string.clone(), place, angle: 0.0, size: size.y, hidden: false }
+}
+
+/// Tells of Unicode braille that stands elsewhere than it was typed.
+fn elsewhere(exact: &[Text], braille: &[BrailleText]) -> Option<Note> {
+    // dots of a grid lie up to half of its step off
+    const NEAR: f32 = 2.0;
+    let far = |text: &&Text| {
+        let of_text =
+            braille.iter().filter(|written| written.text == text.string).filter_map(|written| written.dots.bounds());
+        // only dots that are raised are in that box
+        let is_near = |dots: MmRect| text.place.inflate(NEAR, NEAR).contains_box(&dots);
+        let mut of_text = of_text.peekable();
+        of_text.peek().is_some() && !of_text.any(is_near)
+    };
+    let far: Vec<String> = exact.iter().filter(far).map(|text| format!("\"{}\"", text.string)).collect();
+    let why =
+        "stands beside the place where it was typed, as that is too near to lines, to other braille or to the edge";
+    (!far.is_empty()).then(|| Note::TakenAs(About::Texts, format!("braille {} {why}", far.join(", "))))
 }
 
 /// How far from the figure a text may be typed without being told, mm.

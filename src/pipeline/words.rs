@@ -1,6 +1,6 @@
 //! What is written on a page in braille.
 
-use super::key::{Entries, Key};
+use super::key::{self, Entries, Key};
 use super::label::{CLEARANCE, Label};
 use super::request::Request;
 use super::texts::Text;
@@ -12,10 +12,10 @@ use crate::labels::{self, Params, Placed, Unplaced, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
-use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Run, TextRole};
+use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Page, Run, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
-use crate::{Error, Note};
+use crate::{About, Error, Note};
 
 /// What the maker of a page wants to be written on it.
 #[derive(Clone, Copy, Default)]
@@ -224,8 +224,33 @@ impl<'a> Written<'a> {
         Some(BrailleText::page_number(number, &cells, Dots { diameter, at }, &self.language))
     }
 
+    /// The sheets of the key of a page that has these words, after so many sheets, and what the maker should know of
+    /// them: also why there are none where a key is asked for.
+    pub(super) fn key_sheets(
+        &self,
+        words: &Words<'_>,
+        braille: &[BrailleText],
+        figure: &Figure,
+        sheets_before: u32,
+        layout: &Layout,
+        request: &Request<'_>,
+    ) -> Result<(Vec<Page>, Vec<Note>), Error> {
+        let (sheets, mut notes) = match self.key(words, braille, figure, sheets_before) {
+            Some(entries) => key::sheets(&entries, layout, figure.source, request)?,
+            None => (Vec::new(), Vec::new()),
+        };
+        if words.key == Key::Always && sheets.is_empty() {
+            notes.push(Note::NoKey(match &self.translator {
+                _ if !request.plan.profile().braille.on => OFF,
+                None => NO_CODE_OF_WORDS,
+                Some(_) => NOTHING_TO_TELL,
+            }));
+        }
+        Ok((sheets, notes))
+    }
+
     /// What the key of a page says that has these words, after so many sheets; none where there is no key.
-    pub(super) fn key<'e>(
+    fn key<'e>(
         &'e self,
         words: &Words<'_>,
         braille: &[BrailleText],
@@ -333,6 +358,9 @@ fn leader(ends: [MmPoint; 2], layout: &Layout, plan: &Plan) -> Run {
 const OUTSIDE: &str = "they lie outside of the picture";
 const OFF: &str = "braille is off (braille=false)";
 const NO_CODE: &str = "there is no braille code for their language";
+const NO_CODE_OF_WORDS: &str = "there is no braille code for the language of the words";
+const NOTHING_TO_TELL: &str =
+    "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
 const NO_ROOM: &str = "there is no room for them";
 const NO_CELLS: &str = "their code has no cells for them";
 const TOO_MANY: &str = "a page takes 300 labels at most";
@@ -364,10 +392,11 @@ fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &
         .map(|(label, _)| label.text.as_str())
         .collect();
     (!alone.is_empty()).then(|| {
-        Note::TakenAs(format!(
+        let told = format!(
             "labels that name something which is not on the page, as no line or texture is within {NAMED} mm: {}",
             named(&alone)
-        ))
+        );
+        Note::TakenAs(About::Braille, told)
     })
 }
 
@@ -391,11 +420,12 @@ fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Not
         .map(|(label, _)| label.text.as_str())
         .collect();
     (!texts.is_empty()).then(|| {
-        Note::TakenAs(format!(
+        let told = format!(
             "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure \
              may have it",
             named(&texts)
-        ))
+        );
+        Note::TakenAs(About::Leaders, told)
     })
 }
 

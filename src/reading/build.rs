@@ -18,7 +18,7 @@ use crate::page::{
     Print, PrintText, Run, Shape, Sign, TextRole, Texture,
 };
 use crate::units::{MmPoint, MmRect, MmVector, Size};
-use crate::{Error, Note};
+use crate::{About, Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
@@ -35,7 +35,18 @@ const GLYPH_AREA: f32 = 11.2;
 /// Pixels for a millimetre of a picture that is not known.
 const PX_PER_MM: f32 = 4.0;
 
-/// The page of these marks, what its objects are called, what is told, and areas that a person drew.
+/// What is found on a page.
+pub(super) struct Built {
+    pub(super) page: Page,
+    pub(super) names: Names,
+    /// Which of its lines a person drew.
+    pub(super) by_hand: Vec<bool>,
+    pub(super) notes: Vec<Note>,
+    /// Areas that a person drew.
+    pub(super) areas: Vec<DrawnArea>,
+}
+
+/// The page of these marks.
 ///
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
@@ -44,7 +55,7 @@ pub(super) fn page(
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
-) -> Result<(Page, Names, Vec<Note>, Vec<DrawnArea>), Error> {
+) -> Result<Built, Error> {
     let Marks { marks, transforms, clipped, pictures, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
@@ -76,13 +87,14 @@ pub(super) fn page(
         parts.overview = Some(Overview { place, frame: overview_frame, lines: overview });
     }
     let mut notes: Vec<Note> = tally.notes().collect();
+    let left_out = |what: String| Note::NotOnPage(About::Marks, what);
     let more = [
         (pictures, "pictures on the page: convert them to lines first"),
         (far, "marks that reach far beyond the sheet"),
         (clipped, "clip paths, masks and filters: what they cut off is there"),
         (patterned, "gradients and patterns, which are taken as black"),
     ];
-    notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(n, what)| Note::LeftOut(format!("{n} {what}"))));
+    notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(n, what)| left_out(format!("{n} {what}"))));
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();
@@ -92,7 +104,8 @@ pub(super) fn page(
     parts.description_language = words.description_language;
     parts.origin = words.origin;
     parts.medium = medium;
-    Ok((Page::new(parts)?, names, notes, areas))
+    let by_hand = line_names.iter().map(|name| name.by_hand).collect();
+    Ok(Built { page: Page::new(parts)?, names, by_hand, notes, areas })
 }
 
 /// What the page is made for, as it says itself.

@@ -7,7 +7,7 @@ use usvg::roxmltree::{Document, Node};
 
 use super::entities;
 use crate::Error;
-use crate::output::layer::{Layer, PRINT_GREY};
+use crate::output::layer::Layer;
 use crate::raster::decode::{checked_document, no_longer_than};
 
 /// Namespace of Inkscape's attributes.
@@ -120,11 +120,10 @@ fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
 /// A text that is shown.
 pub(super) struct Typed<'a> {
     pub(super) id: &'a str,
+    pub(super) node: Node<'a, 'a>,
     pub(super) string: String,
     /// Whether it lies in the layer of texts that are labels.
     pub(super) is_label: bool,
-    /// Size of its letters, mm, if it is one of the words in print.
-    pub(super) print: Option<f32>,
 }
 
 /// The layer in which texts are labels to be written in braille.
@@ -227,8 +226,7 @@ impl<'a> Elements<'a> {
             let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
             let is_label = is_in_labels(*node);
             if !string.is_empty() {
-                let print = is_print_words(*node).then(|| font_size(*node));
-                found.push((node.range().start, Typed { id, string, is_label, print }));
+                found.push((node.range().start, Typed { id, node: *node, string, is_label }));
             }
         }
         found.sort_by_key(|(start, _)| *start);
@@ -240,37 +238,6 @@ impl<'a> Elements<'a> {
 pub(super) fn is_in_labels(text: Node<'_, '_>) -> bool {
     let named = |name: &str| name.trim().to_lowercase().replace([' ', '_'], "-") == LABELS;
     text.ancestors().any(|above| [above.attribute("id"), label_of(above)].into_iter().flatten().any(named))
-}
-
-/// Whether a text is one of the words in print beside braille.
-pub fn is_print_words(text: Node<'_, '_>) -> bool {
-    text.ancestors().any(|above| layer_of(above) == Some(Layer::PrintWords))
-}
-
-/// Size of the letters of a text, mm, as it or what it lies in says.
-fn font_size(text: Node<'_, '_>) -> f32 {
-    let number = |value: &str| value.trim().trim_end_matches(|c: char| c.is_ascii_alphabetic()).parse::<f32>().ok();
-    let size = text.ancestors().find_map(|node| property(node, "font-size").and_then(number));
-    size.filter(|size| size.is_finite() && *size > 0.0).unwrap_or(COMMON_SIZE)
-}
-
-/// Size of letters where none is said, mm.
-const COMMON_SIZE: f32 = 3.0;
-
-/// What an element says of a property, in its style or as an attribute.
-fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
-    let in_style = node.attribute("style").and_then(|style| {
-        let mut pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
-        pairs.find_map(|(key, value)| (key.trim() == name).then(|| value.trim()))
-    });
-    in_style.or(node.attribute(name))
-}
-
-/// Whether words in print are light enough not to rise: by what fills them, as a person may have changed it.
-pub fn is_light(text: Node<'_, '_>) -> bool {
-    let fill = text.ancestors().find_map(|node| property(node, "fill")).unwrap_or("#000000");
-    let channel = |at: usize| fill.get(at..at + 2).and_then(|digits| u8::from_str_radix(digits, 16).ok());
-    fill.len() == 7 && fill.starts_with('#') && [1, 3, 5].into_iter().all(|at| channel(at) >= Some(PRINT_GREY))
 }
 
 /// The layer that a group is, by its id, or by its name as Inkscape shows it.

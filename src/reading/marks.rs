@@ -62,8 +62,8 @@ pub(super) struct Marks<'a> {
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
     pub(super) far: usize,
-    /// Where texts begin, by their ids.
-    pub(super) texts: HashMap<String, MmPoint>,
+    /// Where texts begin and how many mm one of their units has, by their ids.
+    pub(super) texts: HashMap<String, (MmPoint, f32)>,
     points: usize,
     objects: usize,
 }
@@ -148,7 +148,8 @@ impl<'a> Marks<'a> {
             let corner = path.data().bounds();
             let mut at = [Point::from_xy(corner.left(), corner.top())];
             transform.map_points(&mut at);
-            self.texts.insert(text.to_owned(), MmPoint::new(clean(at[0].x), clean(at[0].y)));
+            let unit = clean((transform.sx * transform.sy - transform.kx * transform.ky).abs().sqrt());
+            self.texts.insert(text.to_owned(), (MmPoint::new(clean(at[0].x), clean(at[0].y)), unit));
             return Ok(());
         }
         let Some(geometry) = path.data().clone().transform(transform) else { return Ok(()) };

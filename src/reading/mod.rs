@@ -20,6 +20,7 @@ mod entities;
 mod marks;
 mod names;
 mod outline;
+mod print;
 mod shapes;
 mod tally;
 mod typed;
@@ -32,11 +33,12 @@ use crate::page::{Names, Page};
 use crate::raster::decode::unless_beyond_numbers;
 use crate::units::MM_PER_CSS_PX;
 use crate::{Error, Note};
+use build::Built;
 use document::Elements;
 
 pub use areas::DrawnArea;
-pub use document::{is_light, is_print_words};
-pub use typed::{TypedText, is_written};
+pub use print::{is_light, is_print_words};
+pub use typed::{TypedText, is_braille, is_written};
 
 /// Sides of sheets that are read, mm: from less than a pin display's field to twice an A0 poster.
 const LEAST_SHEET: f32 = 5.0;
@@ -50,6 +52,8 @@ pub struct Reading {
     pub page: Page,
     /// What its lines and areas are called in the file.
     pub names: Names,
+    /// Which of the lines of its figure a person drew; the others are as strong as the file says.
+    pub by_hand: Vec<bool>,
     /// What was taken otherwise than it looks, or left out.
     pub notes: Vec<Note>,
     /// Areas that a person drew, which are not on the page as long as they have no signs.
@@ -88,10 +92,10 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
     }
     let words = words::of(&document);
     let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
-    let (page, names, mut notes, areas) = build::page((marks, print), words, &elements, sheet)?;
+    let Built { page, names, by_hand, mut notes, areas } = build::page((marks, print), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(svg);
-    Ok(Reading { page, names, notes, areas, is_changed, texts })
+    Ok(Reading { page, names, by_hand, notes, areas, is_changed, texts })
 }
 
 /// Whether bytes are text in XML, as all pages are.

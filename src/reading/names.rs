@@ -17,11 +17,14 @@ pub(super) struct Name {
     /// None if it has neither a label nor an id of its own.
     shown: Option<String>,
     id: String,
+    /// Whether a person drew it: what we write says how strong it is, or which class it has.
+    pub(super) by_hand: bool,
 }
 
 /// The name of a line.
 pub(super) fn of_line(element: Node<'_, '_>) -> Name {
-    named(element, "line", |name| is_numbered(name, "line ") || is_numbered(name, "overview line "))
+    let name = named(element, "line", |name| is_numbered(name, "line ") || is_numbered(name, "overview line "));
+    Name { by_hand: !element.has_attribute("data-strength"), ..name }
 }
 
 /// The name of an area; one that was moved to another texture keeps its old name in the list, so its class is said too.
@@ -31,7 +34,7 @@ pub(super) fn of_area(element: Node<'_, '_>, class: Class) -> Name {
         true => shown,
         false => format!("{shown} ({})", class.name()),
     });
-    Name { shown, ..name }
+    Name { shown, by_hand: !element.has_attribute("data-class"), ..name }
 }
 
 /// By its label, or else by its id: "line 7" as it is, other names in quotation marks.
@@ -50,7 +53,7 @@ fn named(element: Node<'_, '_>, kind: &'static str, is_ours: impl Fn(&str) -> bo
         }
         None => None,
     };
-    Name { kind, shown, id: id.to_owned() }
+    Name { kind, shown, id: id.to_owned(), by_hand: false }
 }
 
 fn is_numbered(name: &str, prefix: &str) -> bool {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::Note;
 use crate::units::MmPoint;
+use crate::{About, Note};
 
 /// What is told when all is read, as counts and the place of the first.
 #[derive(Default)]
@@ -36,35 +36,51 @@ impl Tally {
         self.told.iter().map(|(what, (count, first))| {
             let n = |one: &str, many: &str| if *count == 1 { format!("1 {one}") } else { format!("{count} {many}") };
             let at = first.map_or(String::new(), |at| format!(" (the first at {:.0}, {:.0} mm)", at.x, at.y));
-            let left_out = |what: String| Note::LeftOut(what);
+            let left_out = |about: About, what: String| Note::NotOnPage(about, what);
+            let taken = |about: About, what: String| Note::TakenAs(about, what);
             match what {
-                What::LineOutside => Note::TakenAs(format!(
-                    "{}{at} outside of the layers, taken as lines of the figure",
-                    n("line", "lines")
-                )),
+                What::LineOutside => taken(
+                    About::Lines,
+                    format!("{}{at} outside of the layers, taken as lines of the figure", n("line", "lines")),
+                ),
                 What::DotOutside => {
-                    Note::TakenAs(format!("{}{at} outside of the layers, taken as dots", n("disc", "discs")))
+                    taken(About::Dots, format!("{}{at} outside of the layers, taken as dots", n("disc", "discs")))
                 }
-                What::Outlined => Note::TakenAs(format!(
-                    "{}{at} that stand for no colour, drawn as lines around them",
-                    n("filled shape", "filled shapes")
-                )),
-                What::NoGlyph => left_out(format!(
-                    "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
-                    n("shape", "shapes")
-                )),
-                What::OffSheet => left_out(format!("{}{at} that reach beyond the sheet", n("mark", "marks"))),
-                What::Shaded => Note::TakenAs(format!(
-                    "{}{at} in grey or colour, taken as black: only black rises",
-                    n("mark", "marks")
-                )),
-                What::Dashed => Note::TakenAs(format!("{}{at} with dashes, taken without gaps", n("line", "lines"))),
-                What::InPrint => left_out(format!("{}{at} in the layer of words in print", n("shape", "shapes"))),
-                What::Foreign => left_out(format!("{}{at} outside of the layer", n("mark", "marks"))),
-                What::UnevenDots => Note::TakenAs(format!(
-                    "{}{at} of other sizes than the others of its group, taken as of one size",
-                    n("dot", "dots")
-                )),
+                What::Outlined => taken(
+                    About::Areas,
+                    format!(
+                        "{}{at} that stand for no colour, drawn as lines around them",
+                        n("filled shape", "filled shapes")
+                    ),
+                ),
+                What::NoGlyph => left_out(
+                    About::Signs,
+                    format!(
+                        "{}{at} among the textures, neither rhombus nor dot; draw lines in the layer Lines",
+                        n("shape", "shapes")
+                    ),
+                ),
+                What::OffSheet => {
+                    left_out(About::Marks, format!("{}{at} that reach beyond the sheet", n("mark", "marks")))
+                }
+                What::Shaded => taken(
+                    About::Marks,
+                    format!("{}{at} in grey or colour, taken as black: only black rises", n("mark", "marks")),
+                ),
+                What::Dashed => {
+                    taken(About::Lines, format!("{}{at} with dashes, taken without gaps", n("line", "lines")))
+                }
+                What::InPrint => {
+                    left_out(About::Print, format!("{}{at} in the layer of words in print", n("shape", "shapes")))
+                }
+                What::Foreign => left_out(About::Marks, format!("{}{at} outside of the layer", n("mark", "marks"))),
+                What::UnevenDots => taken(
+                    About::Dots,
+                    format!(
+                        "{}{at} of other sizes than the others of its group, taken as of one size",
+                        n("dot", "dots")
+                    ),
+                ),
             }
         })
     }

@@ -5,9 +5,11 @@ use std::collections::HashMap;
 use usvg::roxmltree::Node;
 
 use super::document::{Typed, is_in_labels};
-use crate::Note;
+use super::outline::clean;
+use super::print::{font_size, is_print_words};
 use crate::page::PrintText;
 use crate::units::MmPoint;
+use crate::{About, Note};
 
 /// A text that is to be written in braille.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,12 +18,15 @@ pub struct TypedText {
     pub string: String,
     /// Where it begins, mm on the sheet.
     pub at: MmPoint,
+    /// Whether it is Unicode braille: then it is meant to stand where it is.
+    pub is_braille: bool,
 }
 
 /// Most texts that are told one by one.
 const MOST: usize = 5;
 
-fn is_braille(text: &str) -> bool {
+/// Whether a text is written in Unicode braille.
+pub fn is_braille(text: &str) -> bool {
     text.chars().all(|c| c == ' ' || ('\u{2800}'..='\u{28ff}').contains(&c))
 }
 
@@ -33,14 +38,18 @@ pub fn is_written(node: Node<'_, '_>, text: &str) -> bool {
 /// Texts that are to be written, those in print, and what is told of the others.
 pub(super) fn sorted(
     texts: Vec<Typed<'_>>,
-    places: &HashMap<String, MmPoint>,
+    places: &HashMap<String, (MmPoint, f32)>,
 ) -> (Vec<TypedText>, Vec<PrintText>, Option<Note>) {
     let (mut written, mut print, mut left) = (Vec::new(), Vec::new(), Vec::new());
-    for Typed { id, string, is_label, print: size } in texts {
+    for Typed { id, node, string, is_label } in texts {
         match places.get(id) {
-            Some(&at) if size.is_some() => print.extend(size.map(|size| PrintText { string, at, size })),
-            Some(&at) if is_label || is_braille(&string) => written.push(TypedText { string, at }),
-            Some(at) => left.push(format!("\"{string}\" at {:.0}, {:.0} mm", at.x, at.y)),
+            Some(&(at, unit)) if is_print_words(node) => {
+                print.push(PrintText { string, at, size: clean(font_size(node, unit)) });
+            }
+            Some(&(at, _)) if is_label || is_braille(&string) => {
+                written.push(TypedText { is_braille: is_braille(&string), string, at });
+            }
+            Some((at, _)) => left.push(format!("\"{string}\" at {:.0}, {:.0} mm", at.x, at.y)),
             None => left.push(format!("\"{string}\"")),
         }
     }
@@ -49,7 +58,7 @@ pub(super) fn sorted(
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     let told = (!left.is_empty()).then(|| {
         let what = "fingers read no print letters; in a layer called labels-text they are written in braille";
-        Note::LeftOut(format!("text {}{more}: {what}", left.join(", ")))
+        Note::NotOnPage(About::Texts, format!("text {}{more}: {what}", left.join(", ")))
     });
     (written, print, told)
 }

@@ -99,6 +99,9 @@ verdict = Urteil: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = Texturen bedecken { $share } der Abbildung; davon liegen { $near } zu nah an Linien und Rändern, um beurteilt
-    zu werden, und von den übrigen { $judged } liest eine Fingerkuppe von 1 mm { $right } richtig
-verdict-textures-near = Texturen bedecken { $share } der Abbildung, alle zu nah an Linien und Rändern, um beurteilt zu werden
+verdict-textures = Texturen bedecken { $share } der Abbildung: von den { $judged } davon, die zu beurteilen waren, liest eine
+    Fingerkuppe von 1 mm { $right } richtig; die übrigen { $near } liegen so nah an Linien und Rändern, dass über sie nichts gesagt ist
+verdict-textures-near = Texturen bedecken { $share } der Abbildung: nichts davon war zu beurteilen, weil alle zu nah an Linien und
+    Rändern liegen; ob sie zu unterscheiden sind, ist also nicht gesagt
+verdict-textures-large = Texturen bedecken { $share } der Abbildung: nichts davon war zu beurteilen, weil die Seite für das Modell
+    einer Fingerkuppe zu groß ist; ob sie zu unterscheiden sind, ist also nicht gesagt

@@ -105,6 +105,9 @@ verdict = Verdict: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = textures cover { $share } of the figure, of which { $near } lie too near to lines and borders to be judged,
-    and of the other { $judged } a fingertip of 1 mm reads { $right } right
-verdict-textures-near = textures cover { $share } of the figure, all of them too near to lines and borders to be judged
+verdict-textures = textures cover { $share } of the figure: of the { $judged } of them that could be judged a fingertip of 1 mm
+    reads { $right } right; the other { $near } lie so near to lines and borders that nothing is said of them
+verdict-textures-near = textures cover { $share } of the figure: none of them could be judged, as all lie too near to lines and
+    borders, so nothing is said of whether a fingertip can tell them
+verdict-textures-large = textures cover { $share } of the figure: none of them could be judged, as the page is too large for the
+    model of a fingertip, so nothing is said of whether one can tell them

@@ -99,6 +99,9 @@ verdict = Veredicto: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = las texturas cubren { $share } de la figura, de lo cual { $near } está demasiado cerca de líneas y bordes para
-    juzgarlo, y del otro { $judged } una yema de 1 mm lee bien { $right }
-verdict-textures-near = las texturas cubren { $share } de la figura, todas demasiado cerca de líneas y bordes para juzgarlas
+verdict-textures = las texturas cubren { $share } de la figura: del { $judged } que se pudo juzgar, una yema de 1 mm lee bien
+    { $right }; el otro { $near } está tan cerca de líneas y bordes que de él no se dice nada
+verdict-textures-near = las texturas cubren { $share } de la figura: nada de ello se pudo juzgar, pues todas están demasiado cerca
+    de líneas y bordes, así que no se dice si se distinguen
+verdict-textures-large = las texturas cubren { $share } de la figura: nada de ello se pudo juzgar, pues la página es demasiado
+    grande para el modelo de una yema, así que no se dice si se distinguen

@@ -99,6 +99,9 @@ verdict = Verdict : { $errors ->
     [none] {""}
    *[other] {" "}; { $textures }
 }.
-verdict-textures = les textures couvrent { $share } de la figure, dont { $near } sont trop près des lignes et des bords pour être
-    jugés, et des autres { $judged } un bout de doigt de 1 mm lit { $right } correctement
-verdict-textures-near = les textures couvrent { $share } de la figure, toutes trop près des lignes et des bords pour être jugées
+verdict-textures = les textures couvrent { $share } de la figure : des { $judged } qui ont pu être jugés, un bout de doigt de 1 mm
+    lit { $right } correctement ; les autres { $near } sont si près des lignes et des bords que rien n'en est dit
+verdict-textures-near = les textures couvrent { $share } de la figure : rien n'a pu en être jugé, car toutes sont trop près des
+    lignes et des bords ; on ne dit donc pas si elles se distinguent
+verdict-textures-large = les textures couvrent { $share } de la figure : rien n'a pu en être jugé, car la page est trop grande pour
+    le modèle d'un bout de doigt ; on ne dit donc pas si elles se distinguent

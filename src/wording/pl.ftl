@@ -99,6 +99,9 @@ verdict = Ocena: { $errors ->
     [none] {""}
    *[other] ; { $textures }
 }.
-verdict-textures = faktury zajmują { $share } rysunku, z tego { $near } leży zbyt blisko linii i brzegów, by to ocenić, a z
-    pozostałych { $judged } opuszek palca o średnicy 1 mm odczytuje dobrze { $right }
-verdict-textures-near = faktury zajmują { $share } rysunku, wszystkie zbyt blisko linii i brzegów, by je ocenić
+verdict-textures = faktury zajmują { $share } rysunku: z { $judged } z nich, które dało się ocenić, opuszek palca o średnicy 1 mm
+    odczytuje dobrze { $right }; pozostałe { $near } leży tak blisko linii i brzegów, że nic się o tym nie mówi
+verdict-textures-near = faktury zajmują { $share } rysunku: niczego z nich nie dało się ocenić, bo wszystkie leżą zbyt blisko linii
+    i brzegów, więc nie wiadomo, czy można je rozróżnić
+verdict-textures-large = faktury zajmują { $share } rysunku: niczego z nich nie dało się ocenić, bo strona jest za duża dla modelu
+    opuszka palca, więc nie wiadomo, czy można je rozróżnić

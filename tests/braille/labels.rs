@@ -122,8 +122,34 @@ fn labels_side_by_side_are_two_blank_cells_apart() {
         for (a, b) in [(0, 1), (0, 2), (1, 2)].map(|(a, b)| (places[a], places[b])) {
             let is_in_line = a.min.y < b.max.y && b.min.y < a.max.y;
             let gap = (b.min.x - a.max.x).max(a.min.x - b.max.x);
-            assert!(!is_in_line || gap >= least, "{profile}: {gap} mm between two labels");
+            assert!(is_in_line, "{profile}: there is room for all three side by side: {places:?}");
+            assert!(gap >= least, "{profile}: {gap} mm between two labels");
         }
+    }
+}
+
+/// A point at the lower side of a bar names the bar: its label stands in the middle below it, and not below the next one.
+#[test]
+fn labels_at_the_lower_side_of_bars_stand_in_the_middle_below_them() {
+    let bars = b"<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'>\
+        <rect width='300' height='200' fill='#fff'/><g fill='none' stroke='#000' stroke-width='3'>\
+        <path d='M20 150V60h40v90z'/><path d='M120 150V30h40v120z'/><path d='M220 150V80h40v70z'/></g></svg>";
+    // on the line, a little below it, and at the middle of the upper side, where there is nothing to hang below
+    let below = [(40.0, 75.0, "Ann"), (140.0, 77.0, "Bob"), (240.0, 75.0, "Eve")];
+    let labels = below.iter().map(|(x, y, text)| at(x / 3.0, *y, text)).chain([at(140.0 / 3.0, 15.0, "top")]).collect();
+    // the dots of a capital sign lie in the right half of their cell, and a grid has steps
+    for (profile, step) in [("swell-a4", 1.3), ("viewplus-columbia", 2.0)] {
+        let drawing = convert(&bars[..], &options(profile).labels(Vec::clone(&labels))).expect("a page");
+        let figure = drawing.page.figure.place;
+        let placed = labels_of(&drawing);
+        for (x, y, text) in below {
+            let place = place(placed.iter().find(|label| label.text == text).expect("it has room"));
+            let anchor = figure.min + MmVector::new(x / 300.0 * figure.width(), 0.01 * y * figure.height());
+            let off = place.center().x - anchor.x;
+            assert!(off.abs() <= step && place.min.y > anchor.y, "{profile}: {text} is {off} mm off the middle");
+        }
+        let top = place(placed.iter().find(|label| label.text == "top").expect("it has room"));
+        assert!(top.max.y < figure.min.y + 0.15 * figure.height(), "{profile}: it stands above its bar");
     }
 }
 

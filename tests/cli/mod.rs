@@ -4,6 +4,7 @@ mod calibrate;
 mod changed;
 mod check;
 mod common;
+mod corrected;
 mod describe;
 mod docs;
 mod dots;

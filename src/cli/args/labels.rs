@@ -28,12 +28,8 @@ pub(in crate::cli) struct Labels {
     #[arg(long, value_name = "FILE.csv|texts", hide_short_help = true)]
     labels: Option<String>,
 
-    /// When a key follows on a sheet of its own, in braille: auto, always or never
-    ///
-    /// It has the colours that occur, each as a patch of its texture with its name, and what abbreviations
-    /// stand for. With auto there is one where labels are abbreviated.
-    #[arg(long, value_name = "WHEN", value_enum, default_value_t = When::Auto, hide_short_help = true)]
-    key: When,
+    #[command(flatten)]
+    key: WithKey,
 
     /// Page number in braille, at the top on the right
     ///
@@ -56,6 +52,17 @@ pub(in crate::cli) struct Labels {
     /// pictures are small, and some are read wrongly. Needs the program tesseract with its data of the language.
     #[arg(long, conflicts_with = "keep_text", hide_short_help = true)]
     pub(in crate::cli) ocr: bool,
+}
+
+/// Whether a key follows.
+#[derive(Debug, Clone, Copy, Args)]
+pub(in crate::cli) struct WithKey {
+    /// When a key follows on a sheet of its own, in braille: auto, always or never
+    ///
+    /// It has the colours that occur, each as a patch of its texture with its name, and what abbreviations
+    /// stand for. With auto there is one where labels are abbreviated.
+    #[arg(long, value_name = "WHEN", value_enum, default_value_t = When::Auto, hide_short_help = true)]
+    key: When,
 }
 
 /// When there is a key.
@@ -93,7 +100,7 @@ impl Labels {
     /// Whether there are any.
     pub(in crate::cli) fn are_given(&self) -> bool {
         self.labels.is_some()
-            || self.key == When::Always
+            || self.key.key == When::Always
             || self.braille_table.is_some()
             || self.number.is_some()
             || self.ocr
@@ -105,8 +112,8 @@ impl Labels {
     /// Everything that is wrong with it, each with its line.
     pub(in crate::cli) fn read(&self) -> Result<Given, Vec<String>> {
         match self.labels.as_deref() {
-            None => Ok(Given { key: self.key, number: self.number, ..Given::default() }),
-            Some(TEXTS) => Ok(Given { texts: true, key: self.key, number: self.number, ..Given::default() }),
+            None => Ok(Given { key: self.key.key, number: self.number, ..Given::default() }),
+            Some(TEXTS) => Ok(Given { texts: true, key: self.key.key, number: self.number, ..Given::default() }),
             Some(path) => {
                 let of_file = |what: String| vec![format!("--labels {path}: {what}")];
                 let bytes = input::read(Path::new(path), MOST_BYTES, "this is too large for a list of labels")
@@ -116,21 +123,38 @@ impl Labels {
                 let labels = Label::from_csv(&text).map_err(|faults| {
                     faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect::<Vec<_>>()
                 })?;
-                Ok(Given { labels, texts: false, key: self.key, number: self.number })
+                Ok(Given { labels, texts: false, key: self.key.key, number: self.number })
             }
         }
     }
 }
 
+impl WithKey {
+    /// As the library takes it.
+    pub(in crate::cli) fn sheets(self) -> KeySheets {
+        self.key.sheets()
+    }
+}
+
+impl When {
+    fn sheets(self) -> KeySheets {
+        match self {
+            Self::Auto => KeySheets::Auto,
+            Self::Always => KeySheets::Always,
+            Self::Never => KeySheets::Never,
+        }
+    }
+}
+
 impl Given {
+    /// When there is a key.
+    pub(in crate::cli) fn key(&self) -> KeySheets {
+        self.key.sheets()
+    }
+
     /// Puts the labels into the options of the library.
     pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
-        let key = match self.key {
-            When::Auto => KeySheets::Auto,
-            When::Always => KeySheets::Always,
-            When::Never => KeySheets::Never,
-        };
-        let options = options.labels(self.labels.clone()).label_texts(self.texts).key(key);
+        let options = options.labels(self.labels.clone()).label_texts(self.texts).key(self.key());
         self.number.into_iter().fold(options, Options::page_number)
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::embossing::Embossing;
+use super::labels::WithKey;
 use super::writing::Writing;
 
 pub(super) const LONG_ABOUT: &str = "\
@@ -16,7 +17,9 @@ What is taken otherwise than it looks, or left out, is told. Hidden layers are n
 
 The page stays on its paper or device, and widths of lines are brought into the range of its profile. With --profile \
 it is laid out anew for another one: lines and areas keep their places in the figure, and textures, overview, frame \
-and braille are made for the new paper or device.";
+and braille are made for the new paper or device.
+
+Where labels are abbreviated, a key follows on sheets of its own, as after \"tactograph convert\".";
 
 pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:
@@ -61,6 +64,9 @@ pub(in crate::cli) struct Render {
     /// Changes one value of the profile that --profile names; can be given several times
     #[arg(long, value_name = "KEY=VALUE")]
     pub(in crate::cli) set: Vec<String>,
+
+    #[command(flatten)]
+    pub(in crate::cli) key: WithKey,
 
     /// Replaces numbered files that are there already, whoever wrote them
     #[arg(long, visible_alias = "overwrite")]

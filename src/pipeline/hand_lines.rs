@@ -1,0 +1,356 @@
+//! Lines of a page as contours of a picture: those that a person gives, and those of a page that is laid out anew.
+
+use lyon::geom::euclid::Box2D;
+
+use super::kept_lines::LineName;
+use crate::Error;
+use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::Polyline;
+use crate::lines::{Line, Pen, Run};
+use crate::page::Page;
+use crate::profile::Plan;
+use crate::units::{MmPoint, MmRect, PageTransform, Px, PxPoint, Size};
+
+/// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HandLines {
+    lines: Vec<HandLine>,
+    /// Width of the figure by its height.
+    aspect: f32,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct HandLine {
+    /// Which line of the figure it is, or a part of.
+    of_line: usize,
+    /// Each with its strength.
+    vertices: Vec<([f32; 2], f32)>,
+    closed: bool,
+}
+
+/// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
+pub(super) const SAME_SHAPE: f32 = 0.03;
+
+impl HandLines {
+    /// The lines of a page's figure, with the strengths that their widths stand for. `plan` says which those are.
+    pub fn of_figure(page: &Page, plan: &Plan) -> Self {
+        Self::of(&page.figure.lines, page.figure.place, plan)
+    }
+
+    /// The lines of its overview; none if it has none.
+    pub fn of_overview(page: &Page, plan: &Plan) -> Option<Self> {
+        let overview = page.overview.as_ref().filter(|overview| !overview.lines.is_empty())?;
+        Some(Self::of(&overview.lines, overview.place, plan))
+    }
+
+    fn of(lines: &[Line], place: MmRect, plan: &Plan) -> Self {
+        let [width, height] = [place.width(), place.height()].map(|side| side.max(f32::MIN_POSITIVE));
+        let share = |at: MmPoint| [(at.x - place.min.x) / width, (at.y - place.min.y) / height];
+        let lines = lines.iter().enumerate().flat_map(|(of_line, line)| {
+            // of a heavy line of dots the second row is a part of the first
+            let dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
+            let runs = if dotted { &line.runs[..1] } else { &line.runs[..] };
+            joined(runs).into_iter().map(move |runs| {
+                let closed = runs.len() == 1 && runs[0].closed;
+                let mut vertices = Vec::new();
+                for (number, run) in runs.iter().enumerate() {
+                    let strength = strength(run, line.strength, plan);
+                    let skip = usize::from(number > 0);
+                    vertices.extend(run.points.iter().skip(skip).map(|&at| (share(at), strength)));
+                }
+                HandLine { of_line, vertices, closed }
+            })
+        });
+        let mut lines: Vec<HandLine> = lines.collect();
+        lines.iter_mut().for_each(HandLine::close);
+        Self { lines, aspect: width / height }
+    }
+
+    /// The same lines as contours of a picture of this size.
+    ///
+    /// # Errors
+    /// If the picture has another shape than the figure of the page.
+    pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
+        self.edges_of(size, ChainKind { exact: true, drawn: true, ..ChainKind::default() })
+    }
+
+    /// The same, with those that a person drew first: along them others give way that are nearer than `reach`, px.
+    /// What only leads up to them or across ends on them, with a gap of `gap` px that is closed when lines are drawn.
+    /// Those of a person are all of full strength, however thin they are: they are meant.
+    ///
+    /// # Errors
+    /// As [`HandLines::edges`].
+    pub(super) fn edges_below(
+        &self,
+        names: &[LineName],
+        size: Size,
+        [reach, gap]: [f32; 2],
+        full_strength: f32,
+    ) -> Result<Edges, Error> {
+        let is_by_hand = |line: &&HandLine| names.get(line.of_line).is_some_and(|name| name.by_hand);
+        let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) = self.lines.iter().partition(is_by_hand);
+        let own = |lines: Vec<&HandLine>| Self { lines: lines.into_iter().cloned().collect(), aspect: self.aspect };
+        let kind = ChainKind { exact: true, drawn: true, added: true, ..ChainKind::default() };
+        let mut first = own(by_hand).edges_of(size, kind)?;
+        first.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.max(full_strength));
+        let found = own(others).edges(size)?;
+        if first.is_empty() {
+            return Ok(found);
+        }
+        let near = near(&first);
+        let mut edges = Edges::none(size);
+        for range in &found.chains {
+            let polyline = found.chain(range);
+            let whole = Polyline { vertices: polyline.vertices.to_vec(), closed: range.closed };
+            for (vertices, closed) in beside(whole, &near, [reach, gap]) {
+                edges.push_as(range.kind, vertices.into_iter(), closed);
+            }
+        }
+        for range in &first.chains {
+            edges.push_as(range.kind, first.chain(range).vertices.iter().copied(), range.closed);
+        }
+        Ok(edges)
+    }
+
+    /// Adds the lines to contours that were found, of which the parts nearer than `reach`, px, give way.
+    ///
+    /// # Errors
+    /// As [`HandLines::edges`].
+    pub(super) fn add_to(&self, found: &mut Edges, reach: f32) -> Result<(), Error> {
+        let own = self.edges_of(found.size, ChainKind { exact: true, added: true, ..ChainKind::default() })?;
+        let near = near(&own);
+        let is_near = |at: PxPoint| near.nearest(at, reach, |_| true).is_some();
+        without(found, |_, _, edgel| is_near(edgel.at));
+        for range in &own.chains {
+            found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
+        }
+        found.room = reach;
+        Ok(())
+    }
+
+    /// How many lines are shorter than a length in the figure, as shares of its width.
+    pub(super) fn shorter_than(&self, share: f32) -> usize {
+        let length = |line: &HandLine| {
+            let ends = line.vertices.windows(2).map(|pair| (pair[0].0, pair[1].0));
+            ends.map(|(a, b)| (b[0] - a[0]).hypot((b[1] - a[1]) / self.aspect)).sum::<f32>()
+        };
+        self.lines.iter().filter(|line| length(line) < share).count()
+    }
+
+    fn edges_of(&self, size: Size, kind: ChainKind) -> Result<Edges, Error> {
+        let [width, height] = [size.width as f32, size.height as f32];
+        if (self.aspect / (width / height) - 1.0).abs() > SAME_SHAPE + 1.0 / width.min(height) {
+            return Err(Error::OtherShape { lines: self.aspect, picture: width / height });
+        }
+        let mut edges = Edges::none(size);
+        for line in self.lines.iter().filter(|line| line.vertices.len() > 1) {
+            let edgel = |&([x, y], strength): &([f32; 2], f32)| Edgel {
+                at: PxPoint::new(x * width, y * height),
+                strength,
+                contrast: [0.0; 3],
+            };
+            edges.push_as(kind, line.vertices.iter().map(edgel), line.closed);
+        }
+        Ok(edges)
+    }
+}
+
+impl HandLine {
+    /// A line of several widths that comes back to where it began is a ring.
+    fn close(&mut self) {
+        let (Some((first, _)), Some((last, _))) = (self.vertices.first(), self.vertices.last()) else { return };
+        let near = (first[0] - last[0]).abs() < 1e-5 && (first[1] - last[1]).abs() < 1e-5;
+        if !self.closed && near && self.vertices.len() > 3 {
+            self.vertices.pop();
+            self.closed = true;
+        }
+    }
+}
+
+/// Runs that follow one another, line by line.
+fn joined(runs: &[Run]) -> Vec<Vec<&Run>> {
+    let mut all: Vec<Vec<&Run>> = Vec::new();
+    for run in runs {
+        let last = all.last().and_then(|line| line.last()).filter(|last| !last.closed && !run.closed);
+        let follows = last.is_some_and(|last| last.points.last() == run.points.first());
+        match all.last_mut() {
+            Some(line) if follows => line.push(run),
+            _ => all.push(vec![run]),
+        }
+    }
+    all
+}
+
+/// The strength whose lines are as wide as a run; of the widest, and of dots, that of the line.
+fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
+    let params = plan.lines();
+    let swell = plan.profile().print.swell;
+    let range = (params.width_max - params.width_min).max(f32::EPSILON);
+    let share = ((run.width + swell - params.width_min) / range).clamp(0.0, 1.0);
+    if run.pen != Pen::Stroke || share > 0.99 {
+        return of_line.max(params.full_strength);
+    }
+    params.least_strength + share * (params.full_strength - params.least_strength)
+}
+
+/// The segments of contours, to be found by their places.
+pub(super) fn near(edges: &Edges) -> Nearby<Px> {
+    let area = Box2D::new(PxPoint::zero(), PxPoint::new(edges.size.width as f32, edges.size.height as f32));
+    let mut near = Nearby::new(area, CELL);
+    for (line, chain) in (0..).zip(edges.chains()) {
+        for (index, (a, b)) in (0..).zip(chain.segments()) {
+            near.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
+        }
+    }
+    near
+}
+
+/// Side of the cells of that, px.
+const CELL: f32 = 16.0;
+
+/// The parts of a contour that do not run along lines nearer than `reach`, px; where it meets one, up to `gap` from it.
+fn beside(whole: Polyline<Edgel>, near: &Nearby<Px>, [reach, gap]: [f32; 2]) -> Vec<(Vec<Edgel>, bool)> {
+    let distance = |edgel: &Edgel| near.nearest(edgel.at, reach, |_| true).map(|(distance, ..)| distance);
+    let closed = whole.closed;
+    let mut vertices: Vec<Edgel> = whole.segments().flat_map(|(a, b)| steps(a, b, STEP * reach)).collect();
+    vertices.extend(whole.vertices.last().filter(|_| !closed));
+    if closed {
+        // begun away from them, no part along them is cut in two
+        let first = vertices.iter().position(|edgel| distance(edgel).is_none());
+        vertices.rotate_left(first.unwrap_or(0));
+    }
+    let distances: Vec<Option<f32>> = vertices.iter().map(distance).collect();
+    let mut is_gone = vec![false; vertices.len()];
+    let mut at = 0;
+    for part in distances.chunk_by(|a, b| a.is_some() == b.is_some()) {
+        let range = at..at + part.len();
+        at = range.end;
+        let nearest = part.iter().flatten().copied().fold(f32::MAX, f32::min);
+        let arc: f32 = vertices[range.clone()].windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum();
+        let meets = nearest <= MEETS * reach && arc <= CROSSING * reach;
+        for (is_gone, distance) in is_gone[range].iter_mut().zip(part) {
+            *is_gone = distance.is_some_and(|distance| !meets || distance < gap);
+        }
+    }
+    if is_gone.iter().all(|gone| !gone) {
+        return vec![(whole.vertices, closed)];
+    }
+    let marked: Vec<(Edgel, bool)> = vertices.into_iter().zip(is_gone).collect();
+    let parts = outside(&marked, closed, |(_, gone)| *gone);
+    parts.into_iter().map(|(part, closed)| (part.into_iter().map(|(edgel, _)| edgel).collect(), closed)).collect()
+}
+
+/// A segment from its first end on, in steps of at most this length, px.
+fn steps(a: &Edgel, b: &Edgel, longest: f32) -> impl Iterator<Item = Edgel> + use<> {
+    let (a, b) = (*a, *b);
+    let count = ((b.at - a.at).length() / longest).ceil().max(1.0);
+    (0..count as u32).map(move |k| {
+        let share = k as f32 / count;
+        Edgel { at: a.at.lerp(b.at, share), strength: a.strength + share * (b.strength - a.strength), ..a }
+    })
+}
+
+/// Contours are looked at this often, as a share of how far lines reach.
+const STEP: f32 = 0.1;
+/// A line meets another if it comes this near, as a share of that: two lines that were drawn to touch seldom do
+/// exactly.
+const MEETS: f32 = 0.25;
+/// ... and is beside it for no longer than this, in the same unit: a line that crosses at 42 degrees or more.
+const CROSSING: f32 = 3.0;
+
+/// Takes the parts of contours out that are `gone`; each chain has its number.
+pub(super) fn without(edges: &mut Edges, gone: impl Fn(usize, &ChainRange, &Edgel) -> bool) {
+    let (edgels, chains) = (std::mem::take(&mut edges.edgels), std::mem::take(&mut edges.chains));
+    for (number, range) in chains.iter().enumerate() {
+        let vertices = &edgels[range.edgels.clone()];
+        for (vertices, closed) in outside(vertices, range.closed, |edgel| gone(number, range, edgel)) {
+            edges.push_as(range.kind, vertices.into_iter(), closed);
+        }
+    }
+}
+
+/// The lines with those first that a person drew or added; as many of them as the others keep their order.
+pub(super) fn by_hand_first(lines: Vec<Line>, edges: &Edges, transform: &PageTransform) -> Vec<Line> {
+    let own = added(edges);
+    if own.is_empty() {
+        return lines;
+    }
+    let near = near(&own);
+    let reach = BY_HAND / transform.mm_per_px();
+    let is_there = |at: MmPoint| near.nearest(transform.to_px(at), reach, |_| true).is_some();
+    let is_by_hand = |line: &Line| {
+        let points = || line.runs.iter().flat_map(|run| &run.points);
+        2 * points().filter(|at| is_there(**at)).count() > points().count()
+    };
+    let (mut first, others): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(is_by_hand);
+    first.extend(others);
+    first
+}
+
+/// How far a line may lie from where a person drew it, mm: lines are moved aside only where others came first.
+const BY_HAND: f32 = 0.5;
+
+/// The contours that a person drew or added.
+pub(super) fn added(edges: &Edges) -> Edges {
+    let mut own = Edges::none(edges.size);
+    for range in edges.chains.iter().filter(|range| range.kind.added) {
+        own.push_as(range.kind, edges.chain(range).vertices.iter().copied(), range.closed);
+    }
+    own
+}
+
+/// The parts of a chain of which nothing is `inside`, and whether each is closed.
+pub(super) fn outside<V: Copy>(vertices: &[V], closed: bool, inside: impl Fn(&V) -> bool) -> Vec<(Vec<V>, bool)> {
+    let Some(first) = vertices.iter().position(&inside) else { return vec![(vertices.to_vec(), closed)] };
+    let mut vertices = vertices.to_vec();
+    if closed {
+        // begun inside, no other part is cut in two
+        vertices.rotate_left(first);
+    }
+    let parts = vertices.chunk_by(|a, b| inside(a) == inside(b)).filter(|part| !inside(&part[0]) && part.len() > 1);
+    parts.map(|part| (part.to_vec(), false)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
+        let name = |by_hand: bool| LineName { name: String::new(), by_hand };
+        let line = |of_line: usize, ends: [[f32; 2]; 2]| HandLine {
+            of_line,
+            vertices: ends.map(|at| (at, 40.0)).to_vec(),
+            closed: false,
+        };
+        // the first by a person; one along it, one across, one up to it and one far away
+        let ends = [
+            [[0.2, 0.5], [0.8, 0.5]],
+            [[0.0, 0.52], [1.0, 0.52]],
+            [[0.4, 0.0], [0.4, 1.0]],
+            [[0.6, 0.1], [0.6, 0.495]],
+            [[0.1, 0.1], [0.9, 0.1]],
+        ];
+        let lines = HandLines { lines: ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect(), aspect: 1.0 };
+        let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
+        let edges =
+            lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
+        let row =
+            |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
+        assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
+        let column =
+            |x: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.x - x).abs() < 1.0)).count();
+        assert_eq!((column(400.0), column(600.0)), (2, 1), "the one across ends on it from both sides");
+        let end = |x: f32| {
+            let of_column = edges.edgels.iter().filter(|v| (v.at.x - x).abs() < 1.0 && (v.at.y - 500.0).abs() > 1.0);
+            of_column.map(|v| (v.at.y - 500.0).abs()).fold(f32::MAX, f32::min)
+        };
+        assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
+        assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
+        let none = lines
+            .edges_below(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
+            .expect("the same shape");
+        assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
+    }
+}
