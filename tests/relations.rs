@@ -362,3 +362,21 @@ fn paths_that_cross_themselves_make_pages() {
         assert!(length > 50.0, "{path}: {length} mm of lines");
     }
 }
+
+/// What reaches far beyond the picture is drawn where it is seen.
+#[test]
+fn shapes_that_reach_far_away_are_drawn_where_they_are_seen() {
+    let near = drawn("<rect x='10' y='20' width='30' height='90' fill='#c22'/>", 1.0);
+    let far = drawn("<rect x='10' y='20' width='30' height='100000' fill='#c22'/>", 1.0);
+    assert!(!near.lines.is_empty());
+    assert!(same_lines(&near, &far) <= 0.01, "{} of the lines are elsewhere", same_lines(&near, &far));
+}
+
+/// A billion pixels away, where the renderer gives up, there is a page all the same, and it takes no more memory.
+/// Before, this ended the program.
+#[test]
+fn shapes_that_reach_a_billion_pixels_away_make_a_page() {
+    let far = "<g transform='scale(1e7)'><rect x='1e-6' y='2e-6' width='3e-6' height='400' fill='#c22'/></g>";
+    let figure = drawn(&format!("{SHAPES}{far}"), 1.0);
+    assert!(figure.lines.len() >= drawn(SHAPES, 1.0).lines.len());
+}

@@ -316,6 +316,6 @@ fn a_huge_picture_inside_a_drawing_is_left_out() {
 #[test]
 fn a_picture_without_height_in_a_drawing_is_no_panic() {
     let text = "<svg xmlns='http://www.w3.org/2000/svg' width='64' height='32'><image width='64' height='32' \
-                href='data:image/svg+xml,%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 width=%221e9%22 height=%221%22/%3E'/></svg>";
+                href='data:image/svg+xml,%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 width=%22999999999%22 height=%221%22/%3E'/></svg>";
     assert!(fault(text.as_bytes()).contains("too small"), "{}", fault(text.as_bytes()));
 }

@@ -14,6 +14,9 @@ const SPACING: f32 = 1.0;
 const TOLERANCE: f32 = 0.02;
 /// A path shorter than this is not seen, px.
 const SHORTEST: f32 = 1.0;
+/// A line longer than this, in widths and heights of the picture together, has points only where it is in sight.
+/// Outlines of whole coasts are shorter.
+const FAR: f32 = 8.0;
 /// What a path may reach beyond the picture and still be looked at, px.
 const MARGIN: f32 = 2.0;
 
@@ -51,10 +54,57 @@ fn of_path(path: &Path, filled: bool, stroke: Option<f32>, size: Size) -> Vec<Pr
     let lines = polylines(path, filled).into_iter().filter(|line| line.length() >= SHORTEST);
     lines
         .map(|mut line| {
-            line.subdivide(SPACING);
+            subdivide(&mut line, margin, size);
             Proposal { line, stroke }
         })
         .collect()
+}
+
+/// Puts points along a line. Of one that is far longer than the picture is large only what is in sight gets any: a side
+/// of a rectangle that is a billion pixels high would take more memory than there is.
+fn subdivide(line: &mut Polyline<PxPoint>, margin: f32, size: Size) {
+    if line.length() <= FAR * (size.width + size.height) as f32 {
+        line.subdivide(SPACING);
+        return;
+    }
+    let mut vertices = Vec::new();
+    for (&a, &b) in line.segments() {
+        vertices.push(a);
+        let Some([enter, leave]) = in_sight(a, b, margin, size) else { continue };
+        let mut part = Polyline::open(vec![enter, leave]);
+        part.subdivide(SPACING);
+        vertices.extend(part.vertices);
+        vertices.pop_if(|last| *last == b); // it comes with the next segment
+    }
+    if !line.closed {
+        vertices.extend(line.vertices.last());
+    }
+    vertices.dedup();
+    line.vertices = vertices;
+}
+
+/// Where a segment enters the picture with its margin, and where it leaves it (Liang and Barsky 1984). In f64, as of
+/// places a billion pixels away f32 knows only every 64th.
+fn in_sight(a: PxPoint, b: PxPoint, margin: f32, size: Size) -> Option<[PxPoint; 2]> {
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for [start, end, side] in [[a.x, b.x, size.width as f32], [a.y, b.y, size.height as f32]] {
+        let [start, end, low, high] = [start, end, -margin, side + margin].map(f64::from);
+        let way = end - start;
+        if way.abs() <= f64::MIN_POSITIVE {
+            if start < low || start > high {
+                return None;
+            }
+            continue;
+        }
+        let (one, other) = ((low - start) / way, (high - start) / way);
+        from = from.max(one.min(other));
+        to = to.min(one.max(other));
+    }
+    let at = |share: f64| {
+        let on = |a: f32, b: f32| (f64::from(a) + share * (f64::from(b) - f64::from(a))) as f32;
+        PxPoint::new(on(a.x, b.x), on(a.y, b.y))
+    };
+    (from <= to).then(|| [if from > 0.0 { at(from) } else { a }, if to < 1.0 { at(to) } else { b }])
 }
 
 /// The parts of a path as polylines.
@@ -126,6 +176,21 @@ mod tests {
     fn drawing(path: Path, width: Option<f32>) -> VectorDrawing {
         let stroke = width.map(|width| Stroke { width, ..Stroke::default() });
         VectorDrawing { paths: vec![PaintedPath { path, stroke }], pixel_areas: Vec::new() }
+    }
+
+    #[test]
+    fn of_a_shape_that_reaches_far_away_only_what_is_in_sight_has_points() {
+        let mut path = PathBuilder::new();
+        for (number, (x, y)) in [(20.0, 30.0), (60.0, 30.0), (60.0, 4e9), (20.0, 4e9)].into_iter().enumerate() {
+            if number == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+        }
+        path.close();
+        let proposals = proposals(&drawing(path.finish().expect("a path"), None), 8.0, SIZE);
+        let line = &proposals[0].line;
+        assert!(line.closed && (180..200).contains(&line.vertices.len()), "{} points", line.vertices.len());
+        let in_picture = line.vertices.iter().filter(|at| at.y <= 100.0);
+        assert!(in_picture.clone().all(|at| at.x >= 20.0 && at.x <= 60.0 && at.y >= 30.0));
+        assert!(in_picture.count() > 170);
     }
 
     #[test]

@@ -37,11 +37,11 @@ const MOST_COMPARISONS: usize = 10_000_000;
 pub(super) const MOST_LEVELS_INSIDE: u32 = 50;
 
 /// Attributes that hold places and lengths of shapes.
-const LENGTHS: &[&str] = &["d", "r", "rx", "ry", "cx", "cy", "x", "y", "width", "height", "points"];
+const LENGTHS: &[&str] = &["d", "r", "rx", "ry", "cx", "cy", "x", "y", "width", "height", "points", "stroke-width"];
 
-/// Most digits of these before the point: usvg makes some 150 curves of an arc with a radius of 1e12. Maps in metres
-/// have 8.
-const MOST_DIGITS: usize = 12;
+/// Most digits of these before the point. Maps in metres have 8; usvg and resvg compute in f32, which of numbers of 10
+/// digits knows only every 512th, and tiny-skia 0.12 panics on some.
+const MOST_DIGITS: usize = 9;
 
 /// # Errors
 /// What there is too much of.
