@@ -40,6 +40,8 @@ pub enum Note {
     LeftOut(String),
     /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
     NotOnPage(About, String),
+    /// Something on the page is not in its PNG; says what, why and what to do.
+    NotInPng(&'static str),
     /// Something on a page is taken otherwise than it looks; says what, where and as what.
     TakenAs(About, String),
     /// Something on the page is as it was given and breaks a rule of legibility; says what, where and what to do.
@@ -176,6 +178,7 @@ impl Note {
             Self::ColourProfileIgnored(..) => "colour-profile-ignored",
             Self::LeftOut(..) => "left-out",
             Self::NotOnPage(..) => "not-on-page",
+            Self::NotInPng(..) => "not-in-png",
             Self::TakenAs(..) => "taken-as",
             Self::Faulty(..) => "faulty",
             Self::FirstPageOnly { .. } => "first-page-only",
@@ -236,6 +239,7 @@ impl std::fmt::Display for Note {
                 write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
             }
             Self::LeftOut(what) | Self::NotOnPage(_, what) => write!(f, "left out of the page: {what}"),
+            Self::NotInPng(what) => write!(f, "not in the PNG: {what}"),
             Self::TakenAs(_, what) | Self::Faulty(_, what) => f.write_str(what),
             Self::FirstPageOnly { pages } => {
                 write!(f, "this is page 1 of {pages}; ask for another by its number")

@@ -3,6 +3,7 @@
 use usvg::{ImageHrefResolver, Tree};
 
 use super::feeling::feel;
+use super::FeelError;
 use crate::Error;
 use crate::legibility::{self, Checked, Drawn, Fingertip};
 use crate::page::{Figure, Page, Parts};
@@ -73,7 +74,12 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
         Some(read) => {
             let limits = limits(&read.page)?;
             let felt = feel(bytes, FINGER);
-            let fingertip = felt.as_ref().map_or(Fingertip::TooLarge, |felt| Fingertip::Felt(felt.report()));
+            let fingertip = match &felt {
+                Ok(felt) => Fingertip::Felt(felt.report()),
+                Err(FeelError::TooLarge { .. }) => Fingertip::TooLarge,
+                // a page whose layers have labels and no ids of ours
+                Err(_) => Fingertip::NotAsked,
+            };
             let checked = drawn.check(&read, &limits, fingertip);
             Checked { notes: read.notes, ..checked }
         }

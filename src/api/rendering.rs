@@ -36,7 +36,8 @@ pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawin
     render_with_key(svg, profile, KeySheets::Auto)
 }
 
-/// As [`render`], which makes a key where labels are abbreviated, with a key when it is asked for.
+/// As [`render`], with a key when it is asked for. [`render`] makes one where words are abbreviated that were not
+/// before, or that another profile asks for.
 ///
 /// # Errors
 /// As [`render`].
@@ -45,7 +46,9 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
     let mut notes = std::mem::take(&mut read.notes);
     let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
     let Ready { page, lines, notes: more } = pipeline::made_ready(&read, &own)?;
-    notes.extend(more);
+    // words are placed anew for another profile
+    let stays = |note: &Note| profile.is_none() || note.about() != Some(About::Print);
+    notes.extend(more.into_iter().filter(stays));
     let request = |plan, mirrored| Request {
         plan,
         limits: Limits::default(),
@@ -56,6 +59,9 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
         cancelled: &|| false,
     };
     let Some(profile) = profile else {
+        // the abbreviations that were there before have their key already
+        let has_new = notes.iter().any(|note| matches!(note, Note::Abbreviated(_)));
+        let key = if key == KeySheets::Auto && !has_new { KeySheets::Never } else { key };
         let (key, of_key) = pipeline::key_of_page(&page, key, &request(&own, page.is_mirrored()))?;
         notes.extend(of_key);
         let key = in_language(key, &page);

@@ -5,7 +5,7 @@ use crate::output::dots::{gcode, pef};
 use crate::output::png::{Depth, Dpi};
 use crate::output::{DotFormat, DrawingFormat, Embossing, Format, json, pdf, png, svg, write_dots};
 use crate::page::Page;
-use crate::{About, Error, Note};
+use crate::{Error, Note};
 
 impl Page {
     /// An SVG drawing in true millimetres, with a layer for each texture, for the lines, the frame and the overview:
@@ -37,7 +37,7 @@ impl Page {
     pub fn not_in_png(&self) -> Option<Note> {
         let why = "words in print (braille.print): no fonts are installed on this machine; write a PDF, or install one";
         let lacks = !self.print.is_empty() && !png::has_fonts();
-        lacks.then(|| Note::NotOnPage(About::Print, format!("from the PNG, {why}")))
+        lacks.then_some(Note::NotInPng(why))
     }
 
     /// The page in a format of drawings that is chosen while the program runs. `dpi` and `depth` are for PNG.

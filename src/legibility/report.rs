@@ -66,7 +66,9 @@ impl Checked {
         let findings: Vec<Value> = self.findings.iter().map(finding).collect();
         let (errors, warnings) = (self.errors(), self.warnings());
         let textures = self.verdict.textures.map(|Textures { of_figure, judged, right, .. }| {
-            json!({ "of_figure": rounded(of_figure), "judged": rounded(judged), "right": rounded(right) })
+            // of what was not judged nothing is said
+            let right = (judged > 0.0).then(|| rounded(right));
+            json!({ "of_figure": rounded(of_figure), "judged": rounded(judged), "right": right })
         });
         let all = json!({
             "errors": errors,

@@ -270,7 +270,7 @@ pub(super) fn without(edges: &mut Edges, gone: impl Fn(usize, &ChainRange, &Edge
     }
 }
 
-/// The lines with those first that a person drew or added; as many of them as the others keep their order.
+/// The lines with those first that a person drew or added; within both groups the order stays.
 pub(super) fn by_hand_first(lines: Vec<Line>, edges: &Edges, transform: &PageTransform) -> Vec<Line> {
     let own = added(edges);
     if own.is_empty() {

@@ -27,6 +27,8 @@ const LOST: f32 = 0.2;
 const IN_PART: f32 = 0.7;
 /// Most lines that are named.
 const MOST: usize = 6;
+/// ... and so many of those that a person drew.
+const MOST_BY_HAND: usize = 20;
 
 /// The lines of `before` that each line of `after` stands for, and what share of each line of `before` is there. Both
 /// are lines of one figure, that lies in `from` and in `to`.
@@ -78,8 +80,8 @@ fn row(line: &Line) -> &[Run] {
     if is_dotted { &line.runs[..1] } else { &line.runs }
 }
 
-/// Names the lines that are lost, those that a person drew first and all of them: our own are numbered. None if none is
-/// lost.
+/// Names the lines that are lost, those that a person drew first, and more of them: our own are numbered. None if none
+/// is lost.
 pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
     let told = |(share, LineName { name, by_hand }): (&f32, &LineName)| match *share {
         share if share < LOST => Some((*by_hand, name.clone())),
@@ -88,7 +90,7 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
     };
     let (by_hand, ours): (Vec<_>, Vec<_>) =
         shares.iter().zip(names).filter_map(told).partition(|(by_hand, _)| *by_hand);
-    let (count, most) = (by_hand.len() + ours.len(), MOST.max(by_hand.len()));
+    let (count, most) = (by_hand.len() + ours.len(), MOST.max(by_hand.len().min(MOST_BY_HAND)));
     let named: Vec<String> = by_hand.into_iter().chain(ours).map(|(_, name)| name).take(most).collect();
     let (last, first) = named.split_last()?;
     let more = count - named.len();

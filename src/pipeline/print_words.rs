@@ -57,7 +57,7 @@ pub(super) fn follow(parts: &mut Parts, new: usize, plan: &Plan) -> Vec<Note> {
     }
     let mut is_free = vec![true; parts.print.len()];
     let (mut moved, mut lost) = (Vec::new(), Vec::new());
-    let mut added = Vec::new();
+    let (mut added, mut homeless) = (Vec::new(), Vec::new());
     for (number, text) in parts.braille.iter().enumerate() {
         let wanted = beside(text, parts.sheet);
         let is_of_text = |word: &PrintText| {
@@ -79,11 +79,22 @@ pub(super) fn follow(parts: &mut Parts, new: usize, plan: &Plan) -> Vec<Note> {
             continue;
         };
         is_free[at] = false;
-        if let Some(wanted) = wanted.filter(|_| far(&parts.print[at]) > CLEARANCE) {
-            moved.push(format!("\"{}\"", wanted.string));
-            parts.print[at] = wanted;
+        if far(&parts.print[at]) > CLEARANCE {
+            match wanted {
+                Some(wanted) => {
+                    moved.push(format!("\"{}\"", wanted.string));
+                    parts.print[at] = wanted;
+                }
+                // beside other braille it would name the wrong thing
+                None => {
+                    lost.push(format!("\"{}\"", text.text));
+                    homeless.push(at);
+                }
+            }
         }
     }
+    let mut number = 0..;
+    parts.print.retain(|_| number.next().is_some_and(|number| !homeless.contains(&number)));
     parts.print.extend(added);
     let moved = (!moved.is_empty()).then(|| {
         let told = format!("the words in print {} follow their braille, which was moved", moved.join(", "));

@@ -45,8 +45,9 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
     let (mut braille, notes) = written.on(&layout, &mut parts.figure, &exact, &words, plan);
     parts.figure.lines.truncate(count);
     braille.retain(|text| text.role == TextRole::Label);
-    let written = braille.len();
     let elsewhere = elsewhere(&exact, &braille);
+    // those typed in braille stand where they were typed
+    let written = braille.len().saturating_sub(exact.len());
     parts.braille.extend(braille);
     let told = (written > 0).then(|| {
         let told = match written {

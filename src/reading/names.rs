@@ -17,7 +17,7 @@ pub(super) struct Name {
     /// None if it has neither a label nor an id of its own.
     shown: Option<String>,
     id: String,
-    /// Whether a person drew it: what we write says how strong it is, or which class it has.
+    /// Whether it is a line that a person drew: those that we write say how strong they are.
     pub(super) by_hand: bool,
 }
 
@@ -34,7 +34,7 @@ pub(super) fn of_area(element: Node<'_, '_>, class: Class) -> Name {
         true => shown,
         false => format!("{shown} ({})", class.name()),
     });
-    Name { shown, by_hand: !element.has_attribute("data-class"), ..name }
+    Name { shown, ..name }
 }
 
 /// By its label, or else by its id: "line 7" as it is, other names in quotation marks.

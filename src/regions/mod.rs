@@ -10,9 +10,9 @@
 //! ever larger regions (hierarchy of contours: Arbelaez et al. 2011). Every region that ever was is a candidate for an
 //! outline.
 //!
-//! The numbers of `tree`, `arcs`, `merge`, `choose` and `heights` that have no other reason were chosen together on 50 photographs
-//! of BSDS500 (val), by how well outlines of pages agree with those of people, and tested on 50 others (train, then not
-//! looked at): `docs/photographs.md` has the figures.
+//! The numbers of `tree`, `arcs`, `merge`, `choose` and `heights` that have no other reason were chosen together on 50
+//! photographs of BSDS500 (val), by how well outlines of pages agree with those of people, and tested on 50 others
+//! (train, then not looked at): `docs/photographs.md` has the figures.
 
 mod arcs;
 mod areas;
