@@ -40,6 +40,6 @@ fn classes_are_those_of_f64() {
 
 #[test]
 fn marks_of_textures_are_as_large_as_in_f64() {
-    let off = glyphs::compare(&plan().textures());
-    assert!(off < 1e-6, "{off} mm");
+    let (off, marks) = glyphs::compare(&plan().textures());
+    assert!(off < 1e-6 && marks > 10_000, "{off} mm of {marks} marks");
 }

@@ -2,8 +2,8 @@
 
 use usvg::{ImageHrefResolver, Tree};
 
-use super::feeling::feel;
 use super::FeelError;
+use super::feeling::feel;
 use crate::Error;
 use crate::legibility::{self, Checked, Drawn, Fingertip};
 use crate::page::{Figure, Page, Parts};
@@ -76,7 +76,7 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
             let felt = feel(bytes, FINGER);
             let fingertip = match &felt {
                 Ok(felt) => Fingertip::Felt(felt.report()),
-                Err(FeelError::TooLarge { .. }) => Fingertip::TooLarge,
+                Err(Error::NotFelt(FeelError::TooLarge { .. })) => Fingertip::TooLarge,
                 // a page whose layers have labels and no ids of ours
                 Err(_) => Fingertip::NotAsked,
             };

@@ -1,9 +1,8 @@
 //! Ctrl-C, and being told to end: no half file stays, and it is said how far the run came.
 
 use std::process;
-use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
-use std::thread;
-use std::time::{Duration, Instant};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use super::report::{Exit, Report};
 use super::temporary;
@@ -22,6 +21,8 @@ struct Progress {
     of: usize,
     /// What has been done to a picture: "converted".
     how: &'static str,
+    /// Whether something may have gone to standard output, from where nothing comes back.
+    has_left: bool,
 }
 
 /// From now on Ctrl-C ends the program in good order. Where the system has no way to do so, it ends as any program
@@ -33,7 +34,7 @@ pub(super) fn listen() {
 
 /// The run begins: so many pictures are to be `how`.
 pub(super) fn begin(of: usize, how: &'static str) {
-    *progress() = Some(Progress { done: 0, of, how });
+    *progress() = Some(Progress { done: 0, of, how, has_left: false });
 }
 
 /// Gives files their names, with nothing in between; then they count as one picture.
@@ -44,28 +45,25 @@ pub(super) fn one_more<E>(name: impl FnOnce() -> Result<(), E>) -> Result<(), E>
     Ok(())
 }
 
+/// Something is about to go to standard output.
+pub(super) fn leaves() {
+    progress().iter_mut().for_each(|progress| progress.has_left = true);
+}
+
 fn progress() -> MutexGuard<'static, Option<Progress>> {
     DONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Runs on a thread of its own.
 fn stop() {
-    let asked = Instant::now();
-    let progress = loop {
-        match DONE.try_lock() {
-            Ok(progress) => break Some(progress),
-            Err(TryLockError::Poisoned(poisoned)) => break Some(poisoned.into_inner()),
-            Err(TryLockError::WouldBlock) if asked.elapsed() < PATIENCE => thread::sleep(Duration::from_millis(5)),
-            Err(TryLockError::WouldBlock) => break None,
-        }
-    };
+    let progress = temporary::locked_within(&DONE, PATIENCE);
     let how_far = match progress.as_deref().copied().flatten() {
-        Some(Progress { done, of, how }) if of > 1 => format!("stopped; {done} of {of} pictures {how}"),
-        Some(Progress { done: 0, .. }) => "stopped; nothing was written".into(),
+        Some(Progress { done, of, how, .. }) if of > 1 => format!("stopped; {done} of {of} pictures {how}"),
+        Some(Progress { done: 0, has_left: false, .. }) => "stopped; nothing was written".into(),
         _ => "stopped".into(),
     };
-    // both stay locked until the program has ended: no file takes its name and none is begun
-    let _none_is_begun = temporary::remove_all();
+    // what could be locked stays so until the program has ended: no file takes its name and none is begun
+    let _none_is_begun = temporary::remove_all(PATIENCE);
     Report::plain().usage(&how_far);
     process::exit(Exit::Stopped as i32);
 }

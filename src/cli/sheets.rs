@@ -108,6 +108,7 @@ pub(super) fn write(pieces: &[Piece<'_>]) -> Result<(), Failure> {
         }
     }
     for piece in pieces.iter().filter(|piece| piece.target.path().is_none()) {
+        interrupt::leaves();
         output::to_stdout(piece.bytes, piece.product.noun()).map_err(|error| about(piece, error))?;
     }
     interrupt::one_more(|| {

@@ -6,7 +6,9 @@ use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use tempfile::NamedTempFile;
 
@@ -86,14 +88,28 @@ impl Drop for Temporary {
     }
 }
 
-/// Removes all files of this run that have not taken their names. While what is given back lives, none is begun.
-pub(super) fn remove_all() -> impl Sized {
-    let living = locked(&LIVING);
-    for path in living.iter() {
+/// Removes all files of this run that have not taken their names. While what is given back lives, none is begun. Where
+/// the system is still busy with one after so long, they stay for the next run.
+pub(super) fn remove_all(patience: Duration) -> impl Sized {
+    let living = locked_within(&LIVING, patience);
+    for path in living.iter().flat_map(|living| living.iter()) {
         // gone already: it has just taken its name
         let _ = fs::remove_file(path);
     }
     living
+}
+
+/// A lock that is waited for no longer than this.
+pub(super) fn locked_within<T>(lock: &Mutex<T>, patience: Duration) -> Option<MutexGuard<'_, T>> {
+    let asked = Instant::now();
+    loop {
+        match lock.try_lock() {
+            Ok(guard) => return Some(guard),
+            Err(TryLockError::Poisoned(poisoned)) => return Some(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) if asked.elapsed() < patience => thread::sleep(Duration::from_millis(5)),
+            Err(TryLockError::WouldBlock) => return None,
+        }
+    }
 }
 
 /// Removes what runs that were killed have left in a directory. What cannot be removed stays: it is in nobody's way.
@@ -132,7 +148,8 @@ mod tests {
         let mut first = Temporary::new_in(dir.path()).expect("a file");
         assert!(!left.exists() && other.exists(), "what was left over goes, and nothing else");
         sweep(dir.path());
-        assert!(first.file().is_ok_and(|file| file.metadata().is_ok()));
+        let lives = first.0.as_ref().is_some_and(|file| file.path().exists());
+        assert!(lives && first.file().is_ok(), "what lives stays");
         let page = dir.path().join("page.svg");
         first.persist(&page).expect("its name");
         assert!(page.exists());

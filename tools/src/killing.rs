@@ -216,7 +216,7 @@ impl Ground {
                 break;
             }
             let sees = self.has_temporary();
-            sights -= usize::from(sees && !saw);
+            sights = sights.saturating_sub(usize::from(sees && !saw));
             saw = sees;
             let is_late = start.elapsed() > self.takes * 3;
             if (at_sight && sights == 0) || (!at_sight && start.elapsed() >= after) || is_late {

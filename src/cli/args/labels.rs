@@ -60,7 +60,8 @@ pub(in crate::cli) struct WithKey {
     /// When a key follows on a sheet of its own, in braille: auto, always or never
     ///
     /// It has the colours that occur, each as a patch of its texture with its name, and what abbreviations
-    /// stand for. With auto there is one where labels are abbreviated.
+    /// stand for. With auto there is one where labels are abbreviated; after "render" on the
+    /// device of the page itself, where that is new.
     #[arg(long, value_name = "WHEN", value_enum, default_value_t = When::Auto, hide_short_help = true)]
     key: When,
 }

@@ -19,7 +19,8 @@ The page stays on its paper or device, and widths of lines are brought into the 
 it is laid out anew for another one: lines and areas keep their places in the figure, and textures, overview, frame \
 and braille are made for the new paper or device.
 
-Where labels are abbreviated, a key follows on sheets of its own, as after \"tactograph convert\".";
+Where words are abbreviated that were not so before, a key follows on sheets of its own, as after
+\"tactograph convert\".";
 
 pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:

@@ -65,8 +65,8 @@ pub struct Difference {
     pub farthest: f64,
 }
 
-/// Holds the program's classes of these colours against these. Colours that lie on a boundary to the last digit are
-/// left out: both answers are right.
+/// Holds the program's classes of these colours against these. Of a colour on a boundary, to the last digit, both
+/// answers are right; it is counted all the same, with its distance from the boundary.
 pub fn compare(colours: impl Iterator<Item = [f32; 3]>, params: &Params) -> Difference {
     let mut found = Difference::default();
     for rgb in colours {

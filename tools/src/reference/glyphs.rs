@@ -18,14 +18,15 @@ pub fn size(class: Class, lightness: f64, params: &Params) -> [f64; 2] {
     }
 }
 
-/// The greatest difference from the program's marks over all classes and lightnesses, mm.
-pub fn compare(params: &Params) -> f64 {
+/// The greatest difference from the program's marks over all classes and lightnesses, mm, and of how many marks.
+pub fn compare(params: &Params) -> (f64, usize) {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(60.0, 60.0));
-    let mut farthest = 0.0_f64;
+    let (mut farthest, mut marks) = (0.0_f64, 0);
     for step in 0..=1000 {
         let lightness = step as f32 / 1000.0;
         for class in Class::ALL {
             for glyph in sample(class, lightness, 0.0, area, params).glyphs {
+                marks += 1;
                 let is = match glyph.shape {
                     Shape::Rhombus { length, thickness, .. } => [length, thickness],
                     Shape::Dot { diameter } => [diameter; 2],
@@ -36,5 +37,5 @@ pub fn compare(params: &Params) -> f64 {
             }
         }
     }
-    farthest
+    (farthest, marks)
 }
