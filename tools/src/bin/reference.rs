@@ -60,7 +60,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let all = (0..1 << 24).step_by(7).map(|code: u32| [16, 8, 0].map(|shift| (code >> shift & 0xff) as f32 / 255.0));
     let found = colours::compare(all, &plan.classes(PX_PER_MM));
     println!("every seventh colour of 8 bits: {found:?}");
-    println!("marks of textures: {:.8} mm", glyphs::compare(&plan.textures()));
+    let (off, marks) = glyphs::compare(&plan.textures());
+    println!("marks of textures: {off:.8} mm ({marks} marks)");
     Ok(())
 }
 
