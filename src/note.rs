@@ -139,6 +139,13 @@ pub enum Note {
     },
     /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
     ShapesNotInOverview(usize),
+    /// Much of a drawing's lines is not in its overview, for want of room.
+    LinesNotInOverview {
+        /// Share of their length, percent.
+        percent: u32,
+        /// Where in the overview most of it would be, in words.
+        place: &'static str,
+    },
     /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
     MixedAreas(usize),
     /// What was left out as the maker of the page wants few shapes.
@@ -204,6 +211,7 @@ impl Note {
             Self::LinesLeftOut { .. } => "lines-left-out",
             Self::TooDense { .. } => "too-dense",
             Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
+            Self::LinesNotInOverview { .. } => "lines-not-in-overview",
             Self::MixedAreas(..) => "mixed-areas",
             Self::Simplified { .. } => "simplified",
             Self::EmptyPage => "empty-page",
@@ -351,6 +359,11 @@ impl std::fmt::Display for Note {
                 "the overview leaves out {count} closed {}, as there is no room in it to draw {} whole",
                 if *count == 1 { "shape" } else { "shapes" },
                 if *count == 1 { "it" } else { "them" },
+            ),
+            Self::LinesNotInOverview { percent, place } => write!(
+                f,
+                "the overview lacks {percent} percent of the drawing's lines, most of them {place}, as they have no \
+                 room in it; do without it (--no-overview), or spread the figure over several sheets"
             ),
             Self::Simplified { shapes, lines, most } => {
                 let counted = [(*shapes, "shape"), (*lines, "other line")].into_iter().filter(|(count, _)| *count > 0);

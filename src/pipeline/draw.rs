@@ -91,7 +91,7 @@ pub(super) fn draw(
     }
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
-    let ((drawn, areas), ((overview, small), mut classes)) = in_parallel(
+    let ((drawn, areas), ((overview, not_in_overview), mut classes)) = in_parallel(
         has_lines,
         watch,
         |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
@@ -114,8 +114,8 @@ pub(super) fn draw(
     if let (Some(classes), Some(subject)) = (&mut classes, &background) {
         subject::blank_around(classes, subject, picture.raster.size());
     }
-    let left_out = left_out(&drawn.lost, small);
-    notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
+    let left_out = left_out(&drawn.lost, not_in_overview.rings);
+    notes.extend(told_of_overview(&not_in_overview));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let lines = drawn.lines;
     drop(edges);
@@ -347,31 +347,43 @@ pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
 }
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
-/// fewer. Of a drawing, each ring is drawn whole or not at all; also returns how many are not.
+/// fewer. Of a drawing, each ring is drawn whole or not at all; also returns what of a drawing is not drawn.
 pub(super) fn draw_overview(
     edges: Option<&Edges>,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Option<(MmRect, Vec<Line>)>, usize) {
+) -> (Option<(MmRect, Vec<Line>)>, Lost) {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
             let transform = PageTransform::new(edges.size, place);
             let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
-            let (lines, Lost { rings, .. }) = run(watch, Stage::Overview, || {
+            let (lines, lost) = run(watch, Stage::Overview, || {
                 let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
                 let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
                 (dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
             });
-            let left_out = if params.whole_rings { rings } else { 0 };
-            return ((!lines.is_empty()).then_some((place, lines)), left_out);
+            let lost = if params.whole_rings { lost } else { Lost::default() };
+            return ((!lines.is_empty()).then_some((place, lines)), lost);
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Overview, reason));
-    (None, 0)
+    (None, Lost::default())
 }
+
+/// What the maker is told of what the overview of a drawing lacks.
+pub(super) fn told_of_overview(lost: &Lost) -> impl Iterator<Item = Note> {
+    let shapes = (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings));
+    let percent = (100.0 * lost.share()).round() as u32;
+    let lines =
+        (lost.share() >= OVERVIEW_LACKS).then(|| Note::LinesNotInOverview { percent, place: lost.place_name() });
+    shapes.into_iter().chain(lines)
+}
+
+/// An overview without this share of a drawing's lines is told of: a bar of a chart may be missing, and less are ticks.
+const OVERVIEW_LACKS: f32 = 0.15;
 
 pub(super) fn sort_colours(
     raster: &Raster,

@@ -2,7 +2,7 @@
 
 use super::areas;
 use super::described::{described, is_made};
-use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out};
+use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out, told_of_overview};
 use super::drawn_areas;
 use super::give_way;
 use super::hand_lines::HandLines;
@@ -250,8 +250,8 @@ pub(super) fn marks(
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     let (mut drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
-    let (overview, small) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
-    let left_out = left_out(&drawn.lost, small);
+    let (overview, not_in_overview) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
+    let left_out = left_out(&drawn.lost, not_in_overview.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
         let (stand_for, shares) =
@@ -259,7 +259,7 @@ pub(super) fn marks(
         keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend((small > 0).then_some(Note::ShapesNotInOverview(small)));
+    notes.extend(told_of_overview(&not_in_overview));
     notes.extend(dots_left_out(page));
     let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
