@@ -4,7 +4,7 @@
 //! between them, lines are fitted to the sides, and the corner is put where the lines cross.
 
 use super::contour::{Contour, ContourPoint, LineFit};
-use crate::units::PxPoint;
+use crate::units::{PxPoint, Size};
 
 /// Smaller turns are left alone: rounding moves them by less than a fifth of the blur (cosine of 25 degrees).
 const MIN_TURN: f32 = 0.9;
@@ -43,18 +43,20 @@ struct Corner {
     distance: f32,
 }
 
-/// Makes the corners of a contour sharp.
-pub(super) fn sharpen(contour: &mut Contour) {
+/// Makes the corners of a contour sharp, in a picture of a size. A corner beyond its border stays as it is.
+pub(super) fn sharpen(contour: &mut Contour, picture: Size) {
     let n = contour.vertices.len();
     if n < MIN_POINTS {
         return;
     }
-    let mut corners = distinct((0..n).filter_map(|i| find(contour, i)).collect());
+    let (right, bottom) = (picture.width as f32, picture.height as f32);
+    let is_inside = |corner: &Corner| (0.0..=right).contains(&corner.at.x) && (0.0..=bottom).contains(&corner.at.y);
+    let mut corners = distinct((0..n).filter_map(|i| find(contour, i)).filter(is_inside).collect());
     // from the last to the first, so that inserted points do not change the indices of those before
     corners.sort_by_key(|corner| std::cmp::Reverse(corner.point));
     for corner in corners {
-        let corner = refitted(contour, corner);
-        insert(contour, &corner);
+        let refitted = refitted(contour, &corner);
+        insert(contour, refitted.as_ref().filter(|corner| is_inside(corner)).unwrap_or(&corner));
     }
 }
 
@@ -71,24 +73,21 @@ fn distinct(mut corners: Vec<Corner>) -> Vec<Corner> {
 }
 
 /// The corner with sides measured from itself instead of from the point at which it was found, so that two points at
-/// equal distances from it give the same corner.
-fn refitted(contour: &Contour, corner: Corner) -> Corner {
+/// equal distances from it give the same corner; none if they do not cross near it.
+fn refitted(contour: &Contour, corner: &Corner) -> Option<Corner> {
     let to = corner.rounding + fit_length(contour.vertices[corner.point].blur);
     let side = |forwards| {
         let points = contour.walk(corner.point, forwards).take_while(|(_, arc)| *arc <= 2.0 * to);
         let points = points.map(|(index, _)| contour.vertices[index].at);
         LineFit::through(points.filter(|at| (corner.rounding..=to).contains(&(*at - corner.at).length())))
     };
-    let Some((before, after)) = side(false).zip(side(true)) else { return corner };
-    match before.crossing(&after) {
-        Some((back, on)) if back < 0.0 && on < 0.0 => {
-            let (at, point) = (before.point_at(back), &contour.vertices[corner.point]);
-            // sides that are fitted anew may be nearly parallel, and cross anywhere
-            let is_near = (at - point.at).length() <= farthest(point.blur, &before, &after);
-            if is_near { Corner { at, sides: [before, after], ..corner } } else { corner }
-        }
-        Some(_) | None => corner,
-    }
+    let (before, after) = (side(false)?, side(true)?);
+    let (back, on) = before.crossing(&after)?;
+    let (at, point) = (before.point_at(back), &contour.vertices[corner.point]);
+    // sides that are fitted anew may be nearly parallel, and cross anywhere
+    let is_near = (at - point.at).length() <= farthest(point.blur, &before, &after);
+    let crosses_behind = back < 0.0 && on < 0.0;
+    (crosses_behind && is_near).then_some(Corner { at, sides: [before, after], ..*corner })
 }
 
 /// Greatest distance of a corner with these sides from the contour as it was found, px.
@@ -188,6 +187,8 @@ mod tests {
     use super::super::contour::testing::{circle, polyline};
     use super::*;
 
+    const PICTURE: Size = Size::new(100, 100);
+
     /// Two sides of 30 px that meet at (50, 50) at an angle, with the corner rounded over `rounding` px of either side.
     fn rounded(degrees: f32, rounding: f32) -> Contour {
         let (y, x) = degrees.to_radians().sin_cos();
@@ -213,7 +214,7 @@ mod tests {
         for degrees in [60.0, 90.0, 120.0] {
             let mut contour = rounded(degrees, 2.0);
             let before = gap(&contour);
-            sharpen(&mut contour);
+            sharpen(&mut contour, PICTURE);
             assert!(before > 0.4 && gap(&contour) < 0.01, "{degrees} degrees: {before}, then {}", gap(&contour));
             let (y, x) = degrees.to_radians().sin_cos();
             let off = |at: PxPoint| (at.y - 50.0).abs().min(((at.x - 50.0) * y + (at.y - 50.0) * x).abs());
@@ -226,12 +227,12 @@ mod tests {
     fn straight_lines_gentle_turns_circles_and_ends_have_no_corner() {
         for contour in [polyline(&[(0.0, 0.0), (60.0, 5.0)]), rounded(165.0, 1.0), circle(12.0), circle(25.0)] {
             let mut sharpened = contour.clone();
-            sharpen(&mut sharpened);
+            sharpen(&mut sharpened, PICTURE);
             assert_eq!(sharpened, contour);
         }
         let mut short = polyline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)]);
         let same = short.clone();
-        sharpen(&mut short);
+        sharpen(&mut short, PICTURE);
         assert_eq!(short, same, "too short for two sides");
     }
 
@@ -243,8 +244,15 @@ mod tests {
         let at = hairpin.vertices[point].at;
         let sides =
             [false, true].map(|forwards| hairpin.line_fit(point, forwards, 3.0, 10.0).expect("it is long enough"));
-        let after = refitted(&hairpin, Corner { point, at, sides, rounding: 3.0, distance: 0.0 });
-        assert_eq!(after.at, at);
+        assert!(refitted(&hairpin, &Corner { point, at, sides, rounding: 3.0, distance: 0.0 }).is_none());
+    }
+
+    #[test]
+    fn a_corner_beyond_the_border_of_the_picture_stays_as_it_was() {
+        let contour = rounded(90.0, 2.0);
+        let mut sharpened = contour.clone();
+        sharpen(&mut sharpened, Size::new(49, 100));
+        assert_eq!(sharpened, contour);
     }
 
     #[test]
@@ -253,7 +261,7 @@ mod tests {
         let mut square = polyline(&corners);
         square.closed = true;
         // the corner at (8, 8) is missing
-        sharpen(&mut square);
+        sharpen(&mut square, PICTURE);
         for (x, y) in [(8.0, 8.0), (40.0, 8.0), (40.0, 38.0), (8.0, 38.0)] {
             let nearest = square.vertices.iter().map(|point| (point.at - PxPoint::new(x, y)).length());
             assert!(nearest.fold(f32::INFINITY, f32::min) < 0.01, "no point at the corner ({x}, {y})");

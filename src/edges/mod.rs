@@ -120,7 +120,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let mut contours = bridge::join(selection.contours(&chains), params.sigma);
     contours.par_iter_mut().for_each(|contour| {
         refine::refine(contour, params.sigma);
-        corner::sharpen(contour);
+        corner::sharpen(contour, size);
     });
     let edges = contours.into_iter().map(Found::edge);
     let strokes = strokes.into_iter().map(Found::stroke);

@@ -16,15 +16,20 @@ pub(super) fn plain(text: &str) -> String {
 /// The corners of a rhombus in whole steps of 0.01 mm, opposite ones equally far from its middle: so its middle, its
 /// diagonals and its direction can be read back.
 pub(super) fn written_corners(glyph: &Glyph) -> [MmPoint; 4] {
-    // of a rhombus that lies at 45 degrees both halves of a diagonal are rounded the same way
     let round = |mm: f32| ((100.0 * mm).abs() + 1e-3).round().copysign(mm) / 100.0;
     let middle = MmPoint::new(round(glyph.at.x), round(glyph.at.y));
     let [along, across, ..] = glyph.corners().map(|corner| {
         let off = corner - glyph.at;
-        MmVector::new(round(off.x), round(off.y))
+        let (x, y) = (off.x.abs(), off.y.abs());
+        // of a rhombus that lies at 45 degrees both parts of a diagonal are rounded the same way
+        let [x, y] = if (x - y).abs() < EQUAL { [x.max(y); 2] } else { [x, y] };
+        MmVector::new(round(x).copysign(off.x), round(y).copysign(off.y))
     });
     [middle + along, middle + across, middle - along, middle - across]
 }
+
+/// Lengths that differ by less are equal but for rounding, mm.
+const EQUAL: f32 = 1e-4;
 
 /// How a page was made, as lines `name = value`.
 pub(super) fn origin_lines(origin: &[(String, String)]) -> impl Iterator<Item = String> {
@@ -69,6 +74,21 @@ fn push_digits(out: &mut String, value: u64, places: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::Shape;
+
+    #[test]
+    fn a_rhombus_at_45_degrees_is_written_with_equal_sides_whatever_its_place() {
+        for step in 0..4000 {
+            let thickness = 1.0 + step as f32 * 1e-5;
+            for at in [MmPoint::new(90.66, 35.35), MmPoint::new(12.34, 250.01)] {
+                let shape = Shape::Rhombus { length: 2.0, thickness, degrees: 135.0 };
+                for corner in written_corners(&Glyph { at, shape }) {
+                    let off = corner - at;
+                    assert!((off.x.abs() - off.y.abs()).abs() < 1e-4, "{thickness} mm: {off:?}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn numbers_are_short_and_right() {

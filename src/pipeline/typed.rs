@@ -46,8 +46,9 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
     parts.figure.lines.truncate(count);
     braille.retain(|text| text.role == TextRole::Label);
     let elsewhere = elsewhere(&exact, &braille);
-    // those typed in braille stand where they were typed
-    let written = braille.len().saturating_sub(exact.len());
+    let written = braille.len();
+    let in_braille = exact.len().min(written);
+    let written = written - in_braille;
     parts.braille.extend(braille);
     let told = (written > 0).then(|| {
         let told = match written {
@@ -55,6 +56,10 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
             _ => format!("{written} texts that were typed are written in braille beside their places"),
         };
         Note::TakenAs(About::Texts, told)
+    });
+    let in_place = (in_braille > 0).then(|| {
+        let texts = if in_braille == 1 { "1 text that was" } else { &format!("{in_braille} texts that were") };
+        Note::TakenAs(About::Texts, format!("{texts} typed in braille: written as typed"))
     });
     let moved = outside.first().map(|first| {
         let (string, at) = (&first.string, first.at);
@@ -65,7 +70,7 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
         let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
         Note::TakenAs(About::Texts, told)
     });
-    told.into_iter().chain(moved).chain(elsewhere).chain(notes).collect()
+    told.into_iter().chain(in_place).chain(moved).chain(elsewhere).chain(notes).collect()
 }
 
 /// Unicode braille as it was typed: its cells stand on the line on which its letters do.

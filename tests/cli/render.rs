@@ -350,7 +350,8 @@ fn typed_texts_are_written_in_braille_or_told_with_their_place() {
                  <text x=\"30\" y=\"60\">Oven</text><text x=\"31\" y=\"61\" style=\"display:none\">never</text><text x=\"31\" y=\"65\" visibility=\"hidden\">never</text>";
     place.put("typed.svg", place.text("cup.svg").replacen("</svg>", &format!("{added}</svg>"), 1).as_bytes());
     let told = done(&place, &["render", "typed.svg", "-o", "done.svg"]);
-    assert!(told.contains("2 texts that were typed are written in braille beside their places"), "{told}");
+    assert!(told.contains("1 text that was typed is written in braille beside its place"), "{told}");
+    assert!(told.contains("1 text that was typed in braille: written as typed"), "{told}");
     assert!(told.contains("text \"Oven\" at 30, 60 mm: fingers read no print letters"), "{told}");
     assert!(!told.contains("never"), "{told}");
     let page = read(&place, "done.svg");

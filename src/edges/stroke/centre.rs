@@ -6,7 +6,7 @@ use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
 use crate::raster::plane::Plane;
-use crate::units::{PxPoint, PxVector};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// A stroke.
 #[derive(Debug, Clone)]
@@ -104,10 +104,10 @@ pub(super) fn strokes(
             && contrasts.iter().any(|contrast| contrast.of_stroke() >= params.high)
             && !is_border(line, residue)
     });
-    strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, params)).collect()
+    strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, residue.size, params)).collect()
 }
 
-fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, params: &Params) -> Stroke {
+fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, picture: Size, params: &Params) -> Stroke {
     let strength = smooth(&line.arc_lengths(), line.closed, 0.5 * params.strength_window, |i| [contrasts[i].height]);
     let vertices = line.vertices.iter().zip(strength).map(|(&at, [strength])| ContourPoint {
         at,
@@ -117,7 +117,7 @@ fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, params: 
         position_sigma: OFF,
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
-    corner::sharpen(&mut contour);
+    corner::sharpen(&mut contour, picture);
     let whole = contour.length();
     Stroke { contour, width, whole }
 }
