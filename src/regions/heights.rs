@@ -103,11 +103,16 @@ mod tests {
             of_cell[cell] = 7.0;
             Heights { of_cell, ..heights.clone() }
         };
-        assert_eq!(with(55).near(PxPoint::new(5.5, 5.5)), 7.0);
-        assert_eq!(with(55).near(PxPoint::new(5.5, 8.0)), 7.0, "2.5 cells away");
-        assert_eq!(with(55).near(PxPoint::new(5.5, 8.1)), 0.0);
-        assert_eq!(with(0).near(PxPoint::new(-1.0, -1.0)), 7.0);
-        assert_eq!(with(0).near(PxPoint::new(f32::NAN, 1e9)), 0.0);
+        for (cell, at, height) in [
+            (55, (5.5, 5.5), 7.0),
+            (55, (5.5, 8.0), 7.0), // 2.5 cells away
+            (55, (5.5, 8.1), 0.0),
+            (0, (-1.0, -1.0), 7.0),
+            (0, (f32::NAN, 1e9), 0.0),
+        ] {
+            let near = with(cell).near(PxPoint::from(at));
+            assert!((near - height).abs() < 1e-6, "{near} at {at:?}, not {height}");
+        }
     }
 
     #[test]
