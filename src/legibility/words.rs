@@ -30,7 +30,8 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<Found
         }
         if count != text.dots.at.len() {
             let (have, need) = (text.dots.at.len(), count);
-            let what = format!("{name} has {have} dots, and its cells have {need}");
+            let dots = if have == 1 { "1 dot".to_owned() } else { format!("{have} dots") };
+            let what = format!("{name} has {dots}, and its cells have {need}");
             return Some(Found::at(BRAILLE_CELL, extent.center(), extent, 0.0, what));
         }
         let (at, off) = farthest_off(&text.dots.at, &wanted);

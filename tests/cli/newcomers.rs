@@ -36,6 +36,16 @@ fn texts_for_labels_that_are_not_there_are_told() {
 }
 
 #[test]
+fn a_list_of_labels_without_any_and_a_negative_width_are_refused_in_plain_words() {
+    let place = Place::with_picture("a.png");
+    place.put("none.csv", b"");
+    let line = "--labels none.csv: this has no labels; write one a line, as x, y and text";
+    place.refuses(&["convert", "a.png", "--labels", "none.csv"], 2, &[line]);
+    let run = place.run(&["convert", "a.png", "--width-mm", "-5"]);
+    assert!(run.code == 2 && run.err.contains("3 to 1200") && !run.err.contains("-- -5"), "{}", run.err);
+}
+
+#[test]
 fn a_mistyped_folder_of_a_picture_is_not_blamed_on_the_page() {
     let place = Place::with_picture("photos/a.png");
     place.refuses(&["convert", "phtos/a.png"], 1, &["phtos/a.png: there is no such file; check the name"]);

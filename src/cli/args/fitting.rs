@@ -21,7 +21,7 @@ pub(in crate::cli) struct Fitting {
     /// the sheet itself is spread over as few sheets as it takes, as with --sheets. Range: 3 to 1200.
     ///
     /// [default: as wide as the sheet has room for]
-    #[arg(long, value_name = "MM", value_parser = width)]
+    #[arg(long, value_name = "MM", value_parser = width, allow_negative_numbers = true)]
     width_mm: Option<f32>,
 
     /// Spreads the picture over several sheets, across by down

@@ -124,6 +124,9 @@ impl Labels {
                 let labels = Label::from_csv(&text).map_err(|faults| {
                     faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect::<Vec<_>>()
                 })?;
+                if labels.is_empty() {
+                    return Err(of_file("this has no labels; write one a line, as x, y and text".to_owned()));
+                }
                 Ok(Given { labels, texts: false, key: self.key.key, number: self.number })
             }
         }

@@ -2,6 +2,7 @@
 
 mod anywhere;
 mod on_grid;
+mod order;
 
 pub(super) use anywhere::anywhere;
 pub(super) use on_grid::on_grid;

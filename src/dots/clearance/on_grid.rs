@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::order::order;
 use crate::devices::Grid;
 use crate::dots::cell::{Cell, centre, distance, within};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
@@ -21,8 +22,9 @@ pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params
         return Vec::new();
     }
     let mut taken = Taken { lines: BTreeMap::new(), gap: params.line_gap as i32 };
-    let mut drawn: Vec<(&Line, Piece)> = Vec::new();
-    for line in lines {
+    let mut drawn: Vec<(usize, Piece)> = Vec::new();
+    for place in order(lines, part, params.centres()) {
+        let line = &lines[place];
         let (cells, closed) = cells_of(line, grid, [columns, rows]);
         let is_long = |piece: &Piece| {
             let length = polyline::length(&centres(&piece.cells, grid));
@@ -30,13 +32,18 @@ pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
             piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
-            drawn.push((line, piece));
+            drawn.push((place, piece));
         }
     }
-    // Second rows come last and only where they fit, so that no line is cut for the sake of another's width.
+    // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
+    // of another's width.
+    let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
+    by_strength.sort_by_key(|&number| drawn[number].0);
     let inside = |cell: Cell| (columns[0]..=columns[1]).contains(&cell[0]) && (rows[0]..=rows[1]).contains(&cell[1]);
     let mut out = Vec::with_capacity(drawn.len());
-    for (number, (line, piece)) in drawn.iter().enumerate() {
+    for number in by_strength {
+        let (place, piece) = &drawn[number];
+        let line = &lines[*place];
         let mut rows = vec![piece.cells.clone()];
         if params.has_second_row(line) {
             let second = taken.second_row(number, piece, inside);

@@ -1,0 +1,111 @@
+//! In which order lines take their dots: the strongest first, but a line on which others end before them, such as an
+//! axis before the bars that stand on it. They end on it whenever it is drawn; were they first, it would have to keep
+//! the gap from their ends, and be interrupted there.
+
+use crate::dots::params::polyline_of;
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
+use crate::lines::Line;
+use crate::units::MmRect;
+
+/// A line ends on another if it comes this near to its middle, mm: junctions are drawn so, but for the tolerance with
+/// which lines are simplified.
+const TOUCH: f32 = 0.1;
+/// So many lines can stand on one another, one after the other; of those that do so in a circle none is the first.
+const DEPTH: usize = 8;
+
+/// The numbers of the lines of a part of the sheet, the strongest given first, in this order. Ends that meet other ends
+/// within `corner` mm are corners, and change nothing.
+pub(super) fn order(lines: &[Line], part: MmRect, corner: f32) -> Vec<usize> {
+    let standing = standing(lines, part, corner);
+    // the place of each line, and how many stand above one another on it there
+    let mut places: Vec<(usize, usize)> = (0..lines.len()).map(|number| (number, 0)).collect();
+    for _ in 0..DEPTH {
+        let before = places.clone();
+        for &(stem, base) in &standing {
+            let (place, above) = before[stem];
+            if (place, DEPTH - above) <= (places[base].0, DEPTH - places[base].1) {
+                places[base] = (place, above + 1);
+            }
+        }
+        if places == before {
+            break;
+        }
+    }
+    let mut order: Vec<usize> = (0..lines.len()).collect();
+    order.sort_by_key(|&number| (places[number].0, DEPTH.saturating_sub(places[number].1), number));
+    order
+}
+
+/// Which lines end on which others.
+fn standing(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usize)> {
+    let polylines: Vec<_> = lines.iter().map(polyline_of).collect();
+    let mut segments = Nearby::new(part, corner.max(1.0));
+    for (line, polyline) in (0..).zip(&polylines) {
+        for ((index, (a, b)), arc) in (0..).zip(polyline.segments()).zip(polyline.arc_lengths()) {
+            segments.insert(Segment { a: *a, b: *b, half_width: 0.0, line, index, arc });
+        }
+    }
+    let mut standing = Vec::new();
+    for (stem, polyline) in polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed) {
+        for at in [polyline.vertices.first(), polyline.vertices.last()].into_iter().flatten().copied() {
+            segments.around(at, at, TOUCH, |segment| {
+                let (base, (distance, touched)) = (segment.line as usize, nearest_on_segment(at, segment.a, segment.b));
+                let arc = segment.arc + (touched - segment.a).length();
+                let is_between = || {
+                    let of_base = &polylines[base];
+                    of_base.closed || (corner..of_base.length() - corner).contains(&arc)
+                };
+                if base != stem && distance <= TOUCH && is_between() {
+                    standing.push((stem, base));
+                }
+            });
+        }
+    }
+    standing.sort_unstable();
+    standing.dedup();
+    standing
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::Run;
+    use crate::units::MmPoint;
+
+    fn line(points: &[(f32, f32)]) -> Line {
+        Line { strength: 50.0, runs: vec![Run::stroke(1.0, points.iter().copied().map(MmPoint::from).collect())] }
+    }
+
+    fn order_of(lines: &[Line]) -> Vec<usize> {
+        order(lines, MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)), 5.0)
+    }
+
+    fn bar(x: f32) -> Line {
+        line(&[(x, 80.0), (x, 30.0), (x + 10.0, 30.0), (x + 10.0, 80.0)])
+    }
+
+    #[test]
+    fn an_axis_goes_before_the_bars_that_stand_on_it_and_no_other_line_changes_its_place() {
+        let axis = line(&[(10.0, 10.0), (10.0, 80.0), (90.0, 80.0)]);
+        let (alone, tick) = (line(&[(20.0, 95.0), (80.0, 95.0)]), line(&[(30.0, 30.0), (30.0, 22.0)]));
+        // a tick on a bar, the bar on the axis
+        assert_eq!(order_of(&[alone.clone(), tick, bar(50.0), bar(25.0), axis.clone()]), [0, 4, 3, 1, 2]);
+        assert_eq!(order_of(&[axis, bar(50.0), alone]), [0, 1, 2]);
+    }
+
+    #[test]
+    fn corners_and_circles_of_lines_change_nothing_for_ever() {
+        let corner = [line(&[(10.0, 10.0), (50.0, 10.0)]), line(&[(50.0, 50.0), (50.0, 10.0)])];
+        assert_eq!(order_of(&corner), [0, 1]);
+        let circle = [
+            line(&[(10.0, 30.0), (70.0, 30.0)]),
+            line(&[(70.0, 10.0), (70.0, 70.0)]),
+            line(&[(90.0, 70.0), (30.0, 70.0)]),
+            line(&[(30.0, 90.0), (30.0, 30.0)]),
+        ];
+        let mut numbers = order_of(&circle);
+        numbers.sort_unstable();
+        assert_eq!(numbers, [0, 1, 2, 3]);
+    }
+}
