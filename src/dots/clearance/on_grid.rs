@@ -46,7 +46,10 @@ pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params
         let line = &lines[*place];
         let mut rows = vec![piece.cells.clone()];
         if params.has_second_row(line) {
-            let second = taken.second_row(number, piece, inside);
+            // a piece too short for a line is felt as texture, unless it is most of the row
+            let least = (params.min_length / params.pitch).ceil() as usize + 1;
+            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
+            let second = taken.second_row((number, piece), least, inside);
             second.iter().for_each(|&cell| taken.take(cell, number));
             rows.push(second);
         }
@@ -137,8 +140,8 @@ impl Taken {
     }
 
     /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
-    /// itself.
-    fn second_row(&self, number: usize, piece: &Piece, inside: impl Fn(Cell) -> bool) -> Vec<Cell> {
+    /// itself, for at least so many dots.
+    fn second_row(&self, (number, piece): (usize, &Piece), least: usize, inside: impl Fn(Cell) -> bool) -> Vec<Cell> {
         let (n, least_arc) = (piece.cells.len(), self.least_arc());
         // the dots of both rows, each with the index in the first row
         let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
@@ -155,7 +158,7 @@ impl Taken {
             }
             is_kept
         });
-        second_row::without_short_pieces(row, LEAST_DOTS)
+        second_row::without_short_pieces(row, least)
     }
 
     /// The pieces of a line that keep the gap.
@@ -288,10 +291,11 @@ mod tests {
         let first = row(0, 0..12);
         let piece = Piece { cells: first.clone(), closed: false };
         let alone = taken(std::slice::from_ref(&first), 1);
-        assert_eq!(alone.second_row(0, &piece, |_| true), row(1, 0..12));
-        assert_eq!(alone.second_row(0, &piece, |cell| cell[1] < 1), row(1, 0..0));
+        assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
+        assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
         let beside = taken(&[first, vec![[6, 2]]], 1);
-        assert_eq!(beside.second_row(0, &piece, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+        assert_eq!(beside.second_row((0, &piece), LEAST_DOTS, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
+        assert_eq!(beside.second_row((0, &piece), 5, |_| true), row(1, 0..5), "four dots are too few");
     }
 
     #[test]
