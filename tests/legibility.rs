@@ -99,7 +99,7 @@ fn lines_keep_apart_where_they_do_not_join() {
     for (name, page) in pages() {
         let overview = page.overview.iter().map(|overview| ("overview", &overview.lines));
         for (part, lines) in [("figure", &page.figure.lines)].into_iter().chain(overview) {
-            let near = apart::too_near(lines, LINE_APART);
+            let near = apart::too_near(lines, LINE_APART, apart::approach_of(&name));
             assert!(near.is_empty(), "{name}, {part}: {} places, such as {:?}", near.len(), near[0]);
         }
     }

@@ -5,9 +5,9 @@ use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::units::MmPoint;
 
-/// Where a line joins another it must have come from beyond the clearance within this way, in clearances: at 36 degrees
-/// or steeper.
-const APPROACH: f32 = 1.7;
+/// Where a line joins another it must have come from beyond the clearance within this way, in clearances: at 19.5
+/// degrees or steeper, as the lines of drawings do.
+const APPROACH: f32 = 3.0;
 /// A line that comes back to itself within this way is bent, not joined, mm.
 pub(super) const BEND_LEAST: f32 = 2.0;
 /// Lines that cross twice are looked at this often between the crossings, mm.

@@ -13,6 +13,7 @@
 mod centreline;
 mod clearance;
 mod corner;
+mod crowded;
 mod few;
 mod join;
 mod junction;
@@ -69,75 +70,107 @@ pub fn draw_with(
     area: MmRect,
     params: &Params,
 ) -> Lines {
-    let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
-    let mut wanted = Tally::new(area);
-    let is_crumb =
-        |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
-    if edges.of_drawing() {
-        polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| wanted.add(polyline));
-    }
-    polylines.retain(|polyline| !is_crumb(polyline));
-    let polylines = centreline::merge(polylines, area, params);
-    // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-    let mut polylines = join::join(polylines, params.join_gap);
-    if edges.of_drawing() {
-        let is_short = |polyline: &&Polyline<Vertex>| polyline.length() < params.min_length;
-        polylines.iter().filter(is_short).for_each(|polyline| wanted.add(polyline));
-    }
-    polylines.retain(|polyline| polyline.length() >= params.min_length);
-    polylines.iter_mut().for_each(Polyline::fill);
-    let first_outline = polylines.len();
-    polylines.extend(outlines.on_the_sheet(transform, params));
-    junction::extend(&mut polylines, area, params.join_gap);
-    polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
-
-    let saliencies: Vec<f32> = polylines.par_iter().map(|polyline| saliency::saliency(polyline, params)).collect();
-    let all = polylines.clone();
-    let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
-        _ if first_outline == polylines.len() => Rank::Ordinary,
-        _ if number < first_outline => Rank::of(line),
-        _ => Rank::Outline,
-    };
-    let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
-    let mut cleared = clearance::clear(polylines.into_iter().zip(ranks).collect(), area, params);
-    if let Some((most, length)) = outlines.others
-        && cleared.iter().any(|line| line.rank == Rank::Outline)
-    {
-        let mut count = 0;
-        cleared.retain(|line| {
-            let is_outline = line.rank == Rank::Outline;
-            count += usize::from(!is_outline && line.polyline.length() >= length);
-            is_outline || (count <= most && line.polyline.length() >= length)
-        });
-    }
+    let of_drawing = edges.of_drawing();
+    let exact = of_drawing && edges.chains.iter().any(|chain| chain.kind.exact);
+    let params = Params { of_drawing, exact, ..*params };
+    let candidates = |params: &Params| Candidates::of(edges, outlines, transform, area, params);
+    let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
+    keep_few_others(&mut cleared, outlines);
     // Detail comes last and takes whole lines, so that less of it is a subset.
-    let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
-    let salient = all[..first_outline].iter().zip(&saliencies).filter(|(_, of)| **of >= least);
-    let contours: Vec<_> = salient.map(|(polyline, _)| polyline).collect();
-    contours.iter().for_each(|polyline| wanted.add(polyline));
+    let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
     let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
-    let mut kept = Tally::new(area);
-    if first_outline == all.len() {
-        drawn.iter().for_each(|line| kept.add(&line.polyline));
-    } else {
-        // an outline stands for the contours along it
-        let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
-        let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
-        contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
-        kept.count_rings(drawn.iter().map(|line| &line.polyline));
-    }
-    let lost = wanted.lost(&kept);
+    let lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.
     let beyond = match params.most_shapes {
-        Some(most) if edges.of_drawing() => {
-            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
-            few::keep_first_things(&mut drawn, most, &all, params)
+        Some(most) if params.of_drawing => {
+            let all = nearby(drawn.iter().map(|line| &line.polyline), area, &params);
+            few::keep_first_things(&mut drawn, most, &all, &params)
         }
         Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
         None => Beyond::default(),
     };
-    let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, params);
+    let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, &params);
     Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
+}
+
+/// What is to be drawn as far as there is room for it.
+struct Candidates {
+    /// Contours, and after them outlines of regions.
+    lines: Vec<(Polyline<Vertex>, Rank)>,
+    /// The saliency of each.
+    saliencies: Vec<f32>,
+    /// How many of them are contours.
+    contours: usize,
+    /// What is too short for a line.
+    short: Tally,
+}
+
+impl Candidates {
+    fn of(edges: &Edges, outlines: &Outlines, transform: &PageTransform, area: MmRect, params: &Params) -> Self {
+        let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
+        let mut short = Tally::new(area);
+        let is_crumb =
+            |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
+        if params.of_drawing {
+            polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
+        }
+        polylines.retain(|polyline| !is_crumb(polyline));
+        let polylines = centreline::merge(polylines, area, params);
+        // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
+        let mut polylines = join::join(polylines, params.join_gap);
+        if params.of_drawing {
+            let is_short = |polyline: &&Polyline<Vertex>| polyline.length() < params.min_length;
+            polylines.iter().filter(is_short).for_each(|polyline| short.add(polyline));
+        }
+        polylines.retain(|polyline| polyline.length() >= params.min_length);
+        polylines.iter_mut().for_each(Polyline::fill);
+        let contours = polylines.len();
+        polylines.extend(outlines.on_the_sheet(transform, params));
+        junction::extend(&mut polylines, area, params.join_gap);
+        polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
+        let has_outlines = contours < polylines.len();
+        let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+            _ if !has_outlines => Rank::Ordinary,
+            _ if number < contours => Rank::of(line),
+            _ => Rank::Outline,
+        };
+        let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
+        let saliencies = saliency::saliencies(&polylines, params);
+        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short }
+    }
+
+    /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
+    fn lost(&self, drawn: &[&Cleared], least: f32, area: MmRect, params: &Params) -> Lost {
+        let salient = self.lines[..self.contours].iter().zip(&self.saliencies).filter(|(_, of)| **of >= least);
+        let contours: Vec<_> = salient.map(|((line, _), _)| line).collect();
+        let mut wanted = self.short;
+        contours.iter().for_each(|polyline| wanted.add(polyline));
+        let mut kept = Tally::new(area);
+        if self.contours == self.lines.len() {
+            drawn.iter().for_each(|line| kept.add(&line.polyline));
+        } else {
+            // an outline stands for the contours along it
+            let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+            let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
+            contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
+            kept.count_rings(drawn.iter().map(|line| &line.polyline));
+        }
+        wanted.lost(&kept)
+    }
+}
+
+/// Leaves out the lines beyond as many beside outlines as there are to be, and those that are too short beside them.
+fn keep_few_others(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
+    let Some((most, length)) = outlines.others else { return };
+    if !cleared.iter().any(|line| line.rank == Rank::Outline) {
+        return;
+    }
+    let mut count = 0;
+    cleared.retain(|line| {
+        let is_outline = line.rank == Rank::Outline;
+        count += usize::from(!is_outline && line.polyline.length() >= length);
+        is_outline || (count <= most && line.polyline.length() >= length)
+    });
 }
 
 /// The segments of lines, to be found by their places.

@@ -1,5 +1,7 @@
 //! How lines are drawn, and the distances that follow from it. They are computed here and nowhere else.
 
+use super::clearance::RING_FARTHEST;
+
 /// How lines are drawn. Lengths are in millimetres on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
@@ -28,11 +30,20 @@ pub struct Params {
     pub most_shapes: Option<usize>,
     /// Whether a ring that has no room as a whole is left out, and not opened or drawn in parts.
     pub whole_rings: bool,
+    /// Whether they are those of a drawing.
+    pub of_drawing: bool,
+    /// Whether they are the exact ones of a vector drawing.
+    pub exact: bool,
+    /// Whether the sides of a bar that is a little too narrow for two lines are both drawn, and move apart.
+    pub widen_bars: bool,
 }
 
 /// The longest way from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
-/// much.
+/// much. Contours of photographs that meet at a flatter angle seldom do so in the picture.
 const APPROACH: f32 = 1.7;
+/// The same of drawings, where every crossing is meant: the curves of a chart, a connector between boxes. A straight
+/// line needs as much at 19.5 degrees.
+const APPROACH_OF_DRAWINGS: f32 = 3.0;
 /// ... less this, mm: a line may be drawn by a step of width thinner than its vertices say.
 const APPROACH_MARGIN: f32 = 0.2;
 /// What rounding, and the vertices where lines meet, may take from a distance, mm.
@@ -54,19 +65,32 @@ impl Params {
         detail: 1.0,
         most_shapes: None,
         whole_rings: false,
+        of_drawing: false,
+        exact: false,
+        widen_bars: false,
     };
 
-    /// The same for the overview of a drawing, which is felt for its shapes: each whole or not at all, and lines no
-    /// wider than needed, so that more of them have room.
+    /// The same with lines no wider than needed, so that more of them have room.
+    pub(super) fn thin(self) -> Self {
+        Self { width_max: 0.5 * (self.width_min + self.width_max), ..self }
+    }
+
+    /// The same for the overview of a drawing, which is felt for its shapes: each whole or not at all, and lines
+    /// no wider than needed.
     #[must_use]
     pub fn of_overview(self) -> Self {
-        Self { width_max: 0.5 * (self.width_min + self.width_max), whole_rings: true, ..self }
+        Self { whole_rings: true, ..self.thin() }
     }
 
     /// Distance of the centre lines of two lines of the greatest width with the least blank between them, mm: what lies
     /// nearer to a line than this may be too near.
     pub fn max_spacing(&self) -> f32 {
         self.min_gap + self.width_max
+    }
+
+    /// The widest stroke of which the centreline is drawn and not its two sides, mm.
+    pub(super) fn widest_stroke(&self) -> f32 {
+        self.max_spacing() - if self.widen_bars { RING_FARTHEST } else { 0.0 }
     }
 
     /// The farthest that a centre line is from the contours that it stands for, mm: in the middle of a stroke whose
@@ -91,14 +115,18 @@ impl Params {
         self.clearance(self.width_max)
     }
 
+    fn longest_approach(&self) -> f32 {
+        if self.of_drawing { APPROACH_OF_DRAWINGS } else { APPROACH }
+    }
+
     /// The longest way from a junction until two lines of these half widths must be apart, mm.
     pub(super) fn approach(&self, half_width: f32, other: f32) -> f32 {
-        APPROACH * (self.min_gap + half_width + other) - APPROACH_MARGIN
+        self.longest_approach() * (self.min_gap + half_width + other) - APPROACH_MARGIN
     }
 
     /// The longest way from a junction until two lines of the least width must be apart, mm, with a margin for each.
     pub(super) fn min_approach(&self) -> f32 {
-        APPROACH * (self.min_gap + self.width_min) - 2.0 * APPROACH_MARGIN
+        self.longest_approach() * (self.min_gap + self.width_min) - 2.0 * APPROACH_MARGIN
     }
 
     /// The longest way beyond a crossing that does not count as a line of its own, mm.

@@ -2,6 +2,8 @@
 //!
 //! A person who draws from a picture begins with the long, strong, closed and smooth contours.
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use super::params::Params;
 use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
@@ -18,6 +20,11 @@ const SPAN: usize = 5;
 const OUTLINES: f32 = 15.0;
 /// ... but not more than this share of the saliency of the page's first line, as pages and overviews differ in size.
 const OF_FIRST: f32 = 0.25;
+
+/// The saliency of each of some lines.
+pub(super) fn saliencies(lines: &[Polyline<Vertex>], params: &Params) -> Vec<f32> {
+    lines.par_iter().map(|line| saliency(line, params)).collect()
+}
 
 /// Length, mm, of a straight line of full strength that is as salient.
 pub(super) fn saliency(polyline: &Polyline<Vertex>, params: &Params) -> f32 {

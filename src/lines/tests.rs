@@ -79,7 +79,7 @@ fn own_crossings(line: &Path) -> usize {
 /// Clears lines of which none is an outline.
 fn clear(polylines: Vec<Polyline<Vertex>>, area: MmRect) -> Vec<clearance::Cleared> {
     let ordinary = polylines.into_iter().map(|polyline| (polyline, Rank::Ordinary));
-    clearance::clear(ordinary.collect(), area, &PARAMS)
+    clearance::tests::clear_all(ordinary.collect(), area, &PARAMS)
 }
 
 #[test]

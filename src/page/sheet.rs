@@ -102,6 +102,18 @@ pub struct Layout {
     pub medium: Medium,
 }
 
+impl Layout {
+    /// The overview at another share of the figure's width and height, if it lies below the figure and there is room
+    /// for it as things are.
+    pub fn overview_at(&self, scale: f32, params: &Params) -> Option<MmRect> {
+        let own = self.overview.filter(|own| own.min.y > self.figure.max.y)?;
+        let size = self.figure.size() * scale;
+        let at = MmRect::from_origin_and_size(MmPoint::new(own.center().x - 0.5 * size.width, own.min.y), size);
+        let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+        (at.max.y + border <= self.sheet[1] - params.margin && at.min.x - border >= params.margin).then_some(at)
+    }
+}
+
 /// Where things lie on one sheet.
 pub(super) struct Positions {
     pub(super) figure: MmRect,

@@ -149,6 +149,9 @@ impl Plan {
             detail: lines.detail,
             most_shapes: (lines.shapes > 0).then_some(lines.shapes),
             whole_rings: false,
+            of_drawing: false,
+            exact: false,
+            widen_bars: false,
         }
     }
 

@@ -11,7 +11,20 @@ const STEP: f32 = 0.25;
 const TOUCH: f32 = 0.02;
 /// Where a line meets another it must have come from beyond the clearance within this way, in clearances: at 36 degrees or
 /// steeper.
-const APPROACH: f32 = 1.7;
+pub(crate) const APPROACH: f32 = 1.7;
+/// ... of a drawing, at 19.5 degrees or steeper.
+pub(crate) const APPROACH_OF_DRAWINGS: f32 = 3.0;
+
+/// The longest approach on the page of a sample, named by its file.
+pub(crate) fn approach_of(sample: &str) -> f32 {
+    if is_drawing(sample) { APPROACH_OF_DRAWINGS } else { APPROACH }
+}
+
+/// Whether a sample is a vector drawing.
+pub(crate) fn is_drawing(sample: &str) -> bool {
+    [".svg", ".pdf"].iter().any(|kind| sample.contains(kind))
+}
+
 /// Two places of one line with this much way between them, in distances and mm, lie on the two sides of a bend: a corner of
 /// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
@@ -133,8 +146,9 @@ impl Way {
     }
 }
 
-/// All places where lines are nearer than `min_gap` though they do not join there.
-pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
+/// All places where lines are nearer than `min_gap` though they do not join there, on an approach of at
+/// most so many clearances.
+pub(crate) fn too_near(lines: &[Line], min_gap: f32, approach: f32) -> Vec<TooNear> {
     let ways: Vec<Way> = lines.iter().enumerate().map(|(number, line)| Way::of(number, line)).collect();
     let all: Vec<Segment> = ways.iter().flat_map(|way| &way.segments).copied().collect();
     let widest = all.iter().map(|s| s.half_width).fold(0.0, f32::max);
@@ -142,7 +156,7 @@ pub(crate) fn too_near(lines: &[Line], min_gap: f32) -> Vec<TooNear> {
     // whether line `a`, `arc` from its start, is on its way to a junction with line `b`
     let arrives = |a: u32, arc: f32, b: u32, clearance: f32| {
         let way = &ways[a as usize];
-        let on_the_way = |j: &Junction| j.other == b && way.between(j.arc, arc) <= APPROACH * clearance;
+        let on_the_way = |j: &Junction| j.other == b && way.between(j.arc, arc) <= approach * clearance;
         junctions[a as usize].iter().any(on_the_way)
     };
 

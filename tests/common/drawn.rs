@@ -15,4 +15,7 @@ pub(crate) const LINES: lines::Params = lines::Params {
     detail: 0.5,
     most_shapes: None,
     whole_rings: false,
+    of_drawing: false,
+    exact: false,
+    widen_bars: false,
 };

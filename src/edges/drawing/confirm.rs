@@ -20,8 +20,11 @@ const CLOSE: f32 = 0.75;
 const HERE: f32 = 0.62;
 /// A stroke is summed up in steps of this, px.
 const STEP: f32 = 0.25;
-/// The middle of what is seen of a stroke lies at most this far from its centre line, px.
+/// The middle of what is seen of a stroke lies at most this far from its centre line, px, and this share of its width:
+/// a stroke of the colour of the ground on one side, as the white one between the sectors of a chart and the paper, is
+/// seen as a step at its other side.
 const OFF_CENTRE: f32 = 0.45;
+const OFF_CENTRE_WIDTHS: f32 = 0.25;
 /// The narrowest stroke whose contrast is computed from what is seen of it, px: below, single code values decide.
 const NARROWEST: f32 = 0.1;
 /// A stretch that is not seen and no longer than this, px, and half as much again as the stroke is wide, is hidden by
@@ -114,7 +117,7 @@ fn stroke_contrast(width: f32, colour: impl Fn(f32) -> [f32; 3]) -> f32 {
     }
     let step = outside / steps as f32;
     let contrast = norm(sum) * step / width.max(NARROWEST);
-    let centred = weight > 0.0 && (moment / weight).abs() <= OFF_CENTRE.max(0.25 * width);
+    let centred = weight > 0.0 && (moment / weight).abs() <= OFF_CENTRE + OFF_CENTRE_WIDTHS * width;
     if centred { contrast.max(norm(less(right, left))).min(MOST) } else { 0.0 }
 }
 

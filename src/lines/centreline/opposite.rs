@@ -7,7 +7,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
-use crate::lines::vertex::{Vertex, dot};
+use crate::lines::vertex::{Source, Vertex, dot};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least cosine between the directions of two sides (about 37 degrees).
@@ -41,7 +41,7 @@ pub(super) struct Opposite {
 pub(super) type Opposites = Vec<Option<Opposite>>;
 
 /// Finds for every vertex the nearest place on the opposite side of a stroke, if it lies on one: straight across within
-/// [`Params::max_spacing`], on either side of the line.
+/// [`Params::widest_stroke`], on either side of the line.
 pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Opposites> {
     let sides = Sides::new(polylines, area, params);
     let of = |(number, polyline): (usize, &Polyline<Vertex>)| match sides.is_dot(number) {
@@ -90,7 +90,11 @@ impl<'a> Sides<'a> {
         let polyline = &self.polylines[number];
         let here: &Vertex = &polyline.vertices[i];
         let tangent = polyline.tangent(i);
-        let reach = self.params.max_spacing();
+        // an area of a vector drawing is known as such, what was ink in a bitmap is not
+        let reach = match here.source {
+            Source::Vector => self.params.widest_stroke(),
+            _ => self.params.max_spacing(),
+        };
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));

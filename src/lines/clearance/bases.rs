@@ -7,7 +7,6 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
-use crate::lines::saliency::saliency;
 use crate::lines::vertex::{Source, Vertex};
 use crate::units::MmRect;
 
@@ -16,9 +15,14 @@ const DEPTH: usize = 8;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;
 
-/// The saliency of each line; of one of a drawing at least that of the lines that end on it.
-pub(super) fn saliencies(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<f32> {
-    let mut all: Vec<f32> = lines.iter().map(|(line, _)| saliency(line, params)).collect();
+/// The saliency of each line, raised for those of a drawing to at least that of the lines that end on it.
+pub(super) fn raised(
+    saliencies: &[f32],
+    lines: &[(Polyline<Vertex>, Rank)],
+    area: MmRect,
+    params: &Params,
+) -> Vec<f32> {
+    let mut all = saliencies.to_vec();
     let standing = standing(lines, area, params);
     for _ in 0..DEPTH {
         let before = all.clone();
@@ -68,9 +72,9 @@ fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -
 
 #[cfg(test)]
 mod tests {
-    use super::super::clear;
-    use super::super::tests::polyline;
+    use super::super::tests::{clear_all, polyline};
     use super::*;
+    use crate::lines::saliency::saliency;
     use crate::units::MmPoint;
 
     fn area() -> MmRect {
@@ -85,6 +89,10 @@ mod tests {
         (line, Rank::Ordinary)
     }
 
+    fn own(lines: &[(Polyline<Vertex>, Rank)]) -> Vec<f32> {
+        lines.iter().map(|(line, _)| saliency(line, &Params::TEST)).collect()
+    }
+
     /// An axis and bars on it, 7 mm wide and 7 mm apart, that are stronger.
     fn chart() -> Vec<(Polyline<Vertex>, Rank)> {
         let bar = |x: f32| stroke(&[(x, 70.0), (x, 20.0), (x + 7.0, 20.0), (x + 7.0, 70.0)], 90.0);
@@ -94,9 +102,10 @@ mod tests {
 
     #[test]
     fn an_axis_goes_before_stronger_bars_and_is_whole() {
-        let saliencies = saliencies(&chart(), area(), &Params::TEST);
+        let own = own(&chart());
+        let saliencies = raised(&own, &chart(), area(), &Params::TEST);
         assert!(saliencies[..4].iter().all(|bar| *bar < saliencies[4]), "{saliencies:?}");
-        let cleared = clear(chart(), area(), &Params::TEST);
+        let cleared = clear_all(chart(), area(), &Params::TEST);
         let length: f32 = cleared.iter().map(|line| line.polyline.length()).sum();
         let all: f32 = chart().iter().map(|(line, _)| line.length()).sum();
         assert!((length - all).abs() < 1.0, "{length} of {all}");
@@ -105,8 +114,7 @@ mod tests {
     #[test]
     fn a_line_on_which_nothing_ends_keeps_its_saliency_and_a_circle_of_lines_comes_to_an_end() {
         let alone = [stroke(&[(10.0, 10.0), (90.0, 10.0)], 30.0), stroke(&[(10.0, 50.0), (90.0, 50.0)], 90.0)];
-        let own: Vec<f32> = alone.iter().map(|(line, _)| saliency(line, &Params::TEST)).collect();
-        assert_eq!(saliencies(&alone, area(), &Params::TEST), own);
+        assert_eq!(raised(&own(&alone), &alone, area(), &Params::TEST), own(&alone));
         // each ends in the middle of the next
         let circle = [
             stroke(&[(10.0, 30.0), (70.0, 30.0)], 30.0),
@@ -114,9 +122,9 @@ mod tests {
             stroke(&[(90.0, 70.0), (30.0, 70.0)], 50.0),
             stroke(&[(30.0, 90.0), (30.0, 30.0)], 60.0),
         ];
-        let own: Vec<f32> = circle.iter().map(|(line, _)| saliency(line, &Params::TEST)).collect();
+        let own = own(&circle);
         let most = own.iter().copied().fold(0.0, f32::max) * (1.0 + MORE).powi(DEPTH as i32 + 1);
-        let raised = saliencies(&circle, area(), &Params::TEST);
+        let raised = raised(&own, &circle, area(), &Params::TEST);
         assert!(raised.iter().zip(&own).all(|(raised, own)| (*own..most).contains(raised)), "{own:?} {raised:?}");
         assert!(raised[0] > own[0], "something stands on it");
     }

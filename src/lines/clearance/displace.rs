@@ -3,7 +3,9 @@
 
 use super::drawn::DrawnLines;
 use super::passage::Passage;
+use super::shift::shifts;
 use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
 use crate::units::MmVector;
 
@@ -12,34 +14,43 @@ use crate::units::MmVector;
 const FARTHEST: f32 = 0.8;
 /// A ring may be displaced by more, mm: that it closes says more than where exactly its side runs.
 pub(in crate::lines) const RING_FARTHEST: f32 = 1.6;
-/// It swings back within this length, mm, so that no corner is felt.
-const FADE: f32 = 6.0;
 /// A little more than it must, mm, so that it need not do so again.
-const MORE: f32 = 0.02;
+pub(super) const MORE: f32 = 0.02;
 /// What rounding may put outside of the picture, mm.
-const OUTSIDE: f32 = 0.01;
+pub(super) const OUTSIDE: f32 = 0.01;
 /// Away from one line can be towards another: after so many rounds it is cut after all.
 const ROUNDS: usize = 4;
 
-/// A displacement that a vertex needs, and its arc.
-type Push = (f32, MmVector);
+/// How far a line may be displaced, mm.
+pub(super) fn farthest(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> f32 {
+    if is_closed(polyline, passage, params) { RING_FARTHEST } else { FARTHEST }
+}
 
-/// The line moved away from those it is too near to; none if that asks for more than [`FARTHEST`], for a ring
-/// [`RING_FARTHEST`], somewhere.
+/// Whether a line goes round something: it is a ring, or in a drawing both its ends lie on others, as those of a bar on
+/// an axis.
+pub(super) fn is_closed(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> bool {
+    let ends = |arc: f32| passage.junctions.iter().any(|j| j.is_own_end() && j.arc == arc);
+    polyline.closed || params.exact && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
+}
+
+/// The line moved away from those it is too near to; none if that asks for more than [`farthest`] somewhere.
 pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> Option<Polyline<Vertex>> {
     let mut polyline = polyline.clone();
-    let farthest = if polyline.closed { RING_FARTHEST } else { FARTHEST };
+    let mut passage = drawn.passage(polyline.view());
+    let farthest = farthest(&polyline, &passage, drawn.params);
     let mut moved = vec![MmVector::zero(); polyline.vertices.len()];
-    for _ in 0..ROUNDS {
-        let passage = drawn.passage(polyline.view());
+    for round in 0..ROUNDS {
+        if round > 0 {
+            passage = drawn.passage(polyline.view());
+        }
         let pushes = pushes(&polyline, &passage, drawn, farthest)?;
-        if pushes.is_empty() {
+        if pushes.iter().all(|push| *push == MmVector::zero()) {
             return Some(polyline);
         }
-        for ((vertex, moved), &arc) in polyline.vertices.iter_mut().zip(&mut moved).zip(&passage.arcs) {
-            let push = faded(arc, &pushes, &passage);
-            vertex.at += push;
-            *moved += push;
+        let shifts = shifts(&polyline, &pushes, &passage, drawn.params.exact);
+        for ((vertex, moved), shift) in polyline.vertices.iter_mut().zip(&mut moved).zip(shifts) {
+            vertex.at += shift;
+            *moved += shift;
             // an outline may end on the border of the picture
             if moved.length() > farthest || !drawn.area.inflate(OUTSIDE, OUTSIDE).contains_inclusive(vertex.at) {
                 return None;
@@ -49,10 +60,14 @@ pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> 
     None
 }
 
-/// The displacements of the vertices that are too near to a line; none if one is longer than `farthest`.
-fn pushes(polyline: &Polyline<Vertex>, passage: &Passage, drawn: &DrawnLines<'_>, farthest: f32) -> Option<Vec<Push>> {
-    let mut pushes = Vec::new();
-    for (vertex, &arc) in polyline.vertices.iter().zip(&passage.arcs) {
+/// The displacement that each vertex needs, zero where it is near to no line; none if one is longer than `farthest`.
+fn pushes(
+    polyline: &Polyline<Vertex>,
+    passage: &Passage,
+    drawn: &DrawnLines<'_>,
+    farthest: f32,
+) -> Option<Vec<MmVector>> {
+    let push = |(vertex, &arc): (&Vertex, &f32)| {
         let mut push = MmVector::zero();
         drawn.each_near(vertex, arc, passage, |near| {
             if !near.joins && near.missing + MORE > push.length() {
@@ -60,28 +75,9 @@ fn pushes(polyline: &Polyline<Vertex>, passage: &Passage, drawn: &DrawnLines<'_>
             }
             true
         });
-        if push.length() > farthest {
-            return None;
-        }
-        if push != MmVector::zero() {
-            pushes.push((arc, push));
-        }
-    }
-    Some(pushes)
-}
-
-/// The longest of the displacements at `arc`, each of which fades along the line; near junctions the line stays where
-/// it is.
-fn faded(arc: f32, pushes: &[Push], passage: &Passage) -> MmVector {
-    let mut longest = MmVector::zero();
-    for &(there, push) in pushes {
-        let push = push * (1.0 - passage.between(arc, there) / FADE).max(0.0);
-        if push.square_length() > longest.square_length() {
-            longest = push;
-        }
-    }
-    let junction = passage.junctions.iter().map(|j| passage.between(j.arc, arc)).fold(f32::MAX, f32::min);
-    longest * (junction / FADE).min(1.0)
+        (push.length() <= farthest).then_some(push)
+    };
+    polyline.vertices.iter().zip(&passage.arcs).map(push).collect()
 }
 
 #[cfg(test)]

@@ -123,20 +123,25 @@ impl<'a> DrawnLines<'a> {
 
     /// The junctions of a polyline with the lines.
     pub(super) fn passage(&self, polyline: PolylineRef<'_, Vertex>) -> Passage {
+        self.passage_among(polyline, |_| true)
+    }
+
+    /// The junctions of a polyline with those of the lines of which `is_other` is true.
+    pub(super) fn passage_among(&self, polyline: PolylineRef<'_, Vertex>, is_other: impl Fn(u32) -> bool) -> Passage {
         let PolylineRef { vertices, closed } = polyline;
         let arcs = polyline.arc_lengths();
         let length = arcs.last().copied().unwrap_or(0.0);
         let (mut crossings, mut ends) = (Vec::new(), Vec::new());
         for (i, (a, b)) in polyline.segments().enumerate() {
             if self.may_be_near(a.at) {
-                self.add_crossings((a.at, b.at), arcs[i], &mut crossings);
-                self.add_touching_tips((a.at, b.at), arcs[i], &mut ends);
+                self.add_crossings((a.at, b.at), arcs[i], &is_other, &mut crossings);
+                self.add_touching_tips((a.at, b.at), arcs[i], &is_other, &mut ends);
             }
         }
         let mut own_ends = Vec::new();
         if let (Some(first), Some(last), false) = (vertices.first(), vertices.last(), closed) {
             for (at, arc) in [(first.at, 0.0), (last.at, length)] {
-                self.add_ends_on_lines(at, arc, &mut own_ends);
+                self.add_ends_on_lines(at, arc, &is_other, &mut own_ends);
             }
         }
         // where one ends on the other beside a crossing they will not be drawn as crossing
@@ -159,14 +164,23 @@ impl<'a> DrawnLines<'a> {
         let arcs = PolylineRef { vertices: path, closed: false }.arc_lengths();
         let mut junctions = Vec::new();
         if let (Some(&arc), Some(tip)) = (arcs.last(), path.last()) {
-            self.add_ends_on_lines(tip.at, arc, &mut junctions);
+            self.add_ends_on_lines(tip.at, arc, |_| true, &mut junctions);
         }
         Passage { arcs, round: None, junctions }
     }
 
     /// Adds the junctions where the segment `a`-`b` of a polyline, which begins at `arc`, crosses lines.
-    fn add_crossings(&self, (a, b): (MmPoint, MmPoint), arc: f32, junctions: &mut Vec<Junction>) {
+    fn add_crossings(
+        &self,
+        (a, b): (MmPoint, MmPoint),
+        arc: f32,
+        is_other: impl Fn(u32) -> bool,
+        junctions: &mut Vec<Junction>,
+    ) {
         self.segments.around(a.min(b), a.max(b), 0.0, |segment| {
+            if !is_other(segment.line) {
+                return;
+            }
             // longer by a rounding: lines that cross at a vertex, as those of drawings do, cross all the same
             let (own, other) = ((b - a) * VERTEX, (segment.b - segment.a) * VERTEX);
             // a line that ends on another may, by a rounding, cross it
@@ -176,22 +190,37 @@ impl<'a> DrawnLines<'a> {
                 let arc = arc + (at - a).length();
                 let line_arc = segment.arc + (at - segment.a).length();
                 let side = if (b - a).cross(segment.b - segment.a) > 0.0 { 1 } else { -1 };
-                junctions.push(Junction { arc, at, line: segment.line, line_arc, meeting: Meeting::Cross(side) });
+                let along = (segment.b - segment.a).try_normalize().unwrap_or_default();
+                junctions.push(Junction {
+                    arc,
+                    at,
+                    line: segment.line,
+                    line_arc,
+                    along,
+                    meeting: Meeting::Cross(side),
+                });
             }
         });
     }
 
     /// Adds the junctions where lines end on the segment `a`-`b` of a polyline, which begins at `arc`.
-    fn add_touching_tips(&self, (a, b): (MmPoint, MmPoint), arc: f32, junctions: &mut Vec<Junction>) {
+    fn add_touching_tips(
+        &self,
+        (a, b): (MmPoint, MmPoint),
+        arc: f32,
+        is_other: impl Fn(u32) -> bool,
+        junctions: &mut Vec<Junction>,
+    ) {
         self.tips.around(a.min(b), a.max(b), TOUCH, |tip| {
             let (distance, at) = nearest_on_segment(tip.a, a, b);
-            if distance <= TOUCH {
+            if distance <= TOUCH && is_other(tip.line) {
                 let arc = arc + (at - a).length();
                 junctions.push(Junction {
                     arc,
                     at: tip.a,
                     line: tip.line,
                     line_arc: tip.arc,
+                    along: MmVector::zero(),
                     meeting: Meeting::LineEnds,
                 });
             }
@@ -199,8 +228,10 @@ impl<'a> DrawnLines<'a> {
     }
 
     /// Adds the junctions of an end of a polyline with the lines that it lies on.
-    fn add_ends_on_lines(&self, at: MmPoint, arc: f32, junctions: &mut Vec<Junction>) {
-        self.segments.around(at, at, TOUCH, |segment| junctions.extend(Junction::of_end(at, arc, segment)));
+    fn add_ends_on_lines(&self, at: MmPoint, arc: f32, is_other: impl Fn(u32) -> bool, junctions: &mut Vec<Junction>) {
+        self.segments.around(at, at, TOUCH, |segment| {
+            junctions.extend(Junction::of_end(at, arc, segment).filter(|end| is_other(end.line)));
+        });
     }
 
     /// Whether a polyline that joins a line does so again before it has been apart from it, or the line from the
@@ -302,13 +333,11 @@ impl<'a> DrawnLines<'a> {
             let limit = self.params.approach(half, segment.half_width);
             let line_arc = segment.arc + (at - segment.a).length();
             // it is the line that ends there, or either of two that cross, that must have come from far enough
-            let joins = passage.junctions.iter().any(|j| {
-                let way = match j.meeting {
-                    Meeting::LineEnds => (j.line_arc - line_arc).abs(),
-                    Meeting::PolylineEnds | Meeting::Cross(_) => passage.between(j.arc, arc),
-                };
-                j.line == segment.line && way <= limit
-            });
+            let way = |j: &Junction| match j.meeting {
+                Meeting::LineEnds => (j.line_arc - line_arc).abs(),
+                Meeting::PolylineEnds | Meeting::Cross(_) => passage.between(j.arc, arc),
+            };
+            let joins = passage.junctions.iter().any(|j| j.line == segment.line && way(j) <= limit);
             on = visit(&Near { segment, away: vertex.at - at, distance, missing: clearance - distance, joins });
         });
     }

@@ -13,10 +13,13 @@ mod near_map;
 mod passage;
 mod queue;
 mod self_distance;
+mod shift;
 mod split;
+mod spread;
 
 pub(super) use anchor::Cleared;
 pub(super) use displace::RING_FARTHEST;
+pub(super) use spread::spread;
 
 use self::displace::displaced;
 use self::drawn::{DrawnLines, State};
@@ -58,10 +61,15 @@ enum Verdict {
 /// angle the next cut takes the extension away again, and it would go on like that until the line is given up.
 const EXTENDED_CUTS: u8 = 3;
 
-/// Clears lines, the most salient one first; the result is in that order.
-pub(super) fn clear(polylines: Vec<(Polyline<Vertex>, Rank)>, area: MmRect, params: &Params) -> Vec<Cleared> {
+/// Clears lines of these saliencies, the most salient one first; the result is in that order.
+pub(super) fn clear(
+    polylines: Vec<(Polyline<Vertex>, Rank)>,
+    saliencies: &[f32],
+    area: MmRect,
+    params: &Params,
+) -> Vec<Cleared> {
     let mut queue = Queue::new(polylines.len(), params);
-    let saliencies = bases::saliencies(&polylines, area, params);
+    let saliencies = bases::raised(saliencies, &polylines, area, params);
     for ((polyline, rank), saliency) in polylines.into_iter().zip(saliencies) {
         // Where a line comes near itself its earlier part stays.
         queue.push_as(polyline.stronger_half_first(), rank, 0, saliency);
@@ -168,10 +176,20 @@ fn finish(line: Polyline<Vertex>, rank: Rank, number: u32, drawn: &mut DrawnLine
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::lines::vertex::Source;
     use crate::units::MmPoint;
+
+    /// Clears lines by their own saliencies.
+    pub(in crate::lines) fn clear_all(
+        lines: Vec<(Polyline<Vertex>, Rank)>,
+        area: MmRect,
+        params: &Params,
+    ) -> Vec<Cleared> {
+        let saliencies: Vec<f32> = lines.iter().map(|(line, _)| saliency(line, params)).collect();
+        clear(lines, &saliencies, area, params)
+    }
 
     /// A line of the greatest width with vertices as close as those of lines in the making.
     pub(super) fn polyline(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
@@ -212,8 +230,11 @@ mod tests {
         let inner = polyline(&[(12.0, 30.0), (60.0, 30.0), (60.0, 60.0), (12.0, 60.0)], true);
         let cleared = |whole_rings: bool| {
             let params = Params { whole_rings, ..Params::TEST };
-            let all =
-                clear([square(10.0, 90.0), inner.clone()].map(|ring| (ring, Rank::Ordinary)).to_vec(), area, &params);
+            let all = clear_all(
+                [square(10.0, 90.0), inner.clone()].map(|ring| (ring, Rank::Ordinary)).to_vec(),
+                area,
+                &params,
+            );
             all.iter().map(|line| line.polyline.closed).collect::<Vec<_>>()
         };
         assert_eq!(cleared(false), [true, false]);
@@ -291,7 +312,7 @@ mod tests {
         let line = |y: f32, x: f32| polyline(&[(10.0, y), (x, y)], false);
         let clear = |ranks: [Rank; 3]| {
             let lines = [line(50.0, 90.0), line(52.0, 60.0), line(54.0, 40.0)];
-            let cleared = clear(lines.into_iter().zip(ranks).collect(), area, &Params::TEST);
+            let cleared = clear_all(lines.into_iter().zip(ranks).collect(), area, &Params::TEST);
             let mut lengths: Vec<(Rank, u32)> =
                 cleared.iter().map(|line| (line.rank, line.polyline.length().round() as u32)).collect();
             lengths.sort_unstable();

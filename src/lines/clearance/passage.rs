@@ -2,7 +2,7 @@
 
 use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
-use crate::units::MmPoint;
+use crate::units::{MmPoint, MmVector};
 
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
 /// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
@@ -22,6 +22,8 @@ pub(super) struct Junction {
     pub(super) line: u32,
     /// How far along the line, mm.
     pub(super) line_arc: f32,
+    /// The direction of the line there; zero if it ends there.
+    pub(super) along: MmVector,
     pub(super) meeting: Meeting,
 }
 
@@ -40,8 +42,9 @@ impl Junction {
     /// The junction of a polyline that ends at `at` with the line of a segment, if it ends on that.
     pub(super) fn of_end(at: MmPoint, arc: f32, segment: &Segment) -> Option<Self> {
         let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
-        let line_arc = segment.arc + (touched - segment.a).length();
-        (distance <= TOUCH).then_some(Self { arc, at, line: segment.line, line_arc, meeting: Meeting::PolylineEnds })
+        let (line, line_arc) = (segment.line, segment.arc + (touched - segment.a).length());
+        let along = (segment.b - segment.a).try_normalize().unwrap_or_default();
+        (distance <= TOUCH).then_some(Self { arc, at, line, line_arc, along, meeting: Meeting::PolylineEnds })
     }
 
     /// Whether it is an end of the polyline that lies here.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::drawn::{goes_round, segment};
 use super::passage::TOUCH;
-use crate::geom::nearby::Nearby;
+use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::corner::is_corner;
@@ -39,15 +39,7 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
             if near || apart(arcs[i], segment.arc) <= BEND_LEAST {
                 return;
             }
-            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
-            let line_arc = segment.arc + (at - segment.a).length();
-            let length = apart(arcs[i], line_arc);
-            if distance >= params.clearance(half + segment.half_width)
-                || is_bend(length, distance)
-                || is_corner(polyline, &arcs, ring, [(arcs[i], vertex.at), (line_arc, at)])
-            {
-                return;
-            }
+            let Some(line_arc) = too_near(polyline, &arcs, (arcs[i], vertex), segment, params) else { return };
             let limit = params.approach(half, segment.half_width);
             near = !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - line_arc).abs() <= limit);
         });
@@ -62,6 +54,26 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
     }
     own.clear();
     found
+}
+
+/// Where on a segment of a polyline, as an arc, a vertex of the same polyline is too near to it, and not beside a bend
+/// or a corner.
+pub(super) fn too_near(
+    polyline: &Polyline<Vertex>,
+    arcs: &[f32],
+    (arc, vertex): (f32, &Vertex),
+    segment: &Segment,
+    params: &Params,
+) -> Option<f32> {
+    let (ring, total) = (goes_round(polyline.view()), arcs.last().copied().unwrap_or(0.0));
+    let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
+    let line_arc = segment.arc + (at - segment.a).length();
+    let apart = (arc - line_arc).abs();
+    let apart = if ring { apart.min(total - apart) } else { apart };
+    let is_near = distance < params.clearance(0.5 * vertex.width + segment.half_width);
+    let is_rival =
+        is_near && !is_bend(apart, distance) && !is_corner(polyline, arcs, ring, [(arc, vertex.at), (line_arc, at)]);
+    is_rival.then_some(line_arc)
 }
 
 /// The arcs of those ends of an open polyline that lie on the polyline itself, at the end of a loop longer than `knot`.

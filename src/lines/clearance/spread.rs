@@ -1,0 +1,195 @@
+//! Lines of a drawing that are all a little too near to their neighbours, as the bars of a chart, give way to one
+//! another before any of them is drawn: each by half of what is missing (mutual displacement, as in the generalisation
+//! of maps). Alone, the second of two would have to give way by all of it.
+
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+
+use super::displace::{MORE, OUTSIDE, farthest, is_closed};
+use super::drawn::DrawnLines;
+use super::passage::{Junction, Passage};
+use super::self_distance::too_near;
+use super::shift::shifts;
+use crate::geom::nearby::Segment;
+use crate::geom::polyline::Polyline;
+use crate::lines::params::Params;
+use crate::lines::vertex::Vertex;
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// A line between two that are too near on both sides takes some rounds to find its place.
+const ROUNDS: usize = 12;
+/// ... and where a round moves them by more than this share of what the round before did, there is no place for all.
+const LESS: f32 = 0.9;
+
+/// The lines, moved apart. None if no two are so little too near that this helps.
+pub(in crate::lines) fn spread(
+    polylines: &[Polyline<Vertex>],
+    area: MmRect,
+    params: &Params,
+) -> Option<Vec<Polyline<Vertex>>> {
+    let mut lines = polylines.to_vec();
+    let places = |lines: &[Polyline<Vertex>]| -> Vec<Vec<MmPoint>> {
+        lines.iter().map(|line| line.vertices.iter().map(|vertex| vertex.at).collect()).collect()
+    };
+    let own = places(&lines);
+    // what joins what stays as it is
+    let at_first = drawn(&lines, area, params);
+    let passages: Vec<Passage> = lines
+        .par_iter()
+        .enumerate()
+        .map(|(number, line)| at_first.passage_among(line.view(), |other| other as usize != number))
+        .collect();
+    let reach: Vec<f32> = lines.iter().zip(&passages).map(|(line, passage)| farthest(line, passage, params)).collect();
+    let mut last = f32::MAX;
+    let mut has_moved = false;
+    for _ in 0..ROUNDS {
+        let drawn = drawn(&lines, area, params);
+        let all = All { lines: &lines, own: &own, passages: &passages, reach: &reach, drawn: &drawn };
+        let moved: Vec<Vec<MmVector>> = (0..lines.len()).into_par_iter().map(|number| all.moves(number)).collect();
+        let way: f32 = moved.iter().flatten().map(|push| push.length()).sum();
+        if way > LESS * last || way == 0.0 {
+            break;
+        }
+        last = way;
+        has_moved = true;
+        for ((line, moves), (own, reach)) in lines.iter_mut().zip(moved).zip(own.iter().zip(&reach)) {
+            for ((vertex, push), own) in line.vertices.iter_mut().zip(moves).zip(own) {
+                let to = *own + (vertex.at + push - *own).clamp_length(0.0, *reach);
+                if area.inflate(OUTSIDE, OUTSIDE).contains_inclusive(to) {
+                    vertex.at = to;
+                }
+            }
+        }
+    }
+    has_moved.then_some(lines)
+}
+
+/// All lines as if they were drawn.
+fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params) -> DrawnLines<'a> {
+    let mut drawn = DrawnLines::new(area, params);
+    for line in lines {
+        let number = drawn.begin(line);
+        drawn.finish(line, number);
+    }
+    drawn
+}
+
+/// Every so many vertices, 1.6 mm apart, are looked at, and the ends; those between follow them.
+const EVERY: usize = 4;
+
+/// Lines that move apart.
+struct All<'a> {
+    lines: &'a [Polyline<Vertex>],
+    /// Where their vertices were at first.
+    own: &'a [Vec<MmPoint>],
+    /// The junctions of each with the others.
+    passages: &'a [Passage],
+    /// How far each may move, mm.
+    reach: &'a [f32],
+    drawn: &'a DrawnLines<'a>,
+}
+
+impl All<'_> {
+    /// How the vertices of a line move away from the lines around: by half of what is missing.
+    fn moves(&self, number: usize) -> Vec<MmVector> {
+        let (line, passage, params) = (&self.lines[number], &self.passages[number], self.drawn.params);
+        // of a bar or another ring the two sides may be too near to one another
+        let closed = is_closed(line, passage, params);
+        let mut pushes = vec![MmVector::zero(); line.vertices.len()];
+        let last = line.vertices.len().saturating_sub(1);
+        for (i, vertex) in line.vertices.iter().enumerate().filter(|(i, _)| i % EVERY == 0 || *i == last) {
+            let arc = passage.arcs[i];
+            let (mut most, mut push) = (0.0, MmVector::zero());
+            self.drawn.each_near(vertex, arc, passage, |near| {
+                let other = near.segment.line as usize;
+                let is_rival = match other == number {
+                    true => closed && too_near(line, &passage.arcs, (arc, vertex), near.segment, params).is_some(),
+                    false => !near.joins && !self.is_joined(number, near.segment),
+                };
+                if is_rival && near.missing > most {
+                    most = near.missing;
+                    // where both together cannot give way by as much, one will be cut, and the other had better stay
+                    let there = near.segment.index as usize;
+                    let fits = most <= self.left(number, i) + self.left(other, there) + MORE;
+                    let share = if fits { 0.5 * (most + MORE) / near.distance.max(MORE) } else { 0.0 };
+                    push = near.away * share;
+                }
+                true
+            });
+            pushes[i] = push;
+        }
+        if pushes.iter().all(|push| *push == MmVector::zero()) {
+            return pushes;
+        }
+        shifts(line, &pushes, passage, true)
+    }
+
+    /// Whether a segment of another line is on the way to a place where that ends on this line.
+    fn is_joined(&self, number: usize, segment: &Segment) -> bool {
+        let other = &self.passages[segment.line as usize];
+        let limit = self.drawn.params.approach(segment.half_width, 0.5 * self.drawn.params.width_max);
+        let joins = |j: &Junction| j.line as usize == number && other.between(j.arc, segment.arc) <= limit;
+        other.junctions.iter().any(joins)
+    }
+
+    /// How far a vertex may still move, mm.
+    fn left(&self, line: usize, vertex: usize) -> f32 {
+        self.reach[line] - (self.lines[line].vertices[vertex].at - self.own[line][vertex]).length()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::polyline;
+    use super::*;
+
+    const PARAMS: Params = Params { of_drawing: true, exact: true, ..Params::TEST };
+
+    fn area() -> MmRect {
+        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
+    }
+
+    /// Bars of this width on an axis, with gaps of this width between them.
+    fn chart(bars: usize, width: f32, gap: f32) -> Vec<Polyline<Vertex>> {
+        let bar = |k: usize| {
+            let (x, top) = (30.0 + k as f32 * (width + gap), 20.0 + 7.0 * (k % 4) as f32);
+            polyline(&[(x, 80.0), (x, top), (x + width, top), (x + width, 80.0)], false)
+        };
+        let axis = polyline(&[(20.0, 10.0), (20.0, 80.0), (98.0, 80.0)], false);
+        (0..bars).map(bar).chain([axis]).collect()
+    }
+
+    fn spread_chart(bars: usize, width: f32, gap: f32) -> Option<Vec<Polyline<Vertex>>> {
+        spread(&chart(bars, width, gap), area(), &PARAMS)
+    }
+
+    /// The least and the greatest x of the vertices of a bar's left or right leg.
+    fn leg(bar: &Polyline<Vertex>, own: &Polyline<Vertex>, x: f32) -> (f32, f32) {
+        let legs = bar.vertices.iter().zip(&own.vertices).filter(|(_, own)| (own.at.x - x).abs() < 1e-3);
+        legs.fold((f32::MAX, f32::MIN), |(low, high), (vertex, _)| (low.min(vertex.at.x), high.max(vertex.at.x)))
+    }
+
+    #[test]
+    fn bars_with_narrow_gaps_become_narrower_stay_straight_and_stand_on_their_axis() {
+        // lines of 1.5 mm must be 4.88 mm apart: each leg at a gap gives way by 0.64 mm
+        let (own, lines) = (chart(5, 6.5, 3.6), spread_chart(5, 6.5, 3.6).expect("they are too near"));
+        assert_eq!(lines[5], own[5], "nothing comes too near to the axis");
+        for k in 0..5 {
+            let (x, push) = (30.0 + 10.1 * k as f32, 0.65);
+            let (left, right) = (if k > 0 { x + push } else { x }, if k < 4 { x + 6.5 - push } else { x + 6.5 });
+            for (own_x, to) in [(x, left), (x + 6.5, right)] {
+                let (low, high) = leg(&lines[k], &own[k], own_x);
+                assert!((low - to).abs() < 0.02 && (high - to).abs() < 0.02, "bar {k}: {low}..{high} for {to}");
+            }
+            assert!([lines[k].vertices.first(), lines[k].vertices.last()].iter().flatten().all(|end| end.at.y == 80.0));
+        }
+    }
+
+    #[test]
+    fn a_bar_that_is_too_narrow_becomes_wider_and_lines_that_are_much_too_near_stay() {
+        let (own, lines) = (chart(1, 3.8, 0.0), spread_chart(1, 3.8, 0.0).expect("its legs are too near"));
+        let [(left, _), (right, _)] = [30.0, 33.8].map(|x| leg(&lines[0], &own[0], x));
+        assert!(right - left > 4.88 && (right + left - 63.8).abs() < 0.02, "{left} {right}");
+        let near = [50.0, 51.0].map(|y| polyline(&[(10.0, y), (90.0, y)], false));
+        assert!(spread(&near, area(), &PARAMS).is_none(), "each would have to give way by 1.9 mm");
+    }
+}
