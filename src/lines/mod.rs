@@ -69,8 +69,56 @@ pub fn draw_with(
     area: MmRect,
     params: &Params,
 ) -> Lines {
-    let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
     let mut wanted = Tally::new(area);
+    let mut polylines = whole(edges, transform, area, params, &mut wanted);
+    let first_outline = polylines.len();
+    polylines.extend(outlines.on_the_sheet(transform, params));
+    junction::extend(&mut polylines, area, params.join_gap);
+    polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
+
+    let saliencies: Vec<f32> = polylines.par_iter().map(|polyline| saliency::saliency(polyline, params)).collect();
+    let all = polylines.clone();
+    let has_outlines = first_outline < all.len();
+    let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+        _ if !has_outlines => Rank::Ordinary,
+        _ if number < first_outline => Rank::of(line),
+        _ => Rank::Outline,
+    };
+    let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
+    let mut cleared = clearance::clear(polylines.into_iter().zip(ranks).collect(), area, params);
+    if let Some((most, length)) = outlines.others {
+        keep_others(&mut cleared, most, length);
+    }
+    // Detail comes last and takes whole lines, so that less of it is a subset.
+    let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
+    let salient = all[..first_outline].iter().zip(&saliencies).filter(|(_, of)| **of >= least);
+    let contours: Vec<&Polyline<Vertex>> = salient.map(|(polyline, _)| polyline).collect();
+    contours.iter().for_each(|polyline| wanted.add(polyline));
+    let mut drawn: Vec<&Cleared> = cleared.iter().filter(|line| line.saliency >= least).collect();
+    let lost = wanted.lost(&kept(&contours, &drawn, has_outlines, area, params));
+    // What follows is left out on purpose, and not lost.
+    let beyond = match params.most_shapes {
+        Some(most) if edges.of_drawing() => {
+            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
+            few::keep_first_things(&mut drawn, most, &all, params)
+        }
+        Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
+        None => Beyond::default(),
+    };
+    let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, params);
+    Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
+}
+
+/// The contours on the sheet that are long enough for lines, joined, each stroke as one centreline. Of a drawing, in
+/// which every line is meant, those that are too short are counted in `wanted`.
+fn whole(
+    edges: &Edges,
+    transform: &PageTransform,
+    area: MmRect,
+    params: &Params,
+    wanted: &mut Tally,
+) -> Vec<Polyline<Vertex>> {
+    let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
     let is_crumb =
         |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
     if edges.of_drawing() {
@@ -86,58 +134,41 @@ pub fn draw_with(
     }
     polylines.retain(|polyline| polyline.length() >= params.min_length);
     polylines.iter_mut().for_each(Polyline::fill);
-    let first_outline = polylines.len();
-    polylines.extend(outlines.on_the_sheet(transform, params));
-    junction::extend(&mut polylines, area, params.join_gap);
-    polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
+    polylines
+}
 
-    let saliencies: Vec<f32> = polylines.par_iter().map(|polyline| saliency::saliency(polyline, params)).collect();
-    let all = polylines.clone();
-    let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
-        _ if first_outline == polylines.len() => Rank::Ordinary,
-        _ if number < first_outline => Rank::of(line),
-        _ => Rank::Outline,
-    };
-    let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
-    let mut cleared = clearance::clear(polylines.into_iter().zip(ranks).collect(), area, params);
-    if let Some((most, length)) = outlines.others
-        && cleared.iter().any(|line| line.rank == Rank::Outline)
-    {
-        let mut count = 0;
-        cleared.retain(|line| {
-            let is_outline = line.rank == Rank::Outline;
-            count += usize::from(!is_outline && line.polyline.length() >= length);
-            is_outline || (count <= most && line.polyline.length() >= length)
-        });
+/// Where there are outlines, keeps beside them the first `most` lines of at least `length` mm.
+fn keep_others(cleared: &mut Vec<Cleared>, most: usize, length: f32) {
+    if cleared.iter().all(|line| line.rank != Rank::Outline) {
+        return;
     }
-    // Detail comes last and takes whole lines, so that less of it is a subset.
-    let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), params);
-    let salient = all[..first_outline].iter().zip(&saliencies).filter(|(_, of)| **of >= least);
-    let contours: Vec<_> = salient.map(|(polyline, _)| polyline).collect();
-    contours.iter().for_each(|polyline| wanted.add(polyline));
-    let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
+    let mut count = 0;
+    cleared.retain(|line| {
+        let is_outline = line.rank == Rank::Outline;
+        count += usize::from(!is_outline && line.polyline.length() >= length);
+        is_outline || (count <= most && line.polyline.length() >= length)
+    });
+}
+
+/// How much of the contours is drawn.
+fn kept(
+    contours: &[&Polyline<Vertex>],
+    drawn: &[&Cleared],
+    has_outlines: bool,
+    area: MmRect,
+    params: &Params,
+) -> Tally {
     let mut kept = Tally::new(area);
-    if first_outline == all.len() {
-        drawn.iter().for_each(|line| kept.add(&line.polyline));
-    } else {
+    if has_outlines {
         // an outline stands for the contours along it
         let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
         let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
         contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
         kept.count_rings(drawn.iter().map(|line| &line.polyline));
+    } else {
+        drawn.iter().for_each(|line| kept.add(&line.polyline));
     }
-    let lost = wanted.lost(&kept);
-    // What follows is left out on purpose, and not lost.
-    let beyond = match params.most_shapes {
-        Some(most) if edges.of_drawing() => {
-            let all = nearby(drawn.iter().map(|line| &line.polyline), area, params);
-            few::keep_first_things(&mut drawn, most, &all, params)
-        }
-        Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
-        None => Beyond::default(),
-    };
-    let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, params);
-    Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
+    kept
 }
 
 /// The segments of lines, to be found by their places.
