@@ -1,10 +1,9 @@
 //! Outlines of the most telling regions.
 
-use super::areas::Areas;
 use super::border::{Border, borders, corner_at};
 use super::choose::{Params, choose};
 use super::label_map::label_map;
-use super::trace::{Trace, TracePoint};
+use super::trace::{Areas, Trace, TracePoint};
 use super::tree::Tree;
 
 use crate::geom::polyline::{Polyline, smooth};
