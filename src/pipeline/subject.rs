@@ -16,9 +16,10 @@ const LEAST_AREA: f32 = 15.0;
 /// Lines this near to the subject belong to it, cells: its own contours run along its border.
 const MARGIN: f32 = 3.0;
 
-/// Finds the subjects among regions, or within closed contours, and tells the contours of them. Returns their cells;
-/// none if no subject is asked for or none is found.
-pub(super) fn find(
+/// Finds the subjects among regions, or within closed contours, and tells the contours of them; where a calm background
+/// is asked for, takes what is not of them out of the contours. Returns the cells around which textures are to be left
+/// out too, if any are.
+pub(super) fn prepare(
     given: &Given,
     mut edges: Option<&mut Edges>,
     source: Size,
@@ -43,7 +44,11 @@ pub(super) fn find(
             None => notes.push(Note::NoSubject(percent)),
         }
     }
-    (all, notes)
+    let around = all.filter(|_| given.calm_background);
+    if let (Some(edges), Some(subject)) = (edges, &around) {
+        notes.push(Note::BackgroundCalmed(calm(edges, subject, layout, plan).round() as u32));
+    }
+    (around, notes)
 }
 
 /// The cells of the subject at a place, in shares of the picture.
@@ -75,7 +80,7 @@ fn ring_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
 }
 
 /// Takes weak lines that are not of the subject out, and the outlines of other regions. Returns how much, mm.
-pub(super) fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 {
+fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 {
     let (strong, near) = (plan.lines().full_strength, subject.clone().grown(MARGIN));
     let length = |edges: &Edges| edges.chains().map(|chain| chain.length()).sum::<f32>();
     let before = length(edges);
