@@ -232,6 +232,7 @@ const GRADES: [Grade; 2] = [Grade::One, Grade::Two];
 /// The grade of braille: 1 or 2.
 impl Setting for Grade {
     const BLANK: Self = Self::One;
+    const WHOLE: bool = true;
 
     fn range(_: Option<NumberRange>) -> String {
         "1 or 2".to_owned()
