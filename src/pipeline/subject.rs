@@ -27,11 +27,15 @@ pub(super) fn prepare(
     plan: &Plan,
 ) -> (Option<Mask>, Vec<Note>) {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
+    let tree = edges.as_ref().and_then(|edges| Some((edges.regions.as_ref()?, edges.size)));
+    let most_telling = tree.filter(|_| !given.subjects.is_empty()).map_or_else(Vec::new, |(tree, size)| {
+        tree.most_telling(PageTransform::new(size, layout.figure).mm_per_px(), &plan.regions(false))
+    });
     for [x, y] in &given.subjects {
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
         let found = edges.as_mut().and_then(|edges| {
-            let mask = subject_at(edges, share, layout, plan)?;
+            let mask = subject_at(edges, share, layout, &most_telling)?;
             let [least, greatest] = mask.extent()?;
             let side = (greatest - least) * PageTransform::new(edges.size, layout.figure).mm_per_px();
             Some((mask, [side.x, side.y].map(|side| side.round() as u32)))
@@ -52,11 +56,11 @@ pub(super) fn prepare(
 }
 
 /// The cells of the subject at a place, in shares of the picture.
-fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, plan: &Plan) -> Option<Mask> {
+fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling: &[u32]) -> Option<Mask> {
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     let found = edges.regions.as_ref().and_then(|tree| {
-        let region = tree.subject_at(at, mm_per_px, &plan.regions(false))?;
+        let region = tree.subject_at(at, mm_per_px, most_telling)?;
         Some((region, tree.mask(&[region])))
     });
     let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px) };
