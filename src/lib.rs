@@ -92,9 +92,10 @@
 //! # Wrapping it for other languages
 //!
 //! * What is given to [`Options::progress`], [`Options::translator`] and [`Options::text_reader`] is called while
-//!   `convert` runs, progress also from threads of its own, one call at a time. A caller that holds a lock which these
-//!   functions take (Python's interpreter lock, say) has to let go of it before it converts. In a browser there are no
-//!   threads, and a function of JavaScript needs a wrapper that promises so.
+//!   [`convert`], [`convert_to_sheets`] or [`trace`] runs, progress also from threads of its own, one call at a time. A
+//!   caller that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before
+//!   it calls any of the three, or both wait for each other for ever. In a browser there are no threads, and a function
+//!   of JavaScript needs a wrapper that promises so.
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
