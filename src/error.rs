@@ -257,6 +257,46 @@ pub enum Error {
     Profile(Vec<Fault>),
 }
 
+impl Error {
+    /// Its kind as a word for programs, such as `too-wide`, which stays the same when the sentence changes.
+    pub fn id(&self) -> &'static str {
+        match self {
+            Self::Empty => "empty",
+            Self::UnknownFormat { .. } => "unknown-format",
+            Self::Undecodable { .. } => "undecodable",
+            Self::TooManyPixels { .. } => "too-many-pixels",
+            Self::TooMuchMemory { .. } => "too-much-memory",
+            Self::UnpacksTooFar { .. } => "unpacks-too-far",
+            Self::TooSmall { .. } => "too-small",
+            Self::NotInPicture { .. } => "not-in-picture",
+            Self::NotInFigure { .. } => "not-in-figure",
+            Self::PartInMm { .. } => "part-in-mm",
+            Self::NoSuchPage { .. } => "no-such-page",
+            Self::TooWide { .. } => "too-wide",
+            Self::NoWidth { .. } => "no-width",
+            Self::NoRoomOnSheets { .. } => "no-room-on-sheets",
+            Self::OffSheet(..) => "off-sheet",
+            Self::NoMeasure { .. } => "no-measure",
+            Self::NoPages => "no-pages",
+            Self::NoRoom { .. } => "no-room",
+            Self::CannotPress(..) => "cannot-press",
+            Self::TooFine { .. } => "too-fine",
+            Self::WrongPixels { .. } => "wrong-pixels",
+            Self::NoSuchDpi { .. } => "no-such-dpi",
+            Self::NotACrop => "not-a-crop",
+            Self::NotASheetGrid => "not-a-sheet-grid",
+            Self::NotFelt(..) => "not-felt",
+            Self::NotAPage(..) => "not-a-page",
+            Self::IsAPage => "is-a-page",
+            Self::NoSentences { .. } => "no-sentences",
+            Self::OtherShape { .. } => "other-shape",
+            Self::NoMemory { .. } => "no-memory",
+            Self::Cancelled => "cancelled",
+            Self::Profile(..) => "profile",
+        }
+    }
+}
+
 impl From<Vec<Fault>> for Error {
     fn from(faults: Vec<Fault>) -> Self {
         Self::Profile(faults)

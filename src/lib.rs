@@ -57,10 +57,9 @@
 //! use tactograph::{DotFormat, Embossing, Options, Profile};
 //!
 //! let options = Options::new(Profile::named("index-basic-d")?).title("A cup of coffee");
-//! let drawing = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?;
-//! let sheets: Vec<_> = std::iter::once(drawing.page).chain(drawing.overview).collect();
+//! let sheets = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.into_pages();
 //! let files = tactograph::write_dots("A cup of coffee", &sheets, DotFormat::Idx, Embossing::default())?;
-//! assert_eq!(files.len(), 1); // both sheets in one document
+//! assert_eq!((sheets.len(), files.len()), (2, 1)); // both sheets in one document
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -93,15 +92,19 @@
 //! # Wrapping it for other languages
 //!
 //! * What is given to [`Options::progress`], [`Options::translator`] and [`Options::text_reader`] is called while
-//!   `convert` runs, progress also from threads of its own, one call at a time. A caller that holds a lock which these
-//!   functions take (Python's interpreter lock, say) has to let go of it before it converts. In a browser there are no
-//!   threads, and a function of JavaScript needs a wrapper that promises so.
+//!   [`convert`], [`convert_to_sheets`] or [`trace`] runs, progress also from threads of its own, one call at a time. A
+//!   caller that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before
+//!   it calls any of the three, or both wait for each other for ever. In a browser there are no threads, and a function
+//!   of JavaScript needs a wrapper that promises so.
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
 //!   What is known to panic is refused before.
-//! * Profiles, rules of [`check`] and languages can be listed for forms: [`Profile::keys`], [`Profile::built_in`],
-//!   [`Rule::all`], [`Description::languages`].
+//! * [`Options::cancelled`] ends work that is no longer wanted: a button, a closed window, a signal.
+//! * Profiles, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`], [`Profile::keys`] with
+//!   [what each takes](Key::choices), [`Rule::all`], [`Description::languages`]. A [`Fault`] names the keys that it is
+//!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
+//!   change.
 //!
 //! # What grows
 //!
@@ -177,7 +180,8 @@ pub use units::{MmPoint, MmRect, PxPoint, Size};
 /// whoever draws or changes a page by a program.
 pub mod marks {
     pub use crate::page::{
-        BrailleText, Dots, Figure, Glyph, Height, Line, Overview, Parts, Pen, Run, Shape, Sign, TextRole, Texture,
+        BrailleText, Dots, Figure, Glyph, Height, Line, Overview, Parts, Pen, PrintText, Run, Shape, Sign, TextRole,
+        Texture,
     };
 }
 

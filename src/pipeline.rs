@@ -2,9 +2,9 @@
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 
+mod adapt;
 mod areas;
 pub mod colours;
-mod described;
 mod dots;
 mod draw;
 mod drawn_areas;
@@ -29,16 +29,16 @@ mod typed;
 mod unwritten;
 mod words;
 
-pub use described::is_made;
+pub use adapt::{Adapted, adapted};
 pub use drawn_areas::with_drawn as areas_of;
-pub use finish::{title_of_key, title_of_overview};
+pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::Given;
 pub use hand_lines::HandLines;
 pub use kept_lines::LineName;
 pub use key::Key;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
-pub use redraw::{Ready, dots_left_out, key_of_page, made_ready};
+pub use redraw::{dots_left_out, key_of_page};
 pub use request::{Fit, Request};
 pub use text_reader::TextReader;
 pub use texts::Text;
@@ -72,6 +72,15 @@ pub struct Drawing {
     pub texts: Vec<Text>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,
+}
+
+impl Drawing {
+    /// All sheets in the order in which they are numbered: the page, the overview if it has a sheet of its own, the
+    /// key. As [`write_pdf`](crate::write_pdf) and [`write_dots`](crate::write_dots) take them.
+    #[must_use]
+    pub fn into_pages(self) -> Vec<Page> {
+        std::iter::once(self.page).chain(self.overview).chain(self.key).collect()
+    }
 }
 
 /// Makes the page of a picture. `watch` is told of every stage.

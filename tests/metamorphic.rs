@@ -1,6 +1,6 @@
 //! A picture turned, flipped or shifted must give the page turned, flipped or shifted: no direction is special.
 
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use crate::common::samples;
 use tactograph::internals::classes::{self, Class};
@@ -10,7 +10,7 @@ use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::raster::decode::{Options, Source, decode};
 use tactograph::internals::regions;
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
@@ -78,20 +78,12 @@ fn pictures() -> Vec<(String, Raster)> {
     samples::samples()
         .iter()
         .map(|path| {
-            let fonts = || Arc::new(usvg::fontdb::Database::new());
             let working_size = |source: Source| -> Result<Size, Error> {
                 let scale = (LONGEST as f32 / source.size.width.max(source.size.height) as f32).min(1.0);
                 let side = |pixels: u32| (pixels as f32 * scale) as u32;
                 Ok(Size::new(side(source.size.width), side(source.size.height)))
             };
-            let options = Options {
-                limits: Limits::default(),
-                fonts: &fonts,
-                crop: None,
-                page: None,
-                keep_text: false,
-                working_size: &working_size,
-            };
+            let options = Options { keep_text: false, ..Options::whole(&working_size) };
             let bytes = std::fs::read(path).expect("a sample can be read");
             let name = path.file_name().expect("it has a name").to_string_lossy().into_owned();
             (name, decode(&bytes, &options).expect("a sample can be decoded").raster)

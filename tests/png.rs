@@ -3,7 +3,7 @@
 use crate::common::page;
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
-use tactograph::internals::output::png::{Depth, Dpi, is_as_written, write};
+use tactograph::internals::output::png::{self as page_png, Depth, Dpi, is_as_written};
 use tactograph::internals::output::svg;
 use tactograph::{Error, Page};
 
@@ -16,6 +16,11 @@ fn page_on(sheet: &[(&str, &str)]) -> Page {
 
 fn dpi(dpi: u32) -> Dpi {
     Dpi::new(dpi).expect("in the range")
+}
+
+/// The PNG of a page without words in print, which need no fonts.
+fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
+    page_png::write(page, dpi, depth, Default::default())
 }
 
 struct Picture {

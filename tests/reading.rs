@@ -133,7 +133,7 @@ fn calibration_sheets_and_sheets_of_a_large_picture_come_back() {
     }
     let grid = "1x2".parse().expect("it is a grid");
     let sheets = tactograph::convert_to_sheets(&samples::read("coffee.png"), Some(grid), &Options::new(profile));
-    sheets.expect("there is room").pages.iter().for_each(|page| comes_back(page, "a sheet of several"));
+    sheets.expect("there is room").all().for_each(|page| comes_back(page, "a sheet of several"));
 }
 
 /// A page of a coffee cup, as an editor gets it.

@@ -131,8 +131,9 @@ fn covered(one: &Ink, other: &Ink, within: impl Fn(MmPoint) -> bool) -> (usize, 
 fn sheets_laid_by_their_ticks_agree_in_the_overlap() {
     for (name, swell) in [("coffee.png", "0"), ("landscape.svg", "0.2")] {
         let drawn = sheets(name, "2x2", &[("print.swell", swell)]);
-        assert_eq!(drawn.pages.len(), 5, "{name}: an overview and four sheets");
-        let pages = &drawn.pages[1..];
+        assert!(drawn.overview.is_some(), "{name}: no overview");
+        assert_eq!(drawn.pages.len(), 4, "{name}");
+        let pages = &drawn.pages;
         for (first, second, beside) in [(0, 1, true), (2, 3, true), (0, 2, false), (1, 3, false)] {
             let (way, middle) = laid(&pages[first], &pages[second], beside);
             let (here, there) = (ink(&pages[first], MmVector::zero()), ink(&pages[second], way));
@@ -162,7 +163,7 @@ fn sheets_laid_by_their_ticks_agree_in_the_overlap() {
 fn marks_keep_their_distance() {
     for (grid, settings) in [("2x2", &[][..]), ("3x1", &[("frame", "false")]), ("1x2", &[("mark", "false")])] {
         let drawn = sheets("coffee.png", grid, settings);
-        for page in &drawn.pages[1..] {
+        for page in &drawn.pages {
             let [width, height] = page.sheet;
             let inner = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(width - 10.0, height - 10.0));
             let label = &page.labels[0];
@@ -203,23 +204,23 @@ fn along(run: &Run) -> Vec<MmPoint> {
 #[test]
 fn more_sheets_make_the_picture_larger_and_nothing_else() {
     let widest = |drawn: &Sheets| {
-        let runs = drawn.pages[1..].iter().flat_map(|page| &page.figure.lines).flat_map(|line| &line.runs);
+        let runs = drawn.pages.iter().flat_map(|page| &page.figure.lines).flat_map(|line| &line.runs);
         runs.map(|run| run.width).fold(0.0, f32::max)
     };
     let total = |drawn: &Sheets, columns: usize| {
-        let row = &drawn.pages[1..=columns];
+        let row = &drawn.pages[..columns];
         let widths: f32 = row.iter().map(|page| page.figure.place.width()).sum();
         widths - OVERLAP * (columns - 1) as f32
     };
     let (two, three) = (sheets("coffee.png", "2x2", &[]), sheets("coffee.png", "3x3", &[]));
     assert!((widest(&two) - widest(&three)).abs() < ROUNDING);
     assert!(total(&three, 3) > 1.4 * total(&two, 2));
-    let names: Vec<&str> = two.pages.iter().map(|page| page.title.as_str()).collect();
+    let names: Vec<&str> = two.all().map(|page| page.title.as_str()).collect();
     let sheet = |name: &str| format!("coffee.png, sheet {name}");
     assert_eq!(names[0], "coffee.png, overview");
     assert_eq!(names[1..], [sheet("a1"), sheet("a2"), sheet("b1"), sheet("b2")]);
     // the labels differ and are read from left to right: the letter, the number sign, the digit
-    let labels: Vec<_> = two.pages[1..].iter().map(|page| page.labels[0].at.len()).collect();
+    let labels: Vec<_> = two.pages.iter().map(|page| page.labels[0].at.len()).collect();
     assert_eq!(labels, [1 + 4 + 1, 1 + 4 + 2, 2 + 4 + 1, 2 + 4 + 2]);
 }
 
@@ -234,7 +235,7 @@ fn what_the_sheets_do_not_need_is_not_done() {
     })
     .expect("there is room");
     assert_eq!(skipped, [Stage::Overview, Stage::Classes, Stage::Textures]);
-    assert_eq!(drawn.pages.len(), 2);
+    assert_eq!((drawn.overview.is_some(), drawn.pages.len()), (false, 2));
     assert!(drawn.pages.iter().all(|page| page.figure.textures.is_empty() && page.overview.is_none()));
 }
 
@@ -242,7 +243,7 @@ fn what_the_sheets_do_not_need_is_not_done() {
 fn widths_that_fit_are_kept_and_others_refused() {
     let wide = |width| Fit { width: Some(width), ..Fit::default() };
     let drawn = sheets_of("coffee.png", "2x2", &[], wide(280.0), &mut |_| ()).expect("there is room");
-    let widths: f32 = drawn.pages[1..=2].iter().map(|page| page.figure.place.width()).sum();
+    let widths: f32 = drawn.pages[..2].iter().map(|page| page.figure.place.width()).sum();
     assert!((widths - OVERLAP - 280.0).abs() < 0.01, "{widths}");
     let fault = sheets_of("coffee.png", "2x2", &[], wide(900.0), &mut |_| ()).expect_err("too wide");
     assert!(matches!(fault, Error::TooWide { .. }), "{fault}");
@@ -255,7 +256,7 @@ fn widths_that_fit_are_kept_and_others_refused() {
 fn an_empty_picture_is_told_once() {
     let drawn = sheets("empty.png", "2x2", &[]);
     assert_eq!(drawn.notes, [Note::EmptyPage]);
-    assert!(!drawn.pages.is_empty() && drawn.pages.iter().all(Page::is_empty));
+    assert!(!drawn.pages.is_empty() && drawn.all().all(Page::is_empty));
 }
 
 /// A square picture does not reach the outer two of four sheets in a row: the inner two have no ticks towards them.

@@ -19,11 +19,6 @@ fn sheets(picture: &str, grid: &str, options: &Options) -> Sheets {
     convert_to_sheets(&samples::read(picture), Some(grid), options).expect("there is room")
 }
 
-/// The sheets of the figure.
-fn of_figure(drawn: &Sheets) -> Vec<&Page> {
-    drawn.pages.iter().filter(|page| page.title.contains(", sheet ")).collect()
-}
-
 /// Every dot of a page's figure with its frame.
 fn dots(page: &Page) -> Vec<MmPoint> {
     let glyphs = page.figure.textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
@@ -52,9 +47,8 @@ fn sheets_of_dots_agree_in_their_overlap() {
     for (device, pitch) in [("index-basic-d", 2.5), ("viewplus-columbia", 1.27), ("braille-cells", 3.7)] {
         let options = Options::new(profile(device, &[("sheets.overlap", "40"), ("page.orientation", "portrait")]));
         let drawn = sheets("coffee.png", "2x1", &options);
-        let pages = of_figure(&drawn);
-        let [first, second] = pages[..] else { panic!("{device}: {} sheets", pages.len()) };
-        for page in &drawn.pages {
+        let [first, second] = &drawn.pages[..] else { panic!("{device}: {} sheets", drawn.pages.len()) };
+        for page in drawn.all() {
             let Medium::Dots(medium) = &page.medium else { panic!("{device}: a printed page") };
             let DotArea::Grid(grid) = &medium.area else { panic!("{device}: no grid") };
             let is_dot = |at: &MmPoint| {
@@ -94,8 +88,8 @@ fn sheets_of_dots_pass_the_check() {
     {
         let options = Options::new(profile(device, &[])).title("A cup of coffee").page_number(3);
         let drawn = sheets("coffee.png", grid, &options);
-        assert!(of_figure(&drawn).len() >= 2, "{device}");
-        for page in drawn.pages.iter().chain(&drawn.key) {
+        assert!(drawn.pages.len() >= 2, "{device}");
+        for page in drawn.all() {
             let svg = page.to_svg();
             let checked = tactograph::check(&svg, None).expect("a page");
             let errors: Vec<String> = checked
@@ -125,10 +119,10 @@ fn words_stand_on_several_sheets() {
         let options = Options::new(profile(device, &[("braille.align", align)]));
         let options = options.title("Rain").page_number(7).labels(labels.clone()).key(KeySheets::Always);
         let drawn = sheets("bars.svg", "2x2", &options);
-        assert_eq!(of_figure(&drawn).len(), 4, "{device}");
+        assert_eq!(drawn.pages.len(), 4, "{device}");
         assert!(!drawn.key.is_empty(), "{device}: no key");
         assert!(drawn.key.iter().all(|page| page.title == "Rain, key"), "{device}");
-        for (number, page) in (7..).zip(&drawn.pages) {
+        for (number, page) in (7..).zip(drawn.overview.iter().chain(&drawn.pages)) {
             let of = |role: TextRole| page.braille.iter().filter(move |text| text.role == role);
             let title: Vec<&str> = of(TextRole::Title).map(|text| text.text.as_str()).collect();
             assert_eq!(title, ["Rain"], "{device}, {}", page.title);

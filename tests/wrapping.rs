@@ -95,7 +95,7 @@ fn question_marks_work_from_a_name_to_a_page() {
         let options = Options::new(profile).crop("0,0,100%,50%".parse()?);
         let page = tactograph::convert(&png(), &options)?.page;
         tactograph::feel(page.to_svg(), 1.0)?;
-        page.to_png(96.try_into()?, Default::default())
+        page.to_png(96.try_into()?, Default::default(), &Fonts::none())
     }
     assert!(all().is_ok_and(|png| png.starts_with(b"\x89PNG")));
     fn boxed() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
@@ -104,6 +104,11 @@ fn question_marks_work_from_a_name_to_a_page() {
     }
     let told = boxed().expect_err("there is no such profile").to_string();
     assert!(told.contains("swell-a4"), "{told}");
+    let refused = tactograph::convert(b"", &options()).expect_err("an empty file");
+    assert_eq!(
+        (refused.id(), Error::NotACrop.id(), Error::Profile(Vec::new()).id()),
+        ("empty", "not-a-crop", "profile")
+    );
 }
 
 #[test]

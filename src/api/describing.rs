@@ -36,7 +36,7 @@ pub fn describe(
         read.page
     } else {
         let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-        pipeline::made_ready(&read, &plan)?.page
+        pipeline::adapted(&read, &plan)?.page
     };
     Ok(description::describe(&page, &checked.verdict, wording))
 }

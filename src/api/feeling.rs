@@ -24,8 +24,9 @@ pub struct Felt {
 /// let page = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page;
 /// let felt = tactograph::feel(page.to_svg(), 1.0)?;
 /// for class in &felt.report().classes {
-///     println!("{}: {:.0} % of what is judged is felt right", class.class.name(), 100.0 *
-///     class.areas.right_of_judged()); }
+///     let right = 100.0 * class.areas.right_of_judged();
+///     println!("{}: {right:.0} % of what is judged is felt right", class.class.name());
+/// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

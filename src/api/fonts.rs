@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use usvg::fontdb::{Database, Family, Query};
 
-/// Fonts for the text of SVG drawings; other pictures need none. They are read when the first drawing with text needs
-/// them, and once: clones share them.
+/// Fonts for the text of SVG drawings, and for words in print of a page that is written as PNG; nothing else needs any.
+/// They are read when they are first needed, and once: clones share them.
 ///
 /// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells.
 #[derive(Clone, Default)]

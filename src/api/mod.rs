@@ -77,10 +77,11 @@ pub fn convert_to_sheets<'p>(
         sheets::convert(picture, &options.words(), &options.given, grid, request, &mut |event| options.tell(event))
     })?;
     // The maker's words are about the picture, which all sheets show together.
-    let pages = drawn.pages.into_iter().map(|page| options.with_words(page, None)).collect();
+    let worded = |page: Page| options.with_words(page, None);
+    let (overview, pages) = (drawn.overview.map(worded), drawn.pages.into_iter().map(worded).collect());
     let of_key = options.own_title().map(pipeline::title_of_key);
     let key = drawn.key.into_iter().map(|page| page.called(of_key.as_deref(), None, None)).collect();
-    Ok(Sheets { pages, key, ..drawn })
+    Ok(Sheets { overview, pages, key, ..drawn })
 }
 
 /// Finds the contours of a picture, as data: for programs that go on with them. Lines that are given or added, and what

@@ -277,7 +277,8 @@ impl Options {
         self
     }
 
-    /// Fonts for drawings with text. Default: [`Fonts::none`].
+    /// Fonts for drawings with text; a PNG with words in print is [given them](crate::Page::to_png) again. Default:
+    /// [`Fonts::none`].
     pub fn fonts(mut self, fonts: Fonts) -> Self {
         self.fonts = fonts;
         self

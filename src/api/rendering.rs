@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::page::Page;
-use crate::pipeline::{self, Drawing, Fit, Key as KeySheets, Ready, Request};
+use crate::pipeline::{self, Adapted, Drawing, Fit, Key as KeySheets, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading;
@@ -45,10 +45,7 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
     let mut read = reading::read(svg.as_ref())?;
     let mut notes = std::mem::take(&mut read.notes);
     let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-    let Ready { page, lines, notes: more } = pipeline::made_ready(&read, &own)?;
-    // words are placed anew for another profile
-    let stays = |note: &Note| profile.is_none() || note.about() != Some(About::Print);
-    notes.extend(more.into_iter().filter(stays));
+    let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own)?;
     let request = |plan, mirrored| Request {
         plan,
         limits: Limits::default(),
@@ -59,21 +56,18 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
         cancelled: &|| false,
     };
     let Some(profile) = profile else {
+        notes.extend(more.into_iter().chain(of_places));
         // the abbreviations that were there before have their key already
-        let has_new = notes.iter().any(|note| matches!(note, Note::Abbreviated(_)));
-        let key = if key == KeySheets::Auto && !has_new { KeySheets::Never } else { key };
+        let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
         let (key, of_key) = pipeline::key_of_page(&page, key, &request(&own, page.is_mirrored()))?;
         notes.extend(of_key);
         let key = in_language(key, &page);
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
     };
     let plan = Plan::new(profile)?;
-    // words are placed anew
-    let of_places = |note: &Note| {
-        use About::{Braille, Leaders, Print};
-        matches!(note, Note::Faulty(Braille, _) | Note::TakenAs(Braille | Leaders | Print, _) | Note::Abbreviated(_))
-    };
-    notes.retain(|note| !of_places(note));
+    // words are placed anew, wherever they stand on the page
+    notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
+    notes.extend(more);
     let mut drawing = pipeline::redraw((&page, &lines), &own, key, &request(&plan, false), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());

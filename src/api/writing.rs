@@ -1,5 +1,8 @@
 //! Pages and traces to bytes.
 
+use std::sync::Arc;
+
+use super::fonts::Fonts;
 use crate::contours::Trace;
 use crate::output::dots::{gcode, pef};
 use crate::output::png::{Depth, Dpi};
@@ -23,32 +26,34 @@ impl Page {
     }
 
     /// A PNG picture that says how large it is, for printers and displays. A page of a device with heights is grey,
-    /// whatever the `depth`: black and white would make heights all or nothing.
+    /// whatever the `depth`: black and white would make heights all or nothing. `fonts` are for words in print beside
+    /// their braille (`braille.print` of a profile); without a font they are left out, as [`Page::not_in_png`] tells.
     ///
     /// # Errors
     /// [`Error::TooFine`] if that would be more than 400 megapixels.
-    pub fn to_png(&self, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
-        png::write(self, dpi, depth)
+    pub fn to_png(&self, dpi: Dpi, depth: Depth, fonts: &Fonts) -> Result<Vec<u8>, Error> {
+        let fonts = if self.print.is_empty() { Arc::default() } else { fonts.database() };
+        png::write(self, dpi, depth, fonts)
     }
 
-    /// What of the page a PNG made on this machine would lack: words in print, where no fonts are installed. None if it
+    /// What of the page a PNG made with these fonts would lack: words in print, where there are no fonts. None if it
     /// has all.
     #[must_use]
-    pub fn not_in_png(&self) -> Option<Note> {
-        let why = "words in print (braille.print): no fonts are installed on this machine; write a PDF, or install one";
-        let lacks = !self.print.is_empty() && !png::has_fonts();
+    pub fn not_in_png(&self, fonts: &Fonts) -> Option<Note> {
+        let why = "words in print (braille.print): there are no fonts for them; install one, or write a PDF";
+        let lacks = !self.print.is_empty() && fonts.database().is_empty();
         lacks.then_some(Note::NotInPng(why))
     }
 
-    /// The page in a format of drawings that is chosen while the program runs. `dpi` and `depth` are for PNG.
+    /// The page in a format of drawings that is chosen while the program runs. `dpi`, `depth` and `fonts` are for PNG.
     ///
     /// # Errors
     /// As [`Page::to_png`].
-    pub fn to_drawing(&self, format: DrawingFormat, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
+    pub fn to_drawing(&self, format: DrawingFormat, dpi: Dpi, depth: Depth, fonts: &Fonts) -> Result<Vec<u8>, Error> {
         match format {
             DrawingFormat::Svg => Ok(self.to_svg().into_bytes()),
             DrawingFormat::Pdf => Ok(self.to_pdf()),
-            DrawingFormat::Png => self.to_png(dpi, depth),
+            DrawingFormat::Png => self.to_png(dpi, depth, fonts),
         }
     }
 

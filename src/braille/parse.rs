@@ -89,21 +89,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
             }
         }
         "sign" => {
-            let mut sides = part(1)?.chars();
-            let (left, right) = sides.next().zip(sides.next()).ok_or("a sign without neighbours")?;
-            let flags = parts.get(3..).unwrap_or_default();
-            if let Some(flag) = flags.iter().find(|flag| !["number", "<", ">"].contains(flag)) {
-                return Err(format!("no such thing as {flag}"));
-            }
-            let has = |flag| flags.contains(&flag);
-            let rule = Rule {
-                left,
-                right,
-                cells: cells(part(2)?)?,
-                in_number: has("number"),
-                joins_left: has("<"),
-                joins_right: has(">"),
-            };
+            let rule = rule(part(1)?, part(2)?, parts.get(3..).unwrap_or_default())?;
             let sign = part(0)?;
             table.longest = table.longest.max(sign.chars().count());
             table.signs.entry(sign.to_owned()).or_default().push(rule);
@@ -111,6 +97,18 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
         _ => return Err(format!("no such word as {word}")),
     }
     Ok(())
+}
+
+/// How a sign is written between its two neighbours, and what else it does.
+fn rule(neighbours: &str, dots: &str, flags: &[&str]) -> Result<Rule, String> {
+    let mut sides = neighbours.chars();
+    let (left, right) = sides.next().zip(sides.next()).ok_or("a sign without neighbours")?;
+    if let Some(flag) = flags.iter().find(|flag| !["number", "<", ">"].contains(flag)) {
+        return Err(format!("no such thing as {flag}"));
+    }
+    let has = |flag| flags.contains(&flag);
+    let (in_number, joins_left, joins_right) = (has("number"), has("<"), has(">"));
+    Ok(Rule { left, right, cells: cells(dots)?, in_number, joins_left, joins_right })
 }
 
 fn cells(text: &str) -> Result<Vec<u8>, String> {

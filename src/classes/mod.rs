@@ -5,7 +5,7 @@
 //!   -> clean (small components, undecided components) -> Classes
 //! ```
 //!
-//! Of photographs, `settle` then makes them agree with the outlines that are drawn.
+//! Of photographs, `unify` then makes them agree with the outlines that are drawn.
 //!
 //! All of it is done on cells of about a millimetre: a texture cannot show finer detail.
 
@@ -13,7 +13,7 @@ mod blur;
 mod class;
 mod clean;
 mod hue;
-mod settle;
+mod unify;
 
 use hue::Membership;
 
@@ -23,7 +23,7 @@ use crate::units::{PxPoint, Size};
 
 pub use class::{Class, Classes, Params, Region};
 pub use hue::{class_of, leaning};
-pub use settle::settle;
+pub use unify::unify_areas;
 
 /// Sorts the colours of a picture. The blur stops at `contours`, polylines in pixels; without any it is an ordinary
 /// one.

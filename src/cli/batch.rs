@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
-use tactograph::{Error, Fonts, Note, Options, Profile};
+use tactograph::{Error, Note, Options, Profile};
 
 use super::args::Shared;
 use super::output::Existing;
@@ -108,13 +108,9 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
             return exit;
         }
     };
-    // of a run that goes on they are told at its beginning, when there are no pictures yet
-    let tells_unused = matches!(product, Product::Page(_)) && (session.is_none() || jobs.is_empty());
-    let unused = if tells_unused { profile.unused() } else { Vec::new() };
-    let mut notes = order.notes.clone();
-    notes.extend(unused.into_iter().map(|key| (key.place, key.what)));
+    let notes = notes_before(order, &jobs, &profile);
     let mut record = Record::new(&profile.name, product.name(), &notes);
-    let options = Options::new(profile).limits(shared.limits()).fonts(Fonts::system());
+    let options = Options::new(profile).limits(shared.limits()).fonts(sheets::installed_fonts().clone());
     let options = session.iter().fold(options, |options, session| {
         let stop = Arc::clone(&session.stop);
         options.cancelled(move || stop.load(Ordering::Relaxed))
@@ -153,6 +149,16 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
         return Exit::Failed;
     }
     if failed.is_empty() { Exit::Done } else { Exit::Failed }
+}
+
+/// What is told before the first picture: what is known of their words, and keys that do not count.
+fn notes_before(order: &Order<'_>, jobs: &[Job], profile: &Profile) -> Vec<(String, String)> {
+    // of a run that goes on they are told at its beginning, when there are no pictures yet
+    let tells_unused = matches!(order.product, Product::Page(_)) && (order.session.is_none() || jobs.is_empty());
+    let unused = if tells_unused { profile.unused() } else { Vec::new() };
+    let mut notes = order.notes.clone();
+    notes.extend(unused.into_iter().map(|key| (key.place, key.what)));
+    notes
 }
 
 /// The jobs and the checked profile; the directory for the results is made. Otherwise everything that is wrong was

@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use tactograph::{
-    Drawing, Error, Options, Page, Profile, convert, convert_to_sheets, profile_of_page, render_with_key,
+    Drawing, Error, Note, Options, Page, Profile, convert, convert_to_sheets, profile_of_page, render_with_key,
 };
 
-use super::args::{Convert, Corrections};
-use super::batch::{self, Input, Made, Order};
+use super::args::{Chosen, Convert, Corrections, GivenLabels};
+use super::batch::{self, Made, Order};
 use super::product::{Format, Product};
 use super::report::Exit;
 use super::session::Session;
+use super::timings::Timings;
 use super::titles::Titles;
 use super::{dots, louis, record, sheets, tesseract, watch};
 
@@ -36,45 +37,13 @@ struct Asked {
     language: OnceLock<Result<String, String>>,
 }
 
-fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_programs: &Asked) -> Exit {
+fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, asked: &Asked) -> Exit {
     let (chosen, mut faults) = args.writing.choose(args.output.as_deref());
-    faults.extend(args.faults_of_words());
-    faults.extend(args.subject.check().err());
-    let labels = args.labels.read().unwrap_or_else(|more| {
-        faults.extend(more);
-        Default::default()
+    let given = Given::read(args, pictures, session, &mut faults);
+    let ocr = asked.language_of_texts(args).unwrap_or_else(|fault| {
+        faults.push(fault);
+        None
     });
-    let corrections = args.correcting.read(pictures.len(), args.running.watch.is_some()).unwrap_or_else(|more| {
-        faults.extend(more);
-        Corrections::default()
-    });
-    let titles = args.words.titles.as_deref().map_or_else(|| Ok(Titles::default()), Titles::read);
-    let titles = titles.unwrap_or_else(|more| {
-        faults.extend(more);
-        Titles::default()
-    });
-    faults.extend(titles.faults(pictures));
-    let mut notes = Vec::new();
-    if args.words.titles.is_some() {
-        notes.extend(titles.without_row(pictures));
-        // of pictures that are saved one by one, the other rows may be of those to come
-        notes.extend(if session.is_none() { titles.without_picture(pictures) } else { Vec::new() });
-    }
-    // what is wrong with a file of lines is told before any picture is looked at
-    if let Some((path, error)) = trial(&corrections) {
-        faults.push(format!("{}: {error}", path.display()));
-    }
-    let table = |profile: &Profile| {
-        let asked = args.labels.braille_table.as_deref();
-        let has_words = args.words.has_title() || args.labels.are_given();
-        let wanted = || if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) };
-        other_programs.table.get_or_init(wanted).clone()
-    };
-    let language = || tesseract::language(args.words.language());
-    let of_texts = match args.labels.ocr {
-        true => other_programs.language.get_or_init(language).clone().map_err(|fault| faults.push(fault)).ok(),
-        false => None,
-    };
     let order = Order {
         product: Product::Page(chosen.format),
         pictures,
@@ -84,46 +53,140 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_
         report: args.running.report.as_deref(),
         session,
         faults,
-        notes,
+        notes: given.notes(args, pictures, session),
         changes: args.fitting.changes(),
         shared: &args.shared,
         check: &|profile| {
             let mut faults = dots::faults(chosen.format, profile, &args.embossing);
-            faults.extend(table(profile).err());
+            faults.extend(asked.table(args, profile).err());
             faults
         },
     };
-    batch::run(&order, |&Input { job, bytes, options, timings }| {
-        let options = titles.add_to(args.words.add_to(options.clone()), &job.picture);
-        let options = labels.add_to(args.fitting.add_to(options));
-        let options = corrections.add_to(args.subject.add_to(options)).map_err(|(_, error)| error)?;
-        let options = table(options.profile())
-            .ok()
-            .flatten()
-            .into_iter()
-            .fold(options, |options, table: String| options.translator(move |text| louis::translate(&table, text)));
-        let options = of_texts.iter().fold(options, |options, language| {
-            let language = language.clone();
-            options.text_reader(move |lines| tesseract::read(&language, lines))
-        });
+    batch::run(&order, |input| {
+        let table = asked.table(args, input.options.profile()).ok().flatten();
+        let options = given.add_to(input.options.clone(), args, &input.job.picture)?;
+        let drawn = Drawn::of(input.bytes, &with_programs(options, table, ocr.as_ref()), args, &given, session)?;
+        drawn.written(args, chosen, input.timings)
+    })
+}
+
+impl Asked {
+    /// The table of liblouis, where there is anything to write.
+    fn table(&self, args: &Convert, profile: &Profile) -> Result<Option<String>, String> {
+        let asked = args.labels.braille_table.as_deref();
+        let has_words = args.words.has_title() || args.labels.are_given();
+        let wanted = || if has_words { louis::wanted(asked, profile, args.words.language()) } else { Ok(None) };
+        self.table.get_or_init(wanted).clone()
+    }
+
+    /// What Tesseract calls the language of texts in pixels; none where it is not to read any.
+    fn language_of_texts(&self, args: &Convert) -> Result<Option<String>, String> {
+        if !args.labels.ocr {
+            return Ok(None);
+        }
+        self.language.get_or_init(|| tesseract::language(args.words.language())).clone().map(Some)
+    }
+}
+
+/// The options with the programs that write words and read texts.
+fn with_programs(options: Options, table: Option<String>, language: Option<&String>) -> Options {
+    let options = match table {
+        Some(table) => options.translator(move |text| louis::translate(&table, text)),
+        None => options,
+    };
+    match language.cloned() {
+        Some(language) => options.text_reader(move |lines| tesseract::read(&language, lines)),
+        None => options,
+    }
+}
+
+/// What is given in files beside the pictures.
+struct Given {
+    labels: GivenLabels,
+    corrections: Corrections,
+    titles: Titles,
+}
+
+impl Given {
+    /// Reads the files; adds what is wrong with them, and with the words, to `faults`.
+    fn read(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, faults: &mut Vec<String>) -> Self {
+        fn or_told<T: Default>(read: Result<T, Vec<String>>, faults: &mut Vec<String>) -> T {
+            read.unwrap_or_else(|more| {
+                faults.extend(more);
+                T::default()
+            })
+        }
+        faults.extend(args.faults_of_words());
+        faults.extend(args.subject.check().err());
+        let labels = or_told(args.labels.read(), faults);
+        let corrections = or_told(args.correcting.read(pictures.len(), session.is_some()), faults);
+        let titles = args.words.titles.as_deref().map_or_else(|| Ok(Titles::default()), Titles::read);
+        let titles = or_told(titles, faults);
+        faults.extend(titles.faults(pictures));
+        // what is wrong with a file of lines is told before any picture is looked at
+        if let Some((path, error)) = trial(&corrections) {
+            faults.push(format!("{}: {error}", path.display()));
+        }
+        Self { labels, corrections, titles }
+    }
+
+    /// What is told of titles without a picture and of pictures without a title.
+    fn notes(&self, args: &Convert, pictures: &[PathBuf], session: Option<&Session>) -> Vec<(String, String)> {
+        if args.words.titles.is_none() {
+            return Vec::new();
+        }
+        // of pictures that are saved one by one, the other rows may be of those to come
+        let alone = if session.is_none() { self.titles.without_picture(pictures) } else { Vec::new() };
+        [self.titles.without_row(pictures), alone].concat()
+    }
+
+    fn add_to(&self, options: Options, args: &Convert, picture: &Path) -> Result<Options, Error> {
+        let options = self.titles.add_to(args.words.add_to(options), picture);
+        let options = self.labels.add_to(args.fitting.add_to(options));
+        self.corrections.add_to(args.subject.add_to(options)).map_err(|(_, error)| error)
+    }
+}
+
+/// The pages of a picture.
+struct Drawn {
+    /// What they are called together.
+    title: String,
+    pages: Vec<Page>,
+    notes: Vec<Note>,
+}
+
+impl Drawn {
+    fn of(
+        bytes: &[u8],
+        options: &Options,
+        args: &Convert,
+        given: &Given,
+        session: Option<&Session>,
+    ) -> Result<Self, Error> {
         let drawn = if args.fitting.is_for_several_sheets(options.profile()) {
-            convert_to_sheets(bytes, args.fitting.sheets, &options)
-                .map(|drawn| ([drawn.pages, drawn.key].concat(), drawn.notes))
+            let drawn = convert_to_sheets(bytes, args.fitting.sheets, options);
+            drawn.map(|mut drawn| (std::mem::take(&mut drawn.notes), drawn.into_pages()))
         } else {
-            convert(bytes, &options).map(|drawing| (pages_of(&drawing), drawing.notes))
+            convert(bytes, options).map(notes_and_pages)
         };
         let mut title = options.document_title().to_owned();
-        let (pages, mut notes) = match drawn {
+        let (notes, pages) = match drawn {
             // a page that is saved into a watched directory was changed by somebody
             Err(Error::IsAPage) if session.is_some() => {
                 let own = profile_of_page(bytes)?;
                 let other = Some(options.profile()).filter(|profile| profile.name != own.name);
-                let drawing = render_with_key(bytes, other, labels.key())?;
+                let drawing = render_with_key(bytes, other, given.labels.key())?;
                 title = drawing.page.title.clone();
-                (pages_of(&drawing), drawing.notes)
+                notes_and_pages(drawing)
             }
             drawn => drawn?,
         };
+        Ok(Self { title, pages, notes })
+    }
+
+    /// The files of the pages, with what is told of them.
+    fn written(self, args: &Convert, chosen: Chosen, timings: &Timings) -> Result<Made, Error> {
+        let Self { title, pages, mut notes } = self;
         notes.extend(sheets::not_in(&pages, [Some(chosen.format), chosen.preview.map(Format::Drawing)]));
         let describe = |page: &Page| tactograph::describe(page.to_svg(), None, None).map(|told| told.to_string());
         let description = match args.describe {
@@ -142,12 +205,11 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, other_
             Ok::<_, Error>((files, previews))
         })?;
         Ok(Made { files, previews, sheets: pages.len(), notes, checked, description })
-    })
+    }
 }
 
-/// All pages of a picture, the figure first.
-fn pages_of(drawing: &Drawing) -> Vec<Page> {
-    [&drawing.page].into_iter().chain(&drawing.overview).chain(&drawing.key).cloned().collect()
+fn notes_and_pages(mut drawing: Drawing) -> (Vec<Note>, Vec<Page>) {
+    (std::mem::take(&mut drawing.notes), drawing.into_pages())
 }
 
 /// What is wrong with the files of a person's corrections.

@@ -43,10 +43,7 @@ impl Change {
             Some((key, value)) if !key.trim().is_empty() => {
                 profile.set_from(key, value, &self.option).map_err(faults_of)
             }
-            _ => Err(vec![Fault {
-                place: self.option.clone(),
-                what: "write it as key=value, such as lines.width_max=1.2".into(),
-            }]),
+            _ => Err(vec![Fault::new(&self.option, "write it as key=value, such as lines.width_max=1.2")]),
         }
     }
 }
@@ -86,7 +83,7 @@ pub(super) fn profile(profile: &str, changes: &[Change]) -> Result<Profile, Vec<
 pub(super) fn faults_of(error: Error) -> Vec<Fault> {
     match error {
         Error::Profile(faults) => faults,
-        other => vec![Fault { place: "profile".to_owned(), what: other.to_string() }],
+        other => vec![Fault::new("profile", other.to_string())],
     }
 }
 
@@ -102,7 +99,7 @@ pub(super) fn load(profile: &str) -> Result<Profile, Vec<Fault>> {
             faults
         });
     }
-    let text = text_of(profile).map_err(|what| vec![Fault { place: profile.to_owned(), what }])?;
+    let text = text_of(profile).map_err(|what| vec![Fault::new(profile, what)])?;
     let inherited = |path: &str| text_of(path).map_err(|why| format!("{path}: {why}"));
     Profile::from_toml_with(&text, profile, &inherited).map_err(faults_of)
 }

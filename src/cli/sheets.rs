@@ -1,8 +1,9 @@
 //! Pages that belong together, as files: one for all, or files with numbers where a format holds one sheet.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
-use tactograph::{Embossing, Error, Note, Page, write_dots, write_pdf};
+use tactograph::{Embossing, Error, Fonts, Note, Page, write_dots, write_pdf};
 
 use super::args::Chosen;
 use super::interrupt;
@@ -27,6 +28,12 @@ pub(super) struct Failure {
 /// What becomes of the file at a name that the program made up.
 pub(super) type MadeUp<'a> = &'a dyn Fn(&Path) -> Existing;
 
+/// The fonts of this machine, found once for all pictures.
+pub(super) fn installed_fonts() -> &'static Fonts {
+    static FONTS: OnceLock<Fonts> = OnceLock::new();
+    FONTS.get_or_init(Fonts::system)
+}
+
 /// Pages that are called `title` together, in a format: one file, or one for each page.
 ///
 /// # Errors
@@ -38,7 +45,7 @@ pub(super) fn encode(
     chosen: Chosen,
     embossing: Embossing,
 ) -> Result<Vec<Vec<u8>>, Error> {
-    let drawn = |page: &Page, format| page.to_drawing(format, chosen.dpi, chosen.depth);
+    let drawn = |page: &Page, format| page.to_drawing(format, chosen.dpi, chosen.depth, installed_fonts());
     match (format, pages) {
         (Format::Dots(format), pages) => write_dots(title, pages, format, embossing),
         (Format::Drawing(format), [page]) => drawn(page, format).map(|file| vec![file]),
@@ -50,7 +57,7 @@ pub(super) fn encode(
 /// What pages have that is not in their files of these formats; told once.
 pub(super) fn not_in(pages: &[Page], formats: [Option<Format>; 2]) -> Option<Note> {
     let has_png = formats.contains(&Some(Format::Drawing(DrawingFormat::Png)));
-    pages.iter().filter(|_| has_png).find_map(Page::not_in_png)
+    pages.iter().filter(|_| has_png).find_map(|page| page.not_in_png(installed_fonts()))
 }
 
 /// Where the files go: one to its target, several to names with numbers.

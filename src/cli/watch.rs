@@ -5,11 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant, SystemTime};
 
 use notify::event::{AccessKind, AccessMode};
-use notify::{Event, EventKind, RecursiveMode, Watcher};
+use notify::{Event, EventKind, RecommendedWatcher, RecursiveMode, Watcher};
 
 use super::report::{Exit, Report};
 use super::session::Session;
@@ -39,14 +39,10 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
     let report = Report::of_pictures(1, quiet);
     let name = dir.display().to_string();
     let session = Session::default();
-    let whole = match fs::canonicalize(dir) {
-        Ok(whole) if whole.is_dir() => whole,
-        Ok(_) => {
-            report.error(&name, "this is no directory; name the one into which pictures are saved");
-            return Exit::Usage;
-        }
-        Err(_) => {
-            report.error(&name, "there is no such directory; make it, or check the name");
+    let whole = match directory(dir) {
+        Ok(whole) => whole,
+        Err(why) => {
+            report.error(&name, why);
             return Exit::Usage;
         }
     };
@@ -55,24 +51,14 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
         return exit;
     }
     let since = SystemTime::now();
-    let (send, receive) = mpsc::channel();
-    let (stop, stopped) = (Arc::clone(&session.stop), send.clone());
-    let on_stop = ctrlc::set_handler(move || {
-        stop.store(true, Ordering::Relaxed);
-        let _ = stopped.send(Told::Stop); // nobody listens: it has ended already
-    });
-    let watcher = notify::recommended_watcher(move |event| drop(send.send(Told::Of(event))));
-    let watching = watcher.and_then(|mut watcher| watcher.watch(&whole, RecursiveMode::NonRecursive).map(|()| watcher));
-    let _watcher = match (watching, on_stop) {
-        (Ok(watcher), Ok(())) => watcher,
-        (Err(error), _) => {
-            report.error(
-                &name,
-                &format!("the system does not tell what is saved here ({error}); choose another directory"),
-            );
+    let (_watcher, receive) = match watch(&whole, &session) {
+        Ok(watching) => watching,
+        Err(Refused::Watching(error)) => {
+            let why = format!("the system does not tell what is saved here ({error}); choose another directory");
+            report.error(&name, &why);
             return Exit::Failed;
         }
-        (_, Err(error)) => {
+        Err(Refused::Stopping(error)) => {
             report.usage(&format!("the program could not be stopped with Ctrl-C ({error}), so it does not begin"));
             return Exit::Failed;
         }
@@ -94,15 +80,7 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
             report.error(&name, "this directory is gone; make it, and begin again");
             break Exit::Failed;
         }
-        // messages name files as the user would
-        let short = |path: PathBuf| path.file_name().map_or_else(|| path.clone(), |name| dir.join(name));
-        let settled = waiting.take_settled().into_iter().map(short);
-        let (pictures, others): (Vec<PathBuf>, Vec<PathBuf>) =
-            settled.filter(|path| is_news(path, &session)).partition(|path| is_picture(path));
-        for other in others {
-            let what = "passed over, as its name does not end like that of a picture or a page";
-            report.note(&other.display().to_string(), what);
-        }
+        let pictures = waiting.take_pictures(dir, &session, &report);
         if !pictures.is_empty() {
             convert(&pictures, &session);
         }
@@ -114,6 +92,36 @@ pub(super) fn run(dir: &Path, quiet: bool, convert: &dyn Fn(&[PathBuf], &Session
     if failed > 0 { Exit::Failed } else { ended }
 }
 
+/// The whole path of a directory, or what to do where it is none.
+fn directory(dir: &Path) -> Result<PathBuf, &'static str> {
+    match fs::canonicalize(dir) {
+        Ok(whole) if whole.is_dir() => Ok(whole),
+        Ok(_) => Err("this is no directory; name the one into which pictures are saved"),
+        Err(_) => Err("there is no such directory; make it, or check the name"),
+    }
+}
+
+/// Why the program cannot begin.
+enum Refused {
+    Watching(notify::Error),
+    Stopping(ctrlc::Error),
+}
+
+/// Has the system tell what is saved into a directory for as long as the watcher lives, and when the session is to end.
+fn watch(whole: &Path, session: &Session) -> Result<(RecommendedWatcher, Receiver<Told>), Refused> {
+    let (send, receive) = mpsc::channel();
+    let (stop, stopped) = (Arc::clone(&session.stop), send.clone());
+    let watcher = notify::recommended_watcher(move |event| drop(send.send(Told::Of(event))));
+    let mut watcher = watcher.map_err(Refused::Watching)?;
+    watcher.watch(whole, RecursiveMode::NonRecursive).map_err(Refused::Watching)?;
+    let on_stop = ctrlc::set_handler(move || {
+        stop.store(true, Ordering::Relaxed);
+        let _ = stopped.send(Told::Stop); // nobody listens: it has ended already
+    });
+    on_stop.map_err(Refused::Stopping)?;
+    Ok((watcher, receive))
+}
+
 fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
@@ -123,6 +131,20 @@ fn counted(count: usize, noun: &str) -> String {
 struct Waiting(BTreeMap<PathBuf, Instant>);
 
 impl Waiting {
+    /// The pictures that have settled and are not the program's own; what else has settled is told.
+    fn take_pictures(&mut self, dir: &Path, session: &Session, report: &Report) -> Vec<PathBuf> {
+        // messages name files as the user would
+        let short = |path: PathBuf| path.file_name().map_or_else(|| path.clone(), |name| dir.join(name));
+        let settled = self.take_settled().into_iter().map(short);
+        let (pictures, others): (Vec<PathBuf>, Vec<PathBuf>) =
+            settled.filter(|path| is_news(path, session)).partition(|path| is_picture(path));
+        for other in others {
+            let what = "passed over, as its name does not end like that of a picture or a page";
+            report.note(&other.display().to_string(), what);
+        }
+        pictures
+    }
+
     fn add(&mut self, event: &Event) {
         let changes = match event.kind {
             EventKind::Access(kind) => kind == AccessKind::Close(AccessMode::Write),

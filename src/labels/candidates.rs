@@ -22,7 +22,7 @@ pub(super) struct Candidate {
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
 /// beside what they name; chosen by us, because two cells on a line are a fingertip's width apart.
-const NEAR: f32 = 12.0;
+pub const NEAR: f32 = 12.0;
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
 const FAR: f32 = 37.5;
 /// Blank between a label and its own leader line, mm.
@@ -273,7 +273,7 @@ pub(super) fn better(
         if !is_whole || !around.room.is_free(place) {
             continue;
         }
-        let least = best.as_ref().map_or(now.cost - WORTH, |best| best.cost);
+        let least = best.as_ref().map_or(now.cost - WORTH_A_MOVE, |best| best.cost);
         let found = candidate(label, now.form, form, place, around);
         if let Some(found) = found.filter(|found| found.cost < least && free(found)) {
             best = Some(found);
@@ -283,7 +283,7 @@ pub(super) fn better(
 }
 
 /// By how much a place has to be better for a label to be moved to it, mm.
-const WORTH: f32 = 0.1;
+const WORTH_A_MOVE: f32 = 0.1;
 
 fn corners(place: MmRect) -> [MmPoint; 4] {
     let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];

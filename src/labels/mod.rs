@@ -14,7 +14,9 @@ mod forms;
 mod placed;
 mod room;
 
+pub use candidates::NEAR;
 pub use choose::{Choice, choose};
+pub use forms::LONGEST;
 pub use placed::{Params, Placed, Unplaced, Wanted};
 
 use crate::braille::Translator;
@@ -29,13 +31,11 @@ pub const MOST: usize = 300;
 
 /// Labels have less blank between them where they lie nearer to what they name by this, all of them together, mm: in a
 /// row under the bars of a chart each is below its bar.
-const WORTH: f32 = 8.0;
+const WORTH_LESS_BLANK: f32 = 8.0;
 
 /// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some
 /// mm apart. A row of five that stand a little too near together needs three rounds.
 const ROUNDS: usize = 6;
-
-pub use forms::LONGEST;
 
 /// The labels in the order in which they were wanted, each with its place or the reason why it has none.
 pub fn place(
@@ -55,40 +55,69 @@ pub fn place(
         Err(_) => Vec::new(),
     };
     let candidates: Vec<Vec<Candidate>> = wanted.iter().zip(&around).zip(&forms).map(candidates_of).collect();
+    let (chosen, spacing) = chosen(&candidates, &forms, cells);
+    let chosen = chosen.into_iter().zip(candidates);
+    let mut chosen: Vec<Option<Candidate>> =
+        chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
+    move_nearer(&mut chosen, wanted, &forms, &around, (cells, spacing));
+    let placed = forms.into_iter().zip(chosen).map(|(forms, chosen)| placed(forms?, chosen));
+    placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
+}
+
+/// Which candidate each label takes, if any, and how much blank is kept between them: less where labels would be lost
+/// otherwise, or lie much further away.
+fn chosen(
+    candidates: &[Vec<Candidate>],
+    forms: &[Result<Forms, Unplaced>],
+    cells: &CellGrid<'_>,
+) -> (Vec<Option<usize>>, Spacing) {
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
     let chosen_with = |spacing: Spacing| {
         let of = |choice: Choice| &candidates[choice.label][choice.candidate];
-        choose(&costs, &|a, b| of(a).conflicts(of(b), spacing))
+        let chosen = choose(&costs, &|a, b| of(a).conflicts(of(b), spacing));
+        (loss(&chosen, candidates, forms), chosen, spacing)
     };
-    // what is lost: labels, then texts that are abbreviated or led to across lines; and how far labels lie away
-    let loss = |chosen: &[Option<usize>]| {
-        let of = |(label, chosen): (usize, &Option<usize>)| Some((label, &candidates[label][(*chosen)?]));
-        let placed: Vec<(usize, &Candidate)> = chosen.iter().enumerate().filter_map(of).collect();
-        let is_short = |(label, candidate): &&(usize, &Candidate)| {
-            let form = forms[*label].as_ref().ok().and_then(|of| of.forms.get(candidate.form));
-            candidate.crosses || form.is_some_and(|form| form.abbreviation.is_some())
-        };
-        let cost: f32 = placed.iter().map(|(_, candidate)| candidate.cost).sum();
-        ((chosen.len() - placed.len(), placed.iter().filter(is_short).count()), cost)
-    };
-    let mut spacing = Spacing::wide(cells);
-    let mut chosen = chosen_with(spacing);
-    let narrow = chosen_with(Spacing::narrow(cells));
-    let ((lost, cost), (of_narrow, cost_of_narrow)) = (loss(&chosen), loss(&narrow));
-    if of_narrow < lost || of_narrow == lost && cost_of_narrow + WORTH < cost {
-        (chosen, spacing) = (narrow, Spacing::narrow(cells));
-    }
-    let lost = loss(&chosen).0;
-    if lost > (0, 0) {
+    let (wide, narrow) = (chosen_with(Spacing::wide(cells)), chosen_with(Spacing::narrow(cells)));
+    let is_better =
+        narrow.0.lost < wide.0.lost || narrow.0.lost == wide.0.lost && narrow.0.cost + WORTH_LESS_BLANK < wide.0.cost;
+    let mut best = if is_better { narrow } else { wide };
+    if best.0.lost > (0, 0) {
         let tight = chosen_with(Spacing::TIGHT);
-        if loss(&tight).0 < lost {
-            (chosen, spacing) = (tight, Spacing::TIGHT);
+        if tight.0.lost < best.0.lost {
+            best = tight;
         }
     }
-    let chosen = chosen.into_iter().zip(candidates);
-    let mut chosen: Vec<Option<Candidate>> =
-        chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
+    (best.1, best.2)
+}
+
+/// What a choice of places costs.
+struct Loss {
+    /// Labels without a place, then texts that are abbreviated or led to across lines.
+    lost: (usize, usize),
+    /// How far labels lie away, mm.
+    cost: f32,
+}
+
+fn loss(chosen: &[Option<usize>], candidates: &[Vec<Candidate>], forms: &[Result<Forms, Unplaced>]) -> Loss {
+    let of = |(label, chosen): (usize, &Option<usize>)| Some((label, &candidates[label][(*chosen)?]));
+    let placed: Vec<(usize, &Candidate)> = chosen.iter().enumerate().filter_map(of).collect();
+    let is_short = |(label, candidate): &&(usize, &Candidate)| {
+        let form = forms[*label].as_ref().ok().and_then(|of| of.forms.get(candidate.form));
+        candidate.crosses || form.is_some_and(|form| form.abbreviation.is_some())
+    };
+    let cost = placed.iter().map(|(_, candidate)| candidate.cost).sum();
+    Loss { lost: (chosen.len() - placed.len(), placed.iter().filter(is_short).count()), cost }
+}
+
+/// Moves each label to the best place nearby that is free of the others.
+fn move_nearer(
+    chosen: &mut [Option<Candidate>],
+    wanted: &[Wanted],
+    forms: &[Result<Forms, Unplaced>],
+    around: &[Around<'_>],
+    (cells, spacing): (&CellGrid<'_>, Spacing),
+) {
     for _ in 0..ROUNDS {
         let mut changed = false;
         for number in 0..chosen.len() {
@@ -106,20 +135,20 @@ pub fn place(
             break;
         }
     }
-    let placed = forms.into_iter().zip(chosen).map(|(forms, chosen)| {
-        let Forms { mut forms, lacking } = forms?;
-        let candidate = chosen.ok_or(Unplaced::NoRoom)?;
-        let Form { lines, abbreviation, .. } = forms.swap_remove(candidate.form);
-        Ok(Placed {
-            place: candidate.place,
-            lines,
-            lacking,
-            abbreviation,
-            leader: candidate.leader,
-            crosses: candidate.leader.is_some() && candidate.crosses,
-        })
-    });
-    placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
+}
+
+fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
+    let Forms { mut forms, lacking } = forms;
+    let candidate = chosen.ok_or(Unplaced::NoRoom)?;
+    let Form { lines, abbreviation, .. } = forms.swap_remove(candidate.form);
+    Ok(Placed {
+        place: candidate.place,
+        lines,
+        lacking,
+        abbreviation,
+        leader: candidate.leader,
+        crosses: candidate.leader.is_some() && candidate.crosses,
+    })
 }
 
 /// Signs without so many others of their area around them, within this distance, mm, are felt as dots by themselves; so

@@ -41,12 +41,42 @@ fn note(breaches: &mut Breaches, key: (Part, Option<Part>), number: u32, mark: &
 
 /// Everything about blank between marks.
 pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+    let All { textures, braille, overlaps } = breaches(page, marks, limits);
+    let name = |part: &Part| part.name(page, names);
+    let mut found: Vec<Found> = Vec::new();
+    found.extend(textures.into_iter().map(|((part, _), breach)| of_texture(&name(&part), breach, limits)));
+    found.extend(braille.into_iter().map(|((part, other), breach)| {
+        let (other, blank) = (other.as_ref().map_or_else(String::new, name), millimetres(breach.blank));
+        let what = format!("{} is {blank} from {other}; {BRAILLE_GAP} mm of blank is the least", name(&part));
+        finding(BRAILLE_CLEAR, breach, what)
+    }));
+    found.extend(overlaps.into_iter().map(|((part, other), breach)| {
+        let what = if other == Some(part) {
+            format!("{}: {} of its marks lie on one another", name(&part), breach.count)
+        } else {
+            let other = other.as_ref().map_or_else(String::new, name);
+            format!("{} lies on {other}, in {}", name(&part), places(breach.count))
+        };
+        finding(OVERLAP, breach, what)
+    }));
+    found
+}
+
+/// What is too near, by rule.
+#[derive(Default)]
+struct All {
+    textures: Breaches,
+    braille: Breaches,
+    overlaps: Breaches,
+}
+
+fn breaches(page: &Page, marks: &[Mark], limits: &Limits) -> All {
     let cell = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => texture_gap,
         MediumLimits::Dots { pitch, .. } => pitch,
     };
     let index = index(marks, cell.max(3.0));
-    let (mut textures, mut braille, mut overlaps) = (Breaches::new(), Breaches::new(), Breaches::new());
+    let mut all = All::default();
     for (number, mark) in (0..).zip(marks) {
         let extent = mark.extent();
         let reach = match mark.part {
@@ -56,60 +86,45 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limi
         };
         index.around(extent.min, extent.max, reach, |&id| {
             let other = &marks[id as usize];
-            if other.part == mark.part && !(matches!(mark.part, Part::Texture(_)) && id < number) {
-                return;
-            }
-            match (mark.part, other.part) {
-                (Part::Texture(_), Part::Line(_)) => {
-                    if let Some(blank) = too_near(mark, other, page, limits) {
-                        note(&mut textures, (mark.part, None), number, mark, blank);
-                    }
-                }
-                (Part::Braille(text), Part::Leader(of)) if text == of => {}
-                (Part::Braille(text), Part::Braille(of)) if of > text => {}
-                (Part::Braille(_), _) => {
-                    if mark.may_be_within(other, BRAILLE_GAP) {
-                        let blank = mark.blank(other);
-                        if blank < BRAILLE_GAP - ROUNDING {
-                            note(&mut braille, (mark.part, Some(other.part)), number, mark, blank);
-                        }
-                    }
-                }
-                _ if id >= number || may_meet(mark.part, other.part) => {}
-                _ => {
-                    if mark.may_be_within(other, 0.0) {
-                        let blank = mark.blank(other);
-                        if blank < -ROUNDING || (blank <= 0.0 && is_rhombus(mark, other)) {
-                            let key = (mark.part.min(other.part), Some(mark.part.max(other.part)));
-                            note(&mut overlaps, key, number, mark, blank);
-                        }
-                    }
-                }
+            if other.part != mark.part || matches!(mark.part, Part::Texture(_)) && id < number {
+                all.judge((number, mark), (id, other), page, limits);
             }
         });
     }
-    let mut found: Vec<Found> = Vec::new();
-    found.extend(textures.into_iter().map(|(key, breach)| of_texture(&key.0.name(page, names), breach, limits)));
-    found.extend(braille.into_iter().map(|(key, breach)| {
-        let what = format!(
-            "{} is {} from {}; {BRAILLE_GAP} mm of blank is the least",
-            key.0.name(page, names),
-            millimetres(breach.blank),
-            key.1.map_or_else(String::new, |part| part.name(page, names))
-        );
-        finding(BRAILLE_CLEAR, breach, what)
-    }));
-    found.extend(overlaps.into_iter().map(|(key, breach)| {
-        let other = key.1.map_or_else(String::new, |part| part.name(page, names));
-        let what = match key.1 {
-            Some(part) if part == key.0 => {
-                format!("{}: {} of its marks lie on one another", part.name(page, names), breach.count)
+    all
+}
+
+impl All {
+    /// Notes what a mark is too near to, or lies on. Each pair comes in both orders.
+    fn judge(&mut self, (number, mark): (u32, &Mark), (id, other): (u32, &Mark), page: &Page, limits: &Limits) {
+        match (mark.part, other.part) {
+            (Part::Texture(_), Part::Line(_)) => {
+                if let Some(blank) = too_near(mark, other, page, limits) {
+                    note(&mut self.textures, (mark.part, None), number, mark, blank);
+                }
             }
-            _ => format!("{} lies on {other}, in {}", key.0.name(page, names), places(breach.count)),
-        };
-        finding(OVERLAP, breach, what)
-    }));
-    found
+            (Part::Braille(text), Part::Leader(of)) if text == of => {}
+            (Part::Braille(text), Part::Braille(of)) if of > text => {}
+            (Part::Braille(_), _) => {
+                if mark.may_be_within(other, BRAILLE_GAP) {
+                    let blank = mark.blank(other);
+                    if blank < BRAILLE_GAP - ROUNDING {
+                        note(&mut self.braille, (mark.part, Some(other.part)), number, mark, blank);
+                    }
+                }
+            }
+            _ if id >= number || may_meet(mark.part, other.part) => {}
+            _ => {
+                if mark.may_be_within(other, 0.0) {
+                    let blank = mark.blank(other);
+                    if blank < -ROUNDING || (blank <= 0.0 && is_rhombus(mark, other)) {
+                        let key = (mark.part.min(other.part), Some(mark.part.max(other.part)));
+                        note(&mut self.overlaps, key, number, mark, blank);
+                    }
+                }
+            }
+        }
+    }
 }
 
 fn is_rhombus(a: &Mark, b: &Mark) -> bool {

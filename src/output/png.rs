@@ -4,10 +4,12 @@
 //! millimetres. The sheet is rendered in bands, so that a fine picture of a large sheet does not fill the memory.
 
 use std::io::{self, Write};
+use std::sync::Arc;
 
 use png::{BitDepth, Filter};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg;
+use resvg::usvg::fontdb::Database;
 
 use super::png_file::{self, PngFile};
 use super::svg;
@@ -63,11 +65,12 @@ const BAND: u32 = 16 << 20;
 /// the time.
 const LEVEL: u8 = 6;
 
-/// The page as a PNG. The same page gives the same bytes.
+/// The page as a PNG; words in print are left out where there are no fonts. The same page and fonts give the same
+/// bytes.
 ///
 /// # Errors
 /// [`Error::TooFine`] if that would be more pixels than is sensible.
-pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
+pub fn write(page: &Page, dpi: Dpi, depth: Depth, fonts: Arc<Database>) -> Result<Vec<u8>, Error> {
     let [width, height] = page.sheet.map(|side| dpi.pixels(side));
     let size = Size::new(width, height);
     let too_fine = || Error::TooFine { size, dpi: dpi.0, limit_megapixels: MOST_MEGAPIXELS };
@@ -92,7 +95,7 @@ pub fn write(page: &Page, dpi: Dpi, depth: Depth) -> Result<Vec<u8>, Error> {
         words: [(&page.title, &page.language), (&page.description, &page.description_language)],
         origin: Some(origin_lines(&page.origin).collect::<Vec<_>>().join("\n")),
     };
-    file.write(|out| rows(page, size, dpi, depth, out)).map_err(|_| too_fine())
+    file.write(|out| rows(page, size, (dpi, depth), fonts, out)).map_err(|_| too_fine())
 }
 
 /// Whether these bytes are a PNG as [`write()`] makes it, changed by nobody since.
@@ -101,11 +104,14 @@ pub fn is_as_written(bytes: &[u8]) -> bool {
 }
 
 /// Renders the page band by band and writes its rows of pixels. Fails if there is no memory for a band.
-fn rows(page: &Page, size: Size, dpi: Dpi, depth: Depth, out: &mut dyn Write) -> io::Result<()> {
-    let mut options = usvg::Options { dpi: dpi.0 as f32, ..usvg::Options::default() };
-    if !page.print.is_empty() {
-        load_fonts(&mut options);
-    }
+fn rows(
+    page: &Page,
+    size: Size,
+    (dpi, depth): (Dpi, Depth),
+    fonts: Arc<Database>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let options = usvg::Options { dpi: dpi.0 as f32, fontdb: fonts, ..usvg::Options::default() };
     let tree = usvg::Tree::from_str(&svg::write(page), &options).map_err(io::Error::other)?;
     let rows = (BAND / size.width).clamp(1, size.height);
     let mut band = Pixmap::new(size.width, rows).ok_or(io::ErrorKind::OutOfMemory)?;
@@ -127,28 +133,6 @@ fn rows(page: &Page, size: Size, dpi: Dpi, depth: Depth, out: &mut dyn Write) ->
     }
     Ok(())
 }
-
-/// Whether there are fonts for words in print.
-pub fn has_fonts() -> bool {
-    let mut options = usvg::Options::default();
-    load_fonts(&mut options);
-    !options.fontdb.is_empty()
-}
-
-/// The fonts of this machine, for words in print. Where there are none, they are left out.
-#[cfg(feature = "system-fonts")]
-fn load_fonts(options: &mut usvg::Options<'_>) {
-    let fonts = options.fontdb_mut();
-    fonts.load_system_fonts();
-    let generic = usvg::fontdb::Query { families: &[usvg::fontdb::Family::SansSerif], ..Default::default() };
-    let first = fonts.faces().next().and_then(|face| face.families.first().cloned());
-    if let (None, Some((family, _))) = (fonts.query(&generic), first) {
-        fonts.set_sans_serif_family(family);
-    }
-}
-
-#[cfg(not(feature = "system-fonts"))]
-fn load_fonts(_: &mut usvg::Options<'_>) {}
 
 /// A row of bits, eight a byte, white is 1.
 fn pack(grey: impl Iterator<Item = u8>, out: &mut Vec<u8>) {

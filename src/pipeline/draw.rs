@@ -75,20 +75,9 @@ pub(super) fn draw(
     let mut edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
         find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch)
     })?;
-    let least = plan.profile().lines.min_length;
-    let short = given.lines.iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
-    let short: usize = short.sum();
-    if short > 0 {
-        let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
-        let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
-        notes.push(Note::NotOnPage(About::Lines, format!("{short} {noun} of those given, as {why}")));
-    }
-    let (subject, told) = subject::find(given, edges.as_mut(), picture.source.size, &layout, plan);
+    notes.extend(told_short(given, &layout, plan));
+    let (calmed_around, told) = subject::prepare(given, edges.as_mut(), picture.source.size, &layout, plan);
     notes.extend(told);
-    let background = subject.filter(|_| given.calm_background);
-    if let (Some(edges), Some(subject)) = (&mut edges, &background) {
-        notes.push(Note::BackgroundCalmed(subject::calm(edges, subject, &layout, plan).round() as u32));
-    }
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     let ((drawn, areas), ((overview, not_in_overview), mut classes)) = in_parallel(
@@ -97,22 +86,20 @@ pub(super) fn draw(
         |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
         |watch| {
             let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
-            let classes = match &given.areas {
-                Some(areas) => plan.profile().figure.textures.then(|| areas.clone()),
-                None => sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch),
-            };
-            (overview, classes)
+            (overview, areas_of_colours(given, &picture.raster, edges.as_ref(), &layout, plan, watch))
         },
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
     notes.extend(told_broken(&drawn.lost).filter(|_| edges.as_ref().is_some_and(Edges::of_drawing)));
-    if let (Some(classes), Some(areas), None) = (&mut classes, &areas, &given.areas) {
-        notes.extend(fit_to_areas(classes, areas, picture.raster.size(), &layout, plan));
-    }
-    classes.iter_mut().for_each(|classes| blank(classes, &erased));
-    if let (Some(classes), Some(subject)) = (&mut classes, &background) {
-        subject::blank_around(classes, subject, picture.raster.size());
+    if let Some(classes) = &mut classes {
+        let size = picture.raster.size();
+        let outlined = areas.as_ref().filter(|_| given.areas.is_none());
+        notes.extend(outlined.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
+        blank(classes, &erased);
+        if let Some(subject) = &calmed_around {
+            subject::blank_around(classes, subject, size);
+        }
     }
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
     notes.extend(told_of_overview(&not_in_overview));
@@ -124,6 +111,16 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, layout, is_flat, left_out, texts, notes })
+}
+
+/// What the maker is told of lines that were given and are too short for this figure.
+fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
+    let least = plan.profile().lines.min_length;
+    let short = given.lines.iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
+    let short: usize = short.sum();
+    let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
+    let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
+    (short > 0).then(|| Note::NotOnPage(About::Lines, format!("{short} {noun} of those given, as {why}")))
 }
 
 /// The contours of a picture of this size: what a person gave, or what `find` finds, with the lines that were added,
@@ -427,6 +424,21 @@ pub(super) fn told_of_overview(lost: &Lost) -> impl Iterator<Item = Note> {
 /// An overview without this share of a drawing's lines is told of: a bar of a chart may be missing, and less are ticks.
 const OVERVIEW_LACKS: f32 = 0.15;
 
+/// The areas that a person gave, or the colours of the picture.
+fn areas_of_colours(
+    given: &Given,
+    raster: &Raster,
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Option<Classes> {
+    match &given.areas {
+        Some(areas) => plan.profile().figure.textures.then(|| areas.clone()),
+        None => sort_colours(raster, edges, layout, plan, watch),
+    }
+}
+
 pub(super) fn sort_colours(
     raster: &Raster,
     edges: Option<&Edges>,
@@ -462,7 +474,7 @@ fn fit_to_areas(classes: &mut Classes, areas: &Areas, picture: Size, layout: &La
     };
     let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
     let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
-    let mixed = classes::settle(classes, &area, min_cells);
+    let mixed = classes::unify_areas(classes, &area, min_cells);
     (mixed > 0).then_some(Note::MixedAreas(mixed))
 }
 

@@ -1,8 +1,10 @@
-//! What every page ends with: its words of how it was made, and the check that it goes through.
+//! What every page ends with: its words of how it was made, the check that it goes through, and what stands in its
+//! files for screen readers: its marks in sentences, unless its maker has described it.
 
-use super::described::described;
 use super::print_words;
 use super::request::Request;
+use crate::description;
+use crate::output::seal;
 use crate::page::{BrailleText, Medium, Page, Parts, Print};
 use crate::units::Size;
 use crate::wording::Wording;
@@ -53,4 +55,20 @@ pub fn title_of_key(title: &str) -> String {
 /// What the overview of a page is called, which has a sheet to itself.
 pub fn title_of_overview(title: &str) -> String {
     format!("{title}, overview")
+}
+
+/// The entry of a page's origin by which a description that was made is told from a person's: the seal of its text.
+const MADE: &str = "seal of the description";
+
+/// A page with a description of its marks, in the words of `wording`.
+pub(super) fn described(page: Page, wording: &Wording) -> Page {
+    let description = description::of_marks(&page, wording);
+    let made = (MADE.to_owned(), seal::of(description.as_bytes()));
+    page.described(description, wording.language(), made)
+}
+
+/// Whether a page's description is as it was made: no person has changed it.
+pub fn is_made(page: &Parts) -> bool {
+    let seal = seal::of(page.description.as_bytes());
+    page.origin.iter().any(|(name, value)| name == MADE && *value == seal)
 }

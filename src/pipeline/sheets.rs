@@ -20,12 +20,28 @@ use crate::{Error, Note, dots};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Sheets {
-    /// The overview on a sheet of its own, if there is one; then the picture, row by row.
+    /// The overview, which has the first sheet to itself, if there is one.
+    pub overview: Option<Page>,
+    /// The picture, row by row.
     pub pages: Vec<Page>,
     /// The key, which follows on sheets of its own: the colours that occur and abbreviations.
     pub key: Vec<Page>,
     /// Remarks, in the order of the stages.
     pub notes: Vec<Note>,
+}
+
+impl Sheets {
+    /// All sheets in the order in which they are numbered: the overview, the picture, the key.
+    pub fn all(&self) -> impl Iterator<Item = &Page> {
+        self.overview.iter().chain(&self.pages).chain(&self.key)
+    }
+
+    /// All sheets in the order of [`Sheets::all`], as [`write_pdf`](crate::write_pdf) and
+    /// [`write_dots`](crate::write_dots) take them.
+    #[must_use]
+    pub fn into_pages(self) -> Vec<Page> {
+        self.overview.into_iter().chain(self.pages).chain(self.key).collect()
+    }
 }
 
 /// Makes a picture that is spread over several sheets. It is drawn once, as for one large sheet, and cut: what two
@@ -53,30 +69,34 @@ pub fn convert<'p>(
     }
     let laid = lay(figure.source)?;
     let sheet = laid.spread.layout_of_sheet();
-    let (pages, key) = run(watch, Stage::Page, || {
+    let mut sheets = run(watch, Stage::Page, || {
         notes.extend(written.notes().iter().cloned());
         let tiles = laid.spread.tiles();
         let (labels, of_labels) = written.labels(&layout, &tiles, &mut figure, &texts, words, plan);
-        let (pages, of_heading) = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
-        notes.extend(of_heading.into_iter().chain(of_labels));
-        let (key, of_key) = written.key_sheets(words, &labels, &figure, pages.len() as u32, &sheet, request)?;
+        let mut sheets = assemble((&figure, &labels), overview, left_out, &laid, &written, request)?;
+        notes.append(&mut sheets.notes);
+        notes.extend(of_labels);
+        let before = sheets.all().count() as u32;
+        let (key, of_key) = written.key_sheets(words, &labels, &figure, before, &sheet, request)?;
         notes.extend(of_key);
-        Ok::<_, Error>((pages, key))
+        Ok::<_, Error>(Sheets { key, ..sheets })
     })?;
-    notes.extend(print_words::left_out(pages.iter().chain(&key), plan));
-    if pages.iter().all(Page::is_empty) {
+    notes.extend(print_words::left_out(sheets.all(), plan));
+    let of_picture = || sheets.overview.iter().chain(&sheets.pages);
+    if of_picture().all(Page::is_empty) {
         notes.push(Note::EmptyPage);
     } else if plan.profile().figure.lines && figure.lines.is_empty() && !is_flat {
         notes.push(Note::NoLines);
     }
     match &sheet.medium {
         Medium::Print(print) => {
-            let blackest = pages.iter().map(Page::black_share).fold(0.0, f32::max);
+            let blackest = of_picture().map(Page::black_share).fold(0.0, f32::max);
             notes.extend(too_black(blackest, print));
         }
         Medium::Dots(medium) => notes.extend((medium.device.family == Family::Cells).then_some(Note::UnevenDots)),
     }
-    Ok(Sheets { pages, key, notes })
+    sheets.notes = notes;
+    Ok(sheets)
 }
 
 /// Where a picture lies on its sheets, and where its overview does.
@@ -153,7 +173,7 @@ fn overview_sheet(size: Size, spread: &Spread, written: &Written<'_>, request: &
     layout::fit(aspect(size), f32::MAX, &params)
 }
 
-/// The sheets, and what has no room at the top of them.
+/// The sheets without their key, with notes of what has no room at the top of them.
 fn assemble(
     (figure, labels): (&Figure, &[BrailleText]),
     overview: Option<(MmRect, Vec<Line>)>,
@@ -161,11 +181,11 @@ fn assemble(
     laid: &Laid,
     written: &Written<'_>,
     request: &Request<'_>,
-) -> Result<(Vec<Page>, Vec<Note>), Error> {
+) -> Result<Sheets, Error> {
     let Laid { grid, spread, .. } = laid;
     let cuts = spread.cut(figure, &around(figure.place, &spread.together, request), labels);
     let names: Vec<String> = cuts.iter().map(|cut| cut.name.clone()).collect();
-    let (mut pages, mut notes) = (Vec::new(), Vec::new());
+    let (mut on_overview, mut pages, mut notes) = (None, Vec::new(), Vec::new());
     let mut heading = |layout: &Layout, number: usize| {
         let (braille, told) = written.heading(number as u32, layout, request.plan);
         for note in told {
@@ -183,15 +203,16 @@ fn assemble(
             frame: around(place, &layout.medium, request),
             ..parts(title, own, heading(layout, 0), (*grid, layout), in_set, request)
         };
-        pages.push(finished(parts, request)?);
+        on_overview = Some(finished(parts, request)?);
     }
     // what is left out of the whole picture, as no sheet knows its own share
     let left_out = LeftOut { by_place: None, shapes: 0, ..left_out }.to_origin();
     let layout = spread.layout_of_sheet();
-    for cut in cuts {
+    let before = usize::from(on_overview.is_some());
+    for (number, cut) in (before..).zip(cuts) {
         let Cut { figure, frame, ticks, label, braille, name } = cut;
         let title = format!("{}, sheet {name}", request.title);
-        let braille = [heading(&layout, pages.len()), braille].concat();
+        let braille = [heading(&layout, number), braille].concat();
         let in_set = InSet::One(name, names.clone());
         let parts = Parts {
             frame,
@@ -202,7 +223,7 @@ fn assemble(
         let origin = [parts.origin.clone(), left_out.clone()].concat();
         pages.push(finished(Parts { origin, ..parts }, request)?);
     }
-    Ok((pages, notes))
+    Ok(Sheets { overview: on_overview, pages, key: Vec::new(), notes })
 }
 
 /// The frame around a picture.

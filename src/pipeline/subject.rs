@@ -16,9 +16,10 @@ const LEAST_AREA: f32 = 15.0;
 /// Lines this near to the subject belong to it, cells: its own contours run along its border.
 const MARGIN: f32 = 3.0;
 
-/// Finds the subjects among regions, or within closed contours, and tells the contours of them. Returns their cells;
-/// none if no subject is asked for or none is found.
-pub(super) fn find(
+/// Finds the subjects among regions, or within closed contours, and tells the contours of them; where a calm background
+/// is asked for, takes what is not of them out of the contours. Returns the cells around which textures are to be left
+/// out too, if any are.
+pub(super) fn prepare(
     given: &Given,
     mut edges: Option<&mut Edges>,
     source: Size,
@@ -26,11 +27,15 @@ pub(super) fn find(
     plan: &Plan,
 ) -> (Option<Mask>, Vec<Note>) {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
+    let tree = edges.as_ref().and_then(|edges| Some((edges.regions.as_ref()?, edges.size)));
+    let most_telling = tree.filter(|_| !given.subjects.is_empty()).map_or_else(Vec::new, |(tree, size)| {
+        tree.most_telling(PageTransform::new(size, layout.figure).mm_per_px(), &plan.regions(false))
+    });
     for [x, y] in &given.subjects {
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
         let found = edges.as_mut().and_then(|edges| {
-            let mask = subject_at(edges, share, layout, plan)?;
+            let mask = subject_at(edges, share, layout, &most_telling)?;
             let [least, greatest] = mask.extent()?;
             let side = (greatest - least) * PageTransform::new(edges.size, layout.figure).mm_per_px();
             Some((mask, [side.x, side.y].map(|side| side.round() as u32)))
@@ -43,15 +48,19 @@ pub(super) fn find(
             None => notes.push(Note::NoSubject(percent)),
         }
     }
-    (all, notes)
+    let around = all.filter(|_| given.calm_background);
+    if let (Some(edges), Some(subject)) = (edges, &around) {
+        notes.push(Note::BackgroundCalmed(calm(edges, subject, layout, plan).round() as u32));
+    }
+    (around, notes)
 }
 
 /// The cells of the subject at a place, in shares of the picture.
-fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, plan: &Plan) -> Option<Mask> {
+fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling: &[u32]) -> Option<Mask> {
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     let found = edges.regions.as_ref().and_then(|tree| {
-        let region = tree.subject_at(at, mm_per_px, &plan.regions(false))?;
+        let region = tree.subject_at(at, mm_per_px, most_telling)?;
         Some((region, tree.mask(&[region])))
     });
     let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px) };
@@ -75,7 +84,7 @@ fn ring_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
 }
 
 /// Takes weak lines that are not of the subject out, and the outlines of other regions. Returns how much, mm.
-pub(super) fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 {
+fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 {
     let (strong, near) = (plan.lines().full_strength, subject.clone().grown(MARGIN));
     let length = |edges: &Edges| edges.chains().map(|chain| chain.length()).sum::<f32>();
     let before = length(edges);

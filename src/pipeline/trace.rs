@@ -156,5 +156,8 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         Subject::ContoursAtFullResolution => Detail::CONTOURS,
         Subject::Contours | Subject::Lines => Detail::OUTLINES,
     };
-    Some(run(watch, Stage::Edges, || edges_of(picture, kind.as_ref(), &params, Some(detail))))
+    let edges = run(watch, Stage::Edges, || edges_of(picture, kind.as_ref(), &params, Some(detail)));
+    // only lines have outlines of regions; for contours the tree has done its work
+    let regions = edges.regions.filter(|_| tracing.subject == Subject::Lines);
+    Some(Edges { regions, ..edges })
 }

@@ -12,13 +12,21 @@ use crate::reading::TypedText;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};
 
+/// What is told of texts that were typed.
+#[derive(Debug, Default)]
+pub(super) struct Typed {
+    pub(super) notes: Vec<Note>,
+    /// Those that are abbreviated.
+    pub(super) abbreviated: Option<Note>,
+}
+
 /// Adds the texts to a page as labels, in the code of its language: apart from lines and from the braille that is
 /// there, nearest to where they were typed, and Unicode braille in its very place. Tells what has no room, what its
 /// code cannot write, what stands elsewhere than it was typed, and what was typed outside the figure, where no labels
 /// stand.
-pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<Note> {
+pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Typed {
     if texts.is_empty() {
-        return Vec::new();
+        return Typed::default();
     }
     let place = parts.figure.place;
     let percent = |at: f32, low: f32, side: f32| Position::Percent((100.0 * (at - low) / side).clamp(0.0, 100.0));
@@ -70,7 +78,10 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Vec<
         let told = format!("{texts} outside the figure, and labels stand in it: taken as typed at its edge");
         Note::TakenAs(About::Texts, told)
     });
-    told.into_iter().chain(in_place).chain(moved).chain(elsewhere).chain(notes).collect()
+    let (mut abbreviated, notes): (Vec<Note>, Vec<Note>) =
+        notes.into_iter().partition(|note| matches!(note, Note::Abbreviated(_)));
+    let notes = told.into_iter().chain(in_place).chain(moved).chain(elsewhere).chain(notes).collect();
+    Typed { notes, abbreviated: abbreviated.pop() }
 }
 
 /// Unicode braille as it was typed: its cells stand on the line on which its letters do.

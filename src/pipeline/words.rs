@@ -8,7 +8,7 @@ use super::unwritten::{self, Refused};
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
 use crate::devices::Family;
 use crate::dots;
-use crate::labels::{self, Params, Placed, Unplaced, Wanted};
+use crate::labels::{self, NEAR, Params, Placed, Unplaced, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
@@ -49,9 +49,6 @@ impl Words<'_> {
 
 /// Blank between labels and the dots of textures, which are as large as those of braille, mm: the width of a cell.
 const TO_DOTS: f32 = 6.0;
-/// A label names something if a line or a texture is this near to what it stands for, mm: from here on a label has a
-/// leader line.
-const NAMED: f32 = 12.0;
 /// Step in which places for labels are looked for on paper, mm: less than a fingertip can tell.
 const STEP: f32 = 1.0;
 
@@ -378,10 +375,11 @@ fn named(texts: &[&str]) -> String {
     format!("{}{more}", named.join(", "))
 }
 
-/// Tells of labels that stand on the page though what they name does not.
+/// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
+/// which on it has a leader line.
 fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &Figure) -> Option<Note> {
     let is_there = |label: &Wanted| {
-        let place = label.anchor.inflate(NAMED, NAMED);
+        let place = label.anchor.inflate(NEAR, NEAR);
         let lines = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
         let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
         points.any(|glyph| place.contains(glyph.at)) || is_met(lines, place)
@@ -393,7 +391,7 @@ fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &
         .collect();
     (!alone.is_empty()).then(|| {
         let told = format!(
-            "labels that name something which is not on the page, as no line or texture is within {NAMED} mm: {}",
+            "labels that name something which is not on the page, as no line or texture is within {NEAR} mm: {}",
             named(&alone)
         );
         Note::TakenAs(About::Braille, told)

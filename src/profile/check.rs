@@ -168,8 +168,7 @@ impl Profile {
     /// [`Error::Profile`] with every fault at once. The place of a fault is where the value concerned was last given by
     /// a file or by `set`.
     pub fn check(&self) -> Result<(), Error> {
-        let refuse =
-            |key: &Key| Fault { place: self.place(&[key.path]), what: key.refuse(&key.value(self).to_string()) };
+        let refuse = |key: &Key| self.fault(&[key.path], key.refuse(&key.value(self).to_string()));
         let mut faults: Vec<_> = KEYS.iter().filter(|key| !key.takes(&key.value(self))).map(refuse).collect();
         faults.extend(self.rule_faults());
         if faults.is_empty() { Ok(()) } else { Err(faults.into()) }
@@ -203,7 +202,7 @@ impl Profile {
         if self.sound(DRAWN) && !self.figure.lines && !self.figure.textures && !self.overview.on {
             let what = "figure.lines, figure.textures and overview.on are all false, so nothing would be drawn, set \
                         one of them to true";
-            faults.push(Fault { place: self.place(DRAWN), what: what.to_owned() });
+            faults.push(self.fault(DRAWN, what.to_owned()));
         }
         faults
     }
@@ -236,7 +235,7 @@ impl Profile {
                  mm, enlarge page.width or page.height or lessen margin, frame, overview or their gaps"
             )
         };
-        Some(Fault { place: self.place(ROOM), what })
+        Some(self.fault(ROOM, what))
     }
 
     /// The faults of signs that a finger cannot tell apart, one for each pair.
@@ -256,7 +255,7 @@ impl Profile {
                         "{first} is \"{other}\" and {second} is \"{sign}\", which fingers cannot tell apart, give one \
                          of them a direction that is {LEAST_ANGLE} degrees or more from all others"
                     );
-                    faults.push(Fault { place: self.place(&keys), what });
+                    faults.push(self.fault(&keys, what));
                 }
             }
         }
@@ -278,7 +277,7 @@ impl Profile {
             "{} is {small} but must be {relation} {}, which is {large}, {}",
             order.small, order.large, order.why
         );
-        Some(Fault { place: self.place(&keys), what })
+        Some(self.fault(&keys, what))
     }
 
     /// The fault of a swelling that leaves too little to print of some mark: of the one that has least.
@@ -297,7 +296,7 @@ impl Profile {
             "print.swell is {swell} mm, which leaves too little to print of {path}, which is {width} mm, lessen the \
              one or enlarge the other"
         );
-        Some(Fault { place: self.place(&[path, "print.swell"]), what })
+        Some(self.fault(&[path, "print.swell"], what))
     }
 
     fn number(&self, path: &str) -> Option<f32> {
@@ -311,7 +310,7 @@ impl Profile {
     }
 
     /// A glyph that fits its place but leaves too little blank to the next.
-    fn spacing_fault(&self, glyph: &str, pitch: &str) -> Option<Fault> {
+    fn spacing_fault(&self, glyph: &'static str, pitch: &'static str) -> Option<Fault> {
         let keys = [glyph, pitch, BLANK];
         let (size, step, blank) = (self.number(glyph)?, self.number(pitch)?, self.number(BLANK)?);
         // Sums of decimal numbers are a little off in f32.
@@ -326,7 +325,7 @@ impl Profile {
             "{pitch} is {step} but must be at least {least}, which is {glyph} and {BLANK} together, or the blank \
              between two glyphs is not felt"
         );
-        Some(Fault { place: self.place(&keys), what })
+        Some(self.fault(&keys, what))
     }
 }
 

@@ -40,7 +40,7 @@ impl Profile {
             Orientation::Auto => area(upright).err().and_then(|faults| area(across).err().map(|_| faults)),
         };
         let mut faults = Vec::new();
-        let mut fault = |paths: &[&str], what| faults.push(Fault { place: self.place(paths), what });
+        let mut fault = |paths: &[&'static str], what| faults.push(self.fault(paths, what));
         for (path, value) in [("dots.line_gap", self.dots.line_gap), ("dots.texture_gap", self.dots.texture_gap)] {
             if self.sound(&[path]) && value.fract() > 0.0 {
                 fault(&[path], format!("{path} is {value}, but dots are counted, give a whole number"));
@@ -89,7 +89,7 @@ impl Profile {
                 a.name(),
                 b.name()
             );
-            Fault { place: self.place(&keys), what }
+            self.fault(&keys, what)
         };
         alike.into_iter().map(fault).collect()
     }

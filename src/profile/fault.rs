@@ -5,11 +5,27 @@ const LONGEST: usize = 40;
 
 /// One fault in a profile.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Fault {
     /// Where: a file's name and line, or the option.
     pub place: String,
     /// What is wrong and what would do.
     pub what: String,
+    /// The keys that it is about, by [`Key::path`](crate::Key::path): the one whose value is refused, those whose
+    /// values do not go together, or those that are missing. Empty where it is about none that there is: a misspelt
+    /// name, a mistake in the TOML.
+    pub keys: Vec<&'static str>,
+}
+
+impl Fault {
+    /// A fault that is about no key.
+    pub fn new(place: impl Into<String>, what: impl Into<String>) -> Self {
+        Self::of_keys(&[], place, what)
+    }
+
+    pub(super) fn of_keys(keys: &[&'static str], place: impl Into<String>, what: impl Into<String>) -> Self {
+        Self { place: place.into(), what: what.into(), keys: keys.to_vec() }
+    }
 }
 
 impl std::fmt::Display for Fault {
@@ -28,15 +44,21 @@ pub(super) struct Found {
     /// Counted from 1.
     pub(super) line: usize,
     pub(super) what: String,
+    /// The key that it is about, if it is about one.
+    key: Option<&'static str>,
 }
 
 impl Found {
     pub(super) fn new(line: usize, what: String) -> Self {
-        Self { line, what }
+        Self { line, what, key: None }
+    }
+
+    pub(super) fn of_key(key: &'static str, line: usize, what: String) -> Self {
+        Self { line, what, key: Some(key) }
     }
 
     pub(super) fn in_file(self, place: &str) -> Fault {
-        Fault { place: format!("{place}, line {}", self.line), what: self.what }
+        Fault::of_keys(self.key.as_slice(), format!("{place}, line {}", self.line), self.what)
     }
 }
 

@@ -41,7 +41,7 @@ pub(super) fn load(text: &str, place: &str, source: Source, find: &FindFile<'_>)
     if faults.len() > MOST_FAULTS {
         let more = faults.len() - MOST_FAULTS;
         faults.truncate(MOST_FAULTS);
-        faults.push(Fault { place: place.to_owned(), what: format!("there are {more} more faults") });
+        faults.push(Fault::new(place, format!("there are {more} more faults")));
     }
     if faults.is_empty() { Ok(profile) } else { Err(faults) }
 }
@@ -182,7 +182,7 @@ fn missing(profile: &Profile, layers: &[Layer]) -> Option<Fault> {
          take what is missing from there",
         if count == 1 { "is" } else { "are" }
     );
-    Some(Fault { place: place.clone(), what })
+    Some(Fault::of_keys(&missing, place, what))
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ pub struct Key {
     /// From which to which number it goes; none for what is no number.
     pub limits: Option<NumberRange>,
     range: fn(Option<NumberRange>) -> String,
+    choices: fn() -> Vec<Value>,
     get: fn(&Profile) -> Value,
     put: fn(&mut Profile, &Value, Option<NumberRange>) -> bool,
     takes: fn(&Value, Option<NumberRange>) -> bool,
@@ -46,6 +47,13 @@ impl Key {
     /// What the key takes, in words: "a number from 0.3 to 10 mm", "true or false".
     pub fn range(&self) -> String {
         (self.range)(self.limits)
+    }
+
+    /// What there is to choose from, in the order of [`Key::range`]: `true` and `false`, the grades of braille, or the
+    /// words that the key takes. Empty where that is no list: numbers between [limits](Key::limits), and signs of
+    /// textures, whose directions are any angle.
+    pub fn choices(&self) -> Vec<Value> {
+        (self.choices)()
     }
 
     /// Is the value of the right kind and within the range?
@@ -100,6 +108,11 @@ impl Profile {
         keys.all(|(key, origin)| origin.held && key.takes(&key.value(self)))
     }
 
+    /// A fault of these keys, where the one of them that was given last was given.
+    pub(super) fn fault(&self, paths: &[&'static str], what: String) -> Fault {
+        Fault::of_keys(paths, self.place(paths), what)
+    }
+
     /// Where the one of these keys that was given last was given.
     pub(super) fn place(&self, paths: &[&str]) -> String {
         let origins = KEYS.iter().zip(&self.origins).filter(|(key, _)| paths.contains(&key.path));
@@ -111,7 +124,7 @@ impl Profile {
     pub(super) fn put_text(&mut self, index: usize, text: &str, place: String) -> Result<(), Fault> {
         let key = &KEYS[index];
         if !key.put(self, &Value::of_text(text)) {
-            return Err(Fault { place, what: key.refuse(&quoted_path(&[text])) });
+            return Err(Fault::of_keys(&[key.path], place, key.refuse(&quoted_path(&[text]))));
         }
         let order = 1 + self.origins.iter().map(|origin| origin.order).max().unwrap_or(0);
         self.origins[index] = Origin { order, held: true, own: true, place };
@@ -210,8 +223,14 @@ macro_rules! table {
         pub(super) const KEYS: &[Key] = &[$($(Key {
             path: concat!(section_path!($section), ".", stringify!($key)),
             doc: concat!($($doc),+).trim_ascii(),
-            limits: at_most_one(&[$(NumberRange { low: $low, high: $high, unit: concat!("" $(, $unit)?) })?]),
+            limits: at_most_one(&[$(NumberRange {
+                low: $low,
+                high: $high,
+                unit: concat!("" $(, $unit)?),
+                whole: <$kind as Setting>::WHOLE,
+            })?]),
             range: <$kind as Setting>::range,
+            choices: <$kind as Setting>::choices,
             get: |profile| profile.$section.$key.write(),
             put: |profile, value, limits| {
                 let value = <$kind as Setting>::read(value, limits);

@@ -31,6 +31,8 @@ pub struct NumberRange {
     pub high: f32,
     /// Its unit; empty for a bare ratio.
     pub unit: &'static str,
+    /// Whether only whole numbers are taken.
+    pub whole: bool,
 }
 
 /// A type of which a field of a profile can be.
@@ -38,8 +40,16 @@ pub(super) trait Setting: Sized {
     /// What a profile holds that nothing has been read into; out of every range where there is such a value.
     const BLANK: Self;
 
+    /// Whether it is a number without a part after the point.
+    const WHOLE: bool = false;
+
     /// What is taken, in words: "a number from 0.3 to 10 mm", "true or false".
     fn range(limits: Option<NumberRange>) -> String;
+
+    /// All that is taken, where that is a list.
+    fn choices() -> Vec<Value> {
+        Vec::new()
+    }
 
     /// What a value stands for; `None` if it is of another kind or out of range.
     fn read(value: &Value, limits: Option<NumberRange>) -> Option<Self>;
@@ -82,6 +92,10 @@ impl Setting for bool {
         "true or false".to_owned()
     }
 
+    fn choices() -> Vec<Value> {
+        vec![Value::Switch(true), Value::Switch(false)]
+    }
+
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
         if let Value::Switch(switch) = value { Some(*switch) } else { None }
     }
@@ -97,8 +111,8 @@ impl Setting for f32 {
     fn range(limits: Option<NumberRange>) -> String {
         match limits {
             None => "a number".to_owned(),
-            Some(NumberRange { low, high, unit: "" }) => format!("a number from {low} to {high}"),
-            Some(NumberRange { low, high, unit }) => format!("a number from {low} to {high} {unit}"),
+            Some(NumberRange { low, high, unit: "", .. }) => format!("a number from {low} to {high}"),
+            Some(NumberRange { low, high, unit, .. }) => format!("a number from {low} to {high} {unit}"),
         }
     }
 
@@ -117,6 +131,7 @@ impl Setting for f32 {
 /// A whole number.
 impl Setting for usize {
     const BLANK: Self = Self::MAX;
+    const WHOLE: bool = true;
 
     fn range(limits: Option<NumberRange>) -> String {
         match limits {
@@ -151,34 +166,16 @@ impl Setting for Sign {
     }
 }
 
-impl Setting for Orientation {
-    const BLANK: Self = Self::Auto;
-
-    fn range(_: Option<NumberRange>) -> String {
-        one_of(&Self::ALL.map(Self::name))
-    }
-
-    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
-        let Value::Text(text) = value else { return None };
-        Self::ALL.into_iter().find(|orientation| orientation.name() == text)
-    }
-
-    fn write(&self) -> Value {
-        Value::Text(self.name().to_owned())
-    }
-
-    fn suggestion(text: &str) -> Option<String> {
-        nearest_value(text, Self::ALL.into_iter().map(Self::name))
-    }
-}
-
 /// What presses a page: `none`, which prints it, or a device.
 impl Setting for Option<&'static Device> {
     const BLANK: Self = None;
 
     fn range(_: Option<NumberRange>) -> String {
-        let ids = Device::ALL.iter().map(|device| device.id);
-        one_of(&std::iter::once(PRINTED).chain(ids).collect::<Vec<_>>())
+        one_of(&Self::choices())
+    }
+
+    fn choices() -> Vec<Value> {
+        words(std::iter::once(PRINTED).chain(Device::ALL.iter().map(|device| device.id)))
     }
 
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
@@ -209,7 +206,11 @@ impl Setting for Option<Code> {
     const BLANK: Self = None;
 
     fn range(_: Option<NumberRange>) -> String {
-        one_of(&std::iter::once(AUTO).chain(codes()).collect::<Vec<_>>())
+        one_of(&Self::choices())
+    }
+
+    fn choices() -> Vec<Value> {
+        words(std::iter::once(AUTO).chain(codes()))
     }
 
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
@@ -226,17 +227,24 @@ impl Setting for Option<Code> {
     }
 }
 
+const GRADES: [Grade; 2] = [Grade::One, Grade::Two];
+
 /// The grade of braille: 1 or 2.
 impl Setting for Grade {
     const BLANK: Self = Self::One;
+    const WHOLE: bool = true;
 
     fn range(_: Option<NumberRange>) -> String {
         "1 or 2".to_owned()
     }
 
+    fn choices() -> Vec<Value> {
+        GRADES.map(|grade| grade.write()).into()
+    }
+
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
         // exactly: there is nothing between them
-        [Self::One, Self::Two].into_iter().find(|grade| *value == grade.write())
+        GRADES.into_iter().find(|grade| *value == grade.write())
     }
 
     fn write(&self) -> Value {
@@ -247,44 +255,60 @@ impl Setting for Grade {
     }
 }
 
-impl Setting for CellSize {
-    const BLANK: Self = Self::MARBURG;
+/// What a key holds that is one of some words.
+trait Word: Copy + PartialEq + 'static {
+    /// All of them; the first stands where nothing has been read.
+    const ALL: &'static [Self];
 
-    fn range(_: Option<NumberRange>) -> String {
-        one_of(&Self::ALL.map(|size| size.name))
-    }
+    fn word(self) -> &'static str;
+}
 
-    fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
-        if let Value::Text(text) = value { Self::named(text) } else { None }
-    }
+impl Word for Orientation {
+    const ALL: &'static [Self] = &Self::ALL;
 
-    fn write(&self) -> Value {
-        Value::Text(self.name.to_owned())
-    }
-
-    fn suggestion(text: &str) -> Option<String> {
-        nearest_value(text, Self::ALL.into_iter().map(|size| size.name))
+    fn word(self) -> &'static str {
+        self.name()
     }
 }
 
-impl Setting for Align {
-    const BLANK: Self = Self::Centre;
+impl Word for Align {
+    const ALL: &'static [Self] = &Self::ALL;
+
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl Word for CellSize {
+    const ALL: &'static [Self] = &Self::ALL;
+
+    fn word(self) -> &'static str {
+        self.name
+    }
+}
+
+impl<T: Word> Setting for T {
+    const BLANK: Self = T::ALL[0];
 
     fn range(_: Option<NumberRange>) -> String {
-        one_of(&Self::ALL.map(Self::name))
+        one_of(&Self::choices())
+    }
+
+    fn choices() -> Vec<Value> {
+        words(T::ALL.iter().map(|own| own.word()))
     }
 
     fn read(value: &Value, _: Option<NumberRange>) -> Option<Self> {
         let Value::Text(text) = value else { return None };
-        Self::ALL.into_iter().find(|align| align.name() == text)
+        T::ALL.iter().copied().find(|own| own.word() == text)
     }
 
     fn write(&self) -> Value {
-        Value::Text(self.name().to_owned())
+        Value::Text(self.word().to_owned())
     }
 
     fn suggestion(text: &str) -> Option<String> {
-        nearest_value(text, Self::ALL.into_iter().map(Self::name))
+        nearest_value(text, T::ALL.iter().map(|own| own.word()))
     }
 }
 
@@ -301,7 +325,11 @@ const DEVICE: &str = "device = \"";
 /// The word for a page that is printed, in place of a device.
 const PRINTED: &str = "none";
 
-fn one_of(words: &[&str]) -> String {
-    let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+fn words(words: impl Iterator<Item = &'static str>) -> Vec<Value> {
+    words.map(|word| Value::Text(word.to_owned())).collect()
+}
+
+fn one_of(choices: &[Value]) -> String {
+    let quoted: Vec<_> = choices.iter().map(Value::to_string).collect();
     list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
 }

@@ -11,7 +11,6 @@ mod fault;
 mod inherit;
 mod keys;
 mod kind;
-mod limits;
 pub mod manual;
 mod nearest;
 mod parse;
@@ -58,7 +57,7 @@ impl Profile {
     pub fn named(name: &str) -> Result<Self, Error> {
         let Some(text) = built_in::text_of(name) else {
             let place = format!("profile {}", fault::quoted_path(&[name]));
-            return Err(Fault { place, what: suggest::unknown_profile(name) }.into());
+            return Err(Fault::new(place, suggest::unknown_profile(name)).into());
         };
         Ok(inherit::load(text, &format!("{name}.toml"), Source::BuiltIn, &no_file)?)
     }
@@ -89,9 +88,9 @@ impl Profile {
         keys::KEYS.iter().find(|key| key.path == path).map(|key| key.value(self))
     }
 
-    /// Gives one key another value, such as `lines.width_max` the value `1.2`. A section with a key `on` may stand for
-    /// that key. Whether the values still go together is for [`Profile::check`] to say, after the last `set`. In
-    /// messages the place of the value is `key=value`.
+    /// Gives one key another value, such as `lines.width_max` the value `1.2`; a [`Value`] as its `Display` writes it
+    /// is such a text. A section with a key `on` may stand for that key. Whether the values still go together is for
+    /// [`Profile::check`] to say, after the last `set`. In messages the place of the value is `key=value`.
     ///
     /// # Errors
     /// [`Error::Profile`] when there is no such key, or the value is not of its kind or not in its range; then nothing
@@ -108,7 +107,7 @@ impl Profile {
     /// As [`Profile::set`].
     pub fn set_from(&mut self, key: &str, value: &str, place: &str) -> Result<(), Error> {
         let (key, value) = (key.trim(), value.trim());
-        let index = index_of(key).map_err(|what| Fault { place: place.to_owned(), what })?;
+        let index = index_of(key).map_err(|what| Fault::new(place, what))?;
         Ok(self.put_text(index, value, place.to_owned())?)
     }
 

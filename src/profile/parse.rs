@@ -153,7 +153,7 @@ impl Reader<'_> {
             None => true,
         };
         if refused {
-            self.faults.push(Found::new(line, key.refuse(&self.said(value))));
+            self.faults.push(Found::of_key(key.path, line, key.refuse(&self.said(value))));
         }
         self.written.given.push(Given { key: index, value: given.filter(|_| !refused && !damaged), line });
     }

@@ -60,7 +60,7 @@ impl Profile {
             let origin = self.origins.get(index).filter(|origin| origin.own && origin.held)?;
             let page = if self.dots.device.is_some() { "a page of dots" } else { "a printed page" };
             let what = format!("{} does not count on {page}: {}", unused.path, unused.why);
-            Some(Fault { place: origin.place.clone(), what })
+            Some(Fault::of_keys(&[unused.path], &origin.place, what))
         };
         self.not_counting().iter().filter_map(told).collect()
     }

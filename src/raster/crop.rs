@@ -8,12 +8,15 @@ use crate::units::Size;
 
 /// A part of a picture: where it begins, from the left and from the top, its width and its height. Each is in pixels,
 /// in percent or, for what is [erased](crate::Options::erase) or [kept](crate::Options::keep), in mm of the figure on
-/// the sheet, from its top left corner.
+/// the sheet, from its top left corner. As a text these may be mixed.
 ///
 /// ```
 /// use tactograph::Crop;
-/// let crop: Crop = "10%,25%,50%,50%".parse()?;
+/// let crop = Crop::percent(10.0, 25.0, 50.0, 50.0)?;
 /// assert_eq!(crop.to_string(), "10%,25%,50%,50%");
+/// assert_eq!(crop, "10%,25%,50%,50%".parse()?);
+/// let mixed: Crop = "320,200,50%,50%".parse()?;
+/// # let _ = mixed;
 /// # Ok::<(), tactograph::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +48,37 @@ impl Part {
 }
 
 impl Crop {
+    /// A part in pixels.
+    ///
+    /// # Errors
+    /// [`Error::NotACrop`] if it is empty.
+    pub fn pixels(left: u32, top: u32, width: u32, height: u32) -> Result<Self, Error> {
+        Self::of([left, top, width, height].map(Length::Pixels))
+    }
+
+    /// A part in percent of the picture's width and height, 0 to 100.
+    ///
+    /// # Errors
+    /// [`Error::NotACrop`] if a number is out of its range, or the part is empty.
+    pub fn percent(left: f64, top: f64, width: f64, height: f64) -> Result<Self, Error> {
+        Self::of([left, top, width, height].map(Length::Percent))
+    }
+
+    /// A part in millimetres of the figure on the sheet, 0 to 10 000, for [`Options::erase`](crate::Options::erase) and
+    /// [`Options::keep`](crate::Options::keep). Where a picture is cropped it is refused with [`Error::PartInMm`], as
+    /// the figure is laid out later.
+    ///
+    /// # Errors
+    /// [`Error::NotACrop`] if a number is out of its range, or the part is empty.
+    pub fn mm(left: f64, top: f64, width: f64, height: f64) -> Result<Self, Error> {
+        Self::of([left, top, width, height].map(Length::Mm))
+    }
+
+    fn of(lengths: [Length; 4]) -> Result<Self, Error> {
+        let is_fine = lengths.iter().all(Length::is_in_range) && !lengths[2..].iter().any(Length::is_nothing);
+        if is_fine { Ok(Self(lengths)) } else { Err(Error::NotACrop) }
+    }
+
     /// The part of a picture of `size` pixels; what is in percent is rounded to whole pixels, its edges one by one, so
     /// that parts that touch in percent touch in pixels.
     ///
@@ -112,21 +146,33 @@ impl FromStr for Crop {
     fn from_str(text: &str) -> Result<Self, Error> {
         let lengths: Vec<Length> =
             text.split(',').map(|text| length(text.trim())).collect::<Option<_>>().ok_or(Error::NotACrop)?;
-        let lengths: [Length; 4] = lengths.try_into().map_err(|_| Error::NotACrop)?;
-        let is_empty = |length: &Length| [Length::Pixels(0), Length::Percent(0.0), Length::Mm(0.0)].contains(length);
-        if lengths[2..].iter().any(is_empty) { Err(Error::NotACrop) } else { Ok(Self(lengths)) }
+        Self::of(lengths.try_into().map_err(|_| Error::NotACrop)?)
     }
 }
 
 /// No sheet is longer, mm.
 const LONGEST_MM: f64 = 10_000.0;
 
+impl Length {
+    fn is_in_range(&self) -> bool {
+        match self {
+            Self::Pixels(_) => true,
+            Self::Percent(percent) => (0.0..=100.0).contains(percent),
+            Self::Mm(mm) => (0.0..=LONGEST_MM).contains(mm),
+        }
+    }
+
+    fn is_nothing(&self) -> bool {
+        [Self::Pixels(0), Self::Percent(0.0), Self::Mm(0.0)].contains(self)
+    }
+}
+
 fn length(text: &str) -> Option<Length> {
     if let Some(mm) = text.strip_suffix("mm") {
-        return mm.trim().parse().ok().filter(|mm| (0.0..=LONGEST_MM).contains(mm)).map(Length::Mm);
+        return mm.trim().parse().ok().map(Length::Mm);
     }
     match text.strip_suffix('%') {
-        Some(percent) => percent.trim().parse().ok().filter(|p| (0.0..=100.0).contains(p)).map(Length::Percent),
+        Some(percent) => percent.trim().parse().ok().map(Length::Percent),
         None => text.strip_suffix("px").unwrap_or(text).trim().parse().ok().map(Length::Pixels),
     }
 }
@@ -165,6 +211,26 @@ mod tests {
         ] {
             assert_eq!(part(text), Some(want), "{text}");
         }
+    }
+
+    #[test]
+    fn parts_of_numbers_are_those_of_their_texts() {
+        let texts = ["1,2,3,4", "0%,12.5%,33.3%,100%", "0mm,5mm,20.5mm,10000mm"];
+        let parts =
+            [Crop::pixels(1, 2, 3, 4), Crop::percent(0.0, 12.5, 33.3, 100.0), Crop::mm(0.0, 5.0, 20.5, 10_000.0)];
+        for (text, part) in texts.into_iter().zip(parts) {
+            assert_eq!(part.as_ref().map(Crop::to_string), Ok(text.to_owned()));
+            assert_eq!(part, text.parse());
+        }
+        let refused = [
+            Crop::pixels(0, 0, 0, 5),
+            Crop::percent(-0.1, 0.0, 5.0, 5.0),
+            Crop::percent(0.0, 0.0, 100.1, 5.0),
+            Crop::percent(0.0, 0.0, f64::NAN, 5.0),
+            Crop::mm(0.0, 0.0, 5.0, 0.0),
+            Crop::mm(0.0, f64::INFINITY, 5.0, 5.0),
+        ];
+        assert_eq!(refused, [const { Err(Error::NotACrop) }; 6]);
     }
 
     #[test]

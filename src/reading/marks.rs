@@ -175,28 +175,11 @@ impl<'a> Marks<'a> {
         };
         let area_scale = (transform.sx * transform.sy - transform.kx * transform.ky).abs();
         let opacity = around.opacity;
-        let colour = path.fill().map_or([0; 3], |fill| match fill.paint() {
-            Paint::Color(colour) => {
-                let seen = |channel: u8| 255.0 - (255.0 - f32::from(channel)) * fill.opacity().get() * opacity;
-                [colour.red, colour.green, colour.blue].map(|channel| seen(channel).round() as u8)
-            }
-            _ => [0; 3],
-        });
-        let mut shade = |paint: &Paint, opacity: f32| match paint {
-            Paint::Color(colour) => {
-                let light =
-                    (299 * u32::from(colour.red) + 587 * u32::from(colour.green) + 114 * u32::from(colour.blue)) / 1000;
-                (255.0 - (255.0 - light as f32) * opacity * around.opacity).round() as u8
-            }
-            _ => {
-                self.patterned += 1;
-                0
-            }
-        };
-        let fill = path.fill().map(|fill| shade(fill.paint(), fill.opacity().get()));
+        let colour = path.fill().map_or([0; 3], |fill| colour_of(fill.paint(), fill.opacity().get() * opacity));
+        let fill = path.fill().map(|fill| self.shade(fill.paint(), fill.opacity().get() * opacity));
         let stroke = path.stroke().map(|stroke| Stroke {
             width: clean(stroke.width().get() * area_scale.sqrt()),
-            shade: shade(stroke.paint(), stroke.opacity().get()),
+            shade: self.shade(stroke.paint(), stroke.opacity().get() * opacity),
             is_dashed: stroke.dasharray().is_some(),
         });
         let is_direct = own.parent() == Some(element) || own == element;
@@ -204,6 +187,26 @@ impl<'a> Marks<'a> {
         self.marks.push(Mark { layer, object, element, is_direct, outlines, fill, colour, stroke, area_scale });
         Ok(())
     }
+
+    /// How light a paint is on white; patterns count as black, and are counted.
+    fn shade(&mut self, paint: &Paint, opacity: f32) -> u8 {
+        let Paint::Color(colour) = paint else {
+            self.patterned += 1;
+            return 0;
+        };
+        let light = (299 * u32::from(colour.red) + 587 * u32::from(colour.green) + 114 * u32::from(colour.blue)) / 1000;
+        on_white(light as f32, opacity)
+    }
+}
+
+/// The colour of a paint on white; patterns count as black.
+fn colour_of(paint: &Paint, opacity: f32) -> [u8; 3] {
+    let Paint::Color(colour) = paint else { return [0; 3] };
+    [colour.red, colour.green, colour.blue].map(|channel| on_white(f32::from(channel), opacity))
+}
+
+fn on_white(channel: f32, opacity: f32) -> u8 {
+    (255.0 - (255.0 - channel) * opacity).round() as u8
 }
 
 /// Whether an element stands for one thing on the page: a contour, a region or a text.

@@ -15,7 +15,6 @@
 //! (train, then not looked at): `docs/photographs.md` has the figures.
 
 mod arcs;
-mod areas;
 mod border;
 mod choose;
 mod grid;
@@ -31,10 +30,9 @@ mod traces;
 mod tree;
 mod watershed;
 
-pub use areas::Areas;
 pub use choose::Params;
 pub use grid::Grid;
 pub use heights::Heights;
 pub use mask::Mask;
-pub use trace::{Trace, TracePoint};
+pub use trace::{Areas, Trace, TracePoint};
 pub use tree::{Detail, Tree};

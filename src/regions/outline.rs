@@ -1,10 +1,9 @@
 //! Outlines of the most telling regions.
 
-use super::areas::Areas;
 use super::border::{Border, borders, corner_at};
 use super::choose::{Params, choose};
 use super::label_map::label_map;
-use super::trace::{Trace, TracePoint};
+use super::trace::{Areas, Trace, TracePoint};
 use super::tree::Tree;
 
 use crate::geom::polyline::{Polyline, smooth};
@@ -195,15 +194,16 @@ mod tests {
         let plane = Plane { size, values: (0..size.len()).map(lightness).collect() };
         let tree = Tree::new(&[square(&large), square(&small)], &[plane], Grid::new(size), Detail::OUTLINES);
         let one = Params { most: 1, ..PARAMS };
+        let most_telling = tree.most_telling(0.5, &one);
         let cells = |x: f32, y: f32| {
-            let subject = tree.subject_at(PxPoint::new(x, y), 0.5, &one).expect("something is there");
+            let subject = tree.subject_at(PxPoint::new(x, y), 0.5, &most_telling).expect("something is there");
             (subject, tree.mask(&[subject]).cells() as f32)
         };
         let (inner, area) = cells(40.0, 40.0);
         assert!((area / 400.0 - 1.0).abs() < 0.15, "{area}");
         let (_, area) = cells(80.0, 60.0);
         assert!(area > 4500.0, "{area}");
-        assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &one), None, "beyond the picture");
+        assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &most_telling), None, "beyond the picture");
         let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
         assert!(area_of(tree.outlines(0.5, &one, &[], None).0) > 250.0, "the large one tells most");
         assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner], None).0)), "the subject comes first");
@@ -227,7 +227,7 @@ mod tests {
         let (one, areas) = tree.outlines(0.5, &Params { drawn: Some(1), ..PARAMS }, &[], None);
         assert_eq!((one.len(), areas.count(), areas.beyond()), (1, 1, 1));
         assert_eq!(places.map(|at| areas.at(at)), [1, 0, 0]);
-        let small = tree.subject_at(places[1], 0.5, &PARAMS).expect("a disc is there");
+        let small = tree.subject_at(places[1], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
         let (one, areas) = tree.outlines(0.5, &PARAMS, &[], Some(&[small]));
         assert_eq!((one.len(), places.map(|at| areas.at(at))), (1, [0, 1, 0]), "no other than those it may be");
     }

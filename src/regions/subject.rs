@@ -14,16 +14,21 @@ use crate::units::PxPoint;
 const SALIENT: f64 = 0.4;
 
 impl Tree {
-    /// The region that a place of the picture names, on a sheet with so many millimetres for a pixel of it: the
-    /// smallest around it of those that [`Tree::outlines`] chooses without a subject, else the smallest salient one.
-    /// Its number is for [`Tree::outlines`] and [`Tree::mask`].
-    pub fn subject_at(&self, at: PxPoint, mm_per_px: f32, params: &Params) -> Option<u32> {
+    /// All regions that tell enough for an outline, on a sheet with so many millimetres for a pixel, the most telling
+    /// first.
+    pub fn most_telling(&self, mm_per_px: f32, params: &Params) -> Vec<u32> {
+        choose(self, self.mm_of_cell(mm_per_px), params, &[], None)
+    }
+
+    /// The region that a place of the picture names: the smallest around it of the [most telling](Tree::most_telling)
+    /// ones, else the smallest salient one. Its number is for [`Tree::outlines`] and [`Tree::mask`].
+    pub fn subject_at(&self, at: PxPoint, mm_per_px: f32, most_telling: &[u32]) -> Option<u32> {
         let mm = self.mm_of_cell(mm_per_px);
         let cell = self.grid.cell_at(self.grid.to_cells(at))?;
         let members = Members::of(self);
         let basin = self.basin[cell];
         // regions are numbered in the order in which they are merged, so that the smaller of two comes first
-        let chosen = choose(self, mm, params, &[], None).into_iter().filter(|&node| members.has(node, basin)).min();
+        let chosen = most_telling.iter().copied().filter(|&node| members.has(node, basin)).min();
         chosen.or_else(|| {
             let around: Vec<(u32, f64)> = (0_u32..)
                 .zip(&self.nodes)

@@ -1,5 +1,6 @@
-//! Traced contours, as they come in and as outlines go out.
+//! Traced contours, as they come in and as outlines go out, and the areas that those surround.
 
+use super::grid::Grid;
 use crate::geom::polyline::{Located, Polyline};
 use crate::units::{Px, PxPoint};
 
@@ -22,3 +23,32 @@ impl Located for TracePoint {
 
 /// A traced contour.
 pub type Trace = Polyline<TracePoint>;
+
+/// The areas inside the outlines of chosen regions, cell by cell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Areas {
+    pub(super) grid: Grid,
+    /// The area of each cell, from 1 on; 0 is the ground.
+    pub(super) labels: Vec<u8>,
+    /// How many there are beside the ground.
+    pub(super) count: usize,
+    /// How many regions tell enough for an outline beside these, and are beyond the most that are drawn.
+    pub(super) beyond: usize,
+}
+
+impl Areas {
+    /// How many there are, without the ground between and around them.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// How many regions tell enough for an outline and are left out, as they are beyond the most that are drawn.
+    pub fn beyond(&self) -> usize {
+        self.beyond
+    }
+
+    /// The number of the area at a place of the picture, from 1 on; 0 is the ground, which also is outside the picture.
+    pub fn at(&self, at: PxPoint) -> usize {
+        self.grid.cell_at(self.grid.to_cells(at)).map_or(0, |cell| usize::from(self.labels[cell]))
+    }
+}

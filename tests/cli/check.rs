@@ -3,12 +3,7 @@
 use crate::cli::common::*;
 
 fn with_page() -> Place {
-    let place = Place::new();
-    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
-                   <rect width=\"300\" height=\"200\" fill=\"#fff\"/><rect width=\"150\" height=\"200\" fill=\"#24c\"/></svg>";
-    place.put("sea.svg", drawing.as_bytes());
-    let run = place.run(&["convert", "sea.svg", "-o", "page.svg", "-q"]);
-    assert_eq!(run.code, 0, "{}", run.err);
+    let place = Place::with_sea();
     let page = place.text("page.svg");
     place.put("thin.svg", page.replace("stroke-width=\"1.5\"", "stroke-width=\"0.15\"").as_bytes());
     let near =

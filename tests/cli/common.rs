@@ -29,6 +29,17 @@ impl Place {
         place
     }
 
+    /// A place with a drawing, half blue and half white, and the page of it.
+    pub(crate) fn with_sea() -> Self {
+        let place = Self::new();
+        let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
+             <rect width=\"300\" height=\"200\" fill=\"#fff\"/><rect width=\"150\" height=\"200\" fill=\"#24c\"/></svg>";
+        place.put("sea.svg", drawing.as_bytes());
+        let run = place.run(&["convert", "sea.svg", "-o", "page.svg", "-q"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        place
+    }
+
     pub(crate) fn path(&self, name: impl AsRef<Path>) -> PathBuf {
         self.0.path().join(name)
     }

@@ -2,17 +2,6 @@
 
 use crate::cli::common::*;
 
-/// A place with a page of a drawing in it: half blue, half white.
-fn with_page() -> Place {
-    let place = Place::new();
-    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\">\
-                   <rect width=\"300\" height=\"200\" fill=\"#fff\"/><rect width=\"150\" height=\"200\" fill=\"#24c\"/></svg>";
-    place.put("sea.svg", drawing.as_bytes());
-    let run = place.run(&["convert", "sea.svg", "-o", "page.svg", "-q"]);
-    assert_eq!(run.code, 0, "{}", run.err);
-    place
-}
-
 /// The percentage that follows `word` in a line of the report.
 fn percent(line: &str, word: &str) -> u32 {
     let number = line.split_once(&format!("{word} ")).and_then(|(_, rest)| rest.split_once(" %"));
@@ -21,7 +10,7 @@ fn percent(line: &str, word: &str) -> u32 {
 
 #[test]
 fn a_page_is_told_in_sentences() {
-    let place = with_page();
+    let place = Place::with_sea();
     let run = place.run(&["feel", "page.svg"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let lines: Vec<&str> = run.out.lines().collect();
@@ -38,7 +27,7 @@ fn a_page_is_told_in_sentences() {
 
 #[test]
 fn a_page_comes_from_standard_input_too_and_the_fingertip_is_chosen() {
-    let place = with_page();
+    let place = Place::with_sea();
     let page = place.text("page.svg");
     let run = place.run_with_input(&["feel", "-", "--finger", "1.5"], page.as_bytes());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
@@ -47,7 +36,7 @@ fn a_page_comes_from_standard_input_too_and_the_fingertip_is_chosen() {
 
 #[test]
 fn a_map_is_written_where_it_is_asked_for() {
-    let place = with_page();
+    let place = Place::with_sea();
     let run = place.run(&["feel", "page.svg", "-o", "felt.png"]);
     assert_eq!((run.code, run.err.as_str()), (0, "page.svg: wrote felt.png\n"));
     let map = std::fs::read(place.path("felt.png")).expect("there is a map");
@@ -57,7 +46,7 @@ fn a_map_is_written_where_it_is_asked_for() {
 
 #[test]
 fn what_cannot_be_felt_is_refused_in_one_line() {
-    let place = with_page();
+    let place = Place::with_sea();
     place.put("photo.svg", b"\xff\xd8\xff\xe0");
     let no_page = "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
                    -grey); give a page that tactograph made";

@@ -4,7 +4,7 @@ use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
-use crate::decode::{decode_to, fault, folder, no_fonts, open, read, whole};
+use crate::decode::{decode_to, fault, folder, open, read, whole};
 
 #[test]
 fn what_is_no_picture_is_named() {
@@ -137,8 +137,7 @@ fn a_header_over_a_limit_is_refused_by_name() {
 fn memory_over_the_limit_is_refused_before_decoding() {
     let limits = Limits { megapixels: 1_000_000, memory_mb: 50 };
     let working_size = |_: Source| Ok(Size::new(1000, 1000));
-    let options =
-        Options { limits, fonts: &no_fonts, crop: None, page: None, keep_text: true, working_size: &working_size };
+    let options = Options { limits, ..Options::whole(&working_size) };
     for (format, bytes) in huge() {
         // PNG comes row by row, and gets as far as its missing pixels.
         let Err(fault) = decode(&bytes, &options) else { panic!("{format} is read") };
@@ -244,8 +243,7 @@ fn damaged_pictures_never_panic() {
     let limits = Limits { megapixels: 4, memory_mb: 64 };
     let working_size =
         |source: Source| Ok(Size::new(source.size.width.div_ceil(3).min(100), source.size.height.div_ceil(3).min(100)));
-    let options =
-        Options { limits, fonts: &no_fonts, crop: None, page: None, keep_text: true, working_size: &working_size };
+    let options = Options { limits, ..Options::whole(&working_size) };
     let mut panicked = Vec::new();
     for path in names {
         let whole = std::fs::read(&path).unwrap();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::raster::decode::{Options, Source, decode};
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
@@ -49,14 +49,7 @@ fn fonts_are_asked_for_once_and_only_by_texts() {
         Arc::new(fonts)
     };
     let working_size = |source: Source| Ok(source.size);
-    let options = Options {
-        limits: Limits::default(),
-        fonts: &fonts,
-        crop: None,
-        page: None,
-        keep_text: true,
-        working_size: &working_size,
-    };
+    let options = Options { fonts: &fonts, ..Options::whole(&working_size) };
     for name in ["rgb.svg", "picture-inside.svg", "linked.svg", "rgb.png"] {
         decode(&read(name), &options).unwrap();
     }

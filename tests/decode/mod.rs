@@ -7,7 +7,6 @@ mod drawings;
 mod pdf;
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use tactograph::Error;
 use tactograph::internals::raster::Raster;
@@ -30,15 +29,8 @@ fn read(name: &str) -> Vec<u8> {
     std::fs::read(folder().join(name)).unwrap_or_else(|fault| panic!("{name}: {fault}"))
 }
 
-fn no_fonts() -> Arc<usvg::fontdb::Database> {
-    Arc::default()
-}
-
 fn decode_to(bytes: &[u8], working_size: &dyn Fn(Source) -> Result<Size, Error>) -> Result<Picture, Error> {
-    decode(
-        bytes,
-        &Options { limits: Limits::default(), fonts: &no_fonts, crop: None, page: None, keep_text: true, working_size },
-    )
+    decode(bytes, &Options::whole(working_size))
 }
 
 /// At the size of the source.

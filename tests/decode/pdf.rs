@@ -42,7 +42,7 @@ const FONT: &str = "/Font << /F << /Type /Font /Subtype /Type1 /BaseFont /Helvet
 
 fn decode_page(bytes: &[u8], page: Option<u32>, keep_text: bool, limits: Limits) -> Result<Picture, Error> {
     let working_size = |source: Source| Ok(source.size);
-    decode(bytes, &Options { limits, fonts: &no_fonts, crop: None, page, keep_text, working_size: &working_size })
+    decode(bytes, &Options { limits, page, keep_text, ..Options::whole(&working_size) })
 }
 
 fn without_text(bytes: &[u8], page: Option<u32>) -> Picture {

@@ -77,7 +77,7 @@ fn answered(text: &str) {
         Ok(profile) => assert_eq!(profile.check(), Ok(())),
         Err(Error::Profile(faults)) => {
             assert!(!faults.is_empty());
-            for Fault { place, what } in faults {
+            for Fault { place, what, .. } in faults {
                 assert!(
                     place.starts_with("my.toml") && !what.is_empty() && !what.contains(char::is_control),
                     "{place} {what}"

@@ -1,6 +1,7 @@
 //! Profiles with mistakes: what is said of them.
 
-use tactograph::internals::profile::{Profile, built_in};
+use tactograph::Error;
+use tactograph::internals::profile::{Profile, Value, built_in};
 
 use crate::profiles::in_lines;
 
@@ -297,6 +298,56 @@ fn mistakes_hide_no_others() {
     ] {
         check(&format!("{HEIR}{text}"), expected);
     }
+}
+
+/// A form can show a fault beside the fields that it is about.
+#[test]
+fn faults_name_their_keys() {
+    let keys = |result: Result<Profile, Error>| match result {
+        Err(Error::Profile(faults)) => faults.into_iter().map(|fault| fault.keys).collect::<Vec<_>>(),
+        other => panic!("{other:?}"),
+    };
+    let of_text = |text: &str| keys(Profile::from_toml(&format!("{HEIR}{text}"), "my.toml"));
+    let wrong = "lines.detail = 2\nedges = { low = 9, high = 4 }\nlines.gap = 3\nlines.min_gap 3";
+    let none: [&str; 0] = [];
+    assert_eq!(of_text(wrong), [&["lines.detail"][..], &none, &none, &["edges.low", "edges.high"]]);
+    assert_eq!(of_text("print.swell = 1"), [["textures.min_glyph", "print.swell"]]);
+    assert_eq!(keys(Profile::named("swell-a5")), [none]);
+    let missing = built_in()[0].text.replace("tolerance = 0.05", "");
+    assert_eq!(keys(Profile::from_toml(&missing, "my.toml")), [["lines.tolerance"]]);
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    assert_eq!(keys(profile.set("lines.detail", "7").map(|()| profile.clone())), [["lines.detail"]]);
+    profile.set("dots.line_gap", "3").expect("a key");
+    assert_eq!(profile.unused().into_iter().map(|fault| fault.keys).collect::<Vec<_>>(), [["dots.line_gap"]]);
+    let mut pressed = Profile::named("index-basic-d").expect("it is built in");
+    pressed.set("dots.pitch", "7").expect("a number in the range");
+    assert_eq!(keys(pressed.check().map(|()| pressed.clone())), [["dots.pitch", "dots.device"]]);
+}
+
+/// What a form offers for a key is what the key takes, and all of it.
+#[test]
+fn choices_of_keys_are_what_they_take() {
+    for key in Profile::keys() {
+        let choices = key.choices();
+        assert!(choices.iter().all(|choice| key.takes(choice)), "{}", key.path);
+        // an angle of a texture is any, and so is a number within its limits
+        let has_other_bounds = key.limits.is_some() || key.section() == "textures.palette";
+        assert!(!choices.is_empty() || has_other_bounds, "{}", key.path);
+        for profile in built_in().iter().map(|profile| Profile::named(profile.name).expect("it is built in")) {
+            assert!(choices.is_empty() || choices.contains(&key.value(&profile)), "{}", key.path);
+        }
+        if let Some(limits) = key.limits {
+            let between = Value::Number(0.5 + (0.5 * (limits.low + limits.high)).floor());
+            assert_eq!(limits.whole, !key.takes(&between), "{}", key.path);
+        }
+    }
+    let texts = |path: &str| {
+        let key = Profile::keys().iter().find(|key| key.path == path).expect("a key");
+        key.choices().iter().map(Value::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(texts("page.orientation"), ["\"auto\"", "\"portrait\"", "\"landscape\""]);
+    assert_eq!(texts("braille.grade"), ["1", "2"]);
+    assert_eq!(texts("overview.on"), ["true", "false"]);
 }
 
 /// A file that is no profile at all is told so without a flood.

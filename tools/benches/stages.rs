@@ -87,7 +87,7 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     });
     bench(group, "svg", || svg::write(&page));
     bench(group, "pdf", || pdf::write(&page.title, std::slice::from_ref(&page)));
-    bench(group, "png", || page_png::write(&page, dpi, Depth::Bilevel));
+    bench(group, "png", || page_png::write(&page, dpi, Depth::Bilevel, Default::default()));
     bench(group, "feel", || touch::feel(&drawing, 1.0));
     Ok(())
 }
@@ -107,15 +107,7 @@ fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
         let pixels = |mm: f32, own: u32| ((mm * plan.profile().figure.resolution).round() as u32).clamp(1, own);
         Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
     };
-    let options = Options {
-        limits: Limits::default(),
-        fonts: &Arc::default,
-        crop: None,
-        page: None,
-        keep_text: true,
-        working_size: &working_size,
-    };
-    decode::decode(bytes, &options)
+    decode::decode(bytes, &Options::whole(&working_size))
 }
 
 /// The finished page.

@@ -80,7 +80,7 @@ pub(in crate::cli) enum When {
 
 /// What is to be written.
 #[derive(Debug, Clone, Default)]
-pub(in crate::cli) struct Given {
+pub(in crate::cli) struct GivenLabels {
     labels: Vec<Label>,
     texts: bool,
     key: When,
@@ -111,10 +111,12 @@ impl Labels {
     ///
     /// # Errors
     /// Everything that is wrong with it, each with its line.
-    pub(in crate::cli) fn read(&self) -> Result<Given, Vec<String>> {
+    pub(in crate::cli) fn read(&self) -> Result<GivenLabels, Vec<String>> {
         match self.labels.as_deref() {
-            None => Ok(Given { key: self.key.key, number: self.number, ..Given::default() }),
-            Some(TEXTS) => Ok(Given { texts: true, key: self.key.key, number: self.number, ..Given::default() }),
+            None => Ok(GivenLabels { key: self.key.key, number: self.number, ..GivenLabels::default() }),
+            Some(TEXTS) => {
+                Ok(GivenLabels { texts: true, key: self.key.key, number: self.number, ..GivenLabels::default() })
+            }
             Some(path) => {
                 let of_file = |what: String| vec![format!("--labels {path}: {what}")];
                 let bytes = input::read(Path::new(path), MOST_BYTES, "this is too large for a list of labels")
@@ -127,7 +129,7 @@ impl Labels {
                 if labels.is_empty() {
                     return Err(of_file("this has no labels; write one a line, as x, y and text".to_owned()));
                 }
-                Ok(Given { labels, texts: false, key: self.key.key, number: self.number })
+                Ok(GivenLabels { labels, texts: false, key: self.key.key, number: self.number })
             }
         }
     }
@@ -150,7 +152,7 @@ impl When {
     }
 }
 
-impl Given {
+impl GivenLabels {
     /// When there is a key.
     pub(in crate::cli) fn key(&self) -> KeySheets {
         self.key.sheets()

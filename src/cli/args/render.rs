@@ -4,9 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::embossing::Embossing;
 use super::labels::WithKey;
-use super::writing::Writing;
+use super::writing::{Embossing, Writing};
 
 pub(super) const LONG_ABOUT: &str = "\
 Writes a page that \"tactograph convert\" made as SVG, changed in an editor or not, in any format.

@@ -57,6 +57,13 @@ pub struct Options<'a> {
     pub working_size: &'a dyn Fn(Source) -> Result<Size, Error>,
 }
 
+impl<'a> Options<'a> {
+    /// All of the first page with its letters, within the default limits, where there are no fonts.
+    pub fn whole(working_size: &'a dyn Fn(Source) -> Result<Size, Error>) -> Self {
+        Self { limits: Limits::default(), fonts: &Arc::default, crop: None, page: None, keep_text: true, working_size }
+    }
+}
+
 /// A decoded picture.
 #[derive(Debug, Clone)]
 pub struct Picture {

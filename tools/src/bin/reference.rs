@@ -6,11 +6,9 @@
 //! ```
 #![allow(clippy::print_stdout, reason = "this is a program")]
 
-use std::sync::Arc;
-
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::raster::decode::{Options, Source, decode};
 use tactograph::internals::units::Size;
 use tactograph_tools::reference::edges::quantile;
 use tactograph_tools::reference::{colours, edges, glyphs, scenes};
@@ -76,20 +74,11 @@ fn codes(raster: &Raster) -> impl Iterator<Item = [f32; 3]> {
 
 fn sample(name: &str) -> Result<Raster, Box<dyn std::error::Error>> {
     let bytes = std::fs::read(format!("{}/samples/{name}", tactograph_tools::ROOT))?;
-    let fonts = || Arc::new(usvg::fontdb::Database::new());
     let working_size = |source: Source| -> Result<Size, tactograph::Error> {
         let longer = source.size.width.max(source.size.height) as f32;
         let scale = if source.is_drawing { LONGEST / longer } else { (LONGEST / longer).min(1.0) };
         let side = |pixels: u32| (pixels as f32 * scale).round() as u32;
         Ok(Size::new(side(source.size.width), side(source.size.height)))
     };
-    let options = Options {
-        limits: Limits::default(),
-        fonts: &fonts,
-        crop: None,
-        page: None,
-        keep_text: false,
-        working_size: &working_size,
-    };
-    Ok(decode(&bytes, &options)?.raster)
+    Ok(decode(&bytes, &Options { keep_text: false, ..Options::whole(&working_size) })?.raster)
 }

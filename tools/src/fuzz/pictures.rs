@@ -1,7 +1,5 @@
 //! Pictures in, format by format.
 
-use std::sync::Arc;
-
 use tactograph::Error;
 use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
 use tactograph::internals::units::Size;
@@ -46,20 +44,12 @@ pub(super) fn svg(bytes: &[u8]) {
 }
 
 fn decoded(bytes: &[u8]) {
-    let fonts = || Arc::new(usvg::fontdb::Database::new());
     let working_size = |source: Source| -> Result<Size, Error> {
         let scale = (LONGEST as f32 / source.size.width.max(source.size.height) as f32).min(1.0);
         let side = |pixels: u32| ((pixels as f32 * scale) as u32).max(1);
         Ok(Size::new(side(source.size.width), side(source.size.height)))
     };
-    let options = Options {
-        limits: LIMITS,
-        fonts: &fonts,
-        crop: None,
-        page: None,
-        keep_text: bytes.len() % 2 == 1,
-        working_size: &working_size,
-    };
+    let options = Options { limits: LIMITS, keep_text: bytes.len() % 2 == 1, ..Options::whole(&working_size) };
     match decode(bytes, &options) {
         Ok(picture) => {
             let size = picture.raster.size();

@@ -8,7 +8,7 @@ use hayro_interpret::hayro_syntax::content::ops::TypedInstruction;
 use hayro_interpret::hayro_syntax::object::{Array, Dict, Name, ObjectIdentifier, Stream};
 use hayro_interpret::hayro_syntax::page::{Page, Resources};
 
-use super::common::FORMAT;
+use super::unpacked::FORMAT;
 use crate::Error;
 use crate::raster::decode::job::{Limits, undecodable, unpacks_too_far};
 

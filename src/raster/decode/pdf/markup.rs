@@ -4,7 +4,7 @@
 //! font's letters are drawings of their own (Type 3). Each path that is clipped stands in a group of its own, so that
 //! a page of a thousand paths under one clip has a thousand clipped groups.
 
-use super::common::PX_PER_POINT;
+use super::words::PX_PER_POINT;
 
 /// The text with its size in CSS pixels, without letters unless they are kept, and with neighbours that are clipped
 /// alike in one group.

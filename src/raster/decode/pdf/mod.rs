@@ -6,7 +6,6 @@
 //!                                               `---- hayro-svg -- markup --> SVG without letters --> drawing
 //! ```
 
-mod common;
 mod cost;
 mod markup;
 mod survey;
@@ -20,7 +19,7 @@ use hayro_svg::{RenderCache, SvgRenderSettings};
 use resvg::tiny_skia::Transform;
 use std::sync::{Arc, Mutex};
 
-use self::common::FORMAT;
+use self::unpacked::FORMAT;
 use super::drawing;
 use super::job::{Options, Picture, undecodable};
 use crate::raster::vector::DrawnText;

@@ -14,7 +14,7 @@ use hayro_interpret::{
     InterpreterSettings, Paint, SoftMask, TransformExt, interpret_page,
 };
 
-use super::common::FORMAT;
+use super::unpacked::FORMAT;
 use super::words::{Letter, Texts, Written};
 use crate::Error;
 use crate::raster::decode::job::{Limits, OVER_LIMIT, check_memory};

@@ -3,9 +3,11 @@
 
 use std::io::Read;
 
-use super::common::FORMAT;
 use crate::Error;
 use crate::raster::decode::job::{Limits, unpacks_too_far};
+
+/// The format's name in messages.
+pub(super) const FORMAT: &str = "PDF";
 
 /// Most bytes that DEFLATE makes of one.
 const MOST_FOR_ONE: u64 = 1032;

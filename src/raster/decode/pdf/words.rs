@@ -3,9 +3,11 @@
 use hayro_interpret::kurbo::{Point, Rect, Vec2};
 use resvg::tiny_skia::Transform;
 
-use super::common::PX_PER_POINT;
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
+
+/// CSS pixels for a point, in which PDF measures.
+pub(super) const PX_PER_POINT: f32 = 96.0 / 72.0;
 
 /// Widest gap inside a word, in font sizes. Spaces between words are 0.22 (set close by TeX) to 0.6.
 const IN_WORD: f64 = 0.19;

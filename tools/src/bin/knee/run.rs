@@ -1,7 +1,5 @@
 //! One picture, one setting: the stages as `src/pipeline.rs` calls them, each with its time.
 
-use std::sync::Arc;
-
 use tactograph::Error;
 use tactograph::internals::classes::{self, Classes};
 use tactograph::internals::edges;
@@ -11,7 +9,7 @@ use tactograph::internals::page::layout::{self, Layout};
 use tactograph::internals::page::{Figure, Overview, Page, Parts};
 use tactograph::internals::profile::Plan;
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{self, Limits, Options, Source};
+use tactograph::internals::raster::decode::{self, Options, Source};
 use tactograph::internals::raster::shrink::shrink;
 use tactograph::internals::textures;
 use tactograph::internals::units::{MmRect, PageTransform, Size};
@@ -50,15 +48,7 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
             None => working_size(source, plan),
         })
     };
-    let options = Options {
-        limits: Limits::default(),
-        fonts: &Arc::default,
-        crop: None,
-        page: None,
-        keep_text: true,
-        working_size: &working_size,
-    };
-    let decoded = decode::decode(&picture.bytes, &options)?;
+    let decoded = decode::decode(&picture.bytes, &Options::whole(&working_size))?;
     let source = decoded.source.size;
     let working = self::working_size(decoded.source, plan);
     let raster = smaller(decoded.raster, working);

@@ -16,7 +16,7 @@ const CLEARLY: f32 = 0.65;
 /// Gives outlined areas one class each, and components within an area or between areas, which are smaller than
 /// `min_cells` cells, to their neighbours on the same side of the outline. `area` has the number of the area of each
 /// cell, 0 for the ground between them, which may have any classes. Returns how many areas still have several classes.
-pub fn settle(classes: &mut Classes, area: &[usize], min_cells: f32) -> usize {
+pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> usize {
     let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
     let before: Vec<Label> = classes.region.iter().map(class_of).collect();
     let held = holders(&before, area);
@@ -127,7 +127,8 @@ mod tests {
     #[test]
     fn an_outlined_area_is_of_the_class_that_holds_it() {
         let mut sorted = classes(&["bbbbbbbb", "bbrrr.bb", "bbrrrrbb", "bbbrrrrb", "bbbbbbbb"]);
-        let mixed = settle(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0);
+        let mixed =
+            unify_areas(&mut sorted, &areas(&["00000000", "00111100", "00111100", "00111100", "00000000"]), 2.0);
         assert_eq!(rows(&sorted), ["bbbbbbbb", "bbrrrrbb", "bbrrrrbb", "bbrrrrbb", "bbbbbbbb"]);
         assert_eq!(mixed, 0);
         assert_eq!(sorted.regions.len(), 2);
@@ -138,7 +139,7 @@ mod tests {
     fn an_area_of_two_classes_keeps_them_and_is_counted() {
         let two = ["bbbbbb", "brrbbb", "brrbbb", "bbbbbb"];
         let mut sorted = classes(&two);
-        let mixed = settle(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0);
+        let mixed = unify_areas(&mut sorted, &areas(&["000000", "011110", "011110", "000000"]), 2.0);
         assert_eq!((rows(&sorted), mixed), (two.map(str::to_owned).to_vec(), 1));
     }
 
@@ -147,7 +148,7 @@ mod tests {
         // three red cells beyond the outline, fewer than the least
         let mut sorted = classes(&["rrrr......", "rrrrrrr...", "rrrr......", "rrrr......"]);
         let area = areas(&["1111000000", "1111000000", "1111000000", "1111000000"]);
-        assert_eq!(settle(&mut sorted, &area, 4.0), 0);
+        assert_eq!(unify_areas(&mut sorted, &area, 4.0), 0);
         assert_eq!(rows(&sorted), ["rrrr......"; 4]);
     }
 }

@@ -1,0 +1,182 @@
+//! A page that was read, as its own paper or device takes it: what a person changed is brought into its range, and
+//! told.
+
+use super::areas;
+use super::drawn_areas;
+use super::finish::{described, is_made};
+use super::give_way;
+use super::kept_lines::{self, LineName};
+use super::print_words;
+use super::typed::{self, Typed};
+use super::words::blank_to_signs;
+use crate::classes::Classes;
+use crate::lines::{Line, Pen};
+use crate::page::{DotMedium, Glyph, Medium, Names, Page, Parts, Shape, Sign, Texture};
+use crate::profile::Plan;
+use crate::reading::Reading;
+use crate::units::MmRect;
+use crate::wording::Wording;
+use crate::{About, Error, Note, dots, legibility};
+
+/// How far the sign of an area may be turned from that of its class before it is another one, degrees.
+const TURNED: f32 = 15.0;
+
+/// A page as its paper or device takes it.
+#[derive(Debug)]
+pub struct Adapted {
+    /// The page.
+    pub page: Page,
+    /// What the lines of its figure are called in the file that was read.
+    pub lines: Vec<LineName>,
+    /// What was changed.
+    pub notes: Vec<Note>,
+    /// What is told of the places of its words, which is of no use where they are placed anew.
+    pub of_places: Vec<Note>,
+    /// Whether words are abbreviated that were not before.
+    pub abbreviates: bool,
+}
+
+/// A page that was read as its paper or device takes it: widths of lines within the range of `plan`, strokes on a page
+/// of dots as dots, areas that were moved to another colour or drawn by hand with the signs of that, typed texts in
+/// braille, and textures apart from lines.
+///
+/// # Errors
+/// If a mark is off the sheet then.
+pub fn adapted(read: &Reading, plan: &Plan) -> Result<Adapted, Error> {
+    let Reading { page, .. } = read;
+    let mut parts = Parts::clone(page);
+    let own_names = read.names.lines.iter().zip(&read.by_hand);
+    let mut lines: Vec<LineName> =
+        own_names.map(|(name, by_hand)| LineName { name: name.clone(), by_hand: *by_hand }).collect();
+    let mut notes: Vec<Note> = right_signs(&mut parts, page, plan).into_iter().collect();
+    match &page.medium {
+        Medium::Print(print) => notes.extend(widths_in_range(&mut parts, print.swell, plan)),
+        Medium::Dots(medium) => notes.extend(strokes_as_dots(&mut parts, &mut lines, medium, plan)),
+    }
+    notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
+    let labels = parts.braille.len();
+    let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &read.texts, plan);
+    notes.extend(of_texts);
+    let abbreviates = abbreviated.is_some();
+    let mut of_places: Vec<Note> = abbreviated.into_iter().collect();
+    if read.is_changed {
+        of_places.extend(print_words::follow(&mut parts, labels, plan));
+    }
+    let mut page = Page::new(parts)?;
+    if read.is_changed {
+        let (free, told) = give_way::textures(page, plan)?;
+        page = free;
+        notes.extend(told);
+        let names = Names {
+            lines: lines.iter().map(|line| line.name.clone()).collect(),
+            overview_lines: read.names.overview_lines.clone(),
+            // they have others than in the file where some were drawn or left out
+            areas: Names::of(&page).areas,
+        };
+        let limits = plan.limits();
+        let of_overview = legibility::overview_as_told(&page, &names, &limits);
+        notes.extend(of_overview.map(|told| Note::TakenAs(About::Overview, told)));
+        let of_braille = legibility::braille_as_told(&page, &names, &limits);
+        of_places.extend(of_braille.map(|told| Note::Faulty(About::Braille, told)));
+    }
+    if is_made(&read.page) {
+        let wording = Wording::nearest(&page.description_language);
+        page = described(page, wording);
+    }
+    Ok(Adapted { page, lines, notes, of_places, abbreviates })
+}
+
+/// Draws areas anew that were moved to another colour; tells how many.
+fn right_signs(parts: &mut Parts, page: &Page, plan: &Plan) -> Option<Note> {
+    let classes = wrong_signs(page);
+    if classes.is_empty() {
+        return None;
+    }
+    let all = areas::of_page(page);
+    for &number in &classes {
+        parts.figure.textures[number].glyphs = fill(page, &all, number, plan);
+    }
+    parts.figure.textures.retain(|texture| !texture.glyphs.is_empty());
+    let (count, noun) = (classes.len(), if classes.len() == 1 { "area has" } else { "areas have" });
+    let told = format!("{count} {noun} another colour now, and the texture was drawn anew");
+    Some(Note::TakenAs(About::Areas, told))
+}
+
+/// Brings the widths of printed lines into the range of the profile; tells of how many.
+fn widths_in_range(parts: &mut Parts, swell: f32, plan: &Plan) -> Option<Note> {
+    let params = plan.lines();
+    let range = [params.width_min - swell, params.width_max - swell];
+    let overview = parts.overview.iter_mut().flat_map(|overview| &mut overview.lines);
+    let count = parts.figure.lines.iter_mut().chain(overview).map(|line| snap(line, range)).filter(|s| *s).count();
+    let noun = if count == 1 { "line is" } else { "lines are" };
+    let [least, most] = [range[0].max(0.0), range[1]];
+    let told = || format!("{count} {noun} drawn {least:.2} to {most:.2} mm wide, the range of the profile");
+    (count > 0).then(|| Note::TakenAs(About::Widths, told()))
+}
+
+/// Makes strokes on a page of dots dots, behind the rows of dots that are there; tells how many, and which are lost.
+fn strokes_as_dots(parts: &mut Parts, names: &mut Vec<LineName>, medium: &DotMedium, plan: &Plan) -> Vec<Note> {
+    let all: Vec<(Line, LineName)> = parts.figure.lines.drain(..).zip(names.drain(..)).collect();
+    let is_stroke = |(line, _): &(Line, LineName)| line.runs.iter().any(|run| run.pen == Pen::Stroke);
+    let (strokes, rows): (Vec<_>, Vec<_>) = all.into_iter().partition(is_stroke);
+    (parts.figure.lines, *names) = rows.into_iter().unzip();
+    if strokes.is_empty() {
+        return Vec::new();
+    }
+    let (strokes, of_strokes): (Vec<Line>, Vec<LineName>) = strokes.into_iter().unzip();
+    let (count, place) = (strokes.len(), parts.figure.place);
+    let drawn = dots::lines(&strokes, place, &medium.area, &plan.dots(medium));
+    let (stand_for, shares) = kept_lines::matched(&strokes, place, &drawn, place);
+    let noun = if count == 1 { "line" } else { "lines" };
+    let told = Note::TakenAs(About::Lines, format!("{count} {noun} on a page of dots made dots"));
+    names.extend(stand_for.into_iter().map(|line| of_strokes[line].clone()));
+    parts.figure.lines.extend(drawn);
+    std::iter::once(told).chain(kept_lines::lost(&of_strokes, &shares)).collect()
+}
+
+/// Which textures have signs of another class.
+fn wrong_signs(page: &Page) -> Vec<usize> {
+    let is_wrong = |texture: &Texture| {
+        let wrong = texture.glyphs.iter().filter(|glyph| match (glyph.shape, texture.sign) {
+            (Shape::Rhombus { degrees, .. }, Sign::Rhombus { degrees: sign }) => {
+                let apart = (degrees - sign).rem_euclid(180.0);
+                apart.min(180.0 - apart) > TURNED
+            }
+            (Shape::Dot { .. }, Sign::Dot) => false,
+            _ => true,
+        });
+        2 * wrong.count() > texture.glyphs.len()
+    };
+    match page.medium {
+        Medium::Print(_) => {
+            (0..page.figure.textures.len()).filter(|&number| is_wrong(&page.figure.textures[number])).collect()
+        }
+        // dots look alike
+        Medium::Dots(_) => Vec::new(),
+    }
+}
+
+/// The signs of an area of a printed page, drawn anew.
+fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> {
+    let mut one = areas.clone();
+    one.region.iter_mut().for_each(|region| *region = region.filter(|of| *of as usize == number));
+    let drawn = drawn_areas::fill(&one, page.figure.place, &page.figure.lines, &page.medium, plan);
+    let mut glyphs = drawn.into_iter().flat_map(|texture| texture.glyphs).collect();
+    let boxes: Vec<MmRect> = page.braille.iter().filter_map(|text| text.dots.bounds()).collect();
+    drawn_areas::clear_of_braille(&mut glyphs, blank_to_signs(&page.medium), &boxes, &page.braille);
+    glyphs
+}
+
+/// Brings the widths of a line into a range, mm; tells whether any was outside.
+fn snap(line: &mut Line, [least, most]: [f32; 2]) -> bool {
+    let mut changed = false;
+    for run in line.runs.iter_mut().filter(|run| run.pen == Pen::Stroke) {
+        let width = run.width.clamp(least.max(0.0), most.max(least.max(0.0)));
+        // widths are written in steps of 0.01 mm
+        if (width - run.width).abs() > 0.011 {
+            run.width = width;
+            changed = true;
+        }
+    }
+    changed
+}
