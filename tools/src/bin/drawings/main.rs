@@ -4,6 +4,7 @@
 //! ```text
 //! cargo run --release -p tactograph-tools --bin drawings        the table (about 1300 pages, two minutes)
 //!   --pages N          so many pages for each kind, stroke width and input (default 12)
+//!   --from SEED        the first of their seeds (default 0): other pages, of the same kinds
 //!   --kind NAME        only this kind
 //!   --input NAME       only svg, or only png
 //!   --list N           also the N worst pages, each with what makes it again
@@ -82,6 +83,7 @@ impl Task {
 
 struct Args {
     pages: u64,
+    from: u64,
     kind: Option<Kind>,
     input: Option<Input>,
     list: usize,
@@ -92,12 +94,21 @@ struct Args {
 
 impl Args {
     fn read(mut args: impl Iterator<Item = String>) -> Result<Self, String> {
-        let mut read =
-            Self { pages: 12, kind: None, input: None, list: 0, keep: None, profile: "swell-a3".into(), csv: None };
+        let mut read = Self {
+            pages: 12,
+            from: 0,
+            kind: None,
+            input: None,
+            list: 0,
+            keep: None,
+            profile: "swell-a3".into(),
+            csv: None,
+        };
         while let Some(arg) = args.next() {
             let mut value = || args.next().ok_or_else(|| format!("{arg} needs a value"));
             match arg.as_str() {
                 "--pages" => read.pages = value()?.parse().map_err(|_| "--pages takes a whole number")?,
+                "--from" => read.from = value()?.parse().map_err(|_| "--from takes a whole number")?,
                 "--list" => read.list = value()?.parse().map_err(|_| "--list takes a whole number")?,
                 "--keep" => read.keep = Some(value()?.into()),
                 "--csv" => read.csv = Some(value()?.into()),
@@ -149,7 +160,7 @@ fn tasks(args: &Args) -> Vec<Task> {
     let mut tasks = Vec::new();
     for kind in Kind::ALL.into_iter().filter(|kind| args.kind.is_none_or(|only| only == *kind)) {
         for (s, stroke) in STROKES.into_iter().enumerate() {
-            for seed in 0..args.pages {
+            for seed in args.from..args.from + args.pages {
                 let spread = (GOLDEN * (seed as f64 + 0.2 * s as f64 + 0.07 * kind as u8 as f64)).fract();
                 let width = WIDTHS[0] + (spread * widths) as u32;
                 let turns = ((seed + s as u64) % 4) as u8;
