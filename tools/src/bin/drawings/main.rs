@@ -5,6 +5,7 @@
 //! cargo run --release -p tactograph-tools --bin drawings        the table (about 1300 pages, two minutes)
 //!   --pages N          so many pages for each kind, stroke width and input (default 12)
 //!   --from SEED        the first of their seeds (default 0): other pages, of the same kinds
+//!   --again FILE       instead: the pages named in this list, as --list names them
 //!   --kind NAME        only this kind
 //!   --input NAME       only svg, or only png
 //!   --list N           also the N worst pages, each with what makes it again
@@ -75,6 +76,23 @@ impl Task {
         }
     }
 
+    /// The page of a line that ends in its file name.
+    fn named(line: &str) -> Result<Self, String> {
+        let read = || {
+            let (_, name) = line.trim().rsplit_once(' ').unwrap_or(("", line.trim()));
+            let [kind, stroke, input, seed, turns, width] = name.split('-').collect::<Vec<_>>().try_into().ok()?;
+            Some(Self {
+                kind: Kind::ALL.into_iter().find(|of| of.name() == kind)?,
+                stroke: stroke.parse().ok()?,
+                input: [Input::Svg, Input::Png].into_iter().find(|of| of.name() == input)?,
+                seed: seed.strip_prefix("seed")?.parse().ok()?,
+                turns: turns.strip_prefix("turn")?.parse().ok()?,
+                width: width.split_once("mm")?.0.parse().ok()?,
+            })
+        };
+        read().ok_or_else(|| format!("{line}: not a page as --list names them"))
+    }
+
     fn file_name(&self, end: &str) -> String {
         let Self { kind, stroke, input, seed, turns, width } = self;
         format!("{}-{stroke}-{}-seed{seed}-turn{turns}-{width}mm.{end}", kind.name(), input.name())
@@ -84,6 +102,7 @@ impl Task {
 struct Args {
     pages: u64,
     from: u64,
+    again: Option<PathBuf>,
     kind: Option<Kind>,
     input: Option<Input>,
     list: usize,
@@ -97,6 +116,7 @@ impl Args {
         let mut read = Self {
             pages: 12,
             from: 0,
+            again: None,
             kind: None,
             input: None,
             list: 0,
@@ -110,6 +130,7 @@ impl Args {
                 "--pages" => read.pages = value()?.parse().map_err(|_| "--pages takes a whole number")?,
                 "--from" => read.from = value()?.parse().map_err(|_| "--from takes a whole number")?,
                 "--list" => read.list = value()?.parse().map_err(|_| "--list takes a whole number")?,
+                "--again" => read.again = Some(value()?.into()),
                 "--keep" => read.keep = Some(value()?.into()),
                 "--csv" => read.csv = Some(value()?.into()),
                 "--profile" => read.profile = value()?,
@@ -132,7 +153,10 @@ impl Args {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::read(std::env::args().skip(1))?;
-    let tasks = tasks(&args);
+    let tasks = match &args.again {
+        Some(file) => std::fs::read_to_string(file)?.lines().map(Task::named).collect::<Result<_, _>>()?,
+        None => tasks(&args),
+    };
     let results = on_all_cores(&tasks, |task| page(task, &args.profile));
     let mut measured = Vec::new();
     for (task, result) in tasks.iter().zip(results) {
