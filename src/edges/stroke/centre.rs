@@ -184,7 +184,7 @@ fn changes(line: &Polyline<PxPoint>, contrasts: &[Contrast], apart: f32, least: 
     while start < n {
         let end = (start + 1..n).find(|&i| has[i] != has[start]).unwrap_or(n);
         let is_long = arcs[end - 1] - arcs[start] >= apart;
-        if runs.is_empty() && is_long || is_long && runs.last().is_some_and(|(_, last)| *last != has[start]) {
+        if is_long && runs.last().is_none_or(|(_, last)| *last != has[start]) {
             runs.push((start, has[start]));
         }
         start = end;

@@ -74,7 +74,7 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
     }
     let open = (0..strokes.len()).filter(|&number| !strokes[number].contour.closed);
     let ends: Vec<StrokeEnd> = open.flat_map(|number| [(number, true), (number, false)]).collect();
-    let (mut ways, mut met): (Vec<(StrokeEnd, Vec<ContourPoint>)>, Vec<[StrokeEnd; 2]>) = Default::default();
+    let (mut ways, mut met) = (Vec::new(), Vec::new());
     for end in ends {
         let Some(Way { mut points, met: to }) = way(end, &strokes, &marks, planes, params) else { continue };
         match end_at(&strokes, to).filter(|other| *other != end) {
@@ -124,7 +124,7 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
     let last = contour.vertices[tip];
     let strength = contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / contour.vertices.len() as f32;
     let least = params.low.max(SEEN * strength);
-    if let Some(met) = meets(last.at, end, 0.0, strokes, marks) {
+    if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke) {
         let other = end_at(strokes, met);
         let heading = other.and_then(|(other, at_start)| leaving(&strokes[other].contour, at_start));
         let goes_on = heading.is_some_and(|(_, heading)| direction.dot(heading) <= -AHEAD);
@@ -146,7 +146,7 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
             return None;
         }
         points.push(ContourPoint { at, strength: height, ..last });
-        if let Some(met) = meets(at, end, step as f32 * STEP, strokes, marks) {
+        if let Some(met) = meets(at, end, step as f32 * STEP, strokes, marks, params.widest_stroke) {
             return Some(Way { points, met });
         }
         let before = contour.walk(tip, at_start).map(|(vertex, _)| contour.vertices[vertex].at);
@@ -158,11 +158,17 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
 }
 
 /// What is met at a place on the way from an end, so many pixels from it: the nearest that is not of what lies before
-/// it.
-fn meets(at: PxPoint, (number, at_start): StrokeEnd, walked: f32, strokes: &[Stroke], marks: &Marks) -> Option<Mark> {
+/// it. No stroke is wider than `widest`, px.
+fn meets(
+    at: PxPoint,
+    (number, at_start): StrokeEnd,
+    walked: f32,
+    strokes: &[Stroke],
+    marks: &Marks,
+    widest: f32,
+) -> Option<Mark> {
     let Stroke { contour, width, .. } = &strokes[number];
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
-    let widest = strokes.iter().map(|stroke| stroke.width).fold(0.0, f32::max);
     let mut nearest: Option<(f32, Mark)> = None;
     marks.around(at, at, 0.5 * (width + widest) + MEETS, |mark| {
         let distance = (mark.at - at).length();
