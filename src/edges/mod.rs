@@ -35,6 +35,7 @@ mod noise;
 mod params;
 mod refine;
 mod ridge;
+mod rings;
 mod side_statistics;
 mod step_height;
 mod straight;
@@ -55,6 +56,7 @@ use strength::Evidence;
 use tips::Found;
 
 use crate::raster::Raster;
+use crate::raster::lab;
 use crate::regions::{Detail, Heights};
 use crate::units::{PxPoint, Size};
 
@@ -96,7 +98,8 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let size = raster.size();
     let (noise, drawn) = (&kind.noise, kind.is_drawing);
     let params = &noise.adapted(params);
-    let strokes = if drawn { stroke::find(raster, noise.pixel, params) } else { Vec::new() };
+    let planes = if drawn { lab::whole(raster) } else { Vec::new() };
+    let strokes = if drawn { stroke::find(&planes, noise.pixel, params) } else { Vec::new() };
     let (mut points, sides) = bands::scan(raster, &noise.weights, params);
     if drawn {
         points.retain(|point| !is_border(point, size));
@@ -126,7 +129,11 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let strokes = strokes.into_iter().map(Found::stroke);
     let mut found: Vec<Found> = edges.chain(strokes).collect();
     if drawn {
-        found = straight::give_back(tips::meet(found, params.sigma), params.sigma);
+        let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
+            stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
+        };
+        let met = tips::meet(found, params.sigma, &is_seen);
+        found = rings::parted(straight::give_back(met, params.sigma));
     }
     let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
     junction::extend(&mut contours, size);

@@ -43,7 +43,7 @@ struct Onward {
 /// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners;
 /// what is left of the contour ends there. `sigma` is the scale of the edge detector, px.
 pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
-    let piece = |found: Found| Piece { free: [found.stroke.is_some() && !found.contour.closed; 2], found };
+    let piece = |found: Found| Piece { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
     let mut owner = 0;
     while owner < pieces.len() {
@@ -64,7 +64,68 @@ pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
         pieces.push(joined);
         pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= LEAST));
     }
+    switch(&mut pieces, sigma);
     pieces.into_iter().map(|piece| piece.found).collect()
+}
+
+/// Lets ends that go straight on in one side of a corner of an open contour have that side.
+fn switch(pieces: &mut Vec<Piece>, sigma: f32) {
+    let mut owner = 0;
+    while owner < pieces.len() {
+        let Some(end) = (!pieces[owner].found.contour.closed).then(|| first_onward(owner, pieces, sigma)).flatten()
+        else {
+            owner += 1;
+            continue;
+        };
+        let last = pieces[owner].found.contour.vertices.len() - 1;
+        let parts = |from, to| run(&pieces[owner].found.contour, from, to);
+        let [start_free, end_free] = pieces[owner].free;
+        let (mut side, rest, side_free, rest_free) = if end.forwards {
+            (parts(end.corner, last), parts(0, end.corner), end_free, [start_free, false])
+        } else {
+            (parts(0, end.corner), parts(end.corner, last), start_free, [false, end_free])
+        };
+        if !end.forwards {
+            side.reverse();
+        }
+        let rest = Piece { found: Found { contour: rest, ..pieces[owner].found.clone() }, free: rest_free };
+        let taker = &pieces[end.piece];
+        let mut contour = taker.found.contour.clone();
+        if end.at_start {
+            contour.reverse();
+        }
+        let stroke = if contour.length() >= side.length() { taker } else { &pieces[owner] }.found.stroke;
+        contour.vertices.extend(side.vertices);
+        let free = [taker.free[usize::from(end.at_start)], side_free];
+        let joined = Piece { found: Found { whole: contour.length(), contour, stroke }, free };
+        let mut gone = [owner, end.piece];
+        gone.sort_unstable();
+        owner -= usize::from(end.piece < owner);
+        gone.iter().rev().for_each(|number| {
+            pieces.remove(*number);
+        });
+        pieces.push(joined);
+        if rest.found.contour.length() >= LEAST {
+            pieces.push(rest);
+        }
+    }
+}
+
+/// A run of vertices of an open contour.
+fn run(contour: &Contour, from: usize, to: usize) -> Contour {
+    Polyline::open(contour.vertices[from..=to].to_vec())
+}
+
+/// The first end that goes straight on in a side of a contour.
+fn first_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Option<Onward> {
+    let contour = &pieces[owner].found.contour;
+    let bounds = Box2D::from_points(contour.vertices.iter().map(|vertex| vertex.at));
+    let others = (0..pieces.len()).filter(|piece| *piece != owner);
+    let mut ends = others.flat_map(|piece| [(piece, true), (piece, false)]);
+    ends.find_map(|(piece, at_start)| {
+        let is_free = pieces[piece].free[usize::from(!at_start)];
+        is_free.then(|| onward((piece, at_start), (owner, &bounds), pieces, sigma)).flatten()
+    })
 }
 
 /// A contour.
@@ -256,11 +317,27 @@ mod tests {
     }
 
     #[test]
+    fn an_open_line_gives_the_side_behind_its_corner_to_the_end_that_goes_straight_on() {
+        // a bar's side and the axis behind it were found as one line
+        let corner = stroke(&[(50.0, 10.0), (50.0, 50.0), (98.0, 50.0)], false);
+        for turned in [false, true] {
+            let mut axis = stroke(&[(0.0, 50.0), (46.0, 50.0)], false);
+            if turned {
+                axis.contour.reverse();
+            }
+            let found = give_back(vec![corner.clone(), axis], SIGMA);
+            let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
+            lengths.sort_by(f32::total_cmp);
+            let [side, axis] = lengths[..] else { panic!("a side and an axis: {lengths:?}") };
+            assert!((side - 40.0).abs() < 0.5 && (axis - 98.0).abs() < 0.5, "{lengths:?}");
+        }
+    }
+
+    #[test]
     fn a_ring_with_one_straight_end_or_with_ends_aside_stays_a_ring() {
-        let [left, right] = eaves(50.0);
-        let edge = [left.clone(), right].map(|found| Found { stroke: None, ..found });
+        let [left, _] = eaves(50.0);
         let [high_left, high_right] = eaves(46.0);
-        for others in [vec![left], edge.to_vec(), vec![high_left, high_right]] {
+        for others in [vec![left], vec![high_left, high_right]] {
             let all: Vec<Found> = std::iter::once(wall()).chain(others).collect();
             assert_eq!(give_back(all.clone(), SIGMA), all);
         }

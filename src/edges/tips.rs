@@ -30,23 +30,38 @@ const BENT_SCALES: f32 = 1.5;
 /// Cosine between the directions of two ends that make a corner: at most 60 degrees between its sides, and at least 10.
 const WIDE: f32 = 0.5;
 const NARROW: f32 = 0.985;
+/// ... and of other corners at least this (120 degrees).
+const WIDEST: f32 = -0.5;
 /// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
 const BEYOND: f32 = 1.5;
 /// An end goes on in another if the cosine between its direction and the way there is at least this (18 degrees).
 const AHEAD: f32 = 0.95;
-/// A contour whose end makes a corner is at least so many times as long as another may be away from its end: the parts
-/// of letters and of arrowheads are not. It was 6: the eaves of small houses were lost, which are no longer than that.
+/// A contour that goes straight on, or makes a wide corner, is at least so many times as long as another may be away
+/// from its end: the parts of letters and of arrowheads are not.
 const LONG: f32 = 3.0;
+/// One that makes a sharp corner is at least this long, px: the eaves of small houses are no longer.
+const SHORT: f32 = 8.0;
+/// On the way to the tip there is at least this share of the contrast that the contour has at its end.
+const SEEN: f32 = 0.3;
+
+/// ... but for the last of it, px, where the tip is too thin to be seen.
+const POINTED: f32 = 4.0;
+
+/// See [`meet`].
+pub(super) type IsSeen<'a> = dyn Fn(PxPoint, PxPoint, f32, f32) -> bool + 'a;
 
 /// Contours whose ends make a sharp corner end at its tip, if one of them is a stroke; two strokes become one, as they
 /// do where one goes on in the other. `sigma` is the scale of the edge detector, px.
-pub(super) fn meet(mut found: Vec<Found>, sigma: f32) -> Vec<Found> {
+///
+/// `is_seen` tells whether the picture shows something along a way between two points that has at least a contrast,
+/// given with the width of the stroke.
+pub(super) fn meet(mut found: Vec<Found>, sigma: f32, is_seen: &IsSeen<'_>) -> Vec<Found> {
     let ends: Vec<End<Px>> = (0..found.len())
         .filter(|&number| !found[number].contour.closed && found[number].contour.vertices.len() > 2)
         .flat_map(|number| [true, false].map(|at_start| end(number, at_start, &found[number], sigma)))
         .collect();
     let reach = found.iter().map(|found| found.reach(sigma)).fold(0.0, f32::max);
-    let threads = link(found.len(), &ends, reach, |a, b| cost(a, b, &found, sigma));
+    let threads = link(found.len(), &ends, reach, |a, b| cost(a, b, &found, sigma, is_seen));
     let of = |part: &Part, at_start: bool| {
         let at_start = at_start != part.reversed;
         ends.iter().find(|end| end.polyline == part.polyline && end.at_start == at_start)
@@ -64,30 +79,28 @@ pub(super) fn meet(mut found: Vec<Found>, sigma: f32) -> Vec<Found> {
             let tip = a.at + a.direction * ahead;
             [a, b].into_iter().for_each(|end| found[end.polyline].lead_to(tip, end.at_start, sigma));
         }
-        joined.extend(strung(&thread.parts, thread.closed, &found));
+        let is_straight =
+            |part: &Part, next: &Part| of(part, false).zip(of(next, true)).is_some_and(|(a, b)| goes_on(a, b));
+        joined.extend(strung(&thread.parts, thread.closed, &found, &is_straight));
     }
     joined
 }
 
-/// The contours of a thread, strokes that follow one another as one.
-fn strung(parts: &[Part], closed: bool, found: &[Found]) -> Vec<Found> {
+/// The contours of a thread; strokes that follow one another are one, and so is what goes straight on.
+fn strung(parts: &[Part], closed: bool, found: &[Found], is_straight: &dyn Fn(&Part, &Part) -> bool) -> Vec<Found> {
     let mut strung: Vec<Found> = Vec::new();
-    for part in parts {
+    for (number, part) in parts.iter().enumerate() {
         let mut next = found[part.polyline].clone();
         if part.reversed {
             next.contour = next.contour.reversed();
         }
-        match (strung.last_mut(), next.stroke) {
-            (Some(Found { contour, stroke: Some(width), .. }), Some(next_width)) => {
-                let (before, after) = (contour.length(), next.contour.length());
-                *width = (*width * before + next_width * after) / (before + after);
-                // the tip is there already
-                contour.vertices.extend(next.contour.vertices.into_iter().skip(1));
-            }
+        let goes_on = number > 0 && is_straight(&parts[number - 1], part);
+        match strung.last_mut() {
+            Some(last) if goes_on || last.stroke.is_some() && next.stroke.is_some() => last.go_on_in(next),
             _ => strung.push(next),
         }
     }
-    if closed && let [Found { contour, stroke: Some(_), .. }] = &mut strung[..] {
+    if closed && let [Found { contour, .. }] = &mut strung[..] {
         contour.vertices.pop();
         contour.closed = true;
     }
@@ -103,6 +116,24 @@ impl Found {
     /// A stroke, along its middle.
     pub(super) fn stroke(Stroke { contour, width, whole }: Stroke) -> Self {
         Self { contour, stroke: Some(width), whole }
+    }
+
+    /// Goes on in another one, as a stroke if most of it is one.
+    fn go_on_in(&mut self, next: Self) {
+        let (before, after) = (self.contour.length(), next.contour.length());
+        self.stroke = match (self.stroke, next.stroke) {
+            (Some(width), Some(next_width)) => Some((width * before + next_width * after) / (before + after)),
+            (width, next_width) => {
+                if before >= after {
+                    width
+                } else {
+                    next_width
+                }
+            }
+        };
+        self.whole = self.whole.max(next.whole).max(before + after);
+        // the tip is there already
+        self.contour.vertices.extend(next.contour.vertices.into_iter().skip(1));
     }
 
     /// How far from one of its ends another may be that makes a corner with it, px.
@@ -151,17 +182,41 @@ fn end(number: usize, at_start: bool, found: &Found, sigma: f32) -> End<Px> {
     End { polyline: number, at_start, at, direction: direction.unwrap_or_default(), contrast: [0.0; 3] }
 }
 
-fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {
+    if let Some(cost) = straight_on(a, b, found, sigma) {
+        return Some(cost);
+    }
+    let leads_to = |end: &End<Px>, ahead: f32| {
+        let found = &found[end.polyline];
+        let last = if end.at_start { found.contour.vertices.first() } else { found.contour.vertices.last() };
+        let least = last.map_or(0.0, |last| SEEN * last.strength);
+        ahead <= POINTED
+            || is_seen(end.at, end.at + end.direction * (ahead - POINTED), found.stroke.unwrap_or(0.0), least)
+    };
+    let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
+    let cost = sharp_corner(a, b, found, sigma).or_else(|| wide_corner(a, b, found, sigma))?;
+    (leads_to(a, from_a) && leads_to(b, from_b)).then_some(cost)
+}
+
+/// The cost of going straight on over a gap.
+fn straight_on(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+    let [first, second] = [a, b].map(|end| &found[end.polyline]);
+    let distance = (b.at - a.at).length();
+    let reach = first.reach(sigma).max(second.reach(sigma));
+    let is_short = [first, second].into_iter().any(|found| found.whole < LONG * found.reach(sigma));
+    let are_strokes = first.stroke.is_some() && second.stroke.is_some();
+    let are_edges = first.stroke.is_none() && second.stroke.is_none();
+    let is_near = distance <= if are_strokes { reach } else { APART_SCALES * sigma };
+    (is_near && !is_short && !are_edges && goes_on(a, b)).then_some(distance)
+}
+
+fn sharp_corner(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
     let (distance, cosine) = ((b.at - a.at).length(), a.direction.dot(b.direction));
     let [first, second] = [a, b].map(|end| &found[end.polyline]);
     let reach = first.reach(sigma).max(second.reach(sigma));
-    let is_short = [first, second].into_iter().any(|found| found.whole < LONG * found.reach(sigma));
-    let are_edges = first.stroke.is_none() && second.stroke.is_none();
-    if distance > reach || is_short || are_edges {
+    let is_short = [first, second].into_iter().any(|found| found.whole < SHORT);
+    if distance > reach || is_short || goes_on(a, b) {
         return None;
-    }
-    if goes_on(a, b) {
-        return (first.stroke.is_some() && second.stroke.is_some()).then_some(distance);
     }
     if !(WIDE..=NARROW).contains(&cosine) {
         return None;
@@ -169,6 +224,23 @@ fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
     let near = |ahead: f32| ahead.abs() <= BEYOND * reach;
     let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
     (near(from_a) && near(from_b)).then_some(distance)
+}
+
+/// The cost of a corner that is not sharp: its ends are near one another, or both near the tip.
+fn wide_corner(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+    let (distance, cosine) = ((b.at - a.at).length(), a.direction.dot(b.direction));
+    let [first, second] = [a, b].map(|end| &found[end.polyline]);
+    let width = first.stroke.unwrap_or(0.0).max(second.stroke.unwrap_or(0.0));
+    let reach = APART_SCALES * sigma + 0.5 * width;
+    let is_short = [first, second].into_iter().any(|found| found.whole < LONG * reach);
+    let are_edges = first.stroke.is_none() && second.stroke.is_none();
+    if distance > reach || is_short || are_edges || !(WIDEST..WIDE).contains(&cosine) {
+        return None;
+    }
+    let near = |ahead: f32| ahead.abs() <= reach;
+    let (from_a, from_b) = crossing((a.at, a.direction), (b.at, b.direction))?;
+    // ends that go on in one another and sharp corners come first
+    (near(from_a) && near(from_b)).then_some(distance + 2.0 * (APART_WIDTHS * width + APART))
 }
 
 /// Whether one end points at the other, and the other at it.
@@ -192,7 +264,7 @@ mod tests {
     fn the_sides_of_a_sharp_corner_meet_at_its_tip() {
         // 28 degrees between the sides, whose tip is at (100, 50)
         let sides = [stroke(&[(-60.0, 10.0), (90.0, 47.5)]), stroke(&[(-60.0, 90.0), (92.0, 52.0)])];
-        let corner = meet(sides.to_vec(), SIGMA);
+        let corner = meet(sides.to_vec(), SIGMA, &|_, _, _, _| true);
         assert_eq!(corner.len(), 1);
         let at = |(x, y)| {
             let distances = corner[0].contour.vertices.iter().map(|vertex| (vertex.at - PxPoint::new(x, y)).length());
@@ -203,7 +275,8 @@ mod tests {
 
     #[test]
     fn a_stroke_whose_own_ends_make_a_corner_is_closed() {
-        let triangle = meet(vec![stroke(&[(92.0, 48.0), (20.0, 30.0), (20.0, 70.0), (90.0, 52.5)])], SIGMA);
+        let triangle =
+            meet(vec![stroke(&[(92.0, 48.0), (20.0, 30.0), (20.0, 70.0), (90.0, 52.5)])], SIGMA, &|_, _, _, _| true);
         assert!(triangle.len() == 1 && triangle[0].contour.closed);
         assert!((triangle[0].contour.length() - 2.0 * 82.46 - 40.0).abs() < 0.5);
     }
@@ -211,36 +284,53 @@ mod tests {
     #[test]
     fn ends_that_make_no_corner_stay() {
         let parallel = [stroke(&[(-60.0, 46.0), (90.0, 46.0)]), stroke(&[(-60.0, 54.0), (90.0, 54.0)])];
-        assert_eq!(meet(parallel.to_vec(), SIGMA).len(), 2);
+        assert_eq!(meet(parallel.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2);
         let far = [stroke(&[(-80.0, 5.0), (46.0, 36.5)]), stroke(&[(-80.0, 95.0), (46.0, 63.5)])];
-        assert_eq!(meet(far.to_vec(), SIGMA).len(), 2, "27 px apart are more than 26");
+        assert_eq!(meet(far.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2, "27 px apart are more than 26");
         let steps = [stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&[(165.0, 34.0), (300.0, 34.0)])];
-        assert_eq!(meet(steps.to_vec(), SIGMA).len(), 2);
+        assert_eq!(meet(steps.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2);
     }
 
     #[test]
-    fn what_another_stroke_leaves_of_a_stroke_makes_corners_as_all_of_it_would() {
-        // 14 px of a stroke of 80 px, the rest of which lies under a wall
-        let corner = |whole| {
-            [stroke(&[(86.0, 50.0), (100.0, 50.0)]), stroke(&[(-60.0, 109.4), (92.0, 53.5)])]
-                .map(|of| Found { whole: of.whole.max(whole), ..of })
-        };
-        assert_eq!(meet(corner(0.0).to_vec(), SIGMA).len(), 2);
-        assert_eq!(meet(corner(80.0).to_vec(), SIGMA).len(), 1);
+    fn a_short_stroke_makes_a_corner_if_the_way_to_its_tip_is_seen() {
+        // 14 px, as of the eaves of a small house
+        let corner = [stroke(&[(86.0, 50.0), (100.0, 50.0)]), stroke(&[(-60.0, 109.4), (92.0, 53.5)])];
+        assert_eq!(meet(corner.to_vec(), SIGMA, &|_, _, _, _| false).len(), 2);
+        assert_eq!(meet(corner.to_vec(), SIGMA, &|_, _, _, _| true).len(), 1);
+        let crumb = [stroke(&[(94.0, 50.0), (100.0, 50.0)]), corner[1].clone()];
+        assert_eq!(meet(crumb.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2, "6 px are no line");
     }
 
     #[test]
     fn a_stroke_goes_on_over_a_gap() {
         let aligned = [stroke(&[(20.0, 30.0), (160.0, 30.0)]), stroke(&[(165.0, 30.0), (300.0, 30.0)])];
-        assert!(matches!(&meet(aligned.to_vec(), SIGMA)[..], [one] if (one.contour.length() - 280.0).abs() < 1.0));
+        let one = meet(aligned.to_vec(), SIGMA, &|_, _, _, _| true);
+        assert!(matches!(&one[..], [one] if (one.contour.length() - 280.0).abs() < 1.0));
     }
 
     #[test]
     fn an_edge_and_a_stroke_meet_and_stay_two() {
         let edge = Found { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
-        let both = meet(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA);
+        let both = meet(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA, &|_, _, _, _| true);
         assert_eq!(both.len(), 2);
         let ends = both.iter().map(|found| found.contour.vertices.iter().map(|v| v.at.x).fold(0.0, f32::max));
         assert!(ends.into_iter().all(|x| (x - 101.5).abs() < 0.2));
+    }
+
+    #[test]
+    fn a_right_angle_is_closed_over_a_small_gap_and_a_tip_that_is_not_seen_is_none() {
+        let corner = [stroke(&[(20.0, 50.0), (96.0, 50.0)]), stroke(&[(100.0, 54.0), (100.0, 150.0)])];
+        assert_eq!(meet(corner.to_vec(), SIGMA, &|_, _, _, _| true).len(), 1);
+        let far = [stroke(&[(20.0, 50.0), (88.0, 50.0)]), stroke(&[(100.0, 62.0), (100.0, 150.0)])];
+        assert_eq!(meet(far.to_vec(), SIGMA, &|_, _, _, _| true).len(), 2);
+        let sides = [stroke(&[(-60.0, 10.0), (80.0, 45.0)]), stroke(&[(-60.0, 90.0), (80.0, 55.0)])];
+        assert_eq!(meet(sides.to_vec(), SIGMA, &|_, _, _, _| false).len(), 2);
+    }
+
+    #[test]
+    fn an_edge_goes_on_in_a_stroke_as_one_line() {
+        let edge = Found { stroke: None, ..stroke(&[(20.0, 30.0), (60.0, 30.0)]) };
+        let one = meet(vec![edge, stroke(&[(65.0, 30.0), (300.0, 30.0)])], SIGMA, &|_, _, _, _| true);
+        assert!(matches!(&one[..], [one] if one.stroke.is_some() && (one.contour.length() - 280.0).abs() < 1.0));
     }
 }

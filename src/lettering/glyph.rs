@@ -30,6 +30,9 @@ const LEAST_AREA: usize = 5;
 const SOLID: f32 = 0.82;
 /// A part whose hull is so much wider than its stroke is no bar.
 const BAR: f32 = 1.5;
+/// A part that has no more pixels than this, in longer sides of its box, is a piece of a bent line a pixel wide: a line
+/// thinner than a pixel comes apart where it passes from one row of pixels to the next.
+const HAIRLINE: f32 = 1.25;
 /// Where a letter has its full colour: at this share of the largest contrast within [`LOCAL`] px.
 const CORE: f32 = 0.85;
 
@@ -82,9 +85,11 @@ impl Glyph {
         [0, 1].map(|axis| (self.max[axis] + 1 - self.min[axis]) as f32).into_iter().fold(0.0, f32::max)
     }
 
-    /// Whether it has the shape of a bar or a dot.
+    /// Whether it has the shape of a bar or a dot, or is a piece of a line a pixel wide.
     pub(super) fn is_solid(&self) -> bool {
-        self.solidity() >= SOLID || breadth(self.hull()) <= BAR * self.stroke + 1.0
+        self.solidity() >= SOLID
+            || breadth(self.hull()) <= BAR * self.stroke + 1.0
+            || self.cells.len() as f32 <= HAIRLINE * self.side()
     }
 
     /// How far it reaches along a direction.

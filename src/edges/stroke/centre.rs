@@ -20,7 +20,7 @@ pub(in crate::edges) struct Stroke {
 }
 
 /// A stroke is at most this share as wide as two lines are apart: wider, its two sides are found well by themselves.
-pub(super) const WIDEST: f32 = 0.5;
+pub(super) const WIDEST: f32 = 0.55;
 /// Sigma of the Gaussian that takes the steps of pixels out of a line before it is centred, px; then, of what noise is
 /// left.
 const SMOOTHING: [f32; 3] = [1.5, 1.0, 1.0];
@@ -49,6 +49,8 @@ const OF_STEP: f32 = 0.2;
 /// px, contrast cannot be measured: what joins the line there lies beside it.
 const PASSED_WIDTHS: f32 = 3.0;
 const PASSED: f32 = 8.0;
+/// Whether there is contrast at a vertex is decided with so many vertices before it and behind it.
+const NEAR_VERTICES: usize = 4;
 /// Colours beside a stroke are read this far outside it, px.
 const OUTSIDE: f32 = 2.0;
 /// The direction of an end is taken over the width of the stroke and this much more, px.
@@ -133,6 +135,7 @@ fn with_contrast(
 ) -> Vec<(Polyline<PxPoint>, Vec<Contrast>)> {
     let n = contrasts.len();
     let mut breaks: Vec<usize> = junctions.iter().filter_map(|junction| nearest_vertex(line, *junction)).collect();
+    breaks.extend(changes(line, contrasts, passed, least));
     breaks.sort_unstable();
     breaks.dedup();
     // each as the indices of its vertices, with both junctions
@@ -167,6 +170,26 @@ fn with_contrast(
         (line, indices.iter().map(|&i| contrasts[i]).collect())
     };
     order.split(|&part| !shown[part]).filter(|run| !run.is_empty()).map(stretch).collect()
+}
+
+/// Where a line has contrast on one side and none on the other, both for at least `apart` px.
+fn changes(line: &Polyline<PxPoint>, contrasts: &[Contrast], apart: f32, least: f32) -> Vec<usize> {
+    let n = contrasts.len();
+    let arcs = line.arc_lengths();
+    let around = |i: usize| i.saturating_sub(NEAR_VERTICES)..(i + NEAR_VERTICES + 1).min(n);
+    let has: Vec<bool> = (0..n).map(|i| median(around(i).map(|k| contrasts[k].of_stroke())) >= least).collect();
+    // runs that are too short belong to those before them
+    let mut runs: Vec<(usize, bool)> = Vec::new();
+    let mut start = 0;
+    while start < n {
+        let end = (start + 1..n).find(|&i| has[i] != has[start]).unwrap_or(n);
+        let is_long = arcs[end - 1] - arcs[start] >= apart;
+        if is_long && runs.last().is_none_or(|(_, last)| *last != has[start]) {
+            runs.push((start, has[start]));
+        }
+        start = end;
+    }
+    runs.into_iter().skip(1).map(|(start, _)| start).collect()
 }
 
 fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
@@ -321,9 +344,17 @@ impl Contrast {
     }
 }
 
+/// How far the colour of a place is from those beside it, and these from one another, across a direction.
+pub(super) fn contrast_across(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> f32 {
+    contrast_at(at, across, width, planes).height
+}
+
 /// Contrast at a vertex with the ground on both sides, in all planes.
 fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) -> Contrast {
-    let (at, across) = (line.vertices[i], right(line, i));
+    contrast_at(line.vertices[i], right(line, i), width, planes)
+}
+
+fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> Contrast {
     let outside = 0.5 * width + OUTSIDE;
     let norm = |of: &dyn Fn(&Plane) -> f32| planes.iter().map(|plane| of(plane) * of(plane)).sum::<f32>().sqrt();
     let value = |plane: &Plane, distance: f32| interpolated(plane, at + across * distance);
@@ -343,7 +374,7 @@ fn is_border(line: &Polyline<PxPoint>, plane: &Plane) -> bool {
     2 * line.vertices.iter().filter(|at| near(at)).count() > line.vertices.len()
 }
 
-fn interpolated(plane: &Plane, at: PxPoint) -> f32 {
+pub(super) fn interpolated(plane: &Plane, at: PxPoint) -> f32 {
     let axis = |at: f32, count: u32| {
         let at = (at - 0.5).clamp(0.0, count as f32 - 1.0);
         let first = (at as usize).min(count as usize - 1);

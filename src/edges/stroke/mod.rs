@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! Lab -> residue (what a square of a size does not fit into) -> skeleton (thinned to a pixel)
-//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast) -> Strokes
+//!     -> arms (joined through junctions) -> centred (sub-pixel, width, contrast) -> those of their own
+//!     -> followed (where pixels show no stroke) -> Strokes
 //! ```
 //!
 //! A stroke thinner than the scale of the edge detector has no two clean sides: they are found too far out, link with
@@ -14,6 +15,7 @@
 
 mod arms;
 mod centre;
+mod follow;
 mod skeleton;
 
 use pulp::Arch;
@@ -29,7 +31,7 @@ use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
 use crate::raster::residue::{Polarity, residue, square_max};
-use crate::units::{PxPoint, Size};
+use crate::units::{PxPoint, PxVector, Size};
 
 /// A picture with more noise than this standard deviation of a pixel, in units of strength, is taken for a photograph.
 const NOISY: f32 = 1.0;
@@ -56,9 +58,9 @@ const LOCAL: usize = 3;
 /// Strokes whose lengths differ by less than about this, px, are equally long.
 const ALIKE: f32 = 16.0;
 
-/// The strokes of a drawing. `noise` is the standard deviation of a pixel.
-pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> {
-    let planes = lab::whole(raster);
+/// The strokes of a drawing, given as planes of Lab. `noise` is the standard deviation of a pixel.
+pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke> {
+    let Some(size) = planes.first().map(|plane| plane.size) else { return Vec::new() };
     let params = &Params {
         low: if noise <= QUIET { FAINT * params.low } else { params.low.max(LOW_NOISE * noise) },
         high: if noise <= QUIET { FAINT * params.high } else { params.high.max(HIGH_NOISE * noise) },
@@ -66,9 +68,9 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
     };
     let mut found = Vec::new();
     for radius in radii(WIDEST * params.widest_stroke) {
-        for plane in &planes {
+        for plane in planes {
             for polarity in [Polarity::Below, Polarity::Above] {
-                found.extend(candidates(plane, radius, polarity, &planes, params).into_iter().map(|of| (radius, of)));
+                found.extend(candidates(plane, radius, polarity, planes, params).into_iter().map(|of| (radius, of)));
             }
         }
     }
@@ -78,20 +80,37 @@ pub(super) fn find(raster: &Raster, noise: f32, params: &Params) -> Vec<Stroke> 
     let length = |stroke: &Stroke| (stroke.contour.length() / ALIKE).round() as i32;
     let order = |(radius, stroke): &(usize, Stroke)| (octave(stroke), -length(stroke), *radius);
     found.sort_by(|a, b| order(a).cmp(&order(b)).then(b.1.contour.length().total_cmp(&a.1.contour.length())));
-    let mut taken = Taken::new(raster.size());
+    let mut taken = Taken::new(size);
     let mut strokes = Vec::new();
     for (_, stroke) in found {
-        let new = if taken.has_most_of(&stroke, params.sigma) { taken.rest_of(&stroke) } else { vec![stroke] };
+        let new = match taken.most_of(&stroke, params.sigma) {
+            Most::Between => taken.rest_of(&stroke),
+            Most::On => taken.beside(stroke, true),
+            Most::Own => taken.beside(stroke, false),
+        };
         new.iter().for_each(|stroke| taken.add(stroke, params.sigma));
         strokes.extend(new);
     }
-    strokes
+    follow::follow(strokes, planes, params)
+}
+
+/// Whether the picture shows something along a straight way: a stroke of a width, or the border of two areas, with at
+/// least a contrast.
+pub(super) fn is_seen([from, to]: [PxPoint; 2], width: f32, least: f32, planes: &[Plane]) -> bool {
+    let way = to - from;
+    let along = way.try_normalize().unwrap_or_default();
+    let across = PxVector::new(-along.y, along.x);
+    let steps = way.length().ceil() as usize;
+    (0..steps).all(|k| {
+        let at = from + way * ((k as f32 + 0.5) / steps as f32);
+        centre::contrast_across(at, across, width, planes) >= least
+    })
 }
 
 /// Half sides of the squares for strokes of up to a width, px: each twice the one before. A square has to be wider by
 /// 1 px than the strokes that it finds whole: a slanted one as wide as it is found in parts.
 fn radii(widest: f32) -> impl Iterator<Item = usize> {
-    let most = (0.5 * widest).ceil() as usize + 1;
+    let most = (0.5 * widest + 0.5).ceil() as usize;
     let doubled = std::iter::successors(Some(SMALLEST_RADIUS), |radius| Some(2 * radius));
     doubled.take_while(move |radius| *radius < most).chain([most.max(SMALLEST_RADIUS)])
 }
@@ -253,16 +272,25 @@ fn smoothed(plane: &Plane) -> Plane {
 pub(super) struct Taken {
     size: Size,
     cells: Vec<bool>,
+    /// Those that are covered by a stroke itself.
+    covered: Vec<bool>,
 }
 
 /// Width at which pixels show the thinnest strokes, px; up to twice as wide they are taken as equally wide.
 const THINNEST: f32 = 1.5;
+/// A stroke runs along in another where its middle is no farther beyond the other's width than this, px ...
+const COVERED: f32 = 1.0;
+/// ... for at least so many of its widths, and this much more, px; over less it crosses the other, or ends on it.
+const CROSSED_WIDTHS: f32 = 2.0;
+const CROSSED: f32 = 8.0;
+/// Of a part that is new one vertex in so many at least lies away from others and their sides.
+const AWAY: usize = 3;
 /// Beyond its width, a stroke moves edges this far out, in scales of the edge detector.
 const OUTSIDE: f32 = 1.6;
 
 impl Taken {
     fn new(size: Size) -> Self {
-        Self { size, cells: vec![false; size.len()] }
+        Self { size, cells: vec![false; size.len()], covered: vec![false; size.len()] }
     }
 
     /// The pixels of all strokes, and as far around as they have their sides.
@@ -273,32 +301,59 @@ impl Taken {
     }
 
     fn add(&mut self, stroke: &Stroke, sigma: f32) {
-        let reach = 0.5 * stroke.width + OUTSIDE * sigma;
-        for (a, b) in stroke.contour.segments() {
-            let steps = (b.at - a.at).length().ceil().max(1.0) as usize;
-            (0..=steps).for_each(|k| self.add_disc(a.at.lerp(b.at, k as f32 / steps as f32), reach));
-        }
-    }
-
-    fn add_disc(&mut self, at: PxPoint, radius: f32) {
-        let range = |at: f32, most: u32| {
-            let first = (at - radius - 0.5).ceil().max(0.0) as usize;
-            first..((at + radius + 0.5).floor().max(0.0) as usize).min(most as usize)
-        };
-        for y in range(at.y, self.size.height) {
-            for x in range(at.x, self.size.width) {
-                let (dx, dy) = (x as f32 + 0.5 - at.x, y as f32 + 0.5 - at.y);
-                if dx * dx + dy * dy <= radius * radius {
-                    self.cells[y * self.size.width as usize + x] = true;
-                }
+        let size = self.size;
+        let reaches = [(&mut self.cells, OUTSIDE * sigma), (&mut self.covered, COVERED)];
+        for (cells, beyond) in reaches {
+            let reach = 0.5 * stroke.width + beyond;
+            for (a, b) in stroke.contour.segments() {
+                let steps = (b.at - a.at).length().ceil().max(1.0) as usize;
+                (0..=steps).for_each(|k| add_disc(cells, size, a.at.lerp(b.at, k as f32 / steps as f32), reach));
             }
         }
     }
-
     /// Whether a point is in a stroke or at its side.
     pub(super) fn has(&self, at: PxPoint) -> bool {
+        self.cells[self.cell(at)]
+    }
+
+    fn cell(&self, at: PxPoint) -> usize {
         let cell = |at: f32, count: u32| (at.max(0.0) as usize).min(count as usize - 1);
-        self.cells[cell(at.y, self.size.height) * self.size.width as usize + cell(at.x, self.size.width)]
+        cell(at.y, self.size.height) * self.size.width as usize + cell(at.x, self.size.width)
+    }
+
+    /// The parts of a stroke that do not run along in others: of a bar that stands on an axis, not its base.
+    /// `is_found` tells that it is mostly another one: found once more, it may lie a little aside.
+    fn beside(&self, stroke: Stroke, is_found: bool) -> Vec<Stroke> {
+        let n = stroke.contour.vertices.len();
+        let mut is_own: Vec<bool> =
+            stroke.contour.vertices.iter().map(|vertex| !self.covered[self.cell(vertex.at)]).collect();
+        // others cross it where they cover less
+        let crossed = CROSSED_WIDTHS * stroke.width + CROSSED;
+        let mut start = 0;
+        while start < n {
+            let end = (start + 1..n).find(|&i| is_own[i] != is_own[start]).unwrap_or(n);
+            let run = &stroke.contour.vertices[start..end];
+            let length: f32 = run.windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum();
+            let is_end = !stroke.contour.closed && (start == 0 || end == n);
+            if !is_own[start] && length < crossed && !is_end {
+                is_own[start..end].fill(true);
+            }
+            start = end;
+        }
+        let Some(other) = is_own.iter().position(|own| !own) else { return vec![stroke] };
+        // a ring begins in what is another's
+        let first = if stroke.contour.closed { other } else { 0 };
+        let order: Vec<usize> = (0..n).map(|i| (first + i) % n).collect();
+        let parts = order.split(|&i| !is_own[i]).map(|run| {
+            let vertices = run.iter().map(|&i| stroke.contour.vertices[i]).collect();
+            Stroke { contour: Polyline::open(vertices), ..stroke }
+        });
+        let is_new = |part: &Stroke| {
+            let vertices = &part.contour.vertices;
+            let away = vertices.iter().filter(|vertex| !self.has(vertex.at)).count();
+            part.contour.length() >= LONG * part.width && (!is_found || AWAY * away >= vertices.len())
+        };
+        parts.filter(is_new).collect()
     }
 
     /// What of a stroke is no other's, if that is long enough to be one: as eaves go on beyond a wall.
@@ -309,18 +364,74 @@ impl Taken {
         rest.filter(|rest| rest.contour.length() >= LONG * rest.width).collect()
     }
 
-    /// Whether most of both sides of a stroke are those of others, or it is itself on one.
-    fn has_most_of(&self, stroke: &Stroke, sigma: f32) -> bool {
+    /// What most of a stroke is.
+    fn most_of(&self, stroke: &Stroke, sigma: f32) -> Most {
         let n = stroke.contour.vertices.len();
         let half = 0.5 * stroke.width + 0.5 * sigma;
         let count = |of: &dyn Fn(usize) -> bool| (0..n).filter(|&i| of(i)).count();
         let on = count(&|i| self.has(stroke.contour.vertices[i].at));
         let between = count(&|i| {
             let along = stroke.contour.tangent(i);
-            let across = crate::units::PxVector::new(-along.y, along.x) * half;
+            let across = PxVector::new(-along.y, along.x) * half;
             let at = stroke.contour.vertices[i].at;
             self.has(at + across) && self.has(at - across)
         });
-        2 * on > n || 2 * between > n
+        match (2 * on > n, 2 * between > n) {
+            (true, _) => Most::On,
+            (false, true) => Most::Between,
+            (false, false) => Most::Own,
+        }
+    }
+}
+
+/// What most of a stroke is beside those that were found before.
+enum Most {
+    /// A stroke of its own.
+    Own,
+    /// Another one, or at its side.
+    On,
+    /// What lies between others: both its sides are theirs.
+    Between,
+}
+
+/// Sets the pixels whose centres lie within a disc.
+fn add_disc(cells: &mut [bool], size: Size, at: PxPoint, radius: f32) {
+    let range = |at: f32, most: u32| {
+        let first = (at - radius - 0.5).ceil().max(0.0) as usize;
+        first..((at + radius + 0.5).floor().max(0.0) as usize).min(most as usize)
+    };
+    for y in range(at.y, size.height) {
+        for x in range(at.x, size.width) {
+            let (dx, dy) = (x as f32 + 0.5 - at.x, y as f32 + 0.5 - at.y);
+            if dx * dx + dy * dy <= radius * radius {
+                cells[y * size.width as usize + x] = true;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::edges::contour::testing::polyline;
+
+    const SIGMA: f32 = 1.8;
+
+    fn stroke(points: &[(f32, f32)], closed: bool) -> Stroke {
+        let mut contour = polyline(points);
+        contour.closed = closed;
+        Stroke { width: 2.0, whole: contour.length(), contour }
+    }
+
+    #[test]
+    fn a_bar_on_an_axis_leaves_its_base_to_the_axis_and_a_crossing_line_stays_whole() {
+        let mut taken = Taken::new(Size::new(200, 100));
+        taken.add(&stroke(&[(5.0, 80.0), (195.0, 80.0)], false), SIGMA);
+        let bar = stroke(&[(60.0, 80.0), (60.0, 20.0), (100.0, 20.0), (100.0, 80.0), (61.0, 80.0)], true);
+        let parts = taken.beside(bar, false);
+        let [open] = &parts[..] else { panic!("{} parts", parts.len()) };
+        assert!(!open.contour.closed && (open.contour.length() - 160.0).abs() < 6.0, "{}", open.contour.length());
+        let crossing = stroke(&[(150.0, 10.0), (150.0, 98.0)], false);
+        assert!(matches!(&taken.beside(crossing, false)[..], [one] if (one.contour.length() - 88.0).abs() < 0.1));
     }
 }

@@ -4,6 +4,8 @@
 //! ```text
 //! cargo run --release -p tactograph-tools --bin drawings        the table (about 1300 pages, two minutes)
 //!   --pages N          so many pages for each kind, stroke width and input (default 12)
+//!   --from SEED        the first of their seeds (default 0): other pages, of the same kinds
+//!   --again FILE       instead: the pages named in this list, as --list names them
 //!   --kind NAME        only this kind
 //!   --input NAME       only svg, or only png
 //!   --list N           also the N worst pages, each with what makes it again
@@ -74,6 +76,23 @@ impl Task {
         }
     }
 
+    /// The page of a line that ends in its file name.
+    fn named(line: &str) -> Result<Self, String> {
+        let read = || {
+            let (_, name) = line.trim().rsplit_once(' ').unwrap_or(("", line.trim()));
+            let [kind, stroke, input, seed, turns, width] = name.split('-').collect::<Vec<_>>().try_into().ok()?;
+            Some(Self {
+                kind: Kind::ALL.into_iter().find(|of| of.name() == kind)?,
+                stroke: stroke.parse().ok()?,
+                input: [Input::Svg, Input::Png].into_iter().find(|of| of.name() == input)?,
+                seed: seed.strip_prefix("seed")?.parse().ok()?,
+                turns: turns.strip_prefix("turn")?.parse().ok()?,
+                width: width.split_once("mm")?.0.parse().ok()?,
+            })
+        };
+        read().ok_or_else(|| format!("{line}: not a page as --list names them"))
+    }
+
     fn file_name(&self, end: &str) -> String {
         let Self { kind, stroke, input, seed, turns, width } = self;
         format!("{}-{stroke}-{}-seed{seed}-turn{turns}-{width}mm.{end}", kind.name(), input.name())
@@ -82,6 +101,8 @@ impl Task {
 
 struct Args {
     pages: u64,
+    from: u64,
+    again: Option<PathBuf>,
     kind: Option<Kind>,
     input: Option<Input>,
     list: usize,
@@ -92,13 +113,24 @@ struct Args {
 
 impl Args {
     fn read(mut args: impl Iterator<Item = String>) -> Result<Self, String> {
-        let mut read =
-            Self { pages: 12, kind: None, input: None, list: 0, keep: None, profile: "swell-a3".into(), csv: None };
+        let mut read = Self {
+            pages: 12,
+            from: 0,
+            again: None,
+            kind: None,
+            input: None,
+            list: 0,
+            keep: None,
+            profile: "swell-a3".into(),
+            csv: None,
+        };
         while let Some(arg) = args.next() {
             let mut value = || args.next().ok_or_else(|| format!("{arg} needs a value"));
             match arg.as_str() {
                 "--pages" => read.pages = value()?.parse().map_err(|_| "--pages takes a whole number")?,
+                "--from" => read.from = value()?.parse().map_err(|_| "--from takes a whole number")?,
                 "--list" => read.list = value()?.parse().map_err(|_| "--list takes a whole number")?,
+                "--again" => read.again = Some(value()?.into()),
                 "--keep" => read.keep = Some(value()?.into()),
                 "--csv" => read.csv = Some(value()?.into()),
                 "--profile" => read.profile = value()?,
@@ -121,7 +153,10 @@ impl Args {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args = Args::read(std::env::args().skip(1))?;
-    let tasks = tasks(&args);
+    let tasks = match &args.again {
+        Some(file) => std::fs::read_to_string(file)?.lines().map(Task::named).collect::<Result<_, _>>()?,
+        None => tasks(&args),
+    };
     let results = on_all_cores(&tasks, |task| page(task, &args.profile));
     let mut measured = Vec::new();
     for (task, result) in tasks.iter().zip(results) {
@@ -149,7 +184,7 @@ fn tasks(args: &Args) -> Vec<Task> {
     let mut tasks = Vec::new();
     for kind in Kind::ALL.into_iter().filter(|kind| args.kind.is_none_or(|only| only == *kind)) {
         for (s, stroke) in STROKES.into_iter().enumerate() {
-            for seed in 0..args.pages {
+            for seed in args.from..args.from + args.pages {
                 let spread = (GOLDEN * (seed as f64 + 0.2 * s as f64 + 0.07 * kind as u8 as f64)).fract();
                 let width = WIDTHS[0] + (spread * widths) as u32;
                 let turns = ((seed + s as u64) % 4) as u8;

@@ -174,10 +174,10 @@ impl Scene {
     }
 
     fn outlines(&mut self, rng: &mut Rng) {
-        let mut at = |x: f64, y: f64| [x + rng.between(-25.0, 25.0), y + rng.between(-25.0, 25.0)];
+        let mut at = |x: f64, y: f64| [x + rng.between(-8.0, 8.0), y + rng.between(-25.0, 25.0)];
         let triangle = [at(60.0, 500.0), at(270.0, 480.0), at(160.0, 120.0)];
         let [left, top] = at(380.0, 150.0);
-        let centre = at(730.0, 310.0);
+        let centre = at(742.0, 310.0);
         self.closed(&triangle, "none");
         self.closed(&[[left, top], [left + 160.0, top], [left + 160.0, top + 300.0], [left, top + 300.0]], "none");
         self.closed(&circle(centre, [110.0, 110.0]), "none");

@@ -4,6 +4,7 @@
 //! ```text
 //! cargo run --release -p tactograph-tools --bin text        the table (480 scenes, some minutes)
 //!   --scenes N         so many of each kind, ground, size and direction (default 1)
+//!   --from SEED        the first of their seeds (default 0): other scenes, of the same kinds
 //!   --kind NAME        only this kind
 //!   --ground NAME      only plain, coloured or photo
 //!   --list N           also the N worst scenes by what is found, and by what is lost
@@ -48,6 +49,7 @@ struct Outcome {
 
 struct Args {
     scenes: u64,
+    from: u64,
     kind: Option<Kind>,
     ground: Option<Ground>,
     list: usize,
@@ -57,10 +59,11 @@ struct Args {
 
 impl Args {
     fn read(mut words: Words) -> Result<Self, String> {
-        let mut args = Self { scenes: 1, kind: None, ground: None, list: 0, keep: None, pictures: Vec::new() };
+        let mut args = Self { scenes: 1, from: 0, kind: None, ground: None, list: 0, keep: None, pictures: Vec::new() };
         while let Some(word) = words.next() {
             match word.as_str() {
                 "--scenes" => args.scenes = words.whole_number(&word)? as u64,
+                "--from" => args.from = words.whole_number(&word)? as u64,
                 "--list" => args.list = words.whole_number(&word)?,
                 "--keep" => args.keep = Some(words.value(&word)?.into()),
                 "--pictures" => args.pictures = words.by_ref().map(PathBuf::from).collect(),
@@ -86,7 +89,8 @@ impl Args {
             for ground in Ground::ALL.into_iter().filter(|ground| self.ground.is_none_or(|only| only == *ground)) {
                 for size in SIZES {
                     for slanted in [false, true] {
-                        tasks.extend((0..self.scenes).map(|seed| Task { kind, ground, size, slanted, seed }));
+                        let seeds = self.from..self.from + self.scenes;
+                        tasks.extend(seeds.map(|seed| Task { kind, ground, size, slanted, seed }));
                     }
                 }
             }

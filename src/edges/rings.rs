@@ -1,0 +1,102 @@
+//! A line that comes back to itself is a ring, and what leads to the ring: where a leader meets a circle, the two may
+//! have been found as one line.
+
+use super::tips::Found;
+use crate::geom::polyline::Polyline;
+
+/// A line comes back to itself where its end is at most half its width and this far from its own middle, px.
+const NEAR: f32 = 2.0;
+/// ... or so far ahead, where an edge that meets a stroke ends before it.
+const AHEAD: f32 = 8.0;
+/// ... and goes on in it: cosine between their directions at least (37 degrees).
+const SMOOTH: f32 = 0.8;
+/// Directions are taken over this much of a line, px, but for what is near the place, which may be bent.
+const HEADING: f32 = 8.0;
+const BENT: f32 = 3.0;
+/// A ring is at least this long, px: no line on any page is shorter.
+const LEAST: f32 = 24.0;
+
+/// Contours of which those that come back to themselves are parted.
+pub(super) fn parted(found: Vec<Found>) -> Vec<Found> {
+    found.into_iter().flat_map(|found| part(found).into_iter().flatten()).collect()
+}
+
+/// The ring, and what leads to it; or the contour itself.
+fn part(mut found: Found) -> [Option<Found>; 2] {
+    for turned in [false, true] {
+        if turned {
+            found.contour.reverse();
+        }
+        if let Some(at) = comes_back_to(&found) {
+            let vertices = &found.contour.vertices;
+            let ring = Polyline { vertices: vertices[at..].to_vec(), closed: true };
+            let lead = Polyline::open(vertices[..=at].to_vec());
+            let part = |contour| Found { contour, ..found };
+            let lead = (lead.length() >= HEADING).then(|| part(lead));
+            return [Some(part(ring)), lead];
+        }
+    }
+    found.contour.reverse();
+    [Some(found), None]
+}
+
+/// The vertex of an open contour to which its end comes back.
+fn comes_back_to(found: &Found) -> Option<usize> {
+    let contour = &found.contour;
+    if contour.closed {
+        return None;
+    }
+    let last = contour.vertices.len().checked_sub(1)?;
+    let tip = contour.vertices[last].at;
+    let along = |from: usize, forwards: bool| {
+        let at_arc = |least: f32| contour.walk(from, forwards).find(|(_, arc)| *arc >= least);
+        let [near, far] = [at_arc(BENT)?, at_arc(BENT + HEADING)?].map(|(i, _)| contour.vertices[i].at);
+        (far - near).try_normalize()
+    };
+    let end = -along(last, false)?;
+    let early = contour.walk(last, false).find(|(_, arc)| *arc >= LEAST)?.0;
+    let near = 0.5 * found.stroke.unwrap_or(0.0) + NEAR;
+    let goes_on = |at: &usize| {
+        let gap = contour.vertices[*at].at - tip;
+        let is_ahead = end.dot(gap) >= SMOOTH * gap.length();
+        (gap.length() <= near || gap.length() <= AHEAD && is_ahead)
+            && along(*at, true).is_some_and(|on| end.dot(on) >= SMOOTH)
+    };
+    let distance = |i: &usize| (contour.vertices[*i].at - tip).length();
+    (0..=early).filter(goes_on).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::polyline;
+    use super::*;
+    use std::f32::consts::TAU;
+
+    /// A leader that comes to a circle from the right and goes round it, as far as `round` of it.
+    fn leader(round: f32) -> Found {
+        let turn = |k: u16| f32::from(k) / 60.0 * TAU * round;
+        let circle = (0..=60).map(turn).map(|angle| (100.0 + 40.0 * angle.cos(), 100.0 + 40.0 * angle.sin()));
+        let points: Vec<(f32, f32)> = std::iter::once((200.0, 100.0)).chain(circle).collect();
+        Found { stroke: Some(2.0), ..Found::edge(polyline(&points)) }
+    }
+
+    #[test]
+    fn a_circle_is_parted_from_its_leader_whichever_way_they_run() {
+        let mut reversed = leader(0.98);
+        reversed.contour.reverse();
+        for found in [leader(1.0), leader(0.98), reversed] {
+            let parts = parted(vec![found]);
+            let [ring, lead] = &parts[..] else { panic!("{}", parts.len()) };
+            assert!(ring.contour.closed && (ring.contour.length() - 40.0 * TAU).abs() < 4.0);
+            assert!(!lead.contour.closed && (lead.contour.length() - 60.0).abs() < 4.0);
+        }
+    }
+
+    #[test]
+    fn a_line_that_ends_elsewhere_or_across_itself_stays_one() {
+        let across = polyline(&[(200.0, 100.0), (100.0, 100.0), (100.0, 60.0), (150.0, 60.0), (150.0, 98.0)]);
+        for found in [leader(0.8), Found { stroke: Some(2.0), ..Found::edge(across) }] {
+            assert_eq!(parted(vec![found.clone()]), [found]);
+        }
+    }
+}
