@@ -1,7 +1,7 @@
-//! A vector drawing that is too dense for its size: every line of it is meant, so before lines are left out, all move apart a
-//! little, and then are drawn thinner.
+//! A vector drawing that is too dense for its size: every line of it is meant, so before lines are left out, all move
+//! apart a little, and then are drawn thinner.
 
-use super::Candidates;
+use super::candidates::Candidates;
 use super::clearance::{Cleared, clear, spread};
 use super::junction;
 use super::outlines::Rank;
@@ -18,8 +18,8 @@ const THINNER_KEEPS: f32 = 0.03;
 /// A drawing of which less than this share has room is far too dense, as squared paper in an overview.
 const HOPELESS: f32 = 0.5;
 
-/// Clears lines (see [`clear`]). Those of a vector drawing may move apart, be centrelines of narrow bars, or be thinner,
-/// whichever keeps most of them; also returns how they are drawn then.
+/// Clears lines (see [`clear`]). Those of a vector drawing may move apart, be centrelines of narrow bars, or be
+/// thinner, whichever keeps most of them; also returns how they are drawn then.
 pub(super) fn cleared(
     candidates: impl Fn(&Params) -> Candidates,
     area: MmRect,

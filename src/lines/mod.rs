@@ -10,6 +10,7 @@
 //! Outlines of regions, where there are any (`outlines`), come in before `junction`, and go before other lines in
 //! `clearance`.
 
+mod candidates;
 mod centreline;
 mod clearance;
 mod corner;
@@ -28,12 +29,10 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
+use candidates::{Candidates, nearby};
 use clearance::Cleared;
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
-use vertex::Vertex;
-
-use lost::Tally;
 use outlines::Rank;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
@@ -41,10 +40,8 @@ pub use lost::Lost;
 pub use outlines::Outlines;
 pub use params::Params;
 
-use crate::edges::{ChainRange, Edges};
-use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::polyline::Polyline;
-use crate::units::{MmPoint, MmRect, PageTransform};
+use crate::edges::Edges;
+use crate::units::{MmRect, PageTransform};
 
 /// The lines of a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -93,72 +90,6 @@ pub fn draw_with(
     Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
 }
 
-/// What is to be drawn as far as there is room for it.
-struct Candidates {
-    /// Contours, and after them outlines of regions.
-    lines: Vec<(Polyline<Vertex>, Rank)>,
-    /// The saliency of each.
-    saliencies: Vec<f32>,
-    /// How many of them are contours.
-    contours: usize,
-    /// What is too short for a line.
-    short: Tally,
-}
-
-impl Candidates {
-    fn of(edges: &Edges, outlines: &Outlines, transform: &PageTransform, area: MmRect, params: &Params) -> Self {
-        let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
-        let mut short = Tally::new(area);
-        let is_crumb =
-            |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
-        if params.of_drawing {
-            polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
-        }
-        polylines.retain(|polyline| !is_crumb(polyline));
-        let polylines = centreline::merge(polylines, area, params);
-        // Where one side of a stroke ends and the other goes on, the centreline goes on with it.
-        let mut polylines = join::join(polylines, params.join_gap);
-        if params.of_drawing {
-            let is_short = |polyline: &&Polyline<Vertex>| polyline.length() < params.min_length;
-            polylines.iter().filter(is_short).for_each(|polyline| short.add(polyline));
-        }
-        polylines.retain(|polyline| polyline.length() >= params.min_length);
-        polylines.iter_mut().for_each(Polyline::fill);
-        let contours = polylines.len();
-        polylines.extend(outlines.on_the_sheet(transform, params));
-        junction::extend(&mut polylines, area, params.join_gap);
-        polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
-        let has_outlines = contours < polylines.len();
-        let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
-            _ if !has_outlines => Rank::Ordinary,
-            _ if number < contours => Rank::of(line),
-            _ => Rank::Outline,
-        };
-        let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
-        let saliencies = saliency::saliencies(&polylines, params);
-        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short }
-    }
-
-    /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
-    fn lost(&self, drawn: &[&Cleared], least: f32, area: MmRect, params: &Params) -> Lost {
-        let salient = self.lines[..self.contours].iter().zip(&self.saliencies).filter(|(_, of)| **of >= least);
-        let contours: Vec<_> = salient.map(|((line, _), _)| line).collect();
-        let mut wanted = self.short;
-        contours.iter().for_each(|polyline| wanted.add(polyline));
-        let mut kept = Tally::new(area);
-        if self.contours == self.lines.len() {
-            drawn.iter().for_each(|line| kept.add(&line.polyline));
-        } else {
-            // an outline stands for the contours along it
-            let lines = nearby(drawn.iter().map(|line| &line.polyline), area, params);
-            let stands = |at: MmPoint| lines.nearest(at, params.max_offset(), |_| true).is_some();
-            contours.iter().for_each(|polyline| kept.add_where(polyline, stands));
-            kept.count_rings(drawn.iter().map(|line| &line.polyline));
-        }
-        wanted.lost(&kept)
-    }
-}
-
 /// Leaves out the lines beyond as many beside outlines as there are to be, and those that are too short beside them.
 fn keep_few_others(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
     let Some((most, length)) = outlines.others else { return };
@@ -172,38 +103,3 @@ fn keep_few_others(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
         is_outline || (count <= most && line.polyline.length() >= length)
     });
 }
-
-/// The segments of lines, to be found by their places.
-fn nearby<'a>(lines: impl Iterator<Item = &'a Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
-    let mut segments = Nearby::new(area, params.max_spacing());
-    for (line, polyline) in (0..).zip(lines) {
-        for (index, (a, b)) in (0..).zip(polyline.segments()) {
-            segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
-        }
-    }
-    segments
-}
-
-/// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found
-/// first.
-fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
-    let polyline = |range: &ChainRange| {
-        let chain = edges.chain(range);
-        let polyline = Polyline::of_chain(chain, range.kind, transform);
-        let polyline = match range.kind.exact {
-            // its corners are corners
-            true => polyline,
-            false if range.kind.drawn => polyline.smoothed_between_corners(params.smoothing),
-            false => polyline.smoothed(params.smoothing).evened(),
-        };
-        let polyline = polyline.stronger_half_first();
-        (polyline.path().map(|v| f64::from(v.strength)).sum::<f64>(), polyline)
-    };
-    let mut polylines: Vec<(f64, Polyline<Vertex>)> = edges.chains.par_iter().map(polyline).collect();
-    polylines.sort_by(|a, b| b.0.total_cmp(&a.0));
-    polylines.into_iter().map(|(_, polyline)| polyline).collect()
-}
-
-/// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in
-/// proportion, has joined nothing and will not: it is not looked at further.
-const CRUMB: f32 = 0.5;

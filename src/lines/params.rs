@@ -1,6 +1,8 @@
 //! How lines are drawn, and the distances that follow from it. They are computed here and nowhere else.
 
-use super::clearance::RING_FARTHEST;
+/// A ring may be displaced by this, mm, more than other lines: that it closes says more than where exactly its side
+/// runs.
+pub(super) const RING_FARTHEST: f32 = 1.6;
 
 /// How lines are drawn. Lengths are in millimetres on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,6 +4,7 @@
 use super::outlines::Rank;
 use super::vertex::{SPACING, Source, Vertex};
 use super::*;
+use crate::geom::polyline::Polyline;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::MmPoint;
 

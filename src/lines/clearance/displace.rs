@@ -5,15 +5,13 @@ use super::drawn::DrawnLines;
 use super::passage::Passage;
 use super::shift::shifts;
 use crate::geom::polyline::Polyline;
-use crate::lines::params::Params;
+use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::Vertex;
 use crate::units::MmVector;
 
 /// The farthest that a line is displaced, mm: the index finger tells places from about 0.94 mm (Van Boven and Johnson
 /// 1994).
 const FARTHEST: f32 = 0.8;
-/// A ring may be displaced by more, mm: that it closes says more than where exactly its side runs.
-pub(in crate::lines) const RING_FARTHEST: f32 = 1.6;
 /// A little more than it must, mm, so that it need not do so again.
 pub(super) const MORE: f32 = 0.02;
 /// What rounding may put outside of the picture, mm.

@@ -18,7 +18,6 @@ mod split;
 mod spread;
 
 pub(super) use anchor::Cleared;
-pub(super) use displace::RING_FARTHEST;
 pub(super) use spread::spread;
 
 use self::displace::displaced;
