@@ -2,7 +2,7 @@
 //! than a finger notices, and swings back to its place on both sides.
 
 use super::drawn::DrawnLines;
-use super::passage::Passage;
+use super::passage::{Passage, TOUCH};
 use super::shift::shifts;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::{Params, RING_FARTHEST};
@@ -27,7 +27,7 @@ pub(super) fn farthest(polyline: &Polyline<Vertex>, passage: &Passage, params: &
 /// Whether a line goes round something: it is a ring, or in a drawing both its ends lie on others, as those of a bar on
 /// an axis.
 pub(super) fn is_closed(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> bool {
-    let ends = |arc: f32| passage.junctions.iter().any(|j| j.is_own_end() && j.arc == arc);
+    let ends = |arc: f32| passage.junctions.iter().any(|j| j.is_own_end() && (j.arc - arc).abs() < TOUCH);
     polyline.closed || params.exact && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
 }
 

@@ -1,7 +1,7 @@
 //! How the vertices of a line move when some of them are pushed: the others follow, less the farther they are. Straight
 //! stretches of a drawing move as a whole and stay straight, and an end on another line slides along that.
 
-use super::passage::{Junction, Meeting, Passage};
+use super::passage::{Junction, Meeting, Passage, TOUCH};
 use crate::geom::polyline::Polyline;
 use crate::lines::vertex::Vertex;
 use crate::units::MmVector;
@@ -116,7 +116,8 @@ fn move_stretches(
         shifts[vertex] = match (before[vertex], after[vertex]) {
             (Some(a), Some(b)) => Some(common(a, b)),
             (Some(one), None) | (None, Some(one)) => {
-                let end = passage.junctions.iter().find(|j| j.is_own_end() && j.arc == passage.arcs[vertex]);
+                let end =
+                    passage.junctions.iter().find(|j| j.is_own_end() && (j.arc - passage.arcs[vertex]).abs() < TOUCH);
                 Some(end.map_or(one.shift(), |end| slid(one, end.along)))
             }
             (None, None) => None,
