@@ -9,6 +9,7 @@ mod cli;
 mod colours;
 mod common;
 mod corpus;
+mod crowded;
 mod decode;
 mod dots;
 mod dotted;

@@ -6,7 +6,7 @@ use super::finding::Found;
 use super::limits::{Limits, MOST_TEXTURES, MediumLimits};
 use super::marks::{Mark, Outline, Part};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURES};
-use crate::page::{Medium, Names, Page, Shape};
+use crate::page::{Medium, Names, Page, Shape, TextRole};
 use crate::units::{MmPoint, MmRect};
 
 /// Numbers of a page have two digits after the point, mm.
@@ -14,7 +14,9 @@ const ROUNDING: f32 = 0.015;
 
 pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
     let mut found = Vec::new();
-    if page.is_empty() {
+    // a key may have words only
+    let has_key = page.braille.iter().any(|text| text.role == TextRole::Key);
+    if page.is_empty() && !has_key {
         found.push(Found::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
     }
     found.extend(too_small(page, names, limits));

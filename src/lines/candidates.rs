@@ -27,7 +27,7 @@ pub(super) struct Candidates {
     /// How many of them are contours.
     contours: usize,
     /// What is too short for a line.
-    short: Tally,
+    pub(super) short: Tally,
 }
 
 impl Candidates {

@@ -76,6 +76,11 @@ impl Tally {
         self.add_where(line, |_| true);
     }
 
+    /// Length of all, mm.
+    pub(super) fn length(&self) -> f32 {
+        self.lengths.iter().sum()
+    }
+
     /// Counts the rings among lines.
     pub(super) fn count_rings<'a>(&mut self, lines: impl Iterator<Item = &'a Polyline<Vertex>>) {
         self.rings += lines.filter(|line| line.closed).count();
@@ -95,7 +100,7 @@ impl Tally {
     pub(super) fn lost(&self, kept: &Self) -> Lost {
         let by_place: [f32; 9] = std::array::from_fn(|i| self.lengths[i] - kept.lengths[i]);
         let kept_rings = kept.rings;
-        let (wanted, kept) = (self.lengths.iter().sum::<f32>(), kept.lengths.iter().sum::<f32>());
+        let (wanted, kept) = (self.length(), kept.length());
         let rings = self.rings.saturating_sub(kept_rings);
         Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, broken: 0, broken_at: None }
     }

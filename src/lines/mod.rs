@@ -68,7 +68,7 @@ pub fn draw_with(
     params: &Params,
 ) -> Lines {
     let of_drawing = edges.of_drawing();
-    let exact = of_drawing && edges.chains.iter().any(|chain| chain.kind.exact);
+    let exact = of_drawing && edges.chains.iter().any(|chain| chain.kind.exact && !chain.kind.added);
     let params = Params { of_drawing, exact, ..*params };
     let candidates = |params: &Params| Candidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);

@@ -1,7 +1,7 @@
 //! How lines are drawn, and the distances that follow from it. They are computed here and nowhere else.
 
-/// A ring may be displaced by this, mm, more than other lines: that it closes says more than where exactly its side
-/// runs.
+/// A ring is displaced by at most this, mm, and other lines by half of it: that a ring closes says more than where
+/// exactly its side runs. The two sides of a narrow bar can so become farther apart by as much, with room to spare.
 pub(super) const RING_FARTHEST: f32 = 1.6;
 
 /// How lines are drawn. Lengths are in millimetres on the sheet.
@@ -92,7 +92,19 @@ impl Params {
 
     /// The widest stroke of which the centreline is drawn and not its two sides, mm.
     pub(super) fn widest_stroke(&self) -> f32 {
-        self.max_spacing() - if self.widen_bars { RING_FARTHEST } else { 0.0 }
+        (self.max_spacing() - if self.widen_bars { RING_FARTHEST } else { 0.0 }).max(0.0)
+    }
+
+    /// The widest gap between two areas of a vector drawing that is drawn as one line, mm: wider ones become as wide as
+    /// two lines need, as both sides move.
+    pub(super) fn widest_gap(&self) -> f32 {
+        (self.max_spacing() - RING_FARTHEST).max(0.0)
+    }
+
+    /// The farthest that a line is from the contours that it stands for, mm: it may be moved twice, together with
+    /// others and alone.
+    pub fn farthest_moved(&self) -> f32 {
+        self.max_offset().max(2.0 * RING_FARTHEST)
     }
 
     /// The farthest that a centre line is from the contours that it stands for, mm: in the middle of a stroke whose

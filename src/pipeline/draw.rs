@@ -362,7 +362,7 @@ pub(super) fn draw_overview(
                         break;
                     }
                     let larger = draw_overview_at(place, edges, layout, plan);
-                    if larger.2.share() < best.2.share() {
+                    if (larger.2.rings, larger.2.share()) < (best.2.rings, best.2.share()) {
                         best = larger;
                     }
                 }
@@ -409,7 +409,7 @@ fn is_enough(lost: &Lost) -> bool {
 /// An overview that lacks this share, as one of squared paper, is too small by far.
 const HOPELESS: f32 = 0.5;
 
-/// An overview may lack this share of a drawing's lines: ticks.
+/// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
 const OVERVIEW_MAY_LACK: f32 = 0.04;
 
 /// What the maker is told of what the overview of a drawing lacks.

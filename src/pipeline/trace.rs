@@ -125,7 +125,7 @@ pub fn trace<'p>(
             notes.extend(told_left_out(&drawn, Some(edges), &layout));
             let transform = PageTransform::new(edges.size, layout.figure);
             let params = plan.lines();
-            let reach = params.max_offset(); // nothing is moved further
+            let reach = params.farthest_moved();
             Trace::of_lines(&drawn.lines, edges, &transform, layout.figure, reach, source)
         }
     };

@@ -249,7 +249,9 @@ impl<'m> Builder<'m> {
             (None, _) => {
                 self.tally.add(What::Outlined, first);
                 let width = self.common_width();
-                let around = mark.outlines.iter().map(|outline| Outline { closed: true, ..outline.clone() });
+                // what has but two points is a line there and back
+                let closed = |outline: &Outline| Outline { closed: outline.points.len() > 2, ..outline.clone() };
+                let around = mark.outlines.iter().map(closed);
                 let around = around.map(|outline| stroke_run(&outline, width)).collect();
                 self.collect(mark, Layer::Lines, around, runs);
             }

@@ -87,12 +87,13 @@ impl Wording {
         self.say(&format!("place-{}", ninth + 1), &[])
     }
 
-    /// A share (0..=1) in whole percent; nothing is told as 0 or 100 that is not.
+    /// A share (0..=1) in whole percent; nothing is told as 0 or 100 that is not, but for what the digits of a page's
+    /// numbers leave open.
     pub(crate) fn percent(&self, share: f32) -> String {
         let percent = 100.0 * share;
         let size = match percent {
             p if p > 0.0 && p < 0.5 => "under",
-            p if (99.5..100.0).contains(&p) => "over",
+            p if (99.5..99.95).contains(&p) => "over",
             _ => "is",
         };
         self.say("percent", &[("size", size.into()), ("percent", percent.round().into())])
@@ -181,7 +182,7 @@ mod tests {
     #[test]
     fn shares_are_rounded_but_not_to_nothing_or_all() {
         let percent = |share| Wording::english().percent(share);
-        let told = [0.0, 0.001, 0.006, 0.25, 0.996, 1.0].map(percent);
+        let told = [0.0, 0.001, 0.006, 0.25, 0.996, 0.99999].map(percent);
         assert_eq!(told, ["0 %", "under 1 %", "1 %", "25 %", "over 99 %", "100 %"]);
     }
 

@@ -130,3 +130,16 @@ fn a_text_longer_than_a_sheet_goes_on_on_the_next() {
         assert!(read >= 60, "{profile}: only {read} letters k");
     }
 }
+
+#[test]
+fn a_key_of_words_alone_is_no_empty_page() {
+    let mut profile = Profile::named("swell-a4").expect("it is built in");
+    profile.set("figure.textures", "false").expect("the key is there");
+    let plain = Options::new(profile).title("Trees").fonts(Fonts::system());
+    let at = |x, text: &str| Label { x: Position::Percent(x), y: Position::Percent(60.0), text: text.to_owned() };
+    let labels = vec![at(80.0, "a very large fir tree"), at(81.0, "twig")];
+    let key = convert(&samples::read("landscape.svg"), &plain.labels(labels)).expect("a page").key;
+    assert_eq!(key.len(), 1);
+    let checked = tactograph::check(key[0].to_svg(), None).expect("it can be read");
+    assert!(checked.findings.iter().all(|finding| finding.rule.id != "empty"), "{checked}");
+}

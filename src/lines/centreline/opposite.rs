@@ -90,11 +90,11 @@ impl<'a> Sides<'a> {
         let polyline = &self.polylines[number];
         let here: &Vertex = &polyline.vertices[i];
         let tangent = polyline.tangent(i);
-        // an area of a vector drawing is known as such, what was ink in a bitmap is not
-        let reach = match here.source {
-            Source::Vector => self.params.widest_stroke(),
-            _ => self.params.max_spacing(),
-        };
+        // in a bitmap the two sides may be those of a stroke of ink, which is not widened
+        let is_exact = here.source == Source::Vector;
+        let reach = if is_exact { self.params.widest_stroke() } else { self.params.max_spacing() };
+        // the gap between two areas is no stroke where they can move apart
+        let widest_gap = if is_exact { self.params.widest_gap() } else { reach };
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
@@ -105,6 +105,7 @@ impl<'a> Sides<'a> {
                 let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
                 let distance = (at - here.at).length();
                 if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
+                    && (segment.line as usize == number || distance <= widest_gap)
                     && !self.is_same_side((number, i), segment, distance)
                     && self.steps_back(here, tangent, segment)
                     && !self.is_corner((number, i), segment, at)

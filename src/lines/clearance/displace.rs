@@ -21,12 +21,12 @@ const ROUNDS: usize = 4;
 
 /// How far a line may be displaced, mm.
 pub(super) fn farthest(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> f32 {
-    if is_closed(polyline, passage, params) { RING_FARTHEST } else { FARTHEST }
+    if is_held(polyline, passage, params) { RING_FARTHEST } else { FARTHEST }
 }
 
-/// Whether a line goes round something: it is a ring, or in a drawing both its ends lie on others, as those of a bar on
-/// an axis.
-pub(super) fn is_closed(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> bool {
+/// Whether a line cannot come off its neighbours: it is a ring, or in a vector drawing both its ends lie on others, as
+/// those of a bar on its axis, or of a connector between boxes.
+pub(super) fn is_held(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> bool {
     let ends = |arc: f32| passage.junctions.iter().any(|j| j.is_own_end() && (j.arc - arc).abs() < TOUCH);
     polyline.closed || params.exact && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
 }

@@ -6,7 +6,7 @@
 //! ```text
 //!   ----------o----------   far enough          -----------o------   too flat: the
 //!             |                                    ___---´´          lower line ends
-//!             |  <- at most 1.7 clearances      --´                  where it comes near
+//!             |  <- not too many clearances     --´                  where it comes near
 //! ```
 
 use super::near_map::{MARK, NearMap};

@@ -4,7 +4,7 @@
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::displace::{MORE, OUTSIDE, farthest, is_closed};
+use super::displace::{MORE, OUTSIDE, farthest, is_held};
 use super::drawn::DrawnLines;
 use super::passage::{Junction, Passage};
 use super::self_distance::too_near;
@@ -17,7 +17,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A line between two that are too near on both sides takes some rounds to find its place.
 const ROUNDS: usize = 12;
-/// ... and where a round moves them by more than this share of what the round before did, there is no place for all.
+/// ... and where a round moves them, all together, by more than this share of what the round before did, there is no
+/// place for all: where there is, each round leaves about half of what is missing.
 const LESS: f32 = 0.9;
 
 /// The lines, moved apart. None if no two are so little too near that this helps.
@@ -73,7 +74,7 @@ fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params) -> Dr
     drawn
 }
 
-/// Every so many vertices, 1.6 mm apart, are looked at, and the ends; those between follow them.
+/// Every so many vertices, at most 2 mm apart, are looked at, and the ends; those between follow them.
 const EVERY: usize = 4;
 
 /// Lines that move apart.
@@ -81,7 +82,7 @@ struct All<'a> {
     lines: &'a [Polyline<Vertex>],
     /// Where their vertices were at first.
     own: &'a [Vec<MmPoint>],
-    /// The junctions of each with the others.
+    /// The junctions of each with the others, before any moved: their arcs change by no more than lines move.
     passages: &'a [Passage],
     /// How far each may move, mm.
     reach: &'a [f32],
@@ -93,29 +94,33 @@ impl All<'_> {
     fn moves(&self, number: usize) -> Vec<MmVector> {
         let (line, passage, params) = (&self.lines[number], &self.passages[number], self.drawn.params);
         // of a bar or another ring the two sides may be too near to one another
-        let closed = is_closed(line, passage, params);
+        let closed = is_held(line, passage, params);
+        let arcs = line.arc_lengths();
         let mut pushes = vec![MmVector::zero(); line.vertices.len()];
         let last = line.vertices.len().saturating_sub(1);
         for (i, vertex) in line.vertices.iter().enumerate().filter(|(i, _)| i % EVERY == 0 || *i == last) {
-            let arc = passage.arcs[i];
-            let (mut most, mut push) = (0.0, MmVector::zero());
+            let arc = arcs[i];
+            let tangent = line.tangent(i);
+            // the worst rival on either side
+            let (mut most, mut push) = ([0.0; 2], [MmVector::zero(); 2]);
             self.drawn.each_near(vertex, arc, passage, |near| {
                 let other = near.segment.line as usize;
                 let is_rival = match other == number {
-                    true => closed && too_near(line, &passage.arcs, (arc, vertex), near.segment, params).is_some(),
+                    true => closed && too_near(line, &arcs, (arc, vertex), near.segment, params).is_some(),
                     false => !near.joins && !self.is_joined(number, near.segment),
                 };
-                if is_rival && near.missing > most {
-                    most = near.missing;
+                let side = usize::from(tangent.cross(near.away) > 0.0);
+                if is_rival && near.missing > most[side] {
+                    most[side] = near.missing;
                     // where both together cannot give way by as much, one will be cut, and the other had better stay
                     let there = near.segment.index as usize;
-                    let fits = most <= self.left(number, i) + self.left(other, there) + MORE;
-                    let share = if fits { 0.5 * (most + MORE) / near.distance.max(MORE) } else { 0.0 };
-                    push = near.away * share;
+                    let fits = near.missing <= self.left(number, i) + self.left(other, there) + MORE;
+                    let share = if fits { 0.5 * (near.missing + MORE) / near.distance.max(MORE) } else { 0.0 };
+                    push[side] = near.away * share;
                 }
                 true
             });
-            pushes[i] = push;
+            pushes[i] = push[0] + push[1];
         }
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return pushes;

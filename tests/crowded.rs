@@ -1,0 +1,107 @@
+//! Worksheet pictures that are dense for their size: charts of bars, of sectors and of curves, and boxes with connectors.
+
+use std::fmt::Write;
+
+use tactograph::internals::geom::nearest_on_segment;
+use tactograph::marks::Line;
+use tactograph::{Drawing, MmPoint, MmRect, Options, Profile};
+
+const WIDTH: f32 = 900.0;
+const HEIGHT: f32 = 600.0;
+/// A contour is drawn where a line is this near, mm: by so much the two sides of a narrow gap may give way.
+const NEAR: f32 = 1.6;
+
+fn page_of(drawn: &str) -> Drawing {
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}'>\
+         <rect width='{WIDTH}' height='{HEIGHT}' fill='#fff'/>{drawn}</svg>"
+    );
+    let profile = Profile::named("swell-a4").expect("the default profile is there");
+    tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page")
+}
+
+/// So many bars on an axis, which take this share of their distance, with their height at its place in a list.
+fn bars(count: usize, share: f32) -> (String, Vec<(f32, f32)>) {
+    const HEIGHTS: [f32; 5] = [210.0, 400.0, 330.0, 440.0, 150.0];
+    let step = 750.0 / count as f32;
+    let (mut drawn, mut points) = (String::new(), Vec::new());
+    for k in 0..count {
+        let (x, width, height) = (105.0 + (k as f32 + 0.5 - 0.5 * share) * step, share * step, HEIGHTS[k % 5]);
+        write!(drawn, "<rect x='{x}' y='{}' width='{width}' height='{height}' fill='#4c72b0'/>", 520.0 - height)
+            .expect("it is a string");
+        // both legs and the top
+        let legs = (1..20).flat_map(|i| [x, x + width].map(|x| (x, 520.0 - height * i as f32 / 20.0)));
+        points.extend(legs.chain((1..5).map(|i| (x + width * i as f32 / 5.0, 520.0 - height))));
+    }
+    drawn += "<path d='M90 40V520H860' fill='none' stroke='#000' stroke-width='3'/>";
+    (drawn, points)
+}
+
+/// Share of some points of a drawing that lie on lines drawn in `place`.
+fn share_drawn(points: &[(f32, f32)], place: MmRect, lines: &[Line]) -> f32 {
+    let is_drawn = |&&(x, y): &&(f32, f32)| {
+        let at = place.min + MmPoint::new(x / WIDTH * place.width(), y / HEIGHT * place.height()).to_vector();
+        let segments = lines.iter().flat_map(|line| &line.runs);
+        segments.flat_map(|run| run.points.windows(2)).any(|pair| nearest_on_segment(at, pair[0], pair[1]).0 <= NEAR)
+    };
+    points.iter().filter(is_drawn).count() as f32 / points.len() as f32
+}
+
+#[test]
+fn bars_with_gaps_of_three_millimetres_are_all_whole() {
+    // 14 bars of 7.2 mm with gaps of 3.1 mm: lines need 4.9
+    let (drawn, points) = bars(14, 0.7);
+    let page = page_of(&drawn).page;
+    let share = share_drawn(&points, page.figure.place, &page.figure.lines);
+    assert!(share >= 0.98, "{share} of the bars are drawn");
+    assert_eq!(page.figure.lines.len(), 15, "14 bars and an axis");
+}
+
+#[test]
+fn an_overview_is_larger_only_where_bars_have_no_room_in_it() {
+    for (count, scale) in [(3, 0.4..0.401), (7, 0.45..0.701)] {
+        let (drawn, points) = bars(count, 0.6);
+        let page = page_of(&drawn).page;
+        let overview = page.overview.as_ref().expect("it has one");
+        let size = overview.place.width() / page.figure.place.width();
+        assert!(scale.contains(&(size + 1e-4)), "{count} bars: an overview of {size}");
+        let share = share_drawn(&points, overview.place, &overview.lines);
+        assert!(share >= 0.98, "{share} of {count} bars are drawn");
+        let below = page.figure.place.max.y;
+        assert!(overview.place.min.y > below && overview.place.max.y < 297.0 - 10.0);
+    }
+}
+
+#[test]
+fn a_white_stroke_round_sectors_does_not_tear_their_outline() {
+    let at = |degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        (450.0 + 240.0 * cos, 300.0 + 240.0 * sin)
+    };
+    let mut drawn = String::new();
+    for (from, to, fill) in [(0.0, 126.0, "#4c72b0"), (126.0, 216.0, "#55a868"), (216.0, 360.0, "#c44e52")] {
+        let ((x, y), (u, v)) = (at(from), at(to));
+        let path = format!("M450 300L{x} {y}A240 240 0 0 1 {u} {v}Z");
+        write!(drawn, "<path d='{path}' fill='{fill}' stroke='#fff' stroke-width='2'/>").expect("it is a string");
+    }
+    let page = page_of(&drawn).page;
+    let circle: Vec<(f32, f32)> = (0..360).map(|degrees| at(degrees as f32)).collect();
+    let share = share_drawn(&circle, page.figure.place, &page.figure.lines);
+    assert!(share >= 0.995, "{share} of the circle is drawn");
+}
+
+#[test]
+fn curves_that_cross_and_connectors_that_end_at_24_degrees_are_whole() {
+    let along = |(a, b): ((f32, f32), (f32, f32))| {
+        (0..=50).map(move |i| (a.0 + (b.0 - a.0) * i as f32 / 50.0, a.1 + (b.1 - a.1) * i as f32 / 50.0))
+    };
+    let lines = [((100.0, 100.0), (500.0, 278.0)), ((100.0, 278.0), (500.0, 100.0)), ((400.0, 400.0), (200.0, 490.0))];
+    let mut drawn = String::from("<path d='M300 400H700M100 490H300' stroke='#036' stroke-width='4'/>");
+    for ((x, y), (u, v)) in lines {
+        write!(drawn, "<path d='M{x} {y}L{u} {v}' stroke='#036' stroke-width='4'/>").expect("it is a string");
+    }
+    let page = page_of(&drawn).page;
+    let points: Vec<(f32, f32)> = lines.into_iter().flat_map(along).collect();
+    let share = share_drawn(&points, page.figure.place, &page.figure.lines);
+    assert!(share >= 0.995, "{share} of the lines is drawn");
+}
