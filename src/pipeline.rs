@@ -15,6 +15,8 @@ mod hand_lines;
 mod kept_lines;
 mod key;
 mod label;
+mod outlines;
+mod overview;
 mod print_words;
 mod progress;
 mod read;

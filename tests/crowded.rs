@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::Tree;
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::marks::Line;
 use tactograph::{Drawing, MmPoint, MmRect, Options, Profile};
@@ -11,13 +13,28 @@ const HEIGHT: f32 = 600.0;
 /// A contour is drawn where a line is this near, mm: by so much the two sides of a narrow gap may give way.
 const NEAR: f32 = 1.6;
 
-fn page_of(drawn: &str) -> Drawing {
-    let svg = format!(
+fn svg(drawn: &str) -> String {
+    format!(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}'>\
          <rect width='{WIDTH}' height='{HEIGHT}' fill='#fff'/>{drawn}</svg>"
-    );
+    )
+}
+
+fn converted(bytes: &[u8]) -> Drawing {
     let profile = Profile::named("swell-a4").expect("the default profile is there");
-    tactograph::convert(svg.as_bytes(), &Options::new(profile)).expect("a page")
+    tactograph::convert(bytes, &Options::new(profile)).expect("a page")
+}
+
+fn page_of(drawn: &str) -> Drawing {
+    converted(svg(drawn).as_bytes())
+}
+
+/// The page of the same drawing as a PNG of 1000 px.
+fn page_of_bitmap(drawn: &str) -> Drawing {
+    let tree = Tree::from_str(&svg(drawn), &resvg::usvg::Options::default()).expect("a drawing");
+    let mut pixels = Pixmap::new(1000, 667).expect("so many pixels");
+    resvg::render(&tree, Transform::from_scale(1000.0 / WIDTH, 1000.0 / WIDTH), &mut pixels.as_mut());
+    converted(&pixels.encode_png().expect("a PNG"))
 }
 
 /// So many bars on an axis, which take this share of their distance, with their height at its place in a list.
@@ -55,6 +72,27 @@ fn bars_with_gaps_of_three_millimetres_are_all_whole() {
     let share = share_drawn(&points, page.figure.place, &page.figure.lines);
     assert!(share >= 0.98, "{share} of the bars are drawn");
     assert_eq!(page.figure.lines.len(), 15, "14 bars and an axis");
+    let page = page_of_bitmap(&drawn).page;
+    let share = share_drawn(&points, page.figure.place, &page.figure.lines);
+    assert!(share >= 0.98, "{share} of the bars of the bitmap are drawn");
+}
+
+#[test]
+fn a_dashed_line_is_drawn_without_gaps_and_told() {
+    let (triangle, altitude) = ("M150 500L750 500L520 120Z", "M520 120V500");
+    let drawn = format!(
+        "<path d='{triangle}' fill='none' stroke='#000' stroke-width='4'/>\
+         <path d='{altitude}' stroke='#000' stroke-width='3' stroke-dasharray='14 8'/>"
+    );
+    let points: Vec<(f32, f32)> = (0..=36).map(|k| (520.0, 130.0 + 10.0 * k as f32)).collect();
+    for drawing in [page_of(&drawn), page_of_bitmap(&drawn)] {
+        let share = share_drawn(&points, drawing.page.figure.place, &drawing.page.figure.lines);
+        assert!(share >= 0.999, "{share} of the altitude is drawn");
+        let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("dash"));
+        assert!(told.is_some_and(|told| told.starts_with("1 dashed line: it is drawn without gaps")));
+    }
+    let solid = page_of_bitmap(&drawn.replace("stroke-dasharray", "class"));
+    assert!(solid.notes.iter().all(|note| !note.to_string().contains("dash")));
 }
 
 #[test]

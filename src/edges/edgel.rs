@@ -68,6 +68,8 @@ pub struct Edges {
     pub subjects: Vec<u32>,
     /// Whether no other region has an outline.
     pub only_subjects: bool,
+    /// How many of the lines are dashed in the picture; here they have no gaps.
+    pub dashed: usize,
     /// How near to chains that a person added nothing else is drawn, px.
     pub room: f32,
 }
@@ -83,6 +85,7 @@ impl Edges {
             erased: Vec::new(),
             subjects: Vec::new(),
             only_subjects: false,
+            dashed: 0,
             room: 0.0,
         }
     }

@@ -23,6 +23,7 @@ mod bridge;
 mod chain;
 mod contour;
 mod corner;
+mod dashes;
 mod drawing;
 mod edge_stopping;
 mod edgel;
@@ -128,7 +129,9 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let edges = contours.into_iter().map(Found::edge);
     let strokes = strokes.into_iter().map(Found::stroke);
     let mut found: Vec<Found> = edges.chain(strokes).collect();
+    let mut dashed = 0;
     if drawn {
+        (found, dashed) = dashes::united(found, params.sigma);
         let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
             stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
         };
@@ -147,6 +150,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
         );
     }
     edges.regions = tree;
+    edges.dashed = dashed;
     edges
 }
 

@@ -1,5 +1,7 @@
-//! A vector drawing that is too dense for its size: every line of it is meant, so before lines are left out, all move
+//! A drawing that is too dense for its size: every line of it is meant, so before lines are left out, all move
 //! apart a little, and then are drawn thinner.
+
+use std::sync::Arc;
 
 use super::candidates::Candidates;
 use super::clearance::{Cleared, clear, spread};
@@ -11,52 +13,111 @@ use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
 
-/// All lines of a drawing are thinner only if that keeps at least this share of their saliency more: thin lines are
+/// Lines move apart only if that keeps at least this share more: they lie where the picture has them.
+const MOVED_KEEPS: f32 = 0.02;
+/// All lines of a drawing are thinner only if that keeps at least this share more: thin lines are
 /// harder to feel.
 const THINNER_KEEPS: f32 = 0.03;
 
 /// A drawing of which less than this share has room is far too dense, as squared paper in an overview.
 const HOPELESS: f32 = 0.5;
 
-/// Clears lines (see [`clear`]). Those of a vector drawing may move apart, be centrelines of narrow bars, or be
-/// thinner, whichever keeps most of them; also returns how they are drawn then. Where nothing has to be left out this
-/// costs nothing more, else up to five times as much.
+/// Clears lines (see [`clear`]). Those of a drawing may move apart, be centrelines of narrow bars, or be thinner,
+/// whichever keeps most of them; also returns what was to be drawn and how it is drawn then. Where nothing has to be
+/// left out this costs nothing more, else up to five times as much.
 pub(super) fn cleared(
     candidates: impl Fn(&Params) -> Candidates,
     area: MmRect,
     params: Params,
-) -> (Candidates, Vec<Cleared>, Params) {
-    let params = Params { widen_bars: params.exact, ..params };
-    let attempt = |params: Params, moves_apart: bool| {
-        let lines = candidates(&params);
-        let cleared = match moves_apart {
-            true => {
-                let (apart, saliencies) = apart(&lines, area, &params);
-                clear(apart, &saliencies, area, &params)
-            }
-            false => clear(lines.lines.clone(), &lines.saliencies, area, &params),
-        };
-        (lines, cleared, params)
+) -> (Arc<Candidates>, Vec<Cleared>, Params) {
+    let wide = Params { widen_bars: params.of_drawing, ..params };
+    let merged = Params { widen_bars: false, ..params };
+    // in a bitmap a narrow bar may as well be a stroke of ink
+    let first = if params.exact { wide } else { merged };
+    let mut best = Attempt::of(&Arc::new(candidates(&first)), area, first, false);
+    if !params.of_drawing || best.lost() < params.min_length {
+        return best.taken();
+    }
+    let second = if params.exact { merged } else { wide };
+    let of_second = Arc::new(candidates(&second));
+    if best.drawn() < HOPELESS * best.wanted() {
+        return if params.exact { Attempt::of(&of_second, area, second, false).taken() } else { best.taken() };
+    }
+    let (of_wide, of_merged) = match params.exact {
+        true => (best.candidates.clone(), of_second),
+        false => (of_second, best.candidates.clone()),
     };
-    let centrelines = Params { widen_bars: false, ..params };
-    let mut best = attempt(params, false);
-    if !params.exact || lost(&best.0, &best.1) < params.min_length {
-        return best;
-    }
-    let mut share = drawn_share(&best.0, &best.1);
-    if share < HOPELESS {
-        return attempt(centrelines, false);
-    }
-    for (params, moves_apart, gain) in
-        [(params, true, 0.0), (centrelines, false, 0.0), (centrelines, true, 0.0), (params.thin(), true, THINNER_KEEPS)]
-    {
-        let this = attempt(params, moves_apart);
-        let drawn = drawn_share(&this.0, &this.1);
-        if drawn > share + gain {
-            (share, best) = (drawn, this);
+    // both sides of every bar
+    let most = wanted(&of_wide);
+    let thin = wide.thin();
+    let others: [(&dyn Fn() -> Arc<Candidates>, Params, bool, f32); 5] = [
+        (&|| of_wide.clone(), wide, false, 0.0),
+        (&|| of_wide.clone(), wide, true, MOVED_KEEPS),
+        (&|| of_merged.clone(), merged, false, 0.0),
+        (&|| of_merged.clone(), merged, true, MOVED_KEEPS),
+        (&|| Arc::new(candidates(&thin)), thin, true, THINNER_KEEPS),
+    ];
+    let mut kept = best.kept(most);
+    for (candidates, params, moves_apart, gain) in others {
+        if params == first && !moves_apart {
+            continue;
+        }
+        let this = Attempt::of(&candidates(), area, params, moves_apart);
+        if this.kept(most) > kept + gain {
+            (kept, best) = (this.kept(most), this);
         }
     }
-    best
+    best.taken()
+}
+
+/// Lines drawn in one way.
+struct Attempt {
+    candidates: Arc<Candidates>,
+    cleared: Vec<Cleared>,
+    params: Params,
+}
+
+impl Attempt {
+    fn of(candidates: &Arc<Candidates>, area: MmRect, params: Params, moves_apart: bool) -> Self {
+        let cleared = if moves_apart {
+            let (apart, saliencies) = apart(candidates, area, &params);
+            clear(apart, &saliencies, area, &params)
+        } else {
+            clear(candidates.lines.clone(), &candidates.saliencies, area, &params)
+        };
+        Self { candidates: candidates.clone(), cleared, params }
+    }
+
+    fn taken(self) -> (Arc<Candidates>, Vec<Cleared>, Params) {
+        (self.candidates, self.cleared, self.params)
+    }
+
+    /// Length of what is not drawn, mm.
+    fn lost(&self) -> f32 {
+        let wanted: f32 = self.candidates.lines.iter().map(|(line, _)| line.length()).sum();
+        wanted - self.cleared.iter().map(|line| line.polyline.length()).sum::<f32>()
+    }
+
+    /// Saliency of what is drawn: a ring in parts or a line that wavers counts for less.
+    fn drawn(&self) -> f32 {
+        self.cleared.iter().map(|line| line.saliency).sum()
+    }
+
+    fn wanted(&self) -> f32 {
+        wanted(&self.candidates)
+    }
+
+    /// How much of a drawing whose bars all have two sides, which together are worth `most`, is kept, 0..=1. It is the
+    /// geometric mean of two shares: of what this attempt itself wants, which falls where lines are torn; and of
+    /// `most`, which falls where centrelines stand for two sides.
+    fn kept(&self, most: f32) -> f32 {
+        self.drawn() / (self.wanted() * most).sqrt().max(f32::EPSILON)
+    }
+}
+
+/// Saliency of what is wanted. What is too short for a line, as a small box that became its centreline, is wanted too.
+fn wanted(candidates: &Candidates) -> f32 {
+    candidates.saliencies.iter().sum::<f32>() + candidates.short.length()
 }
 
 /// The lines of a drawing, moved apart, and their saliencies.
@@ -69,17 +130,4 @@ fn apart(lines: &Candidates, area: MmRect, params: &Params) -> (Vec<(Polyline<Ve
     }
     let saliencies = saliencies(&polylines, params);
     (polylines.into_iter().zip(ranks).collect(), saliencies)
-}
-
-/// Length of what is not drawn, mm.
-fn lost(lines: &Candidates, cleared: &[Cleared]) -> f32 {
-    let wanted: f32 = lines.lines.iter().map(|(line, _)| line.length()).sum();
-    wanted - cleared.iter().map(|line| line.polyline.length()).sum::<f32>()
-}
-
-/// Share of what is wanted, by saliency, that is drawn: a ring in parts or a line that wavers counts for less. What is
-/// too short for a line, as a small box that became its centreline, is wanted too.
-fn drawn_share(lines: &Candidates, cleared: &[Cleared]) -> f32 {
-    let wanted = lines.saliencies.iter().sum::<f32>() + lines.short.length();
-    cleared.iter().map(|line| line.saliency).sum::<f32>() / wanted.max(f32::EPSILON)
 }

@@ -1,8 +1,10 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::dots;
-use super::given::{Given, blank, erase, with_room};
+use super::given::{Given, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
+use super::outlines::outlines_of;
+use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Read, read};
 use super::request::{Fit, Request};
@@ -10,7 +12,7 @@ use super::subject;
 use super::texts::{self, Text, placed};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, PictureKind};
-use crate::lines::{self, Beyond, Line, Lines, Lost, Outlines};
+use crate::lines::{self, Beyond, Line, Lines, Lost};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium, Texture};
 use crate::picture::Picture;
@@ -34,10 +36,6 @@ const DENSE: f32 = 0.2;
 const LEAST_TOLD: f32 = 3.0;
 /// On a grid of dots lines are longer or shorter by about this share, which is no loss.
 const LEAST_TOLD_OF_DOTS: f32 = 0.05;
-
-/// How many lines an overview has beside outlines, and the least length of each, mm.
-const OTHERS: usize = 8;
-const OTHERS_LENGTH: f32 = 8.0;
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct Marks {
@@ -91,6 +89,7 @@ pub(super) fn draw(
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend(edges.as_ref().and_then(told_dashed));
     notes.extend(told_broken(&drawn.lost).filter(|_| edges.as_ref().is_some_and(Edges::of_drawing)));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
@@ -274,31 +273,6 @@ pub(super) fn draw_lines(
     (Lines::default(), None)
 }
 
-/// The outlines of the most telling regions, for a figure or an overview where `transform` puts it, and what they
-/// surround.
-fn outlines_of(
-    edges: &Edges,
-    transform: &PageTransform,
-    layout: &Layout,
-    plan: &Plan,
-    of_overview: bool,
-) -> (Outlines, Option<Areas>) {
-    let Some(tree) = &edges.regions else { return (Outlines::default(), None) };
-    let mut params = plan.regions(of_overview);
-    if edges.only_subjects {
-        params.most = edges.subjects.len();
-    }
-    // where there are to be few shapes, the overview has no others than the figure
-    let of_figure = (of_overview && params.drawn.is_some()).then(|| {
-        let of_figure = PageTransform::new(edges.size, layout.figure);
-        tree.chosen(of_figure.mm_per_px(), &plan.regions(false), &edges.subjects)
-    });
-    let (traces, areas) = tree.outlines(transform.mm_per_px(), &params, &edges.subjects, of_figure.as_deref());
-    let traces = with_room(traces, edges);
-    let others = of_overview.then_some((params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH));
-    (Outlines { traces, shapes: areas.count(), others }, Some(areas))
-}
-
 /// What the maker is told of lines that are left out as there are to be few.
 fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
     let most = plan.lines().most_shapes?;
@@ -336,93 +310,23 @@ fn told_broken(lost: &Lost) -> Option<Note> {
     Some(Note::NotOnPage(About::Lines, format!("{what}: {why}; make the figure larger")))
 }
 
+/// What the maker is told of dashed lines.
+fn told_dashed(edges: &Edges) -> Option<Note> {
+    let (lines, they_are) = match edges.dashed {
+        0 => return None,
+        1 => ("1 dashed line".to_owned(), "it is"),
+        count => (format!("{count} dashed lines"), "they are"),
+    };
+    let why = "dashes would be too short for fingers; where the difference matters, say so in the title or a label";
+    Some(Note::TakenAs(About::Lines, format!("{lines}: {they_are} drawn without gaps, as {why}")))
+}
+
 /// What is kept in the page of contours that are not drawn.
 pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
     let whole = |mm: f32| mm.max(0.0).round() as u32;
     let by_place = Some(lost.by_place.map(whole));
     LeftOut { millimetres: whole(lost.lost), of: whole(lost.wanted), by_place, shapes: shapes as u32 }
 }
-
-/// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
-/// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; also returns what of a drawing is not drawn.
-pub(super) fn draw_overview(
-    edges: Option<&Edges>,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> (Option<(MmRect, Vec<Line>)>, Lost) {
-    let reason = match (layout.overview, edges) {
-        (None, _) => "overview.on is off",
-        (Some(place), Some(edges)) if !edges.is_empty() => {
-            let (place, lines, lost) = run(watch, Stage::Overview, || {
-                let mut best = draw_overview_at(place, edges, layout, plan);
-                for place in larger_overviews(edges, layout, plan) {
-                    if is_enough(&best.2) || best.2.share() > HOPELESS {
-                        break;
-                    }
-                    let larger = draw_overview_at(place, edges, layout, plan);
-                    if (larger.2.rings, larger.2.share()) < (best.2.rings, best.2.share()) {
-                        best = larger;
-                    }
-                }
-                best
-            });
-            let lost = if edges.of_drawing() { lost } else { Lost::default() };
-            return ((!lines.is_empty()).then_some((place, lines)), lost);
-        }
-        _ => "there are no contours",
-    };
-    watch(Event::Skip(Stage::Overview, reason));
-    (None, Lost::default())
-}
-
-/// The overview's lines in this place, and what is not drawn.
-fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan) -> (MmRect, Vec<Line>, Lost) {
-    let transform = PageTransform::new(edges.size, place);
-    let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
-    let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
-    let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
-    (place, dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
-}
-
-/// Where a larger overview of a drawing can lie on printed paper, from the smallest on.
-fn larger_overviews(edges: &Edges, layout: &Layout, plan: &Plan) -> Vec<MmRect> {
-    let params = plan.layout();
-    let own = match (&layout.medium, params.overview) {
-        (Medium::Print(_), Some(overview)) if edges.of_drawing() => overview.scale,
-        _ => return Vec::new(),
-    };
-    let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
-    scales.filter_map(|scale| layout.overview_at(scale, &params)).collect()
-}
-
-/// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
-/// the last it is no overview any more.
-const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
-
-/// Whether an overview has all that matters of a drawing.
-fn is_enough(lost: &Lost) -> bool {
-    lost.rings == 0 && lost.share() < OVERVIEW_MAY_LACK
-}
-
-/// An overview that lacks this share, as one of squared paper, is too small by far.
-const HOPELESS: f32 = 0.5;
-
-/// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
-const OVERVIEW_MAY_LACK: f32 = 0.04;
-
-/// What the maker is told of what the overview of a drawing lacks.
-pub(super) fn told_of_overview(lost: &Lost) -> impl Iterator<Item = Note> {
-    let shapes = (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings));
-    let percent = (100.0 * lost.share()).round() as u32;
-    let lines =
-        (lost.share() >= OVERVIEW_LACKS).then(|| Note::LinesNotInOverview { percent, place: lost.place_name() });
-    shapes.into_iter().chain(lines)
-}
-
-/// An overview without this share of a drawing's lines is told of: a bar of a chart may be missing, and less are ticks.
-const OVERVIEW_LACKS: f32 = 0.15;
 
 /// The areas that a person gave, or the colours of the picture.
 fn areas_of_colours(

@@ -1,11 +1,12 @@
 //! A page that was read, drawn anew for another paper or device.
 
 use super::areas;
-use super::draw::{Marks, draw_lines, draw_overview, draw_textures, left_out, told_left_out, told_of_overview};
+use super::draw::{Marks, draw_lines, draw_textures, left_out, told_left_out};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::key::Key;
 use super::label::{Label, Position};
+use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
 use super::request::Request;
 use super::words::{Words, Written};

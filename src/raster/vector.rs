@@ -12,6 +12,8 @@ pub struct VectorDrawing {
     /// Where contours may be seen that are on no path: pictures inside the drawing, gradients, patterns, masks and
     /// filters.
     pub pixel_areas: Vec<PixelArea>,
+    /// How many of the strokes are dashed; the paths have no gaps.
+    pub dashed: usize,
 }
 
 /// A path and how it is painted.

@@ -175,7 +175,7 @@ mod tests {
 
     fn drawing(path: Path, width: Option<f32>) -> VectorDrawing {
         let stroke = width.map(|width| Stroke { width, ..Stroke::default() });
-        VectorDrawing { paths: vec![PaintedPath { path, stroke }], pixel_areas: Vec::new() }
+        VectorDrawing { paths: vec![PaintedPath { path, stroke }], ..VectorDrawing::default() }
     }
 
     #[test]

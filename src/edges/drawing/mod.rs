@@ -30,7 +30,7 @@ pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> 
     let picture = confirm::Lab::of(raster);
     let confirmed: Vec<Confirmed> =
         proposals.iter().flat_map(|proposal| confirm::confirmed(proposal, &picture, params)).collect();
-    let mut edges = Edges::none(size);
+    let mut edges = Edges { dashed: drawing.dashed, ..Edges::none(size) };
     for Confirmed { line, stroke } in unite::united(confirmed, size) {
         edges.push_as(
             ChainKind { exact: true, drawn: true, stroke, added: false },

@@ -90,7 +90,7 @@ fn things(
 
 /// In a drawing the two sides of one bar are a stroke before the sides of the gap between two bars are.
 fn bars_first(a: &Stretch, b: &Stretch, params: &Params) -> Ordering {
-    let is_gap = |stretch: &Stretch| params.exact && stretch.polyline != stretch.other;
+    let is_gap = |stretch: &Stretch| params.of_drawing && stretch.polyline != stretch.other;
     is_gap(a).cmp(&is_gap(b))
 }
 

@@ -7,7 +7,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
-use crate::lines::vertex::{Source, Vertex, dot};
+use crate::lines::vertex::{Vertex, dot};
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Least cosine between the directions of two sides (about 37 degrees).
@@ -90,11 +90,9 @@ impl<'a> Sides<'a> {
         let polyline = &self.polylines[number];
         let here: &Vertex = &polyline.vertices[i];
         let tangent = polyline.tangent(i);
-        // in a bitmap the two sides may be those of a stroke of ink, which is not widened
-        let is_exact = here.source == Source::Vector;
-        let reach = if is_exact { self.params.widest_stroke() } else { self.params.max_spacing() };
+        let reach = self.params.widest_stroke();
         // the gap between two areas is no stroke where they can move apart
-        let widest_gap = if is_exact { self.params.widest_gap() } else { reach };
+        let widest_gap = if self.params.widen_bars || self.params.exact { self.params.widest_gap() } else { reach };
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));

@@ -28,7 +28,7 @@ pub(super) fn farthest(polyline: &Polyline<Vertex>, passage: &Passage, params: &
 /// those of a bar on its axis, or of a connector between boxes.
 pub(super) fn is_held(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> bool {
     let ends = |arc: f32| passage.junctions.iter().any(|j| j.is_own_end() && (j.arc - arc).abs() < TOUCH);
-    polyline.closed || params.exact && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
+    polyline.closed || params.of_drawing && ends(0.0) && passage.arcs.last().is_some_and(|&arc| ends(arc))
 }
 
 /// The line moved away from those it is too near to; none if that asks for more than [`farthest`] somewhere.

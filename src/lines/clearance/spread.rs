@@ -77,6 +77,10 @@ fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params) -> Dr
 /// Every so many vertices, at most 2 mm apart, are looked at, and the ends; those between follow them.
 const EVERY: usize = 4;
 
+/// A line that is too near to itself on this share of its length is a narrow bar, which becomes wider; one that is so
+/// on less has a pointed corner.
+const NARROW: f32 = 0.25;
+
 /// Lines that move apart.
 struct All<'a> {
     lines: &'a [Polyline<Vertex>],
@@ -97,12 +101,13 @@ impl All<'_> {
         let closed = is_held(line, passage, params);
         let arcs = line.arc_lengths();
         let mut pushes = vec![MmVector::zero(); line.vertices.len()];
+        let mut own = vec![MmVector::zero(); line.vertices.len()];
         let last = line.vertices.len().saturating_sub(1);
         for (i, vertex) in line.vertices.iter().enumerate().filter(|(i, _)| i % EVERY == 0 || *i == last) {
             let arc = arcs[i];
             let tangent = line.tangent(i);
             // the worst rival on either side
-            let (mut most, mut push) = ([0.0; 2], [MmVector::zero(); 2]);
+            let (mut most, mut push, mut of_own) = ([0.0; 2], [MmVector::zero(); 2], [false; 2]);
             self.drawn.each_near(vertex, arc, passage, |near| {
                 let other = near.segment.line as usize;
                 let is_rival = match other == number {
@@ -112,6 +117,7 @@ impl All<'_> {
                 let side = usize::from(tangent.cross(near.away) > 0.0);
                 if is_rival && near.missing > most[side] {
                     most[side] = near.missing;
+                    of_own[side] = other == number;
                     // where both together cannot give way by as much, one will be cut, and the other had better stay
                     let there = near.segment.index as usize;
                     let fits = near.missing <= self.left(number, i) + self.left(other, there) + MORE;
@@ -120,7 +126,13 @@ impl All<'_> {
                 }
                 true
             });
-            pushes[i] = push[0] + push[1];
+            for (push, of_own) in push.into_iter().zip(of_own) {
+                if of_own { own[i] += push } else { pushes[i] += push }
+            }
+        }
+        let pushed_by_own = own.iter().filter(|push| **push != MmVector::zero()).count();
+        if (pushed_by_own * EVERY) as f32 >= NARROW * line.vertices.len() as f32 {
+            pushes.iter_mut().zip(&own).for_each(|(push, own)| *push += *own);
         }
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return pushes;

@@ -120,7 +120,7 @@ fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) 
         let mut stroke = stroke.to_tiny_skia();
         stroke.width *= mean_scale(to_pixels);
         // the line says where it runs; its dashes would be shorter than a line may be
-        stroke.dash = None;
+        found.dashed += usize::from(stroke.dash.take().is_some());
         stroke
     });
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {

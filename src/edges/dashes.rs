@@ -1,0 +1,309 @@
+//! Dashed lines of drawings: an altitude of a triangle, a hidden edge, an axis of symmetry, a border. A dash is too short
+//! for a line on a page; dashes in a row become one line that runs along all of them.
+
+use super::contour::{Contour, ContourPoint, crossing};
+use super::tips::Found;
+use crate::geom::crosses;
+use crate::geom::first_eigenvector;
+use crate::geom::link::{End, Thread, link};
+use crate::units::{Px, PxPoint, PxVector};
+
+/// A dash is at most this long, px: a sixteenth of a picture of the working size. Longer pieces are lines of their own.
+const LONGEST: f32 = 40.0;
+/// The ring around a dash whose two sides were found is at most this broad, px: beyond that it is an area.
+const BROADEST: f32 = 8.0;
+/// ... and at least so many times as long: a dot has no direction.
+const ELONGATED: f32 = 1.5;
+/// The ends of a dash are at least this share of its length apart: it may bend a little with the line.
+const STRAIGHT: f32 = 0.95;
+/// The gap between two dashes is at most so many times as long as the shorter of them: the dash patterns of drawing
+/// programs have gaps from a third to the whole of a dash, and a stroke's end looks shorter by its blur.
+const WIDEST_GAP: f32 = 1.5;
+/// Cosine between the direction of a dash and the way to the next one (18 degrees).
+const AHEAD: f32 = 0.95;
+/// Fewer than this are no row.
+const FEWEST: usize = 3;
+/// The longest gap is at most so many times as long as the shortest, and the longest dash as the shortest, but for the
+/// first and last one, which may be cut; beside [`ROUNDING`].
+const ALIKE: f32 = 1.6;
+/// What blur and the grid of pixels change in a length, px.
+const ROUNDING: f32 = 2.0;
+
+/// A short straight piece.
+struct Dash {
+    /// The number of its contour.
+    number: usize,
+    ends: [PxPoint; 2],
+    length: f32,
+    width: f32,
+}
+
+/// Strings dashes in a row together to one stroke each; also returns how many such rows there are. `sigma` is the scale
+/// of the edge detector, px.
+pub(super) fn united(found: Vec<Found>, sigma: f32) -> (Vec<Found>, usize) {
+    let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, found)| dash(number, found, sigma)).collect();
+    if dashes.len() < FEWEST {
+        return (found, 0);
+    }
+    let ends: Vec<End<Px>> = (0..).zip(&dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
+    let rows: Vec<Thread> = link(dashes.len(), &ends, WIDEST_GAP * LONGEST, |a, b| cost(a, b, &dashes))
+        .into_iter()
+        .filter(|row| is_row(row, &dashes, &found))
+        .collect();
+    let mut left: Vec<Option<Found>> = found.into_iter().map(Some).collect();
+    let mut lines: Vec<Found> = rows.iter().map(|row| line(row, &dashes, &mut left)).collect();
+    let others: Vec<Found> = left.into_iter().flatten().collect();
+    for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
+        lead_on(&mut line.contour, period(row, &dashes), &others);
+    }
+    let count = lines.len();
+    (others.into_iter().chain(lines).collect(), count)
+}
+
+/// A contour as a dash, if it is one.
+fn dash(number: usize, Found { contour, stroke, .. }: &Found, sigma: f32) -> Option<Dash> {
+    let (ends, width) = match (contour.closed, stroke) {
+        (true, None) => around(contour, sigma)?,
+        (false, Some(width)) => ([contour.vertices.first()?.at, contour.vertices.last()?.at], *width),
+        _ => return None,
+    };
+    let length = (ends[1] - ends[0]).length();
+    let is_straight = contour.closed || length >= STRAIGHT * contour.length();
+    (is_straight && length > 0.0 && length <= LONGEST).then_some(Dash { number, ends, length, width })
+}
+
+/// The ends and the width of a dash inside the ring of its sides.
+fn around(ring: &Contour, sigma: f32) -> Option<([PxPoint; 2], f32)> {
+    let points = || ring.vertices.iter().map(|vertex| vertex.at);
+    if ring.length() > 2.0 * (LONGEST + BROADEST) {
+        return None;
+    }
+    let centre = (points().map(|at| at.to_vector()).sum::<PxVector>() / ring.vertices.len().max(1) as f32).to_point();
+    let moment = |f: &dyn Fn(PxVector) -> f32| points().map(|at| f(at - centre)).sum::<f32>();
+    let along: PxVector = first_eigenvector(moment(&|v| v.x * v.x), moment(&|v| v.x * v.y), moment(&|v| v.y * v.y))?;
+    let extent = |direction: PxVector| {
+        let places = || points().map(|at| (at - centre).dot(direction));
+        (places().fold(f32::MAX, f32::min), places().fold(f32::MIN, f32::max))
+    };
+    let ((from, to), (left, right)) = (extent(along), extent(PxVector::new(-along.y, along.x)));
+    let breadth = right - left;
+    // blur puts the sides of a thin stroke a scale of the detector from its middle
+    let width = (breadth * breadth - 4.0 * sigma * sigma).max(1.0).sqrt();
+    let is_dash = breadth <= BROADEST && to - from >= ELONGATED * breadth;
+    is_dash.then_some(([centre + along * from, centre + along * to], width))
+}
+
+impl Dash {
+    fn both_ends(&self, polyline: usize) -> [End<Px>; 2] {
+        let [start, last] = self.ends;
+        let direction = (last - start) / self.length;
+        [(true, start, -direction), (false, last, direction)].map(|(at_start, at, direction)| End {
+            polyline,
+            at_start,
+            at,
+            direction,
+            contrast: [0.0; 3],
+        })
+    }
+}
+
+/// The length of the gap between two dashes, if one goes on in the other.
+fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
+    let [first, second] = [a, b].map(|end| dashes[end.polyline].length);
+    let gap = b.at - a.at;
+    let distance = gap.length();
+    if a.polyline == b.polyline || distance <= 0.0 || distance > WIDEST_GAP * first.min(second) {
+        return None;
+    }
+    let way = gap / distance;
+    (a.direction.dot(way) >= AHEAD && -b.direction.dot(way) >= AHEAD).then_some(distance)
+}
+
+/// Whether dashes and gaps of a row are alike, and no more than half of the gaps have something between: the pieces of
+/// a grid line that bars hide are no dashes.
+fn is_row(row: &Thread, dashes: &[Dash], found: &[Found]) -> bool {
+    if row.parts.len() < FEWEST {
+        return false;
+    }
+    let alike = |lengths: &[f32]| {
+        let (least, most) = lengths.iter().fold((f32::MAX, 0.0_f32), |(low, high), &v| (low.min(v), high.max(v)));
+        lengths.is_empty() || most <= ALIKE * least + ROUNDING
+    };
+    let lengths: Vec<f32> = row.parts.iter().map(|part| dashes[part.polyline].length).collect();
+    let inner = if row.closed { &lengths[..] } else { &lengths[1..lengths.len() - 1] };
+    let longest = inner.iter().fold(0.0_f32, |longest, &length| longest.max(length));
+    let gaps = gaps(row, dashes);
+    let gap_lengths: Vec<f32> = gaps.iter().map(|(a, b)| (*b - *a).length()).collect();
+    let own: Vec<usize> = row.parts.iter().map(|part| dashes[part.polyline].number).collect();
+    let is_filled = |gap: &&(PxPoint, PxPoint)| {
+        let others = (0..).zip(found).filter(|(number, _)| !own.contains(number));
+        others.flat_map(|(_, found)| found.contour.segments()).any(|(a, b)| crosses(**gap, (a.at, b.at)))
+    };
+    alike(inner)
+        && alike(&gap_lengths)
+        && lengths.iter().all(|&length| length <= ALIKE * longest + ROUNDING)
+        && 2 * gaps.iter().filter(is_filled).count() <= gaps.len()
+}
+
+/// The length of a dash and of a gap of a row, together, px: the mean.
+fn period(row: &Thread, dashes: &[Dash]) -> f32 {
+    let dash: f32 = row.parts.iter().map(|part| dashes[part.polyline].length).sum();
+    let gap: f32 = gaps(row, dashes).iter().map(|(a, b)| (*b - *a).length()).sum();
+    dash / row.parts.len() as f32 + gap / gaps(row, dashes).len().max(1) as f32
+}
+
+/// Leads the ends of a dashed line straight on to what they point at within one more gap and dash: a dash that touches
+/// another line has become a part of that.
+fn lead_on(line: &mut Contour, period: f32, others: &[Found]) {
+    for _ in 0..2 {
+        line.reverse();
+        let Some(&end) = line.vertices.last() else { return };
+        let before = line.vertices[line.vertices.len().saturating_sub(period.ceil() as usize)];
+        let Some(direction) = (end.at - before.at).try_normalize() else { continue };
+        let way = (end.at, end.at + direction * (period + ROUNDING));
+        let segments = others.iter().flat_map(|found| found.contour.segments());
+        let met = segments.filter(|(a, b)| crosses(way, (a.at, b.at))).filter_map(|(a, b)| {
+            let (ahead, _) = crossing((end.at, direction), (a.at, (b.at - a.at).try_normalize()?))?;
+            Some(ahead)
+        });
+        let ahead = met.fold(f32::MAX, f32::min);
+        if ahead < f32::MAX {
+            let steps = ahead.ceil().max(1.0) as usize;
+            let at = |step: usize| end.at + direction * (ahead * step as f32 / steps as f32);
+            line.vertices.extend((1..=steps).map(|step| ContourPoint { at: at(step), ..end }));
+        }
+    }
+}
+
+/// The ends of each gap of a row.
+fn gaps(row: &Thread, dashes: &[Dash]) -> Vec<(PxPoint, PxPoint)> {
+    let along: Vec<[PxPoint; 2]> = places(row, dashes);
+    let mut gaps: Vec<_> = along.windows(2).map(|pair| (pair[0][1], pair[1][0])).collect();
+    if row.closed {
+        gaps.extend(along.last().zip(along.first()).map(|(last, first)| (last[1], first[0])));
+    }
+    gaps
+}
+
+/// The ends of each dash of a row, in its order.
+fn places(row: &Thread, dashes: &[Dash]) -> Vec<[PxPoint; 2]> {
+    let ends = |[start, last]: [PxPoint; 2], reversed: bool| if reversed { [last, start] } else { [start, last] };
+    row.parts.iter().map(|part| ends(dashes[part.polyline].ends, part.reversed)).collect()
+}
+
+/// The line along a row of dashes, which are taken out of what was found; a point every pixel.
+fn line(row: &Thread, dashes: &[Dash], found: &mut [Option<Found>]) -> Found {
+    let (mut strength, mut width, mut sample) = (0.0, 0.0, None);
+    for part in &row.parts {
+        let dash = &dashes[part.polyline];
+        width += dash.width / row.parts.len() as f32;
+        if let Some(Found { contour, .. }) = found[dash.number].take() {
+            let count = (contour.vertices.len() * row.parts.len()).max(1) as f32;
+            strength += contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / count;
+            sample = sample.or(contour.vertices.first().copied());
+        }
+    }
+    let mut corners: Vec<PxPoint> = places(row, dashes).into_iter().flatten().collect();
+    if row.closed {
+        corners.extend(corners.first().copied());
+    }
+    let point = |at: PxPoint| sample.map(|sample| ContourPoint { at, strength, contrast: [0.0; 3], ..sample });
+    let mut vertices: Vec<ContourPoint> = Vec::new();
+    for pair in corners.windows(2) {
+        let steps = (pair[1] - pair[0]).length().ceil().max(1.0) as usize;
+        vertices.extend((0..steps).filter_map(|step| point(pair[0].lerp(pair[1], step as f32 / steps as f32))));
+    }
+    if !row.closed {
+        vertices.extend(corners.last().and_then(|&last| point(last)));
+    }
+    let contour = Contour { vertices, closed: row.closed };
+    Found { whole: contour.length(), contour, stroke: Some(width) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::polyline;
+    use super::*;
+
+    const SIGMA: f32 = 1.8;
+
+    fn stroke(from: (f32, f32), to: (f32, f32)) -> Found {
+        Found { stroke: Some(2.0), ..Found::edge(polyline(&[from, to])) }
+    }
+
+    /// The ring around a dash from 0 to 10 px, as an edge detector finds it.
+    fn ring(x: f32, y: f32) -> Found {
+        let corners = [(x, y - 2.0), (x + 10.0, y - 2.0), (x + 10.0, y + 2.0), (x, y + 2.0), (x, y - 2.0)];
+        let mut contour = polyline(&corners);
+        contour.vertices.pop();
+        contour.closed = true;
+        Found::edge(contour)
+    }
+
+    #[test]
+    fn dashes_in_a_row_become_one_line_from_the_first_to_the_last() {
+        let rings: Vec<Found> = (0..8).map(|k| ring(20.0 + 16.0 * k as f32, 50.0)).collect();
+        let (united, rows) = united(rings, SIGMA);
+        assert_eq!((united.len(), rows), (1, 1));
+        let line = &united[0].contour;
+        let (first, last) = (line.vertices[0].at, line.vertices[line.vertices.len() - 1].at);
+        assert!((first.x.min(last.x) - 20.0).abs() < 0.5 && (first.x.max(last.x) - 142.0).abs() < 0.5);
+        assert!(line.vertices.iter().all(|vertex| (vertex.at.y - 50.0).abs() < 0.2));
+        assert!(united[0].stroke.is_some_and(|width| (1.0..3.0).contains(&width)));
+    }
+
+    #[test]
+    fn a_dashed_circle_is_closed() {
+        let at = |degrees: f32| {
+            let (y, x) = degrees.to_radians().sin_cos();
+            (100.0 + 60.0 * x, 100.0 + 60.0 * y)
+        };
+        let dashes: Vec<Found> = (0..24).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
+        let (united, rows) = united(dashes, SIGMA);
+        assert_eq!((united.len(), rows), (1, 1));
+        let circle = &united[0].contour;
+        assert!(circle.closed && (circle.length() - 377.0).abs() < 4.0, "{}", circle.length());
+    }
+
+    #[test]
+    fn pieces_of_a_grid_line_between_bars_and_lines_in_a_row_are_no_dashes() {
+        let pieces = |length: f32, gap: f32| -> Vec<Found> {
+            let piece = |k: i32| {
+                let x = 20.0 + k as f32 * (length + gap);
+                stroke((x, 50.0), (x + length, 50.0))
+            };
+            (0..5).map(piece).collect()
+        };
+        assert_eq!(united(pieces(20.0, 14.0), SIGMA).1, 1, "with nothing between them they are dashes");
+        let bars = (0..5).flat_map(|k| {
+            let x = 41.0 + k as f32 * 34.0;
+            [stroke((x, 20.0), (x, 120.0)), stroke((x + 12.0, 20.0), (x + 12.0, 120.0))]
+        });
+        let (all, rows) = united(pieces(20.0, 14.0).into_iter().chain(bars).collect(), SIGMA);
+        assert_eq!((all.len(), rows), (15, 0));
+        assert_eq!(united(pieces(60.0, 20.0), SIGMA).1, 0, "too long");
+        assert_eq!(united(pieces(10.0, 30.0), SIGMA).1, 0, "too far apart");
+    }
+
+    #[test]
+    fn a_dashed_line_ends_on_what_its_last_dash_touches() {
+        let base = stroke((10.0, 20.0), (10.0, 80.0));
+        let rings = (0..5).map(|k| ring(24.0 + 16.0 * k as f32, 50.0)).chain([base]).collect();
+        let (united, rows) = united(rings, SIGMA);
+        assert_eq!((united.len(), rows), (2, 1));
+        let reach = |pick: fn(f32, f32) -> f32, from: f32| {
+            united[1].contour.vertices.iter().map(|vertex| vertex.at.x).fold(from, pick)
+        };
+        assert!((reach(f32::min, 200.0) - 10.0).abs() < 0.1, "it meets the base, 14 px before the first dash");
+        assert!((reach(f32::max, 0.0) - 98.0).abs() < 0.5, "and ends where nothing is");
+    }
+
+    #[test]
+    fn dots_and_uneven_pieces_are_no_dashes() {
+        let uneven = [(20.0, 30.0), (36.0, 60.0), (66.0, 76.0), (82.0, 118.0), (124.0, 134.0)];
+        let pieces = uneven.iter().map(|&(from, to)| stroke((from, 50.0), (to, 50.0))).collect();
+        assert_eq!(united(pieces, SIGMA).1, 0);
+        let aside = (0..6).map(|k| ring(20.0, 20.0 + 14.0 * k as f32)).collect();
+        assert_eq!(united(aside, SIGMA).1, 0, "beside one another, as steps of a ladder");
+    }
+}

@@ -1,0 +1,89 @@
+//! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
+
+use super::dots;
+use super::outlines::outlines_of;
+use super::progress::{Event, Stage, Watch, run};
+use crate::Note;
+use crate::edges::Edges;
+use crate::lines::{self, Line, Lost};
+use crate::page::Medium;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::units::{MmRect, PageTransform};
+
+/// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
+/// the last it is no overview any more.
+const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
+/// An overview that lacks this share, as one of squared paper, is too small by far.
+const TOO_SMALL: f32 = 0.5;
+/// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
+const MAY_LACK: f32 = 0.04;
+/// An overview without this share of a drawing's lines is told of: a bar of a chart may be missing, and less are ticks.
+const LACKS: f32 = 0.15;
+
+/// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
+/// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
+/// larger, as far as the sheet has room below the figure; also returns what of a drawing is not drawn.
+pub(super) fn draw_overview(
+    edges: Option<&Edges>,
+    layout: &Layout,
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> (Option<(MmRect, Vec<Line>)>, Lost) {
+    let reason = match (layout.overview, edges) {
+        (None, _) => "overview.on is off",
+        (Some(place), Some(edges)) if !edges.is_empty() => {
+            let (place, lines, lost) = run(watch, Stage::Overview, || {
+                let mut best = draw_overview_at(place, edges, layout, plan);
+                for place in larger_overviews(edges, layout, plan) {
+                    if is_enough(&best.2) || best.2.share() > TOO_SMALL {
+                        break;
+                    }
+                    let larger = draw_overview_at(place, edges, layout, plan);
+                    if (larger.2.rings, larger.2.share()) < (best.2.rings, best.2.share()) {
+                        best = larger;
+                    }
+                }
+                best
+            });
+            let lost = if edges.of_drawing() { lost } else { Lost::default() };
+            return ((!lines.is_empty()).then_some((place, lines)), lost);
+        }
+        _ => "there are no contours",
+    };
+    watch(Event::Skip(Stage::Overview, reason));
+    (None, Lost::default())
+}
+
+/// The overview's lines in this place, and what is not drawn.
+fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan) -> (MmRect, Vec<Line>, Lost) {
+    let transform = PageTransform::new(edges.size, place);
+    let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
+    let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
+    let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+    (place, dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
+}
+
+/// Where a larger overview of a drawing can lie on printed paper, from the smallest on.
+fn larger_overviews(edges: &Edges, layout: &Layout, plan: &Plan) -> Vec<MmRect> {
+    let params = plan.layout();
+    let own = match (&layout.medium, params.overview) {
+        (Medium::Print(_), Some(overview)) if edges.of_drawing() => overview.scale,
+        _ => return Vec::new(),
+    };
+    let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
+    scales.filter_map(|scale| layout.overview_at(scale, &params)).collect()
+}
+
+/// Whether an overview has all that matters of a drawing.
+fn is_enough(lost: &Lost) -> bool {
+    lost.rings == 0 && lost.share() < MAY_LACK
+}
+
+/// What the maker is told of what the overview of a drawing lacks.
+pub(super) fn told_of_overview(lost: &Lost) -> impl Iterator<Item = Note> {
+    let shapes = (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings));
+    let percent = (100.0 * lost.share()).round() as u32;
+    let lines = (lost.share() >= LACKS).then(|| Note::LinesNotInOverview { percent, place: lost.place_name() });
+    shapes.into_iter().chain(lines)
+}
