@@ -13,7 +13,8 @@ use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
 
-/// Lines move apart only if that keeps at least this share more: they lie where the picture has them.
+/// Lines of a bitmap move apart only if that keeps at least this share more: a few pixels of an edge that is not quite
+/// right are no reason to.
 const MOVED_KEEPS: f32 = 0.02;
 /// All lines of a drawing are thinner only if that keeps at least this share more: thin lines are
 /// harder to feel.
@@ -32,36 +33,27 @@ pub(super) fn cleared(
 ) -> (Arc<Candidates>, Vec<Cleared>, Params) {
     let wide = Params { widen_bars: params.of_drawing, ..params };
     let merged = Params { widen_bars: false, ..params };
-    // in a bitmap a narrow bar may as well be a stroke of ink
-    let first = if params.exact { wide } else { merged };
-    let mut best = Attempt::of(&Arc::new(candidates(&first)), area, first, false);
+    let of_wide = Arc::new(candidates(&wide));
+    let mut best = Attempt::of(&of_wide, area, wide, false);
     if !params.of_drawing || best.lost() < params.min_length {
         return best.taken();
     }
-    let second = if params.exact { merged } else { wide };
-    let of_second = Arc::new(candidates(&second));
+    let of_merged = Arc::new(candidates(&merged));
     if best.drawn() < HOPELESS * best.wanted() {
-        return if params.exact { Attempt::of(&of_second, area, second, false).taken() } else { best.taken() };
+        return Attempt::of(&of_merged, area, merged, false).taken();
     }
-    let (of_wide, of_merged) = match params.exact {
-        true => (best.candidates.clone(), of_second),
-        false => (of_second, best.candidates.clone()),
-    };
     // both sides of every bar
     let most = wanted(&of_wide);
     let thin = wide.thin();
-    let others: [(&dyn Fn() -> Arc<Candidates>, Params, bool, f32); 5] = [
-        (&|| of_wide.clone(), wide, false, 0.0),
-        (&|| of_wide.clone(), wide, true, MOVED_KEEPS),
+    let moved_keeps = if params.exact { 0.0 } else { MOVED_KEEPS };
+    let others: [(&dyn Fn() -> Arc<Candidates>, Params, bool, f32); 4] = [
+        (&|| of_wide.clone(), wide, true, moved_keeps),
         (&|| of_merged.clone(), merged, false, 0.0),
-        (&|| of_merged.clone(), merged, true, MOVED_KEEPS),
+        (&|| of_merged.clone(), merged, true, moved_keeps),
         (&|| Arc::new(candidates(&thin)), thin, true, THINNER_KEEPS),
     ];
     let mut kept = best.kept(most);
     for (candidates, params, moves_apart, gain) in others {
-        if params == first && !moves_apart {
-            continue;
-        }
         let this = Attempt::of(&candidates(), area, params, moves_apart);
         if this.kept(most) > kept + gain {
             (kept, best) = (this.kept(most), this);
