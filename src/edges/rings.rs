@@ -48,11 +48,7 @@ fn comes_back_to(found: &Found) -> Option<usize> {
     }
     let last = contour.vertices.len().checked_sub(1)?;
     let tip = contour.vertices[last].at;
-    let along = |from: usize, forwards: bool| {
-        let at_arc = |least: f32| contour.walk(from, forwards).find(|(_, arc)| *arc >= least);
-        let [near, far] = [at_arc(BENT)?, at_arc(BENT + HEADING)?].map(|(i, _)| contour.vertices[i].at);
-        (far - near).try_normalize()
-    };
+    let along = |from: usize, forwards: bool| contour.heading(from, forwards, [BENT, BENT + HEADING]);
     let end = -along(last, false)?;
     let early = contour.walk(last, false).find(|(_, arc)| *arc >= LEAST)?.0;
     let near = 0.5 * found.stroke.unwrap_or(0.0) + NEAR;

@@ -10,7 +10,7 @@
 use super::contour::{Contour, ContourPoint};
 use super::tips::Found;
 use crate::geom::polyline::Polyline;
-use crate::units::{Px, PxPoint, PxVector};
+use crate::units::{Px, PxVector};
 use lyon::geom::euclid::Box2D;
 
 /// The direction of a line beside a vertex is taken over this much of it, px.
@@ -171,9 +171,10 @@ fn onward(
         return None;
     }
     let around = (0..contour.vertices.len()).filter(|&i| (contour.vertices[i].at - at).length() <= near);
-    let direction = -heading(stroke, tip, at_start)?;
+    let direction = -stroke.heading(tip, at_start, [0.0, HEADING])?;
     let sides = around.filter_map(|i| {
-        let (after, before) = (heading(contour, i, true)?, heading(contour, i, false)?);
+        let [after, before] = [true, false].map(|forwards| contour.heading(i, forwards, [0.0, HEADING]));
+        let (after, before) = after.zip(before)?;
         Some((after.dot(before), i, [after, before]))
     });
     // the sharpest turn nearby is the corner
@@ -187,13 +188,6 @@ fn onward(
         [false, false] => None,
         [forwards, _] => Some(Onward { piece: number, at_start, corner, forwards }),
     }
-}
-
-/// The direction away from a vertex, forwards or backwards; none where the contour ends before that.
-fn heading(contour: &Contour, from: usize, forwards: bool) -> Option<PxVector> {
-    let at: PxPoint = contour.vertices[from].at;
-    let (far, _) = contour.walk(from, forwards).find(|(i, _)| (contour.vertices[*i].at - at).length() >= HEADING)?;
-    (contour.vertices[far].at - at).try_normalize()
 }
 
 /// The strokes of two ends, with the side of a contour between them: a ring, if they are those of one stroke.
@@ -245,6 +239,7 @@ fn divided(piece: &Piece, from: usize, to: usize) -> (Contour, Vec<Piece>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::PxPoint;
 
     const SIGMA: f32 = 1.8;
 

@@ -172,14 +172,9 @@ impl Found {
 fn end(number: usize, at_start: bool, found: &Found, sigma: f32) -> End<Px> {
     let contour = &found.contour;
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
-    let [from, to] = found.heading(sigma);
-    let at_arc = |arc: f32| {
-        let index = contour.walk(tip, at_start).find(|(_, walked)| *walked >= arc).map(|(index, _)| index);
-        index.map(|index| contour.vertices[index].at)
-    };
-    let direction = at_arc(from).zip(at_arc(to)).and_then(|(near, far)| (near - far).try_normalize());
+    let inwards = contour.heading(tip, at_start, found.heading(sigma)).unwrap_or_default();
     let at = contour.vertices[tip].at;
-    End { polyline: number, at_start, at, direction: direction.unwrap_or_default(), contrast: [0.0; 3] }
+    End { polyline: number, at_start, at, direction: -inwards, contrast: [0.0; 3] }
 }
 
 fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {

@@ -5,6 +5,7 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
+use crate::geom::walk::runs;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
 
@@ -160,16 +161,14 @@ fn with_contrast(
     if shown.iter().all(|shown| *shown) {
         return vec![(line.clone(), contrasts.to_vec())];
     }
-    // a closed line begins after a part that is none
-    let begin = if line.closed { shown.iter().position(|shown| !shown).map_or(0, |none| none + 1) } else { 0 };
-    let order: Vec<usize> = (0..count).map(|k| (begin + k) % count).collect();
     let stretch = |run: &[usize]| {
         let mut indices: Vec<usize> = run.iter().flat_map(|&part| parts[part].iter().copied()).collect();
         indices.dedup();
         let line = Polyline::open(indices.iter().map(|&i| line.vertices[i]).collect());
         (line, indices.iter().map(|&i| contrasts[i]).collect())
     };
-    order.split(|&part| !shown[part]).filter(|run| !run.is_empty()).map(stretch).collect()
+    let runs = runs(count, line.closed, |a, b| shown[a] == shown[b]).into_iter();
+    runs.filter(|run| shown[run[0]]).map(|run| stretch(&run)).collect()
 }
 
 /// Where a line has contrast on one side and none on the other, both for at least `apart` px.

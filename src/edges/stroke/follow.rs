@@ -111,9 +111,7 @@ fn end_at(strokes: &[Stroke], mark: Mark) -> Option<StrokeEnd> {
 /// The last vertex of an end, and the direction in which it leaves the stroke.
 fn leaving(contour: &Contour, at_start: bool) -> Option<(usize, PxVector)> {
     let tip = if at_start { 0 } else { contour.vertices.len().checked_sub(1)? };
-    let (back, _) = contour.walk(tip, at_start).find(|(_, arc)| *arc >= HEADING)?;
-    let way = contour.vertices[tip].at - contour.vertices[back].at;
-    way.try_normalize().map(|direction| (tip, direction))
+    contour.heading(tip, at_start, [0.0, HEADING]).map(|inwards| (tip, -inwards))
 }
 
 /// The way on from an end of a stroke, if it leads to another one or to another part of the same.

@@ -2,6 +2,7 @@
 
 use super::opposite::{Opposite, Opposites};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::runs;
 use crate::lines::vertex::Vertex;
 
 /// The shortest stretch of two sides that counts as a stroke, in widths of the stroke; shorter ones are the ends of
@@ -32,39 +33,20 @@ impl Stretch {
 pub(super) fn stretches(polylines: &[Polyline<Vertex>], opposites: &[Opposites]) -> Vec<Stretch> {
     let mut found = Vec::new();
     for (number, (polyline, opposites)) in polylines.iter().zip(opposites).enumerate() {
-        let count = opposites.len();
-        let other = |k: usize| opposites[k % count].map(|opposite| opposite.polyline);
-        // a ring is gone round from where a stretch begins
-        let goes_on = |k: usize| other(k).is_some() && other(k) == other(k + count - 1);
-        let start = if polyline.closed { (0..count).find(|&k| !goes_on(k)).unwrap_or(0) } else { 0 };
-        let mut k = start;
-        while k < start + count {
-            let Some(first) = other(k) else {
-                k += 1;
-                continue;
-            };
-            let from = k;
-            let (mut length, mut across, mut saliency) = (0.0, 0.0, 0.0);
-            while k < start + count && other(k) == Some(first) {
-                let here = &polyline.vertices[k % count];
-                if k > from {
-                    let before = &polyline.vertices[(k - 1) % count];
-                    let step = (here.at - before.at).length();
-                    length += step;
-                    saliency += step * here.strength.min(before.strength);
-                }
-                across += opposites[k % count].map_or(0.0, |opposite| (opposite.at - here.at).length());
-                k += 1;
-            }
-            let length_in_vertices = k - from;
-            if length >= MIN_STRETCH * across / length_in_vertices as f32 {
-                found.push(Stretch {
-                    polyline: number,
-                    other: first,
-                    from: from % count,
-                    count: length_in_vertices,
-                    saliency,
-                });
+        let other = |i: usize| opposites[i].map(|opposite| opposite.polyline);
+        for run in runs(opposites.len(), polyline.closed, |a, b| other(a) == other(b)) {
+            let Some(beside) = other(run[0]) else { continue };
+            let steps = run.windows(2).map(|pair| {
+                let (before, here) = (&polyline.vertices[pair[0]], &polyline.vertices[pair[1]]);
+                ((here.at - before.at).length(), here.strength.min(before.strength))
+            });
+            let (length, saliency) =
+                steps.fold((0.0, 0.0), |(length, saliency), (step, least)| (length + step, saliency + step * least));
+            let across =
+                |&i: &usize| opposites[i].map_or(0.0, |opposite| (opposite.at - polyline.vertices[i].at).length());
+            let across: f32 = run.iter().map(across).sum();
+            if length >= MIN_STRETCH * across / run.len() as f32 {
+                found.push(Stretch { polyline: number, other: beside, from: run[0], count: run.len(), saliency });
             }
         }
     }

@@ -9,6 +9,7 @@
 
 use super::assign::Assignment;
 use crate::geom::polyline::{Polyline, smooth};
+use crate::geom::walk::runs;
 use crate::lines::junction;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
@@ -30,26 +31,23 @@ pub(super) fn trim(polyline: &Polyline<Vertex>, assignment: &Assignment, reach: 
         out.push(shifted(polyline, assignment, &indices, polyline.closed));
         return;
     }
-    let start = if polyline.closed { assignment.removed.iter().position(|removed| *removed).unwrap_or(0) } else { 0 };
-    let mut piece: Vec<usize> = Vec::new();
-    for k in 0..=count {
-        let i = (start + k) % count;
-        if k < count && !assignment.removed[i] {
-            piece.push(i);
-        } else if !piece.is_empty() {
-            let (cut_before, cut_after) = (polyline.closed || piece[0] > 0, polyline.closed || k < count);
-            let from = if cut_before { blunt_end(polyline, assignment, reach, piece.iter()) } else { 0 };
-            let after = if cut_after { blunt_end(polyline, assignment, reach, piece.iter().rev()) } else { 0 };
-            let until = piece.len() - after;
-            if from < until {
-                let mut vertices = shifted(polyline, assignment, &piece[from..until], false).vertices;
-                extend_to_the_end(&mut vertices, polyline, &piece[until..]);
-                vertices.reverse();
-                extend_to_the_end(&mut vertices, polyline, &piece[..from]);
-                vertices.reverse();
-                out.push(Polyline::open(vertices));
-            }
-            piece.clear();
+    let removed = &assignment.removed;
+    for piece in runs(count, polyline.closed, |a, b| removed[a] == removed[b]) {
+        let (first, last) = (piece[0], piece[piece.len() - 1]);
+        if removed[first] {
+            continue;
+        }
+        let (cut_before, cut_after) = (polyline.closed || first > 0, polyline.closed || last + 1 < count);
+        let from = if cut_before { blunt_end(polyline, assignment, reach, piece.iter()) } else { 0 };
+        let after = if cut_after { blunt_end(polyline, assignment, reach, piece.iter().rev()) } else { 0 };
+        let until = piece.len() - after;
+        if from < until {
+            let mut vertices = shifted(polyline, assignment, &piece[from..until], false).vertices;
+            extend_to_the_end(&mut vertices, polyline, &piece[until..]);
+            vertices.reverse();
+            extend_to_the_end(&mut vertices, polyline, &piece[..from]);
+            vertices.reverse();
+            out.push(Polyline::open(vertices));
         }
     }
 }
