@@ -52,6 +52,8 @@ const PASSED_WIDTHS: f32 = 3.0;
 const PASSED: f32 = 8.0;
 /// Whether there is contrast at a vertex is decided with so many vertices before it and behind it.
 const NEAR_VERTICES: usize = 4;
+/// How far it moves, with so many.
+const NEAR_SHIFTS: usize = 2;
 /// Colours beside a stroke are read this far outside it, px.
 const OUTSIDE: f32 = 2.0;
 /// The direction of an end is taken over the width of the stroke and this much more, px.
@@ -174,21 +176,25 @@ fn with_contrast(
 /// Where a line has contrast on one side and none on the other, both for at least `apart` px.
 fn changes(line: &Polyline<PxPoint>, contrasts: &[Contrast], apart: f32, least: f32) -> Vec<usize> {
     let n = contrasts.len();
-    let arcs = line.arc_lengths();
-    let around = |i: usize| i.saturating_sub(NEAR_VERTICES)..(i + NEAR_VERTICES + 1).min(n);
-    let has: Vec<bool> = (0..n).map(|i| median(around(i).map(|k| contrasts[k].of_stroke())) >= least).collect();
+    let near = |i: usize| median(around(line, i, NEAR_VERTICES).map(|k| contrasts[k].of_stroke()));
+    let has: Vec<bool> = (0..n).map(|i| near(i) >= least).collect();
+    let way = |run: &Vec<usize>| -> f32 {
+        run.windows(2).map(|pair| (line.vertices[pair[1]] - line.vertices[pair[0]]).length()).sum()
+    };
     // runs that are too short belong to those before them
-    let mut runs: Vec<(usize, bool)> = Vec::new();
-    let mut start = 0;
-    while start < n {
-        let end = (start + 1..n).find(|&i| has[i] != has[start]).unwrap_or(n);
-        let is_long = arcs[end - 1] - arcs[start] >= apart;
-        if is_long && runs.last().is_none_or(|(_, last)| *last != has[start]) {
-            runs.push((start, has[start]));
-        }
-        start = end;
-    }
-    runs.into_iter().skip(1).map(|(start, _)| start).collect()
+    let mut runs = runs(n, line.closed, |a, b| has[a] == has[b]);
+    runs.retain(|run| way(run) >= apart);
+    let before = runs.last().filter(|_| line.closed).into_iter().chain(&runs);
+    let pairs = before.zip(runs.iter().skip(usize::from(!line.closed)));
+    pairs.filter(|(before, run)| has[before[0]] != has[run[0]]).map(|(_, run)| run[0]).collect()
+}
+
+/// A vertex of a line with up to so many before it and behind it, in order; fewer at the ends of an open one.
+fn around(line: &Polyline<PxPoint>, i: usize, count: usize) -> impl Iterator<Item = usize> {
+    let view = line.view();
+    let most = if line.closed { line.vertices.len().saturating_sub(1) / 2 } else { count };
+    let count = count.min(most) as isize;
+    (-count..=count).filter_map(move |step| view.next(i, step))
 }
 
 fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
@@ -200,8 +206,8 @@ fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
 fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polyline<PxPoint> {
     let arcs = line.arc_lengths();
     let shift = |i: usize| {
-        let around = (i.saturating_sub(2)..(i + 3).min(profiles.len())).map(|k| profiles[k].shift);
-        [median(around).clamp(-most.max(1.0), most.max(1.0))]
+        let shift = median(around(line, i, NEAR_SHIFTS).map(|k| profiles[k].shift));
+        [shift.clamp(-most.max(1.0), most.max(1.0))]
     };
     let shifts = smooth(&arcs, line.closed, 1.0, shift);
     let vertices = line.vertices.iter().zip(shifts).enumerate().map(|(i, (&at, [shift]))| at + right(line, i) * shift);
@@ -407,6 +413,27 @@ fn quantile(sorted: &[f32], share: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn changes_of_contrast_on_a_ring_do_not_depend_on_where_it_begins() {
+        // 80 px round; without contrast over 20 of them, and over 5 others, which are too few
+        let side = |k: usize| match (k / 20, (k % 20) as f32) {
+            (0, way) => PxPoint::new(way, 0.0),
+            (1, way) => PxPoint::new(20.0, way),
+            (2, way) => PxPoint::new(20.0 - way, 20.0),
+            (_, way) => PxPoint::new(0.0, 20.0 - way),
+        };
+        let of = |k: usize| Contrast { height: 50.0, is_stroke: !(30..50).contains(&k) && !(65..70).contains(&k) };
+        for turn in 0..80 {
+            let vertices = (0..80).map(|k| side((k + turn) % 80)).collect();
+            let contrasts: Vec<Contrast> = (0..80).map(|k| of((k + turn) % 80)).collect();
+            let line = Polyline { vertices, closed: true };
+            let found = changes(&line, &contrasts, 10.0, 5.0).into_iter().map(|i| (i + turn) % 80);
+            let mut found: Vec<usize> = found.collect();
+            found.sort_unstable();
+            assert_eq!(found, [30, 50], "from vertex {turn}");
+        }
+    }
 
     #[test]
     fn the_median_of_opposite_values_is_opposite() {
