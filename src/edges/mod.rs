@@ -136,7 +136,8 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
             stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
         };
         let met = tips::meet(found, params.sigma, &is_seen);
-        found = rings::parted(straight::give_back(met, params.sigma));
+        let given_back = straight::give_back(met, params.sigma, params.min_length);
+        found = rings::parted(given_back, stroke::SHORTEST * params.min_length);
     }
     let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
     junction::extend(&mut contours, size);

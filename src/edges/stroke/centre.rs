@@ -37,7 +37,7 @@ const END: f32 = 0.25;
 const BEYOND: f32 = 1.5;
 /// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
 /// lines anyway.
-const SHORTEST: f32 = 3.0;
+pub(in crate::edges) const SHORTEST: f32 = 3.0;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
 const EVEN: f32 = 0.5;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.

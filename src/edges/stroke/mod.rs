@@ -21,8 +21,8 @@ mod skeleton;
 use pulp::Arch;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-pub(super) use self::centre::Stroke;
 use self::centre::{LONG, WIDEST};
+pub(super) use self::centre::{SHORTEST, Stroke};
 use self::skeleton::{Mask, Node, Path};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
