@@ -40,7 +40,7 @@ pub(super) fn assign(
         let loser = if rank[stretch.polyline] == winner(stretch) { stretch.other } else { stretch.polyline };
         stretch.polyline == stretch.other || !stays_whole[loser]
     });
-    stretches.sort_by(|a, b| bars_first(a, b, params).then_with(|| decided_first(a, b, &rank)));
+    stretches.sort_by(|a, b| decided_first(a, b, &rank));
     let assignment = |polyline: &Polyline<Vertex>| Assignment {
         offsets: vec![None; polyline.vertices.len()],
         removed: vec![false; polyline.vertices.len()],
@@ -86,12 +86,6 @@ fn things(
         polyline.closed && !close[number] && share < MOST
     };
     polylines.iter().enumerate().map(is_thing).collect()
-}
-
-/// In a drawing the two sides of one bar are a stroke before the sides of the gap between two bars are.
-fn bars_first(a: &Stretch, b: &Stretch, params: &Params) -> Ordering {
-    let is_gap = |stretch: &Stretch| params.exact && stretch.polyline != stretch.other;
-    is_gap(a).cmp(&is_gap(b))
 }
 
 /// The order in which stretches are decided: by their winner, first as that sees it, and the most salient first.
