@@ -126,7 +126,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let mut contours = bridge::join(selection.contours(&chains), params.sigma);
     contours.par_iter_mut().for_each(|contour| {
         refine::refine(contour, params.sigma);
-        corner::sharpen(contour, size);
+        corner::sharpen(contour, size, drawn);
     });
     let edges = contours.into_iter().map(Found::edge);
     let strokes = strokes.into_iter().map(Found::stroke);
@@ -137,7 +137,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
         };
         let met = tips::meet(found, params.sigma, &is_seen);
         let given_back = straight::give_back(met, params.sigma, params.min_length);
-        found = rings::parted(given_back, stroke::SHORTEST * params.min_length);
+        found = rings::parted(given_back, params.min_length);
     }
     let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
     junction::extend(&mut contours, size);

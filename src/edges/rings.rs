@@ -14,14 +14,17 @@ const SMOOTH: f32 = 0.8;
 const HEADING: f32 = 8.0;
 const BENT: f32 = 3.0;
 
-/// Contours of which those that come back to themselves are parted. `least` is the length of the shortest ring, px.
+/// A ring is at least this many least lengths of a contour long: what is shorter is felt as a dot at an end.
+const RING: f32 = 3.0;
+
+/// Contours of which those that come back to themselves are parted. `least` is the length of the shortest contour, px.
 pub(super) fn parted(found: Vec<Found>, least: f32) -> Vec<Found> {
     let mut all = Vec::with_capacity(found.len());
     for found in found {
         let mut left = Some(found);
         // what leads to a ring may come from another one
         while let Some(found) = left {
-            let (first, lead) = part(found, least);
+            let (first, lead) = part(found, RING * least);
             all.push(first);
             left = lead;
         }
@@ -78,7 +81,7 @@ mod tests {
     use crate::units::PxPoint;
     use std::f32::consts::TAU;
 
-    const LEAST: f32 = 24.0;
+    const LEAST: f32 = 8.0;
 
     /// A leader that comes to a circle from the right and goes round it, as far as `round` of it.
     fn leader(round: f32) -> Found {

@@ -37,7 +37,12 @@ const END: f32 = 0.25;
 const BEYOND: f32 = 1.5;
 /// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
 /// lines anyway.
-pub(in crate::edges) const SHORTEST: f32 = 3.0;
+const SHORTEST: f32 = 3.0;
+/// ... but one with the same ground on both sides: the end of an axis beyond a bar is part of a longer line. Between
+/// two areas there is an edge that is longer.
+const SHORTEST_APART: f32 = 1.5;
+/// The ground on both sides is the same if the step between them is at most this share of the contrast with it.
+const SAME_GROUND: f32 = 0.25;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
 const EVEN: f32 = 0.5;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
@@ -85,7 +90,8 @@ pub(super) fn strokes(
     params: &Params,
 ) -> Vec<Stroke> {
     let Strand { mut line, free, junctions } = strand;
-    if line.length() < SHORTEST * params.min_length {
+    let length = line.length();
+    if length < SHORTEST_APART * params.min_length {
         return Vec::new();
     }
     let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
@@ -103,6 +109,10 @@ pub(super) fn strokes(
         return Vec::new();
     }
     let contrasts: Vec<Contrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
+    let is_apart = || 2 * contrasts.iter().filter(|contrast| contrast.is_apart).count() > contrasts.len();
+    if length < SHORTEST * params.min_length && !is_apart() {
+        return Vec::new();
+    }
     let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
     let strokes = stretches.into_iter().filter(|(line, contrasts)| {
         line.length() >= LONG * width
@@ -122,7 +132,7 @@ fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, picture:
         position_sigma: OFF,
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
-    corner::sharpen(&mut contour, picture);
+    corner::sharpen(&mut contour, picture, false);
     let whole = contour.length();
     Stroke { contour, width, whole }
 }
@@ -340,6 +350,8 @@ struct Contrast {
     height: f32,
     /// Whether it is a stroke's, or only the border's of two areas.
     is_stroke: bool,
+    /// Whether it is that of a stroke with the same ground on both sides.
+    is_apart: bool,
 }
 
 impl Contrast {
@@ -369,7 +381,8 @@ fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> C
         let (a, b) = (value(plane, outside), value(plane, -outside));
         value(plane, 0.0) - value(plane, 0.0).clamp(a.min(b), a.max(b))
     });
-    Contrast { height: excess.max(step), is_stroke: beyond >= OF_STEP * step }
+    let (is_stroke, is_apart) = (beyond >= OF_STEP * step, step <= SAME_GROUND * excess);
+    Contrast { height: excess.max(step), is_stroke, is_apart }
 }
 
 /// Whether a line runs along the border of the picture.
@@ -423,7 +436,8 @@ mod tests {
             (2, way) => PxPoint::new(20.0 - way, 20.0),
             (_, way) => PxPoint::new(0.0, 20.0 - way),
         };
-        let of = |k: usize| Contrast { height: 50.0, is_stroke: !(30..50).contains(&k) && !(65..70).contains(&k) };
+        let is_stroke = |k: usize| !(30..50).contains(&k) && !(65..70).contains(&k);
+        let of = |k: usize| Contrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };
         for turn in 0..80 {
             let vertices = (0..80).map(|k| side((k + turn) % 80)).collect();
             let contrasts: Vec<Contrast> = (0..80).map(|k| of((k + turn) % 80)).collect();

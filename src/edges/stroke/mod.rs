@@ -21,8 +21,8 @@ mod skeleton;
 use pulp::Arch;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
+pub(super) use self::centre::Stroke;
 use self::centre::{LONG, WIDEST};
-pub(super) use self::centre::{SHORTEST, Stroke};
 use self::skeleton::{Mask, Node, Path};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
@@ -457,5 +457,23 @@ mod tests {
                 "from vertex {turn}"
             );
         }
+    }
+    #[test]
+    fn a_short_stroke_counts_where_the_ground_is_the_same_on_both_sides() {
+        let params =
+            Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 19.0, ..Params::default() };
+        // 18 px long and 2 px wide
+        let of = |below: f32| {
+            let size = Size::new(80, 40);
+            let value = |cell: usize| match (cell % 80, cell / 80) {
+                (30..48, 20..22) => 40.0,
+                (_, y) if y <= 20 => 100.0,
+                _ => below,
+            };
+            let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+            find(&planes, 0.0, &params).iter().map(|stroke| stroke.contour.length().round()).collect::<Vec<f32>>()
+        };
+        assert!(matches!(of(100.0)[..], [one] if (one - 18.0).abs() <= 2.0), "{:?}", of(100.0));
+        assert_eq!(of(70.0), [0.0; 0], "it is part of an edge");
     }
 }
