@@ -87,7 +87,7 @@ pub(super) fn meet(mut found: Vec<Found>, sigma: f32, is_seen: &IsSeen<'_>) -> V
     joined
 }
 
-/// The contours of a thread; strokes that follow one another are one, and so are edges: as two lines they might be taken
+/// The contours of a thread. Strokes that follow one another are one, and so are edges: as two lines they might be taken
 /// for the two sides of a stroke beside their tip. What goes straight on is one, whatever it is.
 fn strung(parts: &[Part], closed: bool, found: &[Found], is_straight: &dyn Fn(&Part, &Part) -> bool) -> Vec<Found> {
     let is_stroke = |part: usize| found[parts[part].polyline].stroke.is_some();

@@ -146,7 +146,7 @@ mod tests {
         let segment = Segment { a, b, half_width: 0.5, line: 3, index: 7, arc: 100.0 };
         let end = Junction::of_end(MmPoint::new(14.0, 50.0 + 0.9 * TOUCH), 25.0, &segment).expect("it is on the line");
         assert!(end.is_own_end() && end.line == 3 && (end.line_arc - 104.0).abs() < 1e-4);
-        assert!(end.arc == 25.0 && end.along == MmVector::new(1.0, 0.0));
+        assert!((end.arc - 25.0).abs() < 1e-4 && end.along == MmVector::new(1.0, 0.0));
         assert!(Junction::of_end(MmPoint::new(14.0, 50.0 + 1.1 * TOUCH), 25.0, &segment).is_none());
     }
 
