@@ -87,8 +87,8 @@ pub(super) fn meet(mut found: Vec<Found>, sigma: f32, is_seen: &IsSeen<'_>) -> V
     joined
 }
 
-/// The contours of a thread. Strokes that follow one another are one, and so are edges: as two lines they might be taken
-/// for the two sides of a stroke beside their tip. What goes straight on is one, whatever it is.
+/// The contours of a thread. Strokes that follow one another are one, and so are edges: as two lines they might be
+/// taken for the two sides of a stroke beside their tip. What goes straight on is one, whatever it is.
 fn strung(parts: &[Part], closed: bool, found: &[Found], is_straight: &dyn Fn(&Part, &Part) -> bool) -> Vec<Found> {
     let is_stroke = |part: usize| found[parts[part].polyline].stroke.is_some();
     let is_one = |a: usize, b: usize| is_stroke(a) == is_stroke(b) || is_straight(&parts[a], &parts[b]);
