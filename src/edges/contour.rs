@@ -75,18 +75,6 @@ impl Contour {
         self.view().next(i, steps)
     }
 
-    /// The points from `i` on, forwards or backwards, each with its arc length from `i`; around a closed contour once.
-    pub(super) fn walk(&self, i: usize, forwards: bool) -> impl Iterator<Item = (usize, f32)> {
-        let mut arc = 0.0;
-        let mut here = i;
-        (0..self.vertices.len() as isize).map_while(move |step| {
-            let to = self.next(i, if forwards { step } else { -step })?;
-            arc += (self.vertices[to].at - self.vertices[here].at).length();
-            here = to;
-            Some((to, arc))
-        })
-    }
-
     /// The line through the points at arc lengths between `from` and `to` from point `i`, directed away from it; none
     /// if they are fewer than three.
     pub(super) fn line_fit(&self, i: usize, forwards: bool, from: f32, to: f32) -> Option<LineFit> {
@@ -173,7 +161,6 @@ pub(super) mod testing {
 
 #[cfg(test)]
 mod tests {
-    use super::testing::polyline;
     use super::*;
 
     #[test]
@@ -183,15 +170,5 @@ mod tests {
         assert!((line.direction - PxVector::new(-1.0, 0.0)).length() < 1e-5, "{line:?}");
         assert!((line.centre - PxPoint::new(1.5, 0.0)).length() < 1e-5 && (line.rms - 0.1).abs() < 1e-3, "{line:?}");
         assert_eq!(LineFit::through(points[..2].iter().copied()), None);
-    }
-
-    #[test]
-    fn a_walk_counts_arc_length_to_the_end_and_once_round() {
-        let mut contour = polyline(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)]);
-        let steps = |contour: &Contour, forwards| contour.walk(2, forwards).collect::<Vec<_>>();
-        assert_eq!(steps(&contour, false), [(2, 0.0), (1, 1.0), (0, 2.0)]);
-        contour.closed = true;
-        assert_eq!(steps(&contour, false).len(), contour.vertices.len());
-        assert_eq!(steps(&contour, false)[3], (9, 5.0));
     }
 }

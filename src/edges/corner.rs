@@ -25,6 +25,13 @@ const MAX_DISTANCE: f32 = 1.6;
 /// Corners are at least as wide as one whose half angle has this sine: 20 degrees.
 const SHARPEST: f32 = 0.174;
 
+/// A corner is a wedge where its rounding extends at least so much farther than at a right angle: 27 degrees. At wider
+/// ones, such as those of eaves, there may be a junction where the sides would be measured.
+const WEDGE: f32 = 3.0;
+/// Where the sides of a wedge are as near to one another as where its rounding ends, 2.1 blurs, each moves the other
+/// outwards by 0.2 of a blur; so many times as far from the tip, at 3 blurs, by 0.03.
+const OUTWARDS: f32 = 1.42;
+
 /// A point nearer to one side of the corner than to the other by less than this, px, belongs to neither.
 const TIE: f32 = 0.1;
 /// Contours of fewer points have no room for two sides.
@@ -43,15 +50,20 @@ struct Corner {
     distance: f32,
 }
 
-/// Makes the corners of a contour sharp, in a picture of a size. A corner beyond its border stays as it is.
-pub(super) fn sharpen(contour: &mut Contour, picture: Size) {
+/// Makes the corners of a contour sharp, in a picture of a size. A corner beyond its border stays as it is. With
+/// `wedges` those of filled wedges are looked for first.
+pub(super) fn sharpen(contour: &mut Contour, picture: Size, wedges: bool) {
     let n = contour.vertices.len();
     if n < MIN_POINTS {
         return;
     }
     let (right, bottom) = (picture.width as f32, picture.height as f32);
     let is_inside = |corner: &Corner| (0.0..=right).contains(&corner.at.x) && (0.0..=bottom).contains(&corner.at.y);
-    let mut corners = distinct((0..n).filter_map(|i| find(contour, i)).filter(is_inside).collect());
+    let all = |find: fn(&Contour, usize) -> Option<Corner>| -> Vec<Corner> {
+        (0..n).filter_map(|i| find(contour, i)).filter(is_inside).collect()
+    };
+    let tips = if wedges { distinct(all(tip), Vec::new()) } else { Vec::new() };
+    let mut corners = distinct(all(find), tips);
     // from the last to the first, so that inserted points do not change the indices of those before
     corners.sort_by_key(|corner| std::cmp::Reverse(corner.point));
     for corner in corners {
@@ -60,10 +72,9 @@ pub(super) fn sharpen(contour: &mut Contour, picture: Size) {
     }
 }
 
-/// Of the neighbours at which the same corner was found, only the one nearest to it.
-fn distinct(mut corners: Vec<Corner>) -> Vec<Corner> {
+/// The corners that are kept already, and of the neighbours at which another one was found the one nearest to it.
+fn distinct(mut corners: Vec<Corner>, mut kept: Vec<Corner>) -> Vec<Corner> {
     corners.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.point.cmp(&b.point)));
-    let mut kept: Vec<Corner> = Vec::new();
     for corner in corners {
         if kept.iter().all(|other| (other.at - corner.at).length() >= corner.rounding.max(other.rounding)) {
             kept.push(corner);
@@ -102,14 +113,25 @@ fn fit_length(blur: f32) -> f32 {
 
 /// The corner at a point, if there is one.
 fn find(contour: &Contour, i: usize) -> Option<Corner> {
+    let (rounding, stretch) = rounding(contour, i)?;
+    // A sharp corner is rounded over more of its sides: they are measured once more, beyond that.
+    let wanted = rounding * stretch.max(1.0);
+    find_beyond(contour, i, if wanted < 1.2 * rounding { rounding } else { wanted })
+}
+
+/// The tip of a wedge at a point, if there is one.
+fn tip(contour: &Contour, i: usize) -> Option<Corner> {
+    let (rounding, stretch) = rounding(contour, i)?;
+    if stretch < WEDGE { None } else { find_beyond(contour, i, OUTWARDS * rounding * stretch) }
+}
+
+/// How far the rounding of a corner at a point would extend at a right angle, px, and how much farther it extends.
+fn rounding(contour: &Contour, i: usize) -> Option<(f32, f32)> {
     let blur = contour.vertices[i].blur;
     let rounding = ROUNDING * blur;
     let to = rounding + fit_length(blur);
     let [before, after] = [false, true].map(|forwards| contour.line_fit(i, forwards, rounding, to));
-    let (_, stretch) = turn_and_stretch(&before?, &after?);
-    // A sharp corner is rounded over more of its sides: they are measured once more, beyond that.
-    let wanted = rounding * stretch.max(1.0);
-    find_beyond(contour, i, if wanted < 1.2 * rounding { rounding } else { wanted })
+    Some((rounding, turn_and_stretch(&before?, &after?).1))
 }
 
 /// Cosine of the turn between two sides, both directed away from the corner, and how much farther than at a right angle
@@ -214,7 +236,7 @@ mod tests {
         for degrees in [60.0, 90.0, 120.0] {
             let mut contour = rounded(degrees, 2.0);
             let before = gap(&contour);
-            sharpen(&mut contour, PICTURE);
+            sharpen(&mut contour, PICTURE, false);
             assert!(before > 0.4 && gap(&contour) < 0.01, "{degrees} degrees: {before}, then {}", gap(&contour));
             let (y, x) = degrees.to_radians().sin_cos();
             let off = |at: PxPoint| (at.y - 50.0).abs().min(((at.x - 50.0) * y + (at.y - 50.0) * x).abs());
@@ -227,12 +249,12 @@ mod tests {
     fn straight_lines_gentle_turns_circles_and_ends_have_no_corner() {
         for contour in [polyline(&[(0.0, 0.0), (60.0, 5.0)]), rounded(165.0, 1.0), circle(12.0), circle(25.0)] {
             let mut sharpened = contour.clone();
-            sharpen(&mut sharpened, PICTURE);
+            sharpen(&mut sharpened, PICTURE, false);
             assert_eq!(sharpened, contour);
         }
         let mut short = polyline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)]);
         let same = short.clone();
-        sharpen(&mut short, PICTURE);
+        sharpen(&mut short, PICTURE, false);
         assert_eq!(short, same, "too short for two sides");
     }
 
@@ -251,7 +273,7 @@ mod tests {
     fn a_corner_beyond_the_border_of_the_picture_stays_as_it_was() {
         let contour = rounded(90.0, 2.0);
         let mut sharpened = contour.clone();
-        sharpen(&mut sharpened, Size::new(49, 100));
+        sharpen(&mut sharpened, Size::new(49, 100), false);
         assert_eq!(sharpened, contour);
     }
 
@@ -261,10 +283,35 @@ mod tests {
         let mut square = polyline(&corners);
         square.closed = true;
         // the corner at (8, 8) is missing
-        sharpen(&mut square, PICTURE);
+        sharpen(&mut square, PICTURE, false);
         for (x, y) in [(8.0, 8.0), (40.0, 8.0), (40.0, 38.0), (8.0, 38.0)] {
             let nearest = square.vertices.iter().map(|point| (point.at - PxPoint::new(x, y)).length());
             assert!(nearest.fold(f32::INFINITY, f32::min) < 0.01, "no point at the corner ({x}, {y})");
         }
+    }
+    #[test]
+    fn the_tip_of_a_wedge_is_where_its_sides_meet_though_they_move_one_another_outwards() {
+        const BLUR: f32 = 1.5; // that of the points
+        // where the slope across a bar is greatest whose sides are this far from its middle
+        let steepest = |half: f32| {
+            let slope =
+                |x: f32| (-0.5 * ((x - half) / BLUR).powi(2)).exp() - (-0.5 * ((x + half) / BLUR).powi(2)).exp();
+            let places = (0..1000).map(|k| half + 0.002 * k as f32);
+            places.max_by(|a, b| slope(*a).total_cmp(&slope(*b))).expect("there are some")
+        };
+        // a wedge of 20 degrees with its tip at (60, 50)
+        let upper: Vec<(f32, f32)> =
+            (0..=45).map(|k| (15.0 + k as f32, (45 - k) as f32 * 10_f32.to_radians().tan())).collect();
+        let sides = upper
+            .iter()
+            .map(|(x, y)| (*x, 50.0 - steepest(*y)))
+            .chain(upper.iter().rev().map(|(x, y)| (*x, 50.0 + steepest(*y))));
+        let contour = polyline(&sides.collect::<Vec<_>>());
+        let off = |wedges: bool| {
+            let mut contour = contour.clone();
+            sharpen(&mut contour, PICTURE, wedges);
+            contour.vertices.iter().map(|vertex| vertex.at.x).fold(0.0, f32::max) - 60.0
+        };
+        assert!(off(true).abs() < 1.0 && off(false) > 2.0, "{} {}", off(true), off(false));
     }
 }

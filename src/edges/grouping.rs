@@ -1,13 +1,10 @@
 //! What the tree of regions is made of: all chains with their strengths, and the colours of cells.
 
 use pulp::Arch;
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use super::chain::Chain;
-use super::params::Params;
 use super::ridge::RidgePoint;
-use super::side_statistics::SideStatistics;
-use super::strength;
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
 use crate::raster::lab;
@@ -15,22 +12,22 @@ use crate::raster::plane::Plane;
 use crate::raster::shrink::Shrinker;
 use crate::regions::{Detail, Grid, Trace, TracePoint, Tree};
 
-/// The tree of the regions between all chains, be they strong enough for contours or not.
+/// The tree of the regions between all chains, given with the strengths along each, be they strong enough for contours
+/// or not.
 pub(super) fn tree(
     raster: &Raster,
     points: &[RidgePoint],
     chains: &[Chain],
-    sides: &SideStatistics,
-    params: &Params,
+    strengths: &[Vec<f32>],
     detail: Detail,
 ) -> Tree {
     let grid = Grid::new(raster.size());
-    let trace = |chain: &Chain| -> Trace {
-        let strengths = strength::along(points, chain, sides, params);
-        let point = |(&number, strength): (&u32, f32)| TracePoint { at: points[number as usize].at, strength };
+    let trace = |(chain, strengths): (&Chain, &Vec<f32>)| -> Trace {
+        let point = |(&number, &strength): (&u32, &f32)| TracePoint { at: points[number as usize].at, strength };
         Polyline { vertices: chain.vertices.iter().zip(strengths).map(point).collect(), closed: chain.closed }
     };
-    let (traces, colours) = rayon::join(|| chains.par_iter().map(trace).collect::<Vec<_>>(), || colours(raster, grid));
+    let (traces, colours) =
+        rayon::join(|| chains.par_iter().zip(strengths).map(trace).collect::<Vec<_>>(), || colours(raster, grid));
     Tree::new(&traces, &colours, grid, detail)
 }
 

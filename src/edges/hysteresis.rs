@@ -1,7 +1,7 @@
 //! Selects the parts of chains that are contours: hysteresis along the chain (Canny 1986) with the strength of
 //! [`super::strength`], and a least length.
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use super::chain::{self, Chain};
 use super::contour::{Contour, ContourPoint};
@@ -9,6 +9,7 @@ use super::params::Params;
 use super::ridge::RidgePoint;
 use super::strength::{self, Evidence};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::runs;
 use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
@@ -27,17 +28,17 @@ pub(super) struct Selection<'a> {
 impl Selection<'_> {
     /// The contours in all chains.
     pub(super) fn contours(&self, chains: &[Chain]) -> Vec<Contour> {
-        chains.par_iter().flat_map_iter(|chain| self.contours_of(chain)).collect()
+        chains.par_iter().enumerate().flat_map_iter(|chain| self.contours_of(chain)).collect()
     }
 
-    /// The contours in a chain.
-    fn contours_of(&self, chain: &Chain) -> Vec<Contour> {
+    /// The contours in the chain of this number.
+    fn contours_of(&self, (number, chain): (usize, &Chain)) -> Vec<Contour> {
         let Self { points, params, .. } = self;
         // Strength never exceeds the height of the step, so a chain without one step of this height cannot reach it.
         if !chain.vertices.iter().any(|&number| points[number as usize].height >= params.high) {
             return Vec::new();
         }
-        let strengths = strength::weighted(points, chain, &self.evidence, params);
+        let strengths = strength::weighted(points, (number, chain), &self.evidence, params);
         let mut contours = Vec::new();
         for piece in pieces(&strengths, chain.closed, params.low, params.high) {
             let numbers = piece.vertices.iter().map(|&i| chain.vertices[i]).collect();
@@ -96,20 +97,11 @@ fn position_sigma(noise: f32, point: &RidgePoint, sigma: f32) -> f32 {
 /// Hysteresis along a chain: the runs of indices whose strength is at least `low`, if it reaches `high` somewhere in
 /// them. A run over the seam of a closed chain is one run. The run is closed if it is the whole of a closed chain.
 fn pieces(strengths: &[f32], closed: bool, low: f32, high: f32) -> Vec<Polyline<usize>> {
-    let n = strengths.len();
-    let weak = strengths.iter().position(|&strength| strength < low);
-    let mut pieces = match weak {
-        None => vec![Polyline { vertices: (0..n).collect(), closed }],
-        // a closed chain is walked from a weak point on, so that no run crosses its seam
-        Some(weak) => {
-            let start = if closed { weak } else { 0 };
-            let indices: Vec<usize> = (start..n).chain(0..start).collect();
-            let runs = indices.split(|&i| strengths[i] < low).filter(|run| !run.is_empty());
-            runs.map(|run| Polyline { vertices: run.to_vec(), closed: false }).collect()
-        }
-    };
-    pieces.retain(|piece| piece.vertices.iter().any(|&i| strengths[i] >= high));
-    pieces
+    let is_weak = |i: usize| strengths[i] < low;
+    let runs = runs(strengths.len(), closed, |a, b| is_weak(a) == is_weak(b));
+    let closed = closed && runs.len() == 1;
+    let kept = runs.into_iter().filter(|run| !is_weak(run[0]) && run.iter().any(|&i| strengths[i] >= high));
+    kept.map(|vertices| Polyline { vertices, closed }).collect()
 }
 
 #[cfg(test)]

@@ -116,15 +116,18 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let chains = chain::link(&points, size, params.min_length);
     step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
     let sides = &sides.finish(&points, &chains, noise.height_sigma(params.sigma));
-    let regions = regions.filter(|_| !drawn);
-    let tree = regions.map(|detail| grouping::tree(raster, &points, &chains, sides, params, detail));
-    let heights = tree.as_ref().map(Heights::of);
-    let evidence = Evidence { sides, heights: heights.as_ref() };
+    let grouped = regions.filter(|_| !drawn).map(|detail| {
+        let strengths = strength::of_all(&points, &chains, sides, params);
+        let tree = grouping::tree(raster, &points, &chains, &strengths, detail);
+        (Heights::of(&tree), strengths, tree)
+    });
+    let by_regions = grouped.as_ref().map(|(heights, strengths, _)| (heights, &strengths[..]));
+    let evidence = Evidence { sides, regions: by_regions };
     let selection = Selection { points: &points, raster, evidence, noise: noise.pixel, params };
     let mut contours = bridge::join(selection.contours(&chains), params.sigma);
     contours.par_iter_mut().for_each(|contour| {
         refine::refine(contour, params.sigma);
-        corner::sharpen(contour, size);
+        corner::sharpen(contour, size, drawn);
     });
     let edges = contours.into_iter().map(Found::edge);
     let strokes = strokes.into_iter().map(Found::stroke);
@@ -136,7 +139,8 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
             stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
         };
         let met = tips::meet(found, params.sigma, &is_seen);
-        found = rings::parted(straight::give_back(met, params.sigma));
+        let given_back = straight::give_back(met, params.sigma, params.min_length);
+        found = rings::parted(given_back, params.min_length);
     }
     let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
     junction::extend(&mut contours, size);
@@ -149,7 +153,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
             contour.closed,
         );
     }
-    edges.regions = tree;
+    edges.regions = grouped.map(|(.., tree)| tree);
     edges.dashed = dashed;
     edges
 }

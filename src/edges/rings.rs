@@ -13,48 +13,55 @@ const SMOOTH: f32 = 0.8;
 /// Directions are taken over this much of a line, px, but for what is near the place, which may be bent.
 const HEADING: f32 = 8.0;
 const BENT: f32 = 3.0;
-/// A ring is at least this long, px: no line on any page is shorter.
-const LEAST: f32 = 24.0;
 
-/// Contours of which those that come back to themselves are parted.
-pub(super) fn parted(found: Vec<Found>) -> Vec<Found> {
-    found.into_iter().flat_map(|found| part(found).into_iter().flatten()).collect()
+/// A ring is at least this many least lengths of a contour long: what is shorter is felt as a dot at an end.
+const RING: f32 = 3.0;
+
+/// Contours of which those that come back to themselves are parted. `least` is the length of the shortest contour, px.
+pub(super) fn parted(found: Vec<Found>, least: f32) -> Vec<Found> {
+    let mut all = Vec::with_capacity(found.len());
+    for found in found {
+        let mut left = Some(found);
+        // what leads to a ring may come from another one
+        while let Some(found) = left {
+            let (first, lead) = part(found, RING * least);
+            all.push(first);
+            left = lead;
+        }
+    }
+    all
 }
 
 /// The ring, and what leads to it; or the contour itself.
-fn part(mut found: Found) -> [Option<Found>; 2] {
+fn part(mut found: Found, least: f32) -> (Found, Option<Found>) {
     for turned in [false, true] {
         if turned {
             found.contour.reverse();
         }
-        if let Some(at) = comes_back_to(&found) {
+        if let Some(at) = comes_back_to(&found, least) {
             let vertices = &found.contour.vertices;
             let ring = Polyline { vertices: vertices[at..].to_vec(), closed: true };
             let lead = Polyline::open(vertices[..=at].to_vec());
             let part = |contour| Found { contour, ..found };
             let lead = (lead.length() >= HEADING).then(|| part(lead));
-            return [Some(part(ring)), lead];
+            return (part(ring), lead);
         }
     }
     found.contour.reverse();
-    [Some(found), None]
+    (found, None)
 }
 
 /// The vertex of an open contour to which its end comes back.
-fn comes_back_to(found: &Found) -> Option<usize> {
+fn comes_back_to(found: &Found, least: f32) -> Option<usize> {
     let contour = &found.contour;
     if contour.closed {
         return None;
     }
     let last = contour.vertices.len().checked_sub(1)?;
     let tip = contour.vertices[last].at;
-    let along = |from: usize, forwards: bool| {
-        let at_arc = |least: f32| contour.walk(from, forwards).find(|(_, arc)| *arc >= least);
-        let [near, far] = [at_arc(BENT)?, at_arc(BENT + HEADING)?].map(|(i, _)| contour.vertices[i].at);
-        (far - near).try_normalize()
-    };
+    let along = |from: usize, forwards: bool| contour.heading(from, forwards, [BENT, BENT + HEADING]);
     let end = -along(last, false)?;
-    let early = contour.walk(last, false).find(|(_, arc)| *arc >= LEAST)?.0;
+    let early = contour.walk(last, false).find(|(_, arc)| *arc >= least)?.0;
     let near = 0.5 * found.stroke.unwrap_or(0.0) + NEAR;
     let goes_on = |at: &usize| {
         let gap = contour.vertices[*at].at - tip;
@@ -68,9 +75,13 @@ fn comes_back_to(found: &Found) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::contour::ContourPoint;
     use super::super::contour::testing::polyline;
     use super::*;
+    use crate::units::PxPoint;
     use std::f32::consts::TAU;
+
+    const LEAST: f32 = 8.0;
 
     /// A leader that comes to a circle from the right and goes round it, as far as `round` of it.
     fn leader(round: f32) -> Found {
@@ -85,7 +96,7 @@ mod tests {
         let mut reversed = leader(0.98);
         reversed.contour.reverse();
         for found in [leader(1.0), leader(0.98), reversed] {
-            let parts = parted(vec![found]);
+            let parts = parted(vec![found], LEAST);
             let [ring, lead] = &parts[..] else { panic!("{}", parts.len()) };
             assert!(ring.contour.closed && (ring.contour.length() - 40.0 * TAU).abs() < 4.0);
             assert!(!lead.contour.closed && (lead.contour.length() - 60.0).abs() < 4.0);
@@ -93,10 +104,25 @@ mod tests {
     }
 
     #[test]
+    fn two_rings_are_parted_from_the_line_between_them() {
+        let right = leader(1.0).contour.vertices;
+        let left = right.iter().skip(1).map(|vertex| {
+            let at = PxPoint::new(400.0 - vertex.at.x, vertex.at.y);
+            ContourPoint { at, ..*vertex }
+        });
+        let contour = Polyline::open(left.rev().chain(right.iter().copied()).collect());
+        let parts = parted(vec![Found { stroke: Some(2.0), ..Found::edge(contour) }], LEAST);
+        let [first, second, lead] = &parts[..] else { panic!("{}", parts.len()) };
+        assert!([first, second].iter().all(|ring| ring.contour.closed));
+        assert!([first, second].iter().all(|ring| (ring.contour.length() - 40.0 * TAU).abs() < 4.0));
+        assert!(!lead.contour.closed && (lead.contour.length() - 120.0).abs() < 4.0, "{}", lead.contour.length());
+    }
+
+    #[test]
     fn a_line_that_ends_elsewhere_or_across_itself_stays_one() {
         let across = polyline(&[(200.0, 100.0), (100.0, 100.0), (100.0, 60.0), (150.0, 60.0), (150.0, 98.0)]);
         for found in [leader(0.8), Found { stroke: Some(2.0), ..Found::edge(across) }] {
-            assert_eq!(parted(vec![found.clone()]), [found]);
+            assert_eq!(parted(vec![found.clone()], LEAST), [found]);
         }
     }
 }

@@ -10,7 +10,7 @@
 use super::contour::{Contour, ContourPoint};
 use super::tips::Found;
 use crate::geom::polyline::Polyline;
-use crate::units::{Px, PxPoint, PxVector};
+use crate::units::{Px, PxVector};
 use lyon::geom::euclid::Box2D;
 
 /// The direction of a line beside a vertex is taken over this much of it, px.
@@ -24,8 +24,6 @@ const ASIDE: f32 = 0.707;
 /// contour that takes its place.
 const BEFORE: f32 = 3.0;
 const BEFORE_SCALES: f32 = 1.6;
-/// What is left of a contour is at least this long, px; less is no line on any page.
-const LEAST: f32 = 8.0;
 /// Two lines are one if they are no farther aside from one another than half of each width and this much, px.
 const OFF: f32 = 1.0;
 
@@ -38,11 +36,14 @@ struct Onward {
     corner: usize,
     /// Whether the side that goes on follows the corner, or leads to it.
     forwards: bool,
+    /// Cosine between the directions of the end and of that side.
+    cosine: f32,
 }
 
 /// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners;
-/// what is left of the contour ends there. `sigma` is the scale of the edge detector, px.
-pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
+/// what is left of the contour ends there. `sigma` is the scale of the edge detector, `least` the length of
+/// the shortest contour, px.
+pub(super) fn give_back(found: Vec<Found>, sigma: f32, least: f32) -> Vec<Found> {
     let piece = |found: Found| Piece { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
     let mut owner = 0;
@@ -62,17 +63,17 @@ pub(super) fn give_back(found: Vec<Found>, sigma: f32) -> Vec<Found> {
         });
         // what is left has its turn once more
         pieces.push(joined);
-        pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= LEAST));
+        pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= least));
     }
-    switch(&mut pieces, sigma);
+    switch(&mut pieces, sigma, least);
     pieces.into_iter().map(|piece| piece.found).collect()
 }
 
 /// Lets ends that go straight on in one side of a corner of an open contour have that side.
-fn switch(pieces: &mut Vec<Piece>, sigma: f32) {
+fn switch(pieces: &mut Vec<Piece>, sigma: f32, least: f32) {
     let mut owner = 0;
     while owner < pieces.len() {
-        let Some(end) = (!pieces[owner].found.contour.closed).then(|| first_onward(owner, pieces, sigma)).flatten()
+        let Some(end) = (!pieces[owner].found.contour.closed).then(|| straightest(owner, pieces, sigma)).flatten()
         else {
             owner += 1;
             continue;
@@ -105,7 +106,7 @@ fn switch(pieces: &mut Vec<Piece>, sigma: f32) {
             pieces.remove(*number);
         });
         pieces.push(joined);
-        if rest.found.contour.length() >= LEAST {
+        if rest.found.contour.length() >= least {
             pieces.push(rest);
         }
     }
@@ -116,16 +117,20 @@ fn run(contour: &Contour, from: usize, to: usize) -> Contour {
     Polyline::open(contour.vertices[from..=to].to_vec())
 }
 
-/// The first end that goes straight on in a side of a contour.
-fn first_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Option<Onward> {
+/// Of the ends that go straight on in a side of a contour, the straightest.
+fn straightest(owner: usize, pieces: &[Piece], sigma: f32) -> Option<Onward> {
+    all_onward(owner, pieces, sigma)
+        .into_iter()
+        .max_by(|a, b| a.cosine.total_cmp(&b.cosine).then((b.piece, b.at_start).cmp(&(a.piece, a.at_start))))
+}
+
+/// All ends that go straight on in a side of a contour.
+fn all_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Vec<Onward> {
     let contour = &pieces[owner].found.contour;
     let bounds = Box2D::from_points(contour.vertices.iter().map(|vertex| vertex.at));
-    let others = (0..pieces.len()).filter(|piece| *piece != owner);
-    let mut ends = others.flat_map(|piece| [(piece, true), (piece, false)]);
-    ends.find_map(|(piece, at_start)| {
-        let is_free = pieces[piece].free[usize::from(!at_start)];
-        is_free.then(|| onward((piece, at_start), (owner, &bounds), pieces, sigma)).flatten()
-    })
+    let ends = (0..pieces.len()).filter(|piece| *piece != owner).flat_map(|piece| [(piece, true), (piece, false)]);
+    let free = ends.filter(|&(piece, at_start)| pieces[piece].free[usize::from(!at_start)]);
+    free.filter_map(|end| onward(end, (owner, &bounds), pieces, sigma)).collect()
 }
 
 /// A contour.
@@ -140,10 +145,7 @@ struct Piece {
 /// side.
 fn facing(owner: usize, pieces: &[Piece], sigma: f32) -> Option<[Onward; 2]> {
     let contour = &pieces[owner].found.contour;
-    let ends = (0..pieces.len()).filter(|piece| *piece != owner).flat_map(|piece| [(piece, true), (piece, false)]);
-    let ends = ends.filter(|&(piece, at_start)| pieces[piece].free[usize::from(!at_start)]);
-    let bounds = Box2D::from_points(contour.vertices.iter().map(|vertex| vertex.at));
-    let onward: Vec<Onward> = ends.filter_map(|end| onward(end, (owner, &bounds), pieces, sigma)).collect();
+    let onward = all_onward(owner, pieces, sigma);
     let pairs = onward.iter().flat_map(|a| onward.iter().map(move |b| [*a, *b]));
     let facing = pairs.filter(|[a, b]| {
         let in_order = if contour.closed { a.corner != b.corner } else { a.corner < b.corner };
@@ -171,9 +173,10 @@ fn onward(
         return None;
     }
     let around = (0..contour.vertices.len()).filter(|&i| (contour.vertices[i].at - at).length() <= near);
-    let direction = -heading(stroke, tip, at_start)?;
+    let direction = -stroke.heading(tip, at_start, [0.0, HEADING])?;
     let sides = around.filter_map(|i| {
-        let (after, before) = (heading(contour, i, true)?, heading(contour, i, false)?);
+        let [after, before] = [true, false].map(|forwards| contour.heading(i, forwards, [0.0, HEADING]));
+        let (after, before) = after.zip(before)?;
         Some((after.dot(before), i, [after, before]))
     });
     // the sharpest turn nearby is the corner
@@ -182,18 +185,13 @@ fn onward(
     if aside > 0.5 * (width + other_width) + OFF {
         return None;
     }
-    let goes_on = |side: PxVector, other: PxVector| direction.dot(side) >= STRAIGHT && direction.dot(other) <= ASIDE;
-    match [goes_on(after, before), goes_on(before, after)] {
-        [false, false] => None,
-        [forwards, _] => Some(Onward { piece: number, at_start, corner, forwards }),
-    }
-}
-
-/// The direction away from a vertex, forwards or backwards; none where the contour ends before that.
-fn heading(contour: &Contour, from: usize, forwards: bool) -> Option<PxVector> {
-    let at: PxPoint = contour.vertices[from].at;
-    let (far, _) = contour.walk(from, forwards).find(|(i, _)| (contour.vertices[*i].at - at).length() >= HEADING)?;
-    (contour.vertices[far].at - at).try_normalize()
+    // where the sides go on in one another, straighter than it in either, there is no corner
+    let goes_on = |side: PxVector, other: PxVector| {
+        direction.dot(side) >= STRAIGHT.max(-after.dot(before)) && direction.dot(other) <= ASIDE
+    };
+    let forwards = goes_on(after, before);
+    let cosine = direction.dot(if forwards { after } else { before });
+    (forwards || goes_on(before, after)).then_some(Onward { piece: number, at_start, corner, forwards, cosine })
 }
 
 /// The strokes of two ends, with the side of a contour between them: a ring, if they are those of one stroke.
@@ -245,8 +243,10 @@ fn divided(piece: &Piece, from: usize, to: usize) -> (Contour, Vec<Piece>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::PxPoint;
 
     const SIGMA: f32 = 1.8;
+    const LEAST: f32 = 8.0;
 
     /// A stroke 2 px wide through some points, with a vertex on every pixel.
     fn stroke(corners: &[(f32, f32)], closed: bool) -> Found {
@@ -277,7 +277,7 @@ mod tests {
     #[test]
     fn a_roof_gets_its_base_line_back_from_the_wall() {
         let roof = stroke(&[(15.0, 50.0), (5.0, 50.0), (50.0, 20.0), (95.0, 50.0), (85.0, 50.0)], false);
-        let found = give_back(vec![wall(), roof], SIGMA);
+        let found = give_back(vec![wall(), roof], SIGMA, LEAST);
         let (rings, open): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.contour.closed);
         let ([roof], [wall]) = (&rings[..], &open[..]) else { panic!("a ring and an open line: {found:?}") };
         assert!(is_near(&roof.contour, 50.0, 50.0) && !is_near(&wall.contour, 50.0, 50.0));
@@ -293,7 +293,7 @@ mod tests {
                 left.contour.reverse();
                 right.contour.reverse();
             }
-            let found = give_back(vec![left, wall(), right], SIGMA);
+            let found = give_back(vec![left, wall(), right], SIGMA, LEAST);
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             assert!(matches!(lengths[..], [base, wall] if (base - 98.0).abs() < 1.0 && (wall - 140.0).abs() < 1.0));
@@ -308,7 +308,7 @@ mod tests {
         };
         let piece = |from: f32, to: f32| stroke(&[(from, 50.0), (to, 50.0)], false);
         let all = vec![piece(0.0, 20.0), bar(20.0), piece(50.0, 70.0), bar(70.0), piece(100.0, 130.0)];
-        let found = give_back(all, SIGMA);
+        let found = give_back(all, SIGMA, LEAST);
         assert!(found.iter().all(|found| !found.contour.closed));
         let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
         lengths.sort_by(f32::total_cmp);
@@ -325,7 +325,7 @@ mod tests {
             if turned {
                 axis.contour.reverse();
             }
-            let found = give_back(vec![corner.clone(), axis], SIGMA);
+            let found = give_back(vec![corner.clone(), axis], SIGMA, LEAST);
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             let [side, axis] = lengths[..] else { panic!("a side and an axis: {lengths:?}") };
@@ -339,7 +339,18 @@ mod tests {
         let [high_left, high_right] = eaves(46.0);
         for others in [vec![left], vec![high_left, high_right]] {
             let all: Vec<Found> = std::iter::once(wall()).chain(others).collect();
-            assert_eq!(give_back(all.clone(), SIGMA), all);
+            assert_eq!(give_back(all.clone(), SIGMA, LEAST), all);
+        }
+    }
+    #[test]
+    fn of_two_ends_the_one_that_goes_straighter_on_has_the_side() {
+        let corner = stroke(&[(50.0, 10.0), (50.0, 50.0), (98.0, 50.0)], false);
+        let (level, slanted) =
+            (stroke(&[(0.0, 50.0), (46.0, 50.0)], false), stroke(&[(2.0, 58.5), (46.0, 51.0)], false));
+        for ends in [[level.clone(), slanted.clone()], [slanted.clone(), level.clone()]] {
+            let found = give_back(ends.into_iter().chain([corner.clone()]).collect(), SIGMA, LEAST);
+            let longest = found.iter().max_by(|a, b| a.contour.length().total_cmp(&b.contour.length())).expect("three");
+            assert!(found.len() == 3 && is_near(&longest.contour, 0.0, 50.0) && is_near(&longest.contour, 98.0, 50.0));
         }
     }
 }

@@ -58,6 +58,8 @@
 //!
 //! Strength never exceeds the height of the step, so thresholds on the height hold as bounds.
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use super::chain::{self, Chain};
 use super::params::Params;
 use super::ridge::RidgePoint;
@@ -84,8 +86,8 @@ const HALF_SURROUND: f32 = 120.0;
 #[derive(Clone, Copy)]
 pub(super) struct Evidence<'a> {
     pub(super) sides: &'a SideStatistics,
-    /// Of the regions between all chains, where they are known.
-    pub(super) heights: Option<&'a Heights>,
+    /// Where the regions between all chains are known, their heights, and the strengths [`along`] each chain.
+    pub(super) regions: Option<(&'a Heights, &'a [Vec<f32>])>,
 }
 
 /// The least height of a border, as a share of the strength of a point beside it.
@@ -93,16 +95,29 @@ const LEAST_HEIGHT: f32 = 0.25;
 /// Strengths with regions, relative to those without.
 const WITH_REGIONS: f32 = 1.15;
 
-/// Strength of every point of a chain, weighted by the regions beside it where they are known.
-pub(super) fn weighted(points: &[RidgePoint], chain: &Chain, evidence: &Evidence<'_>, params: &Params) -> Vec<f32> {
-    let mut strengths = along(points, chain, evidence.sides, params);
-    if let Some(heights) = evidence.heights {
-        for (strength, &number) in strengths.iter_mut().zip(&chain.vertices) {
-            let point = &points[number as usize];
-            *strength = by_regions(*strength, heights.near(point.at)).min(point.height);
-        }
-    }
-    strengths
+/// Strength of every point of the chain of this number, weighted by the regions beside it where they are known.
+pub(super) fn weighted(
+    points: &[RidgePoint],
+    (number, chain): (usize, &Chain),
+    evidence: &Evidence<'_>,
+    params: &Params,
+) -> Vec<f32> {
+    let Some((heights, strengths)) = evidence.regions else { return along(points, chain, evidence.sides, params) };
+    let by_regions = |(&strength, &number): (&f32, &u32)| {
+        let point = &points[number as usize];
+        by_regions(strength, heights.near(point.at)).min(point.height)
+    };
+    strengths[number].iter().zip(&chain.vertices).map(by_regions).collect()
+}
+
+/// Strength of every point of each chain.
+pub(super) fn of_all(
+    points: &[RidgePoint],
+    chains: &[Chain],
+    sides: &SideStatistics,
+    params: &Params,
+) -> Vec<Vec<f32>> {
+    chains.par_iter().map(|chain| along(points, chain, sides, params)).collect()
 }
 
 /// A strength beside a border of regions of a height.
@@ -113,7 +128,7 @@ fn by_regions(strength: f32, height: f32) -> f32 {
 }
 
 /// Strength of every point of a chain, averaged along the chain.
-pub(super) fn along(points: &[RidgePoint], chain: &Chain, sides: &SideStatistics, params: &Params) -> Vec<f32> {
+fn along(points: &[RidgePoint], chain: &Chain, sides: &SideStatistics, params: &Params) -> Vec<f32> {
     let length = chain::length(points, chain);
     let length = length / (length + HALF_LENGTH * params.side_cell);
     let strength = |&number: &u32| {

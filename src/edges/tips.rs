@@ -4,6 +4,7 @@
 use super::contour::{Contour, ContourPoint, crossing};
 use super::stroke::Stroke;
 use crate::geom::link::{End, Part, link};
+use crate::geom::walk::runs;
 use crate::units::{Px, PxPoint};
 
 /// A contour, and the width of the stroke along whose middle it runs, px; an edge has none.
@@ -86,25 +87,32 @@ pub(super) fn meet(mut found: Vec<Found>, sigma: f32, is_seen: &IsSeen<'_>) -> V
     joined
 }
 
-/// The contours of a thread; strokes that follow one another are one, and so is what goes straight on.
+/// The contours of a thread. Strokes that follow one another are one, and so are edges: as two lines they might be
+/// taken for the two sides of a stroke beside their tip. What goes straight on is one, whatever it is.
 fn strung(parts: &[Part], closed: bool, found: &[Found], is_straight: &dyn Fn(&Part, &Part) -> bool) -> Vec<Found> {
-    let mut strung: Vec<Found> = Vec::new();
-    for (number, part) in parts.iter().enumerate() {
-        let mut next = found[part.polyline].clone();
-        if part.reversed {
-            next.contour = next.contour.reversed();
+    let is_stroke = |part: usize| found[parts[part].polyline].stroke.is_some();
+    let is_one = |a: usize, b: usize| is_stroke(a) == is_stroke(b) || is_straight(&parts[a], &parts[b]);
+    let runs = runs(parts.len(), closed, is_one);
+    // its ends meet in one tip
+    let is_ring = closed && runs.len() == 1;
+    let of = |part: usize| {
+        let Part { polyline, reversed } = parts[part];
+        let mut found = found[polyline].clone();
+        if reversed {
+            found.contour.reverse();
         }
-        let goes_on = number > 0 && is_straight(&parts[number - 1], part);
-        match strung.last_mut() {
-            Some(last) if goes_on || last.stroke.is_some() && next.stroke.is_some() => last.go_on_in(next),
-            _ => strung.push(next),
+        found
+    };
+    let one = |run: Vec<usize>| {
+        let mut one = of(run[0]);
+        run[1..].iter().for_each(|&part| one.go_on_in(of(part)));
+        if is_ring {
+            one.contour.vertices.pop();
+            one.contour.closed = true;
         }
-    }
-    if closed && let [Found { contour, .. }] = &mut strung[..] {
-        contour.vertices.pop();
-        contour.closed = true;
-    }
-    strung
+        one
+    };
+    runs.into_iter().map(one).collect()
 }
 
 impl Found {
@@ -172,14 +180,9 @@ impl Found {
 fn end(number: usize, at_start: bool, found: &Found, sigma: f32) -> End<Px> {
     let contour = &found.contour;
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
-    let [from, to] = found.heading(sigma);
-    let at_arc = |arc: f32| {
-        let index = contour.walk(tip, at_start).find(|(_, walked)| *walked >= arc).map(|(index, _)| index);
-        index.map(|index| contour.vertices[index].at)
-    };
-    let direction = at_arc(from).zip(at_arc(to)).and_then(|(near, far)| (near - far).try_normalize());
+    let inwards = contour.heading(tip, at_start, found.heading(sigma)).unwrap_or_default();
     let at = contour.vertices[tip].at;
-    End { polyline: number, at_start, at, direction: direction.unwrap_or_default(), contrast: [0.0; 3] }
+    End { polyline: number, at_start, at, direction: -inwards, contrast: [0.0; 3] }
 }
 
 fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {
@@ -279,6 +282,34 @@ mod tests {
             meet(vec![stroke(&[(92.0, 48.0), (20.0, 30.0), (20.0, 70.0), (90.0, 52.5)])], SIGMA, &|_, _, _, _| true);
         assert!(triangle.len() == 1 && triangle[0].contour.closed);
         assert!((triangle[0].contour.length() - 2.0 * 82.46 - 40.0).abs() < 0.5);
+    }
+
+    #[test]
+    fn what_is_one_in_a_closed_thread_does_not_depend_on_which_part_comes_first() {
+        // a triangle of two strokes, which make a corner, and an edge
+        let stroke = |points: &[(f32, f32)]| stroke(points);
+        let sides = [
+            stroke(&[(20.0, 100.0), (100.0, 20.0)]),
+            stroke(&[(104.0, 20.0), (184.0, 100.0)]),
+            Found { stroke: None, ..stroke(&[(182.0, 103.0), (22.0, 103.0)]) },
+        ];
+        for first in 0..3 {
+            for reversed in 0..8 {
+                let mut sides = sides.clone();
+                sides.rotate_left(first);
+                for (k, side) in sides.iter_mut().enumerate() {
+                    if reversed & (1 << k) != 0 {
+                        side.contour.reverse();
+                    }
+                }
+                let met = meet(sides.to_vec(), SIGMA, &|_, _, _, _| true);
+                let mut lengths: Vec<f32> = met.iter().map(|found| found.contour.length()).collect();
+                lengths.sort_by(f32::total_cmp);
+                let [edge, two] = lengths[..] else { panic!("{lengths:?} from {first}, {reversed:b} reversed") };
+                let is_as_ever = (edge - 170.0).abs() < 0.5 && (two - 2.0 * 85.0 * 2.0_f32.sqrt()).abs() < 0.5;
+                assert!(is_as_ever, "{lengths:?} from {first}, {reversed:b} reversed");
+            }
+        }
     }
 
     #[test]

@@ -8,6 +8,7 @@ pub mod nearby;
 pub mod ninths;
 pub mod polyline;
 pub mod simplify;
+pub mod walk;
 
 use lyon::geom::euclid::{Point2D, Vector2D};
 

@@ -5,6 +5,7 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
+use crate::geom::walk::runs;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
 
@@ -37,6 +38,11 @@ const BEYOND: f32 = 1.5;
 /// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
 /// lines anyway.
 const SHORTEST: f32 = 3.0;
+/// ... but one with the same ground on both sides: the end of an axis beyond a bar is part of a longer line. Between
+/// two areas there is an edge that is longer.
+const SHORTEST_APART: f32 = 1.5;
+/// The ground on both sides is the same if the step between them is at most this share of the contrast with it.
+const SAME_GROUND: f32 = 0.25;
 /// The lower quartile of a stroke's widths is at least this share of the upper one: of a wedge it is a third.
 const EVEN: f32 = 0.5;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
@@ -51,6 +57,8 @@ const PASSED_WIDTHS: f32 = 3.0;
 const PASSED: f32 = 8.0;
 /// Whether there is contrast at a vertex is decided with so many vertices before it and behind it.
 const NEAR_VERTICES: usize = 4;
+/// How far it moves, with so many.
+const NEAR_SHIFTS: usize = 2;
 /// Colours beside a stroke are read this far outside it, px.
 const OUTSIDE: f32 = 2.0;
 /// The direction of an end is taken over the width of the stroke and this much more, px.
@@ -82,7 +90,8 @@ pub(super) fn strokes(
     params: &Params,
 ) -> Vec<Stroke> {
     let Strand { mut line, free, junctions } = strand;
-    if line.length() < SHORTEST * params.min_length {
+    let length = line.length();
+    if length < SHORTEST_APART * params.min_length {
         return Vec::new();
     }
     let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
@@ -100,6 +109,10 @@ pub(super) fn strokes(
         return Vec::new();
     }
     let contrasts: Vec<Contrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
+    let is_apart = || 2 * contrasts.iter().filter(|contrast| contrast.is_apart).count() > contrasts.len();
+    if length < SHORTEST * params.min_length && !is_apart() {
+        return Vec::new();
+    }
     let stretches = with_contrast(&line, &junctions, &contrasts, (PASSED_WIDTHS * width + PASSED, params.low));
     let strokes = stretches.into_iter().filter(|(line, contrasts)| {
         line.length() >= LONG * width
@@ -119,7 +132,7 @@ fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, picture:
         position_sigma: OFF,
     });
     let mut contour = Polyline { vertices: vertices.collect(), closed: line.closed };
-    corner::sharpen(&mut contour, picture);
+    corner::sharpen(&mut contour, picture, false);
     let whole = contour.length();
     Stroke { contour, width, whole }
 }
@@ -160,36 +173,38 @@ fn with_contrast(
     if shown.iter().all(|shown| *shown) {
         return vec![(line.clone(), contrasts.to_vec())];
     }
-    // a closed line begins after a part that is none
-    let begin = if line.closed { shown.iter().position(|shown| !shown).map_or(0, |none| none + 1) } else { 0 };
-    let order: Vec<usize> = (0..count).map(|k| (begin + k) % count).collect();
     let stretch = |run: &[usize]| {
         let mut indices: Vec<usize> = run.iter().flat_map(|&part| parts[part].iter().copied()).collect();
         indices.dedup();
         let line = Polyline::open(indices.iter().map(|&i| line.vertices[i]).collect());
         (line, indices.iter().map(|&i| contrasts[i]).collect())
     };
-    order.split(|&part| !shown[part]).filter(|run| !run.is_empty()).map(stretch).collect()
+    let runs = runs(count, line.closed, |a, b| shown[a] == shown[b]).into_iter();
+    runs.filter(|run| shown[run[0]]).map(|run| stretch(&run)).collect()
 }
 
 /// Where a line has contrast on one side and none on the other, both for at least `apart` px.
 fn changes(line: &Polyline<PxPoint>, contrasts: &[Contrast], apart: f32, least: f32) -> Vec<usize> {
     let n = contrasts.len();
-    let arcs = line.arc_lengths();
-    let around = |i: usize| i.saturating_sub(NEAR_VERTICES)..(i + NEAR_VERTICES + 1).min(n);
-    let has: Vec<bool> = (0..n).map(|i| median(around(i).map(|k| contrasts[k].of_stroke())) >= least).collect();
+    let near = |i: usize| median(around(line, i, NEAR_VERTICES).map(|k| contrasts[k].of_stroke()));
+    let has: Vec<bool> = (0..n).map(|i| near(i) >= least).collect();
+    let way = |run: &Vec<usize>| -> f32 {
+        run.windows(2).map(|pair| (line.vertices[pair[1]] - line.vertices[pair[0]]).length()).sum()
+    };
     // runs that are too short belong to those before them
-    let mut runs: Vec<(usize, bool)> = Vec::new();
-    let mut start = 0;
-    while start < n {
-        let end = (start + 1..n).find(|&i| has[i] != has[start]).unwrap_or(n);
-        let is_long = arcs[end - 1] - arcs[start] >= apart;
-        if is_long && runs.last().is_none_or(|(_, last)| *last != has[start]) {
-            runs.push((start, has[start]));
-        }
-        start = end;
-    }
-    runs.into_iter().skip(1).map(|(start, _)| start).collect()
+    let mut runs = runs(n, line.closed, |a, b| has[a] == has[b]);
+    runs.retain(|run| way(run) >= apart);
+    let before = runs.last().filter(|_| line.closed).into_iter().chain(&runs);
+    let pairs = before.zip(runs.iter().skip(usize::from(!line.closed)));
+    pairs.filter(|(before, run)| has[before[0]] != has[run[0]]).map(|(_, run)| run[0]).collect()
+}
+
+/// A vertex of a line with up to so many before it and behind it, in order; fewer at the ends of an open one.
+fn around(line: &Polyline<PxPoint>, i: usize, count: usize) -> impl Iterator<Item = usize> {
+    let view = line.view();
+    let most = if line.closed { line.vertices.len().saturating_sub(1) / 2 } else { count };
+    let count = count.min(most) as isize;
+    (-count..=count).filter_map(move |step| view.next(i, step))
 }
 
 fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
@@ -201,8 +216,8 @@ fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
 fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polyline<PxPoint> {
     let arcs = line.arc_lengths();
     let shift = |i: usize| {
-        let around = (i.saturating_sub(2)..(i + 3).min(profiles.len())).map(|k| profiles[k].shift);
-        [median(around).clamp(-most.max(1.0), most.max(1.0))]
+        let shift = median(around(line, i, NEAR_SHIFTS).map(|k| profiles[k].shift));
+        [shift.clamp(-most.max(1.0), most.max(1.0))]
     };
     let shifts = smooth(&arcs, line.closed, 1.0, shift);
     let vertices = line.vertices.iter().zip(shifts).enumerate().map(|(i, (&at, [shift]))| at + right(line, i) * shift);
@@ -335,6 +350,8 @@ struct Contrast {
     height: f32,
     /// Whether it is a stroke's, or only the border's of two areas.
     is_stroke: bool,
+    /// Whether it is that of a stroke with the same ground on both sides.
+    is_apart: bool,
 }
 
 impl Contrast {
@@ -364,7 +381,8 @@ fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> C
         let (a, b) = (value(plane, outside), value(plane, -outside));
         value(plane, 0.0) - value(plane, 0.0).clamp(a.min(b), a.max(b))
     });
-    Contrast { height: excess.max(step), is_stroke: beyond >= OF_STEP * step }
+    let (is_stroke, is_apart) = (beyond >= OF_STEP * step, step <= SAME_GROUND * excess);
+    Contrast { height: excess.max(step), is_stroke, is_apart }
 }
 
 /// Whether a line runs along the border of the picture.
@@ -408,6 +426,28 @@ fn quantile(sorted: &[f32], share: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn changes_of_contrast_on_a_ring_do_not_depend_on_where_it_begins() {
+        // 80 px round; without contrast over 20 of them, and over 5 others, which are too few
+        let side = |k: usize| match (k / 20, (k % 20) as f32) {
+            (0, way) => PxPoint::new(way, 0.0),
+            (1, way) => PxPoint::new(20.0, way),
+            (2, way) => PxPoint::new(20.0 - way, 20.0),
+            (_, way) => PxPoint::new(0.0, 20.0 - way),
+        };
+        let is_stroke = |k: usize| !(30..50).contains(&k) && !(65..70).contains(&k);
+        let of = |k: usize| Contrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };
+        for turn in 0..80 {
+            let vertices = (0..80).map(|k| side((k + turn) % 80)).collect();
+            let contrasts: Vec<Contrast> = (0..80).map(|k| of((k + turn) % 80)).collect();
+            let line = Polyline { vertices, closed: true };
+            let found = changes(&line, &contrasts, 10.0, 5.0).into_iter().map(|i| (i + turn) % 80);
+            let mut found: Vec<usize> = found.collect();
+            found.sort_unstable();
+            assert_eq!(found, [30, 50], "from vertex {turn}");
+        }
+    }
 
     #[test]
     fn the_median_of_opposite_values_is_opposite() {

@@ -39,6 +39,9 @@ const END: f32 = 6.0;
 /// An end that is at another one from the beginning goes on in it if the cosine between their directions is at least
 /// this (26 degrees).
 const AHEAD: f32 = 0.9;
+/// A way that leads to another end goes on in it if that cosine is at most this: the two make a corner of at least 60
+/// degrees, as those of a triangle do. Otherwise it only ends there.
+const SHARPEST: f32 = 0.5;
 /// Side of the cells of the index of points, px.
 const CELL: f32 = 8.0;
 
@@ -57,6 +60,8 @@ type Marks = Index<Mark, Px>;
 struct Way {
     points: Vec<ContourPoint>,
     met: Mark,
+    /// Where it leads at its end.
+    direction: PxVector,
 }
 
 /// An end of a stroke: its number, and whether it is the start.
@@ -76,9 +81,11 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
     let ends: Vec<StrokeEnd> = open.flat_map(|number| [(number, true), (number, false)]).collect();
     let (mut ways, mut met) = (Vec::new(), Vec::new());
     for end in ends {
-        let Some(Way { mut points, met: to }) = way(end, &strokes, &marks, planes, params) else { continue };
-        match end_at(&strokes, to).filter(|other| *other != end) {
+        let Some(Way { mut points, met: to, direction }) = way(end, &strokes, &marks, planes, params) else { continue };
+        let goes_on = |other: &StrokeEnd| *other != end && turn(direction, *other, &strokes) <= SHARPEST;
+        match end_at(&strokes, to).filter(goes_on) {
             Some(other) => met.push([end, other]),
+            // it ends on the other one
             None => points.extend(points.last().copied().map(|last| ContourPoint { at: to.at, ..last })),
         }
         for point in &points {
@@ -111,9 +118,13 @@ fn end_at(strokes: &[Stroke], mark: Mark) -> Option<StrokeEnd> {
 /// The last vertex of an end, and the direction in which it leaves the stroke.
 fn leaving(contour: &Contour, at_start: bool) -> Option<(usize, PxVector)> {
     let tip = if at_start { 0 } else { contour.vertices.len().checked_sub(1)? };
-    let (back, _) = contour.walk(tip, at_start).find(|(_, arc)| *arc >= HEADING)?;
-    let way = contour.vertices[tip].at - contour.vertices[back].at;
-    way.try_normalize().map(|direction| (tip, direction))
+    contour.heading(tip, at_start, [0.0, HEADING]).map(|inwards| (tip, -inwards))
+}
+
+/// Cosine between a direction and that in which a stroke leaves through one of its ends: -1 where the one goes straight
+/// on in the other. 1 where the stroke is too short to tell.
+fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -> f32 {
+    leaving(&strokes[other].contour, at_start).map_or(1.0, |(_, leaving)| direction.dot(leaving))
 }
 
 /// The way on from an end of a stroke, if it leads to another one or to another part of the same.
@@ -125,10 +136,8 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
     let strength = contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / contour.vertices.len() as f32;
     let least = params.low.max(SEEN * strength);
     if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke) {
-        let other = end_at(strokes, met);
-        let heading = other.and_then(|(other, at_start)| leaving(&strokes[other].contour, at_start));
-        let goes_on = heading.is_some_and(|(_, heading)| direction.dot(heading) <= -AHEAD);
-        return goes_on.then_some(Way { points: Vec::new(), met });
+        let goes_on = end_at(strokes, met).is_some_and(|other| turn(direction, other, strokes) <= -AHEAD);
+        return goes_on.then_some(Way { points: Vec::new(), met, direction });
     }
     let size = planes[0].size;
     let is_inside =
@@ -147,7 +156,7 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
         }
         points.push(ContourPoint { at, strength: height, ..last });
         if let Some(met) = meets(at, end, step as f32 * STEP, strokes, marks, params.widest_stroke) {
-            return Some(Way { points, met });
+            return Some(Way { points, met, direction });
         }
         let before = contour.walk(tip, at_start).map(|(vertex, _)| contour.vertices[vertex].at);
         let mut back = points.iter().rev().map(|point| point.at).chain(before);

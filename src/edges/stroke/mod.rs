@@ -27,6 +27,7 @@ use self::skeleton::{Mask, Node, Path};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::runs;
 use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
@@ -329,25 +330,17 @@ impl Taken {
             stroke.contour.vertices.iter().map(|vertex| !self.covered[self.cell(vertex.at)]).collect();
         // others cross it where they cover less
         let crossed = CROSSED_WIDTHS * stroke.width + CROSSED;
-        let mut start = 0;
-        while start < n {
-            let end = (start + 1..n).find(|&i| is_own[i] != is_own[start]).unwrap_or(n);
-            let run = &stroke.contour.vertices[start..end];
-            let length: f32 = run.windows(2).map(|pair| (pair[1].at - pair[0].at).length()).sum();
-            let is_end = !stroke.contour.closed && (start == 0 || end == n);
-            if !is_own[start] && length < crossed && !is_end {
-                is_own[start..end].fill(true);
+        for run in runs(n, stroke.contour.closed, |a, b| is_own[a] == is_own[b]) {
+            let is_end = !stroke.contour.closed && (run[0] == 0 || run.ends_with(&[n - 1]));
+            if !is_own[run[0]] && !is_end && part(&stroke, &run).contour.length() < crossed {
+                run.iter().for_each(|&i| is_own[i] = true);
             }
-            start = end;
         }
-        let Some(other) = is_own.iter().position(|own| !own) else { return vec![stroke] };
-        // a ring begins in what is another's
-        let first = if stroke.contour.closed { other } else { 0 };
-        let order: Vec<usize> = (0..n).map(|i| (first + i) % n).collect();
-        let parts = order.split(|&i| !is_own[i]).map(|run| {
-            let vertices = run.iter().map(|&i| stroke.contour.vertices[i]).collect();
-            Stroke { contour: Polyline::open(vertices), ..stroke }
-        });
+        if is_own.iter().all(|own| *own) {
+            return vec![stroke];
+        }
+        let own = runs(n, stroke.contour.closed, |a, b| is_own[a] == is_own[b]).into_iter();
+        let parts = own.filter(|run| is_own[run[0]]).map(|run| part(&stroke, &run));
         let is_new = |part: &Stroke| {
             let vertices = &part.contour.vertices;
             let away = vertices.iter().filter(|vertex| !self.has(vertex.at)).count();
@@ -358,9 +351,10 @@ impl Taken {
 
     /// What of a stroke is no other's, if that is long enough to be one: as eaves go on beyond a wall.
     fn rest_of(&self, stroke: &Stroke) -> Vec<Stroke> {
-        let runs = stroke.contour.vertices.chunk_by(|a, b| self.has(a.at) == self.has(b.at));
-        let own = runs.filter(|run| !self.has(run[0].at));
-        let rest = own.map(|run| Stroke { contour: Polyline::open(run.to_vec()), ..*stroke });
+        let vertices = &stroke.contour.vertices;
+        let is_taken: Vec<bool> = vertices.iter().map(|vertex| self.has(vertex.at)).collect();
+        let runs = runs(vertices.len(), stroke.contour.closed, |a, b| is_taken[a] == is_taken[b]).into_iter();
+        let rest = runs.filter(|run| !is_taken[run[0]]).map(|run| part(stroke, &run));
         rest.filter(|rest| rest.contour.length() >= LONG * rest.width).collect()
     }
 
@@ -382,6 +376,12 @@ impl Taken {
             (false, false) => Most::Own,
         }
     }
+}
+
+/// The part of a stroke through some of its vertices.
+fn part(stroke: &Stroke, vertices: &[usize]) -> Stroke {
+    let vertices = vertices.iter().map(|&i| stroke.contour.vertices[i]).collect();
+    Stroke { contour: Polyline::open(vertices), ..*stroke }
 }
 
 /// What most of a stroke is beside those that were found before.
@@ -433,5 +433,47 @@ mod tests {
         assert!(!open.contour.closed && (open.contour.length() - 160.0).abs() < 6.0, "{}", open.contour.length());
         let crossing = stroke(&[(150.0, 10.0), (150.0, 98.0)], false);
         assert!(matches!(&taken.beside(crossing, false)[..], [one] if (one.contour.length() - 88.0).abs() < 0.1));
+    }
+
+    #[test]
+    fn what_is_left_of_a_ring_does_not_depend_on_where_it_begins() {
+        let mut taken = Taken::new(Size::new(200, 100));
+        // its base, over 40 px, is another's; a line crosses both its sides, over 7 px each
+        taken.add(&stroke(&[(5.0, 80.0), (195.0, 80.0)], false), SIGMA);
+        taken.add(&stroke(&[(5.0, 50.0), (195.0, 50.0)], false), SIGMA);
+        let bar = stroke(&[(60.0, 80.0), (60.0, 20.0), (100.0, 20.0), (100.0, 80.0), (61.0, 80.0)], true);
+        let lengths = |mut parts: Vec<Stroke>| {
+            parts.sort_by(|a, b| a.contour.length().total_cmp(&b.contour.length()));
+            parts.iter().map(|part| part.contour.length().round()).collect::<Vec<f32>>()
+        };
+        let (beside, rest) = (lengths(taken.beside(bar.clone(), false)), lengths(taken.rest_of(&bar)));
+        assert!(beside == [156.0] && rest == [21.0, 21.0, 90.0], "{beside:?} {rest:?}");
+        for turn in 0..bar.contour.vertices.len() {
+            let mut turned = bar.clone();
+            turned.contour.vertices.rotate_left(turn);
+            assert_eq!(
+                (lengths(taken.beside(turned.clone(), false)), lengths(taken.rest_of(&turned))),
+                (beside.clone(), rest.clone()),
+                "from vertex {turn}"
+            );
+        }
+    }
+    #[test]
+    fn a_short_stroke_counts_where_the_ground_is_the_same_on_both_sides() {
+        let params =
+            Params { sigma: SIGMA, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 19.0, ..Params::default() };
+        // 18 px long and 2 px wide
+        let of = |below: f32| {
+            let size = Size::new(80, 40);
+            let value = |cell: usize| match (cell % 80, cell / 80) {
+                (30..48, 20..22) => 40.0,
+                (_, y) if y <= 20 => 100.0,
+                _ => below,
+            };
+            let planes = [Plane { size, values: (0..size.len()).map(value).collect() }];
+            find(&planes, 0.0, &params).iter().map(|stroke| stroke.contour.length().round()).collect::<Vec<f32>>()
+        };
+        assert!(matches!(of(100.0)[..], [one] if (one - 18.0).abs() <= 2.0), "{:?}", of(100.0));
+        assert_eq!(of(70.0), [0.0; 0], "it is part of an edge");
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn assign(
         let loser = if rank[stretch.polyline] == winner(stretch) { stretch.other } else { stretch.polyline };
         stretch.polyline == stretch.other || !stays_whole[loser]
     });
-    stretches.sort_by(|a, b| bars_first(a, b, params).then_with(|| decided_first(a, b, &rank)));
+    stretches.sort_by(|a, b| decided_first(a, b, &rank));
     let assignment = |polyline: &Polyline<Vertex>| Assignment {
         offsets: vec![None; polyline.vertices.len()],
         removed: vec![false; polyline.vertices.len()],
@@ -86,12 +86,6 @@ fn things(
         polyline.closed && !close[number] && share < MOST
     };
     polylines.iter().enumerate().map(is_thing).collect()
-}
-
-/// In a drawing the two sides of one bar are a stroke before the sides of the gap between two bars are.
-fn bars_first(a: &Stretch, b: &Stretch, params: &Params) -> Ordering {
-    let is_gap = |stretch: &Stretch| params.of_drawing && stretch.polyline != stretch.other;
-    is_gap(a).cmp(&is_gap(b))
 }
 
 /// The order in which stretches are decided: by their winner, first as that sees it, and the most salient first.
@@ -184,4 +178,60 @@ pub(super) fn is_rest(assignment: &Assignment) -> bool {
     let (gone, moved) =
         (assignment.removed.iter().filter(|gone| **gone).count(), assignment.offsets.iter().flatten().count());
     share(gone) >= MOST && share(moved) < 0.2 * MOST
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::opposite::opposites;
+    use super::super::stretch::stretches;
+    use super::super::testing::{area, side, stroke};
+    use super::*;
+
+    fn of(lines: &[Polyline<Vertex>]) -> Vec<Assignment> {
+        let opposites = opposites(lines, area(), &Params::TEST);
+        assign(lines, &opposites, stretches(lines, &opposites), &Params::TEST)
+    }
+
+    fn removed(assignment: &Assignment) -> usize {
+        assignment.removed.iter().filter(|removed| **removed).count()
+    }
+
+    #[test]
+    fn the_more_salient_side_moves_by_half_the_width_and_the_other_goes() {
+        let lines = stroke(3.0);
+        for turned in [false, true] {
+            let mut lines = lines.clone();
+            if turned {
+                lines.reverse();
+            }
+            let assigned = of(&lines);
+            let (stays, goes) = if turned { (&assigned[1], &assigned[0]) } else { (&assigned[0], &assigned[1]) };
+            assert!(removed(stays) == 0 && removed(goes) == goes.removed.len());
+            let moved: Vec<MmVector> = stays.offsets.iter().flatten().copied().collect();
+            assert!(moved.len() >= 49 && moved.iter().all(|way| (*way - MmVector::new(0.0, 1.5)).length() < 0.01));
+        }
+    }
+
+    #[test]
+    fn of_rings_in_one_another_one_stays_all_round() {
+        let square =
+            |low: f32, high: f32, step: f32| side(&[(low, low), (high, low), (high, high), (low, high)], true, step);
+        let assigned = of(&[square(10.0, 50.0, 60.0), square(13.0, 47.0, -60.0)]);
+        assert!(removed(&assigned[0]) == 0 && !is_rest(&assigned[0]));
+        assert!(is_rest(&assigned[1]), "{} of {}", removed(&assigned[1]), assigned[1].removed.len());
+    }
+
+    #[test]
+    fn a_ring_that_is_a_side_of_a_stroke_on_its_lesser_part_stays_whole() {
+        // far more salient than the ring
+        let long = side(&[(5.0, 20.0), (95.0, 20.0)], false, 90.0);
+        // 8 by 20 mm, with a short side beside the line: as far away as a ring can move, and nearer than that
+        let beside = |gap: f32| {
+            let (top, bottom) = (20.0 + gap, 40.0 + gap);
+            side(&[(30.0, top), (38.0, top), (38.0, bottom), (30.0, bottom)], true, -60.0)
+        };
+        let removed_beside = |gap: f32| of(&[long.clone(), beside(gap)]).iter().map(removed).sum::<usize>();
+        assert_eq!(removed_beside(3.5), 0);
+        assert!(removed_beside(2.5) > 15, "{}", removed_beside(2.5));
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::opposite::{Opposite, Opposites};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::runs;
 use crate::lines::vertex::Vertex;
 
 /// The shortest stretch of two sides that counts as a stroke, in widths of the stroke; shorter ones are the ends of
@@ -32,41 +33,75 @@ impl Stretch {
 pub(super) fn stretches(polylines: &[Polyline<Vertex>], opposites: &[Opposites]) -> Vec<Stretch> {
     let mut found = Vec::new();
     for (number, (polyline, opposites)) in polylines.iter().zip(opposites).enumerate() {
-        let count = opposites.len();
-        let other = |k: usize| opposites[k % count].map(|opposite| opposite.polyline);
-        // a ring is gone round from where a stretch begins
-        let goes_on = |k: usize| other(k).is_some() && other(k) == other(k + count - 1);
-        let start = if polyline.closed { (0..count).find(|&k| !goes_on(k)).unwrap_or(0) } else { 0 };
-        let mut k = start;
-        while k < start + count {
-            let Some(first) = other(k) else {
-                k += 1;
-                continue;
-            };
-            let from = k;
-            let (mut length, mut across, mut saliency) = (0.0, 0.0, 0.0);
-            while k < start + count && other(k) == Some(first) {
-                let here = &polyline.vertices[k % count];
-                if k > from {
-                    let before = &polyline.vertices[(k - 1) % count];
-                    let step = (here.at - before.at).length();
-                    length += step;
-                    saliency += step * here.strength.min(before.strength);
-                }
-                across += opposites[k % count].map_or(0.0, |opposite| (opposite.at - here.at).length());
-                k += 1;
-            }
-            let length_in_vertices = k - from;
-            if length >= MIN_STRETCH * across / length_in_vertices as f32 {
-                found.push(Stretch {
-                    polyline: number,
-                    other: first,
-                    from: from % count,
-                    count: length_in_vertices,
-                    saliency,
-                });
+        let other = |i: usize| opposites[i].map(|opposite| opposite.polyline);
+        for run in runs(opposites.len(), polyline.closed, |a, b| other(a) == other(b)) {
+            let Some(beside) = other(run[0]) else { continue };
+            let steps = run.windows(2).map(|pair| {
+                let (before, here) = (&polyline.vertices[pair[0]], &polyline.vertices[pair[1]]);
+                ((here.at - before.at).length(), here.strength.min(before.strength))
+            });
+            let (length, saliency) =
+                steps.fold((0.0, 0.0), |(length, saliency), (step, least)| (length + step, saliency + step * least));
+            let across =
+                |&i: &usize| opposites[i].map_or(0.0, |opposite| (opposite.at - polyline.vertices[i].at).length());
+            let across: f32 = run.iter().map(across).sum();
+            if length >= MIN_STRETCH * across / run.len() as f32 {
+                found.push(Stretch { polyline: number, other: beside, from: run[0], count: run.len(), saliency });
             }
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::opposite::opposites;
+    use super::super::testing::{area, bar, side, stroke};
+    use super::*;
+    use crate::lines::params::Params;
+
+    fn of(lines: &[Polyline<Vertex>]) -> Vec<Stretch> {
+        stretches(lines, &opposites(lines, area(), &Params::TEST))
+    }
+
+    #[test]
+    fn a_stretch_is_as_long_as_the_other_side_and_as_salient_as_it_is_long_and_strong() {
+        let found = of(&stroke(3.0));
+        let [long, short] = &found[..] else { panic!("{} stretches", found.len()) };
+        assert_eq!([(long.polyline, long.other), (short.polyline, short.other)], [(0, 1), (1, 0)]);
+        assert!((long.count as f32 * 0.4 - 20.0).abs() < 1.0 && (long.from as f32 * 0.4 - 10.0).abs() < 0.5);
+        assert!((short.saliency - 20.0 * 60.0).abs() < 60.0, "{}", short.saliency);
+    }
+
+    #[test]
+    fn the_stretches_of_a_ring_are_the_same_wherever_it_begins() {
+        let count = bar(3.0, 0).vertices.len();
+        let places = |start: usize| {
+            let mut places: Vec<(usize, usize)> =
+                of(&[bar(3.0, start)]).iter().map(|found| ((found.from + start) % count, found.count)).collect();
+            places.sort_unstable();
+            places
+        };
+        let first = places(0);
+        assert_eq!(first.len(), 2, "both sides: {first:?}");
+        for start in 1..count {
+            // which of the vertices at the ends of the bar still have an opposite is a matter of rounding
+            let is_alike =
+                |(a, b): (&(usize, usize), &(usize, usize))| a.0.abs_diff(b.0) <= 1 && a.1.abs_diff(b.1) <= 2;
+            let now = places(start);
+            assert!(
+                now.len() == 2 && now.iter().zip(&first).all(is_alike),
+                "{now:?} from vertex {start}, not {first:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_side_shorter_than_one_and_a_half_widths_is_no_stroke() {
+        let beside = |length: f32| {
+            let short = side(&[(20.0, 23.0), (20.0 + length, 23.0)], false, -60.0);
+            of(&[side(&[(10.0, 20.0), (50.0, 20.0)], false, 60.0), short]).len()
+        };
+        assert_eq!([beside(4.0), beside(5.2)], [0, 2]);
+    }
 }

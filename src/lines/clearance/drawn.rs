@@ -44,6 +44,10 @@ pub(super) struct Near<'a> {
     pub(super) missing: f32,
     /// Whether the two lines have a junction close by.
     pub(super) joins: bool,
+    /// Where on the other line it is nearest, mm along that.
+    pub(super) line_arc: f32,
+    /// How far along either line a junction is close by, mm.
+    pub(super) approach: f32,
 }
 
 /// The drawn lines.
@@ -330,15 +334,16 @@ impl<'a> DrawnLines<'a> {
             if !on || distance >= clearance {
                 return;
             }
-            let limit = self.params.approach(half, segment.half_width);
+            let approach = self.params.approach(half, segment.half_width);
             let line_arc = segment.arc + (at - segment.a).length();
             // it is the line that ends there, or either of two that cross, that must have come from far enough
             let way = |j: &Junction| match j.meeting {
                 Meeting::LineEnds => (j.line_arc - line_arc).abs(),
                 Meeting::PolylineEnds | Meeting::Cross(_) => passage.between(j.arc, arc),
             };
-            let joins = passage.junctions.iter().any(|j| j.line == segment.line && way(j) <= limit);
-            on = visit(&Near { segment, away: vertex.at - at, distance, missing: clearance - distance, joins });
+            let joins = passage.junctions.iter().any(|j| j.line == segment.line && way(j) <= approach);
+            let (away, missing) = (vertex.at - at, clearance - distance);
+            on = visit(&Near { segment, away, distance, missing, joins, line_arc, approach });
         });
     }
 

@@ -6,10 +6,9 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRef
 
 use super::displace::{MORE, OUTSIDE, farthest, is_held};
 use super::drawn::DrawnLines;
-use super::passage::{Junction, Passage};
+use super::passage::Passage;
 use super::self_distance::too_near;
 use super::shift::shifts;
-use crate::geom::nearby::Segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
@@ -112,7 +111,8 @@ impl All<'_> {
                 let other = near.segment.line as usize;
                 let is_rival = match other == number {
                     true => closed && too_near(line, &arcs, (arc, vertex), near.segment, params).is_some(),
-                    false => !near.joins && !self.is_joined(number, near.segment),
+                    // where the other one comes to a junction it may be near
+                    false => !near.joins && !self.passages[other].joins(number as u32, near.line_arc, near.approach),
                 };
                 let side = usize::from(tangent.cross(near.away) > 0.0);
                 if is_rival && near.missing > most[side] {
@@ -138,14 +138,6 @@ impl All<'_> {
             return pushes;
         }
         shifts(line, &pushes, passage, true)
-    }
-
-    /// Whether a segment of another line is on the way to a place where that ends on this line.
-    fn is_joined(&self, number: usize, segment: &Segment) -> bool {
-        let other = &self.passages[segment.line as usize];
-        let limit = self.drawn.params.approach(segment.half_width, 0.5 * self.drawn.params.width_max);
-        let joins = |j: &Junction| j.line as usize == number && other.between(j.arc, segment.arc) <= limit;
-        other.junctions.iter().any(joins)
     }
 
     /// How far a vertex may still move, mm.

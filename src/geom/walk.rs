@@ -1,0 +1,97 @@
+//! Going along polylines: vertex by vertex with the way gone, in a direction, and run by run.
+
+use lyon::geom::euclid::Vector2D;
+
+use super::polyline::{Located, Polyline};
+
+impl<V: Located> Polyline<V> {
+    /// The vertices from `i` on, forwards or backwards, each with its arc length from `i`; around a ring once.
+    pub fn walk(&self, i: usize, forwards: bool) -> impl Iterator<Item = (usize, f32)> {
+        let mut arc = 0.0;
+        let mut here = i;
+        (0..self.vertices.len() as isize).map_while(move |step| {
+            let to = self.view().next(i, if forwards { step } else { -step })?;
+            arc += (self.vertices[to].at() - self.vertices[here].at()).length();
+            here = to;
+            Some((to, arc))
+        })
+    }
+
+    /// The unit direction in which the polyline leaves vertex `i`, forwards or backwards: from its first vertex at
+    /// least `near` away, along itself, to its first at least `far` away. What lies nearer may be bent. None where it
+    /// ends before that.
+    pub fn heading(&self, i: usize, forwards: bool, [near, far]: [f32; 2]) -> Option<Vector2D<f32, V::Unit>> {
+        let first_at = |least: f32| self.walk(i, forwards).find(|(_, arc)| *arc >= least);
+        let [from, to] = [first_at(near)?, first_at(far)?].map(|(vertex, _)| self.vertices[vertex].at());
+        (to - from).try_normalize()
+    }
+}
+
+/// The first number from 1 on that is unlike the one before it, of so many round a ring; none if all are alike.
+fn first_change(count: usize, is_alike: &impl Fn(usize, usize) -> bool) -> Option<usize> {
+    (1..count).find(|&i| !is_alike(i - 1, i))
+}
+
+/// Numbers up to `count`, as those of the vertices of a polyline, in order; of a ring from a change on, so that nothing
+/// that belongs together lies on both sides of its seam, and the result does not depend on where the ring begins.
+pub fn in_order(count: usize, closed: bool, is_alike: impl Fn(usize, usize) -> bool) -> Vec<usize> {
+    let start = if closed { first_change(count, &is_alike).unwrap_or(0) } else { 0 };
+    (start..count).chain(0..start).collect()
+}
+
+/// Numbers up to `count` in runs of such as are alike, each with the next. See [`in_order`].
+pub fn runs(count: usize, closed: bool, is_alike: impl Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
+    let order = in_order(count, closed, &is_alike);
+    order.chunk_by(|&a, &b| is_alike(a, b)).map(<[usize]>::to_vec).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{MmPoint, MmVector};
+
+    /// Vertices 1 mm apart: 3 to the right, then 3 down.
+    fn corner(closed: bool) -> Polyline<MmPoint> {
+        let points = [(0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (3, 2), (3, 3)];
+        Polyline { vertices: points.map(|(x, y)| MmPoint::new(x as f32, y as f32)).into(), closed }
+    }
+
+    #[test]
+    fn a_walk_counts_arc_length_to_the_end_and_once_round() {
+        let steps = |closed, forwards| corner(closed).walk(2, forwards).collect::<Vec<_>>();
+        assert_eq!(steps(false, false), [(2, 0.0), (1, 1.0), (0, 2.0)]);
+        assert_eq!(steps(true, false).len(), 7);
+        let (vertex, arc) = steps(true, false)[3];
+        assert!(vertex == 6 && (arc - 2.0 - 18.0_f32.sqrt()).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_heading_leads_away_from_a_vertex_without_what_is_near() {
+        let (right, down) = (MmVector::new(1.0, 0.0), MmVector::new(0.0, 1.0));
+        assert_eq!(corner(false).heading(0, true, [0.0, 2.0]), Some(right));
+        assert_eq!(corner(false).heading(0, true, [3.0, 6.0]), Some(down));
+        assert_eq!(corner(false).heading(6, false, [0.0, 3.0]), Some(-down));
+        assert_eq!(corner(false).heading(6, false, [3.0, 5.0]), Some(-right));
+        assert_eq!(corner(false).heading(4, true, [0.0, 3.0]), None, "it ends 2 mm from there");
+        let over_the_seam = corner(true).heading(5, true, [1.0, 4.0]);
+        assert!(over_the_seam.is_some_and(|way| (way - MmVector::new(-1.0, -1.0) * 0.5_f32.sqrt()).length() < 1e-6));
+    }
+
+    #[test]
+    fn the_runs_of_a_ring_do_not_depend_on_where_it_begins() {
+        let of = |signs: &[u8], closed| runs(signs.len(), closed, |a, b| signs[a] == signs[b]);
+        assert_eq!(of(b"aabbba", false), [vec![0, 1], vec![2, 3, 4], vec![5]]);
+        assert_eq!(of(b"aabbba", true), [vec![2, 3, 4], vec![5, 0, 1]]);
+        assert_eq!(of(b"aaa", true), [[0, 1, 2]]);
+        assert_eq!(of(b"", true), [[0; 0]; 0]);
+        let signs = b"aaabbacccc";
+        for turn in 0..signs.len() {
+            let mut turned = *signs;
+            turned.rotate_left(turn);
+            let mut found: Vec<Vec<usize>> =
+                of(&turned, true).iter().map(|run| run.iter().map(|i| (i + turn) % signs.len()).collect()).collect();
+            found.sort();
+            assert_eq!(found, [vec![0, 1, 2], vec![3, 4], vec![5], vec![6, 7, 8, 9]]);
+        }
+    }
+}
