@@ -26,6 +26,7 @@ mod report;
 mod rules;
 mod spaces;
 mod strokes;
+mod twins;
 mod verdict;
 mod ways;
 mod words;
@@ -119,9 +120,11 @@ fn checked((found, mends): (Vec<Found>, bool), page: &Page, limits: &Limits, fel
 }
 
 fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
-    let felt = page.risen();
+    let (felt, names, twins) = twins::merged(page.risen(), names);
+    let names = &names;
     let marks = marks::marks_of(&felt);
-    let mut found = areas::findings(&felt, names, &marks, limits);
+    let mut found = twins;
+    found.extend(areas::findings(&felt, names, &marks, limits));
     found.extend(areas::black(page, limits));
     found.extend(spaces::findings(&felt, names, &marks, limits));
     let is_part = matches!(InSet::of(page), Some(InSet::One(..)));
