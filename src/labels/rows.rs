@@ -54,14 +54,17 @@ pub struct Group {
 enum Level {
     Whole,
     TwoLines,
+    /// Each as it fits beside its anchor, in a column.
+    Fitting,
     Short,
 }
 
 impl Level {
     /// The number of a label's form; of those that have no such form, the whole text.
-    fn form(self, forms: &[Form]) -> usize {
+    fn form(self, forms: &[Form], fits: impl Fn(&Form) -> bool) -> usize {
         let is = |form: &Form| match self {
             Self::Whole => false,
+            Self::Fitting => fits(form),
             Self::TwoLines => form.is_in_two_lines(),
             Self::Short => form.abbreviation.is_some(),
         };
@@ -158,7 +161,15 @@ struct Way {
 
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
 fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
-    let levels = [Level::Whole, Level::TwoLines, Level::Short];
+    let levels = [Level::Whole, Level::TwoLines, Level::Fitting, Level::Short];
+    let fits = |label: usize, form: &Form| match group.lies {
+        Lies::Column(side) => {
+            let (anchor, area) = (of.wanted[label].anchor, of.params.area);
+            let free = (1.0 - side) * (area.max.x - anchor.min.x) + side * (anchor.max.x - area.min.x);
+            form.extent(of.cells).x <= free
+        }
+        _ => false,
+    };
     let ways = [(1, false), (2, false), (1, true), (2, true)].map(|(rows, leads)| Way { rows, leads });
     let ways = if matches!(group.lies, Lies::Column(_)) { &ways[..1] } else { &ways };
     let tried = ways.iter().flat_map(|&way| levels.map(|level| (way, level)));
@@ -167,8 +178,17 @@ fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Opti
         let forms: Vec<usize> = group
             .members
             .iter()
-            .map(|&label| of.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms)))
+            .map(|&label| {
+                of.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
+            })
             .collect();
+        // those that fit are all words, or none of them counts
+        let is_short = |(&label, &number): (&usize, &usize)| {
+            of.forms[label].as_ref().is_ok_and(|forms| forms.forms[number].abbreviation.is_some())
+        };
+        if level == Level::Fitting && group.members.iter().zip(&forms).any(is_short) {
+            continue;
+        }
         let tried = (way, forms);
         if seen.contains(&tried) {
             continue;
@@ -205,7 +225,7 @@ fn in_rows(
     let (nearest, furthest) = if leads { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
     // below before above
     let offsets = both_ways(nearest, furthest);
-    let at = |offset: f32| -> Option<Vec<Candidate>> {
+    let at = |offset: f32, moves: bool| -> Option<Vec<Candidate>> {
         let mut found: Vec<Candidate> = Vec::with_capacity(sizes.len());
         for (number, &label) in group.members.iter().enumerate() {
             let (anchor, size, row) = (of.wanted[label].anchor, sizes[number], (number % rows) as f32);
@@ -229,14 +249,17 @@ fn in_rows(
                     && others.all(|other| !candidate.is_too_near(other, JUST, of.params.leader_off));
                 is_free.then_some(candidate)
             };
-            let steps = (may_move / of.params.step).floor().max(0.0) as i32;
+            let steps = if moves { (may_move / of.params.step).floor().max(0.0) as i32 } else { 0 };
             let free = both_ways(0, steps).find_map(|step| candidate(step as f32 * of.params.step))?;
             found.push(free);
         }
         Some(found)
     };
     let is_wanted = |offset: &i32| *offset >= 0 || group.lies != Lies::BelowPoints;
-    offsets.filter(is_wanted).find_map(|offset| at(offset as f32 * of.params.step))
+    let offsets: Vec<f32> = offsets.filter(is_wanted).map(|offset| offset as f32 * of.params.step).collect();
+    // each at its own anchor, if that can be
+    let tried = [false, true].into_iter().flat_map(|moves| offsets.iter().map(move |offset| (*offset, moves)));
+    tried.into_iter().find_map(|(offset, moves)| at(offset, moves))
 }
 
 /// Whether a label of a row can lie in its place: free, and with a free way for its leader line; without one on its
