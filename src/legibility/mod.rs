@@ -120,8 +120,9 @@ fn checked((found, mends): (Vec<Found>, bool), page: &Page, limits: &Limits, fel
 }
 
 fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
-    let (felt, names, twins) = twins::merged(page.risen(), names);
-    let names = &names;
+    let (page, names, twins) = twins::merged(page.clone(), names);
+    let (page, names) = (&page, &names);
+    let felt = page.risen();
     let marks = marks::marks_of(&felt);
     let mut found = twins;
     found.extend(areas::findings(&felt, names, &marks, limits));
