@@ -151,7 +151,7 @@ mod wording;
 // Functions, and what they take.
 pub use api::{
     Calibration, FeelError, Felt, Fonts, Options, calibrate, check, check_marked, convert, convert_to_sheets, describe,
-    feel, profile_of_page, render, render_with_key, rules, trace, write_pdf,
+    feel, language_of_page, profile_of_page, render, render_with_key, render_with_translator, rules, trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};

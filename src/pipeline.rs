@@ -15,6 +15,8 @@ mod hand_lines;
 mod kept_lines;
 mod key;
 mod label;
+mod lost_signs;
+mod margins;
 mod outlines;
 mod overview;
 mod print_words;
@@ -46,13 +48,15 @@ pub use text_reader::TextReader;
 pub use texts::Text;
 pub use words::Words;
 
+use crate::braille::Translate;
 use crate::devices::Family;
 use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::units::MmRect;
+use crate::raster::vector::DrawnText;
+use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{Marks, draw};
 use finish::{finished, origin, too_black};
@@ -109,7 +113,12 @@ pub fn convert_with_words<'p>(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let written = Written::new(words, request.plan);
-    let marks = draw(picture.into(), given, request, &|size| written.layout(size, request), watch)?;
+    let layout_of = |size: Size| written.layout(size, request);
+    let with_room = |texts: &[DrawnText], sizes: [Size; 2], layout: Layout| {
+        let cell = request.plan.profile().braille.cell;
+        margins::with_room(texts, sizes, (words, &written, cell), layout, &layout_of)
+    };
+    let marks = draw(picture.into(), given, request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)
 }
 
@@ -121,12 +130,12 @@ pub fn convert_with_words<'p>(
 pub fn redraw(
     (page, lines): (&Page, &[LineName]),
     own: &Plan,
-    key: Key,
+    (key, translate): (Key, Option<&Translate>),
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let labels = redraw::labels(page);
-    let words = Words { key, ..redraw::words(page, &labels) };
+    let words = Words { key, translate, ..redraw::words(page, &labels) };
     let written = Written::new(&words, request.plan);
     let layout = written.layout(redraw::shape(page), request)?;
     let marks = redraw::marks((page, lines), own, layout, request, watch)?;
@@ -142,7 +151,8 @@ fn compose(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let Marks { mut figure, overview, layout, is_flat, left_out, texts, mut notes } = marks;
+    let Marks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
+    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
@@ -190,7 +200,7 @@ fn assemble(
     let parts = Parts {
         title: request.title.to_owned(),
         origin: [origin(request, figure.source, &braille), left_out.to_origin()].concat(),
-        frame: around(figure.place),
+        frame: around(layout.room),
         orientation_mark: layout.mark.clone(),
         overview,
         braille,

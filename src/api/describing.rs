@@ -36,7 +36,7 @@ pub fn describe(
         read.page
     } else {
         let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-        pipeline::adapted(&read, &plan)?.page
+        pipeline::adapted(&read, &plan, None)?.page
     };
     Ok(description::describe(&page, &checked.verdict, wording))
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::braille::Translate;
 use crate::page::Page;
 use crate::pipeline::{self, Adapted, Drawing, Fit, Key as KeySheets, Request};
 use crate::profile::{Plan, Profile};
@@ -42,10 +43,33 @@ pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawin
 /// # Errors
 /// As [`render`].
 pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: KeySheets) -> Result<Drawing, Error> {
-    let mut read = reading::read(svg.as_ref())?;
+    rendered(svg.as_ref(), profile, key, None)
+}
+
+/// As [`render_with_key`], with words that are written anew in the cells that `translate` gives, as by
+/// [`Options::translator`](crate::Options::translator): for pages in contracted braille.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_with_translator(
+    svg: impl AsRef<[u8]>,
+    profile: Option<&Profile>,
+    key: KeySheets,
+    translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static,
+) -> Result<Drawing, Error> {
+    rendered(svg.as_ref(), profile, key, Some(&translate))
+}
+
+fn rendered(
+    svg: &[u8],
+    profile: Option<&Profile>,
+    key: KeySheets,
+    translate: Option<&Translate>,
+) -> Result<Drawing, Error> {
+    let mut read = reading::read(svg)?;
     let mut notes = std::mem::take(&mut read.notes);
     let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
-    let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own)?;
+    let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
     let request = |plan, mirrored| Request {
         plan,
         limits: Limits::default(),
@@ -59,7 +83,7 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
         notes.extend(more.into_iter().chain(of_places));
         // the abbreviations that were there before have their key already
         let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
-        let (key, of_key) = pipeline::key_of_page(&page, key, &request(&own, page.is_mirrored()))?;
+        let (key, of_key) = pipeline::key_of_page(&page, (key, translate), &request(&own, page.is_mirrored()))?;
         notes.extend(of_key);
         let key = in_language(key, &page);
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });
@@ -68,7 +92,7 @@ pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: Ke
     // words are placed anew, wherever they stand on the page
     notes.retain(|note| !matches!(note, Note::TakenAs(About::Braille | About::Leaders | About::Print, _)));
     notes.extend(more);
-    let mut drawing = pipeline::redraw((&page, &lines), &own, key, &request(&plan, false), &mut |_| ())?;
+    let mut drawing = pipeline::redraw((&page, &lines), &own, (key, translate), &request(&plan, false), &mut |_| ())?;
     // words of a person stay, those of ours are of the new page
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));
@@ -89,4 +113,12 @@ fn in_language(key: Vec<Page>, page: &Page) -> Vec<Page> {
 /// As [`render`].
 pub fn profile_of_page(svg: impl AsRef<[u8]>) -> Result<Profile, Error> {
     Profile::of_page(&reading::read(svg.as_ref())?.page.origin)
+}
+
+/// The language of a page's words (BCP 47).
+///
+/// # Errors
+/// As [`render`].
+pub fn language_of_page(svg: impl AsRef<[u8]>) -> Result<String, Error> {
+    Ok(reading::read(svg.as_ref())?.page.language.clone())
 }

@@ -65,8 +65,8 @@ pub(super) struct Made {
     pub(super) files: Vec<Vec<u8>>,
     /// Those of the preview.
     pub(super) previews: Vec<Vec<u8>>,
-    /// How many sheets these hold; 0 for what has no sheets.
-    pub(super) sheets: usize,
+    /// What each of their sheets is; none for what has no sheets.
+    pub(super) sheets: Vec<String>,
     /// Remarks on it.
     pub(super) notes: Vec<Note>,
     /// What is said of it, where that was asked for.
@@ -235,7 +235,7 @@ fn work(
         None => Vec::new(),
     };
     let mut notes: Vec<String> = notes.iter().map(remark).collect();
-    let (wrote, page_names) = (wrote(&pages, &previews, sheets), names_of(&pages));
+    let (wrote, page_names) = (wrote(&pages, &previews, &sheets), names_of(&pages));
     let preview_names = names_of(&previews);
     let all: Vec<Piece<'_>> = pages.into_iter().chain(previews).collect();
     timings.step("write", || sheets::write(&all))?;
@@ -252,10 +252,9 @@ fn names_of(pieces: &[Piece<'_>]) -> Vec<String> {
 }
 
 /// What was written, for a message.
-fn wrote(pages: &[Piece<'_>], previews: &[Piece<'_>], sheets: usize) -> String {
-    // of several files the numbers say it
-    let page = sheets::names(pages) + &if pages.len() == 1 { output::and_sheets(sheets) } else { String::new() };
-    match (previews, sheets) {
+fn wrote(pages: &[Piece<'_>], previews: &[Piece<'_>], sheets: &[String]) -> String {
+    let page = sheets::names(pages) + &output::and_sheets(sheets, pages.len());
+    match (previews, sheets.len()) {
         ([], _) => page,
         (_, 0 | 1) => format!("{page} and {}", sheets::names(previews)),
         _ => format!("{page}, and {}", sheets::names(previews)),

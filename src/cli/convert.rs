@@ -204,7 +204,8 @@ impl Drawn {
             let previews = chosen.preview.map(Format::Drawing).map_or_else(|| Ok(Vec::new()), encode)?;
             Ok::<_, Error>((files, previews))
         })?;
-        Ok(Made { files, previews, sheets: pages.len(), notes, checked, description })
+        let sheets = pages.iter().map(Page::part_of_set).collect();
+        Ok(Made { files, previews, sheets, notes, checked, description })
     }
 }
 

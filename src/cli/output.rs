@@ -206,9 +206,27 @@ fn follow(path: &Path, noun: &str) -> anyhow::Result<PathBuf> {
     bail!("the {noun} cannot be written here, as this link leads round in a circle; choose another name")
 }
 
-/// What is said after the name of a file of so many sheets; nothing for one.
-pub(super) fn and_sheets(count: usize) -> String {
-    if count > 1 { format!(", {count} sheets") } else { String::new() }
+/// What is said after the name of a file of sheets of these `parts` of a picture, or of several files with numbers:
+/// which of them is what; nothing for one sheet.
+pub(super) fn and_sheets(parts: &[String], files: usize) -> String {
+    if parts.len() < 2 {
+        return String::new();
+    }
+    let count = if files == 1 { format!(", {} sheets", parts.len()) } else { String::new() };
+    if are_alike(parts) {
+        return count;
+    }
+    let alike = parts.chunk_by(|a, b| a == b).map(|alike| match alike {
+        [one] => one.clone(),
+        [one, ..] => format!("{} of the {one}", alike.len()),
+        [] => String::new(),
+    });
+    format!("{count}: {}", alike.collect::<Vec<_>>().join(", "))
+}
+
+/// Whether sheets are all of one kind, which says nothing of any of them.
+pub(super) fn are_alike(parts: &[String]) -> bool {
+    parts.windows(2).all(|pair| pair[0] == pair[1])
 }
 
 /// The directory that a file lies in.

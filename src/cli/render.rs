@@ -1,6 +1,6 @@
 //! `tactograph render`: a page in, edited or not, the same page in any format out.
 
-use tactograph::{Page, Profile, profile_of_page, render_with_key};
+use tactograph::{Page, Profile, Value, language_of_page, profile_of_page, render_with_key, render_with_translator};
 
 use super::args::Render;
 use super::dots;
@@ -8,7 +8,7 @@ use super::product::{Format, Product};
 use super::report::{Exit, Report};
 use super::settings::Change;
 use super::sheets::Failure;
-use super::{input, places, settings, sheets};
+use super::{input, louis, places, settings, sheets};
 
 /// Longest page that is read, bytes.
 const MOST_BYTES: u64 = 100_000_000;
@@ -64,16 +64,49 @@ fn read(
     let failed = |what: String| (Exit::Failed, vec![what]);
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long).map_err(|error| failed(format!("{error:#}")))?;
+    let own = profile_of_page(&bytes).map_err(|error| failed(error.to_string()))?;
     if other.is_none() {
-        let own = profile_of_page(&bytes).map_err(|error| failed(error.to_string()))?;
         let (chosen, _) = args.writing.choose(Some(&args.output));
         let faults = dots::faults(chosen.format, &own, &args.embossing);
         if !faults.is_empty() {
             return Err((Exit::Usage, faults));
         }
     }
-    let drawing = render_with_key(&bytes, other, args.key.sheets()).map_err(|error| failed(error.to_string()))?;
+    let (other, table) = contracted(&bytes, &own, other, args, |why| report.note(name, why));
+    let (other, key) = (other.as_ref(), args.key.sheets());
+    let drawing = match table {
+        Some(table) => render_with_translator(&bytes, other, key, move |text| louis::translate(&table, text)),
+        None => render_with_key(&bytes, other, key),
+    };
+    let drawing = drawing.map_err(|error| failed(error.to_string()))?;
     drawing.notes.iter().for_each(|note| report.note(name, &note.to_string()));
     let title = drawing.page.title.clone();
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))
+}
+
+/// The profile that the page is laid out anew for, with contracted braille where the page has that, unless `--set` says
+/// otherwise; and the table of liblouis that writes it.
+fn contracted(
+    bytes: &[u8],
+    own: &Profile,
+    other: Option<&Profile>,
+    args: &Render,
+    tell: impl Fn(&str),
+) -> (Option<Profile>, Option<String>) {
+    const GRADE: &str = "braille.grade";
+    let is_contracted = |profile: &Profile| profile.get(GRADE) == Some(Value::Number(2.0));
+    let is_set = args.set.iter().any(|set| set.split('=').next().is_some_and(|key| key.trim() == GRADE));
+    let mut other = other.cloned();
+    if let Some(other) = other.as_mut().filter(|_| is_contracted(own) && !is_set) {
+        // a number that the page has is one that the key takes
+        let _ = other.set(GRADE, "2");
+    }
+    let profile = other.as_ref().unwrap_or(own);
+    let language = language_of_page(bytes).unwrap_or_default();
+    let table = if is_contracted(profile) { louis::wanted(None, profile, &language) } else { Ok(None) };
+    let table = table.unwrap_or_else(|why| {
+        tell(&format!("{why}; until then words that are written anew are uncontracted"));
+        None
+    });
+    (other, table)
 }

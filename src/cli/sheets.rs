@@ -158,7 +158,15 @@ pub(super) fn write_pages(
         all.extend(pieces(Product::Page(format), &Target::Derived(path), &previews, &made_up)?);
     }
     write(&all)?;
-    let count = |files: &[Vec<u8>]| if files.len() == 1 { output::and_sheets(pages.len()) } else { String::new() };
-    let counts = files.iter().map(|_| count(&files)).chain(previews.iter().map(|_| count(&previews)));
+    let parts: Vec<String> = pages.iter().map(Page::part_of_set).collect();
+    // of several files each is named by itself
+    let of_files = |files: &[Vec<u8>]| match files {
+        [_] => vec![output::and_sheets(&parts, 1)],
+        _ if files.len() == parts.len() && !output::are_alike(&parts) => {
+            parts.iter().map(|part| format!(": {part}")).collect()
+        }
+        _ => vec![String::new(); files.len()],
+    };
+    let counts = of_files(&files).into_iter().chain(of_files(&previews));
     Ok(all.iter().zip(counts).map(|(piece, sheets)| places::target_name(&piece.target) + &sheets).collect())
 }

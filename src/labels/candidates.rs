@@ -3,7 +3,7 @@
 use super::forms::Form;
 use super::placed::{Params, Wanted, to_box};
 use super::room::Room;
-use crate::geom::segment_distance;
+use crate::geom::{nearest_on_segment, segment_distance};
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -18,6 +18,8 @@ pub(super) struct Candidate {
     /// Whether that leads across other lines.
     pub(super) crosses: bool,
     pub(super) cost: f32,
+    /// Whether it was placed together with the labels of its row or column, which keep their own blank.
+    is_in_row: bool,
 }
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
@@ -25,27 +27,30 @@ pub(super) struct Candidate {
 pub const NEAR: f32 = 12.0;
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
 const FAR: f32 = 37.5;
+/// Blank between a leader line and what another label names, mm: nearer it would lead there.
+const TO_OTHERS: f32 = 4.0;
 /// Blank between a label and its own leader line, mm.
-const BEFORE_LEADER: f32 = 3.0;
+pub(super) const BEFORE_LEADER: f32 = 3.0;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
 const BESIDE: f32 = 2.0;
 /// A leader line may come near to lines where it ends, over this length, mm.
 const AT_END: f32 = 4.0;
-/// A ring that reaches no further than this around a point is what the point names, mm: then a label beside it needs no
-/// leader line either.
+/// A ring that reaches no further than this around a point is what the point names, mm: then a label beside it needs
+/// no leader line either.
 const LARGEST_RING: f32 = 9.0;
 /// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
 const AROUND_RING: f32 = 2.0;
-/// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given more
-/// exactly.
+/// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
+/// more exactly.
 const BELOW: f32 = 6.0;
 /// What a label of such a point costs for each mm that its middle is off it, so that it stands in the middle below the
 /// shape where there is room, and not below the next one...
 const OFF_MIDDLE: f32 = 0.5;
 /// ... and what it costs elsewhere than below, mm.
 const NOT_BELOW: f32 = 12.0;
-/// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a row
-/// of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the bars.
+/// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a
+/// row of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the
+/// bars.
 const ALONG: f32 = 3.0;
 /// What a label costs for each mm above or below the row of the line that leads to it: a word that is whole just above
 /// that line is better than one that is divided beside it.
@@ -56,7 +61,7 @@ const BESIDE_TEXT: f32 = 5.0;
 /// on: more than a step of a grid of dots, mm.
 const ON_THE_LEFT: f32 = 3.0;
 const ABOVE_OR_BELOW: f32 = 4.0;
-/// Blank between a label and the leader line of another, mm.
+/// Blank between a label and the leader line of another, mm, beside what that lies off its straight way.
 const TO_LEADER: f32 = 3.5;
 /// What a leader line costs: the millimetres that another place may lie further away.
 const LEADER: f32 = 10.0;
@@ -82,6 +87,11 @@ pub(super) struct Spacing {
     above: f32,
 }
 
+/// The least blank: where there is room for no more.
+pub(super) const TIGHTEST: Spacing = Spacing { aside: 6.0, above: 3.5 };
+/// The same, less a hair for sums of floating point.
+pub(super) const JUST: Spacing = Spacing { aside: 5.99, above: 3.49 };
+
 impl Spacing {
     /// As columns of a table in braille, which two blank cells keep apart; one above the other, more than lines of one
     /// text.
@@ -89,8 +99,15 @@ impl Spacing {
         Self { aside: blank(cells, 2), above: 7.0 }
     }
 
-    /// The least: where there is room for no more.
-    pub(super) const TIGHT: Self = Self { aside: 6.0, above: 3.5 };
+    /// Blank on either side.
+    pub(super) fn aside(self) -> f32 {
+        self.aside
+    }
+
+    /// Blank above and below.
+    pub(super) fn above(self) -> f32 {
+        self.above
+    }
 
     /// As words of a text, which a blank cell keeps apart, and its lines.
     pub(super) fn narrow(cells: &CellGrid<'_>) -> Self {
@@ -106,15 +123,30 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 }
 
 impl Candidate {
-    /// Whether two labels cannot both be there.
-    pub(super) fn conflicts(&self, other: &Self, spacing: Spacing) -> bool {
+    /// One that is placed together with its row.
+    pub(super) fn in_row(form: usize, place: MmRect, leader: Option<[MmPoint; 2]>, cost: f32) -> Self {
+        Self { form, place, leader, crosses: false, cost, is_in_row: true }
+    }
+
+    /// Whether it stands in a row that is placed as a whole.
+    pub(super) fn is_in_row(&self) -> bool {
+        self.is_in_row
+    }
+
+    /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight way.
+    pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
+        !(self.is_in_row && other.is_in_row) && self.is_too_near(other, spacing, off)
+    }
+
+    /// Whether labels or their leader lines have less blank between them than this.
+    pub(super) fn is_too_near(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
         let Spacing { aside, above } = spacing;
         let near = self.place.inflate(aside, above).intersects(&other.place);
         let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
             leader.is_some_and(|[a, b]| {
                 let corners = corners(place);
                 let to_side = |i: usize| segment_distance((a, b), (corners[i], corners[(i + 1) % 4]));
-                place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < TO_LEADER)
+                place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < TO_LEADER + off)
             })
         };
         let leaders = || match (self.leader, other.leader) {
@@ -130,16 +162,26 @@ pub(super) struct Around<'a> {
     room: &'a Room,
     params: &'a Params,
     /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
-    end: f32,
+    pub(super) end: f32,
     /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
-    is_at_lower_side: bool,
+    pub(super) is_at_lower_side: bool,
     /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
     line_on: Option<f32>,
+    /// What the label names.
+    anchor: MmPoint,
+    /// What labels beside it name.
+    others: Vec<MmPoint>,
 }
 
 impl<'a> Around<'a> {
-    pub(super) fn of(label: &Wanted, room: &'a Room, params: &'a Params) -> Self {
+    /// Of one of the labels; `longest` is the length of its longest form, mm.
+    pub(super) fn of(number: usize, wanted: &[Wanted], longest: f32, room: &'a Room, params: &'a Params) -> Self {
+        let label = &wanted[number];
         let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
+        // a label without a leader line, and what lies no further from it than what it names
+        let reach = 2.0 * NEAR + longest;
+        let others = wanted.iter().enumerate().filter(|(other, _)| *other != number);
+        let others = others.map(|(_, other)| other.anchor.center()).filter(|other| (*other - at).length() < reach);
         // a small ring around a point, such as a town on a map, is what it names
         let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
         Self {
@@ -148,7 +190,34 @@ impl<'a> Around<'a> {
             end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
             is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
             line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
+            anchor: at,
+            others: others.collect(),
         }
+    }
+
+    /// Whether a label and its leader line keep clear of what other labels name.
+    pub(super) fn leads_to_own(&self, place: MmRect, [from, to]: [MmPoint; 2]) -> bool {
+        let to_way = |other: MmPoint| nearest_on_segment(other, from, to).0;
+        let is_clear = |&other: &MmPoint| {
+            to_box(other, place) >= TO_OTHERS && (to_way(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
+        };
+        self.others.iter().all(is_clear)
+    }
+
+    /// How far the marks of a leader line lie off its straight way, mm.
+    pub(super) fn leader_off(&self) -> f32 {
+        self.params.leader_off
+    }
+
+    /// Whether a label in a place is nearer to what it names than to what any other label names, so that no finger
+    /// takes it for that one's. Of those that it lies over, its own must be nearest to its middle.
+    pub(super) fn is_own(&self, place: MmRect) -> bool {
+        let far = |at: MmPoint| (to_box(at, place), (at - place.center()).length());
+        let (own, from_middle) = far(self.anchor);
+        self.others.iter().all(|&other| {
+            let (gap, middle) = far(other);
+            gap > own || gap >= own && middle >= from_middle
+        })
     }
 }
 
@@ -170,9 +239,8 @@ fn of_form(
     around: &Around<'_>,
     cells: &CellGrid<'_>,
 ) -> Vec<Candidate> {
-    let Around { room, params, .. } = *around;
-    let longest = form.lines.iter().map(Vec::len).max().unwrap_or(0);
-    let size = cells.extent(longest, form.lines.len());
+    let Around { room, params, .. } = around;
+    let size = form.extent(cells);
     let anchor = label.anchor.center();
     // one that is longer than all the room is not looked for: the work would grow with its length
     if size.x > params.area.width() || size.y > params.area.height() {
@@ -187,8 +255,7 @@ fn of_form(
         for x in -across..=across {
             let corner = middle + MmVector::new(x as f32, y as f32) * params.step;
             let place = cells.snapped(MmRect::new(corner, corner + size));
-            let is_whole = params.tiles.is_empty() || params.tiles.iter().any(|tile| tile.contains_box(&place));
-            if is_whole && room.is_free(place) {
+            if params.holds(&place) && room.is_free(place) {
                 found.extend(candidate(label, number, form, place, around));
             }
         }
@@ -197,7 +264,7 @@ fn of_form(
 }
 
 fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: &Around<'_>) -> Option<Candidate> {
-    let Around { room, params, end, is_at_lower_side, line_on } = *around;
+    let &Around { room, params, end, is_at_lower_side, line_on, .. } = around;
     let anchor = label.anchor.center();
     let gap = to_box(anchor, place);
     let is_point = label.anchor.is_empty();
@@ -212,13 +279,15 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         let way = anchor - from;
         (way.length() > SHORTEST_LEADER).then(|| [from + way.normalize() * BEFORE_LEADER, anchor])
     };
-    // a label on the other side of a line names what is there, unless a line leads across
-    let is_near = gap <= NEAR && is_open(&nearest);
+    // a label on the other side of a line names what is there, unless a line leads across; one that is nearer to what
+    // another names is taken for the other's
+    let is_near = gap <= NEAR && is_open(&nearest) && around.is_own(place);
     let clear = || {
         // one that begins at a corner must not run along its own label
         let leaves = |[from, _]: &[MmPoint; 2]| to_box(*from, place) >= 0.7 * BEFORE_LEADER;
         let ways = starts().filter(is_open).filter_map(leads).filter(leaves);
-        ways.into_iter().find(|[from, to]| room.is_free_way(*from, *to, end))
+        ways.into_iter()
+            .find(|[from, to]| room.is_free_way(*from, *to, end) && around.leads_to_own(place, [*from, *to]))
     };
     let (leader, crosses) = match is_near {
         true => (None, false),
@@ -250,7 +319,7 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         None => 0.0,
     };
     let cost = form.cost + distance + elsewhere + GLYPH * glyphs + leader_cost;
-    Some(Candidate { form: number, place, leader, crosses, cost })
+    Some(Candidate { form: number, place, leader, crosses, cost, is_in_row: false })
 }
 
 /// A better place of a label near to the one that it has, by the steps between those that were kept; none if there is
@@ -268,9 +337,7 @@ pub(super) fn better(
     let mut best: Option<Candidate> = None;
     for (x, y) in (-steps..=steps).flat_map(|y| (-steps..=steps).map(move |x| (x, y))) {
         let place = cells.snapped(now.place.translate(MmVector::new(x as f32, y as f32) * step));
-        let params = around.params;
-        let is_whole = params.tiles.is_empty() || params.tiles.iter().any(|tile| tile.contains_box(&place));
-        if !is_whole || !around.room.is_free(place) {
+        if !around.params.holds(&place) || !around.room.is_free(place) {
             continue;
         }
         let least = best.as_ref().map_or(now.cost - WORTH_A_MOVE, |best| best.cost);

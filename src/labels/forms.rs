@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use super::abbreviate;
 use super::placed::Unplaced;
 use crate::braille::{Braille, Divide, Lacking, Translator, in_two};
+use crate::page::cells::CellGrid;
+use crate::units::MmVector;
 
 /// One form of a label.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +16,18 @@ pub(super) struct Form {
     pub(super) abbreviation: Option<String>,
     /// What this form costs beside one in a single line: the millimetres that a label may lie further away for it.
     pub(super) cost: f32,
+}
+
+impl Form {
+    /// The box around its dots.
+    pub(super) fn extent(&self, cells: &CellGrid<'_>) -> MmVector {
+        cells.extent(self.lines.iter().map(Vec::len).max().unwrap_or(0), self.lines.len())
+    }
+
+    /// Whether it is the whole text in two lines that divide no word.
+    pub(super) fn is_in_two_lines(&self) -> bool {
+        self.lines.len() == 2 && self.cost < DIVIDED
+    }
 }
 
 /// What a label can be written as.

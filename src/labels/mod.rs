@@ -1,7 +1,8 @@
 //! Labels in braille: each beside what it names, apart from lines and from one another.
 //!
 //! ```text
-//! wanted -> forms (one line, two, abbreviated) -> candidates (free places near the anchor) -> choose -> placed
+//! wanted -> forms (one line, two, abbreviated) -> rows (as a whole) ------------------------.
+//!                                            `-> candidates (free places near the anchor) -> choose -> placed
 //! ```
 //!
 //! Labels are horizontal, as fingers read them, and 3 mm from lines; textures make room for them. One that has to lie
@@ -13,16 +14,18 @@ mod choose;
 mod forms;
 mod placed;
 mod room;
+mod rows;
 
 pub use candidates::NEAR;
 pub use choose::{Choice, choose};
 pub use forms::LONGEST;
 pub use placed::{Params, Placed, Unplaced, Wanted};
+pub use rows::{Lies, least_blank, of_texts};
 
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
-use candidates::{Around, Candidate, Spacing};
+use candidates::{Around, Candidate, Spacing, TIGHTEST};
 use forms::{Form, Forms};
 use room::Room;
 
@@ -49,13 +52,20 @@ pub fn place(
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let forms = forms::of(&texts, translator);
-    let around: Vec<Around<'_>> = wanted.iter().map(|label| Around::of(label, &room, params)).collect();
-    let candidates_of = |((label, around), forms): ((&Wanted, &Around<'_>), &Result<Forms, Unplaced>)| match forms {
-        Ok(forms) => candidates::of(label, &forms.forms, around, cells),
-        Err(_) => Vec::new(),
+    let longest = |forms: &Result<Forms, Unplaced>| {
+        let forms = forms.iter().flat_map(|forms| &forms.forms);
+        forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
     };
-    let candidates: Vec<Vec<Candidate>> = wanted.iter().zip(&around).zip(&forms).map(candidates_of).collect();
-    let (chosen, spacing) = chosen(&candidates, &forms, cells);
+    let around = |(number, forms)| Around::of(number, wanted, longest(forms), &room, params);
+    let around: Vec<Around<'_>> = forms.iter().enumerate().map(around).collect();
+    let in_rows = rows::placed(&rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells });
+    let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
+        (Some(in_row), _) => vec![in_row],
+        (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells),
+        (None, Err(_)) => Vec::new(),
+    };
+    let candidates: Vec<Vec<Candidate>> = in_rows.into_iter().enumerate().map(candidates_of).collect();
+    let (chosen, spacing) = chosen(&candidates, &forms, cells, params.leader_off);
     let chosen = chosen.into_iter().zip(candidates);
     let mut chosen: Vec<Option<Candidate>> =
         chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
@@ -70,12 +80,13 @@ fn chosen(
     candidates: &[Vec<Candidate>],
     forms: &[Result<Forms, Unplaced>],
     cells: &CellGrid<'_>,
+    leader_off: f32,
 ) -> (Vec<Option<usize>>, Spacing) {
     let costs: Vec<Vec<f32>> =
         candidates.iter().map(|of| of.iter().map(|candidate| candidate.cost).collect()).collect();
     let chosen_with = |spacing: Spacing| {
         let of = |choice: Choice| &candidates[choice.label][choice.candidate];
-        let chosen = choose(&costs, &|a, b| of(a).conflicts(of(b), spacing));
+        let chosen = choose(&costs, &|a, b| of(a).conflicts(of(b), spacing, leader_off));
         (loss(&chosen, candidates, forms), chosen, spacing)
     };
     let (wide, narrow) = (chosen_with(Spacing::wide(cells)), chosen_with(Spacing::narrow(cells)));
@@ -83,7 +94,7 @@ fn chosen(
         narrow.0.lost < wide.0.lost || narrow.0.lost == wide.0.lost && narrow.0.cost + WORTH_LESS_BLANK < wide.0.cost;
     let mut best = if is_better { narrow } else { wide };
     if best.0.lost > (0, 0) {
-        let tight = chosen_with(Spacing::TIGHT);
+        let tight = chosen_with(TIGHTEST);
         if tight.0.lost < best.0.lost {
             best = tight;
         }
@@ -122,9 +133,13 @@ fn move_nearer(
         let mut changed = false;
         for number in 0..chosen.len() {
             let (Some(now), Ok(of)) = (&chosen[number], &forms[number]) else { continue };
+            if now.is_in_row() {
+                continue;
+            }
             let others =
                 || chosen.iter().enumerate().filter(|(other, _)| *other != number).filter_map(|(_, of)| of.as_ref());
-            let is_free = |found: &Candidate| !others().any(|other| found.conflicts(other, spacing));
+            let off = around[number].leader_off();
+            let is_free = |found: &Candidate| !others().any(|other| found.conflicts(other, spacing, off));
             let form = &of.forms[now.form];
             if let Some(better) = candidates::better(&wanted[number], form, now, &around[number], cells, is_free) {
                 chosen[number] = Some(better);

@@ -19,6 +19,15 @@ pub struct Params {
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
     pub step: f32,
+    /// How far the marks of a leader line lie off its straight way, at most, mm: on a grid they stand on its dots.
+    pub leader_off: f32,
+}
+
+impl Params {
+    /// Whether a box is whole in one of the tiles, if there are any.
+    pub(super) fn holds(&self, place: &MmRect) -> bool {
+        self.tiles.is_empty() || self.tiles.iter().any(|tile| tile.contains_box(place))
+    }
 }
 
 /// A label that is wanted.

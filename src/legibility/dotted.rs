@@ -42,17 +42,18 @@ fn cell(grid: &Grid, at: MmPoint) -> MmPoint {
 }
 
 /// All places where lines of dots have fewer than `gap` empty dots between them; the blank of a place is in dots.
-pub(super) fn too_near(lines: &[Line], gap: u32, medium: &DotMedium) -> Vec<Near> {
+/// Also whether these are all.
+pub(super) fn too_near(lines: &[Line], gap: u32, medium: &DotMedium) -> (Vec<Near>, bool) {
     match &medium.area {
-        DotArea::Grid(grid) => on_grid(lines, gap, grid, medium.pitch),
+        DotArea::Grid(grid) => (on_grid(lines, gap, grid, medium.pitch), true),
         DotArea::Free(_) => {
             // so many dots are empty, rounded
             let clearance = (gap as f32 + 0.5) * medium.pitch;
             let (least, touch) = (clearance - medium.diameter(), TOUCH * medium.pitch);
-            let near = too_near_joined(lines, least, touch, BROKEN * medium.pitch);
+            let (near, are_all) = too_near_joined(lines, least, touch, BROKEN * medium.pitch);
             let empty =
                 |near: Near| Near { gap: ((near.gap + medium.diameter()) / medium.pitch - 1.0).max(0.0), ..near };
-            near.into_iter().map(empty).collect()
+            (near.into_iter().map(empty).collect(), are_all)
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Where strokes come nearer to one another, or to themselves, than fingers can tell apart.
 //!
-//! Strokes have round ends and joins, so the blank between two segments is the distance of their middle lines less half
-//! the width of each: distances are exact. What lies beside a join ([`super::joins`]) does not count. Of one line that
-//! comes back to itself places are compared every [`STEP`] mm, as where a bend ends and a return begins is no sharp
-//! border.
+//! Strokes have round ends and joins, so the blank between two segments is the distance of their middle lines less
+//! half the width of each: distances are exact. What lies beside a join ([`super::joins`]) does not count. Of one
+//! line that comes back to itself places are compared every [`STEP`] mm, as where a bend ends and a return begins is
+//! no sharp border.
 
 use super::finding::around;
 use super::joins::{self, BEND_LEAST, Join, arrives, free_parts};
@@ -15,8 +15,8 @@ use crate::units::{MmPoint, MmRect};
 
 /// Places of one line are compared this often, mm.
 const STEP: f32 = 0.25;
-/// Two places of one line with this much way between them, in distances, lie on the two sides of a bend: a corner of 30
-/// degrees has the factor 1 / sin 15 = 3.9.
+/// Two places of one line with this much way between them, in distances, lie on the two sides of a bend: a corner of
+/// 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
 /// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the way over
 /// the tip is nearly as long as the line.
@@ -24,6 +24,9 @@ const CORNER: f32 = 6.1;
 const STRAIGHT: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
 const ROUNDING: f32 = 0.015;
+/// Most stretches that are looked at: a hundred times what the worst page of a person has. More lie where hundreds of
+/// lines lie on one another, each with each.
+const MOST: usize = 20_000;
 /// Two stretches of one pair of lines with less than this between them are one, mm.
 const ONE: f32 = 2.0;
 
@@ -55,12 +58,12 @@ struct Stretch {
 
 /// All places where strokes of these lines are nearer than `least` mm.
 pub fn too_near(lines: &[Line], least: f32) -> Vec<Near> {
-    too_near_joined(lines, least, 0.0, f32::INFINITY)
+    too_near_joined(lines, least, 0.0, f32::INFINITY).0
 }
 
 /// The same of lines that join where one ends within `touch` mm of another, and that are broken where a step from dot
-/// to dot is longer than `step` mm.
-pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32) -> Vec<Near> {
+/// to dot is longer than `step` mm; and whether these are all.
+pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32) -> (Vec<Near>, bool) {
     let ways = Ways::of(lines, step);
     let widest = ways.widest();
     let index = ways.index(least + 2.0 * widest);
@@ -73,6 +76,9 @@ pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32)
     let mut found: Vec<Stretch> = Vec::new();
     let mut seen = vec![u32::MAX; ways.segments.len()];
     for (number, segment) in ways.segments.iter().enumerate() {
+        if found.len() >= MOST {
+            break;
+        }
         let reach = least + segment.half_width + widest;
         index.around(segment.a.min(segment.b), segment.a.max(segment.b), reach, |other| {
             let id = ways.ways[other.line as usize].segments.start + other.index as usize;
@@ -98,7 +104,8 @@ pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32)
             }
         });
     }
-    merged(found, &ways)
+    let are_all = found.len() < MOST;
+    (merged(found, &ways), are_all)
 }
 
 /// Whether two segments of one way lie so near one another along it that they cannot be a return.

@@ -26,6 +26,7 @@ mod report;
 mod rules;
 mod spaces;
 mod strokes;
+mod twins;
 mod verdict;
 mod ways;
 mod words;
@@ -119,9 +120,12 @@ fn checked((found, mends): (Vec<Found>, bool), page: &Page, limits: &Limits, fel
 }
 
 fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
+    let (page, names, twins) = twins::merged(page.clone(), names);
+    let (page, names) = (&page, &names);
     let felt = page.risen();
     let marks = marks::marks_of(&felt);
-    let mut found = areas::findings(&felt, names, &marks, limits);
+    let mut found = twins;
+    found.extend(areas::findings(&felt, names, &marks, limits));
     found.extend(areas::black(page, limits));
     found.extend(spaces::findings(&felt, names, &marks, limits));
     let is_part = matches!(InSet::of(page), Some(InSet::One(..)));

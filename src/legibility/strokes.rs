@@ -29,14 +29,18 @@ pub(super) fn findings(
             found.extend(too_short(line, name_in(names, number), limits));
         }
     }
-    let near = match (limits.medium, medium) {
-        (MediumLimits::Print { line_gap, .. }, _) => gaps::too_near(lines, line_gap),
+    let (near, are_all) = match (limits.medium, medium) {
+        (MediumLimits::Print { line_gap, .. }, _) => gaps::too_near_joined(lines, line_gap, 0.0, f32::INFINITY),
         (MediumLimits::Dots { line_gap, .. }, Medium::Dots(dots)) => dotted::too_near(lines, line_gap, dots),
         (MediumLimits::Dots { line_gap, pitch, .. }, Medium::Print(_)) => {
-            gaps::too_near(lines, line_gap as f32 * pitch)
+            gaps::too_near_joined(lines, line_gap as f32 * pitch, 0.0, f32::INFINITY)
         }
     };
     found.extend(near.iter().map(|near| too_near(near, names, limits)));
+    if !are_all {
+        let what = "so many lines lie on one another that not all of their gaps were looked at";
+        found.push(Found::of_page(LINE_GAP, None, what.to_owned()));
+    }
     found
 }
 

@@ -6,7 +6,7 @@ use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
 
 /// What was worth a line and is not drawn: too near to others, or in a drawing too short.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Lost {
     /// Length of all that was worth a line, mm.
     pub wanted: f32,
@@ -16,10 +16,8 @@ pub struct Lost {
     pub by_place: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
-    /// How many small rings a device has not all dots for, and where the first is.
-    pub broken: usize,
-    /// See there.
-    pub broken_at: Option<MmPoint>,
+    /// The middles of small rings that are not drawn, or that a device has not all dots for.
+    pub signs: Vec<MmPoint>,
 }
 
 /// Names of the parts of a figure.
@@ -102,7 +100,7 @@ impl Tally {
         let kept_rings = kept.rings;
         let (wanted, kept) = (self.length(), kept.length());
         let rings = self.rings.saturating_sub(kept_rings);
-        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, broken: 0, broken_at: None }
+        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, signs: Vec::new() }
     }
 }
 

@@ -79,6 +79,13 @@ impl<'m> CellGrid<'m> {
         self.size
     }
 
+    /// The steps in which cells can stand on a grid, across and down, mm; none where they stand anywhere.
+    pub fn steps(&self) -> Option<MmVector> {
+        let steps = self.on.as_ref()?;
+        let step = |centres: &[f32], start: usize| span(centres, start).unwrap_or(0.0);
+        Some(MmVector::new(step(&steps.grid.columns, steps.start[0]), step(&steps.grid.rows, steps.start[1])))
+    }
+
     /// Width and height of lines of so many cells, from the edges of the outermost dots.
     pub fn extent(&self, cells: usize, lines: usize) -> MmVector {
         let line = self.size.extent(cells, self.diameter);

@@ -53,7 +53,8 @@ fn fit_print(aspect: f32, widest: f32, [short, long]: [f32; 2], params: &Params,
     };
     let at = sheet.lay_out(aspect, sheet.figure_width(aspect).min(widest));
     let medium = Medium::Print(print);
-    Layout { sheet: sheet.size, figure: at.figure, overview: at.overview, mark: at.mark, heading, medium }
+    let (figure, room) = (at.figure, at.figure);
+    Layout { sheet: sheet.size, figure, room, overview: at.overview, mark: at.mark, heading, medium }
 }
 
 /// The same for dots. On a sheet that the device takes in none of the orientations allowed, the figure is empty.
@@ -77,6 +78,7 @@ fn fit_dots(
     orientations.iter().filter_map(on_sheet).reduce(larger).unwrap_or_else(|| Layout {
         sheet: orientations[0],
         figure: MmRect::zero(),
+        room: MmRect::zero(),
         overview: None,
         mark: None,
         heading: None,

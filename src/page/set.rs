@@ -1,7 +1,7 @@
 //! What a sheet is among those that belong together, kept in the page among how it was made, so that whoever describes
 //! the page later can tell.
 
-use super::parts::Page;
+use super::parts::{Page, TextRole};
 
 const NAME: &str = "this sheet";
 const OVERVIEW: &str = "overview";
@@ -46,6 +46,19 @@ impl InSet {
                 (None, Some((name, all))) => Some(Self::One(name.to_owned(), names(all))),
                 (None, None) => None,
             },
+        }
+    }
+}
+
+impl Page {
+    /// What this sheet is among those of its picture, in a word: the figure, its overview, its key, or the name of
+    /// one of the sheets on which a picture lies.
+    pub fn part_of_set(&self) -> String {
+        match InSet::of(self) {
+            Some(InSet::Overview | InSet::OverviewOf(_)) => "overview".to_owned(),
+            Some(InSet::One(name, _)) => name,
+            _ if self.braille.iter().any(|text| text.role == TextRole::Key) => "key".to_owned(),
+            _ => "figure".to_owned(),
         }
     }
 }

@@ -92,6 +92,8 @@ pub struct Layout {
     pub sheet: [f32; 2],
     /// The picture itself.
     pub figure: MmRect,
+    /// What its frame is around: the picture, and blank beside it where labels need room.
+    pub room: MmRect,
     /// The overview's picture; of a page of dots, on a sheet of its own.
     pub overview: Option<MmRect>,
     /// The orientation mark.

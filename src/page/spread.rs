@@ -136,7 +136,7 @@ impl Spread {
     /// A sheet by itself, for its title and its page number.
     pub fn layout_of_sheet(&self) -> Layout {
         let (mark, heading, medium) = (self.mark.clone(), self.heading, self.medium.clone());
-        Layout { sheet: self.sheet, figure: self.first, overview: None, mark, heading, medium }
+        Layout { sheet: self.sheet, figure: self.first, room: self.first, overview: None, mark, heading, medium }
     }
 
     /// Whether something of the picture lies on a sheet.

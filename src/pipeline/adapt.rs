@@ -9,6 +9,7 @@ use super::kept_lines::{self, LineName};
 use super::print_words;
 use super::typed::{self, Typed};
 use super::words::blank_to_signs;
+use crate::braille::Translate;
 use crate::classes::Classes;
 use crate::lines::{Line, Pen};
 use crate::page::{DotMedium, Glyph, Medium, Names, Page, Parts, Shape, Sign, Texture};
@@ -42,7 +43,7 @@ pub struct Adapted {
 ///
 /// # Errors
 /// If a mark is off the sheet then.
-pub fn adapted(read: &Reading, plan: &Plan) -> Result<Adapted, Error> {
+pub fn adapted(read: &Reading, plan: &Plan, translate: Option<&Translate>) -> Result<Adapted, Error> {
     let Reading { page, .. } = read;
     let mut parts = Parts::clone(page);
     let own_names = read.names.lines.iter().zip(&read.by_hand);
@@ -55,7 +56,7 @@ pub fn adapted(read: &Reading, plan: &Plan) -> Result<Adapted, Error> {
     }
     notes.extend(drawn_areas::lay(&mut parts, &read.areas, plan));
     let labels = parts.braille.len();
-    let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &read.texts, plan);
+    let Typed { notes: of_texts, abbreviated } = typed::write(&mut parts, &read.texts, plan, translate);
     notes.extend(of_texts);
     let abbreviates = abbreviated.is_some();
     let mut of_places: Vec<Note> = abbreviated.into_iter().collect();

@@ -2,11 +2,12 @@
 
 use super::finish::{finished, origin, title_of_overview};
 use super::kept_lines;
+use super::lost_signs::{extent, is_small_ring};
 use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
-use crate::lines::{Line, Lines, Lost, Run};
+use crate::lines::{Line, Lines, Run};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
@@ -25,28 +26,13 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     let rings = drawn.lines.iter().zip(shares).filter(|(line, share)| *share < WHOLE && is_small_ring(line));
     let middles: Vec<MmPoint> = rings.map(|(line, _)| extent(line).center()).collect();
-    let lost = Lost { broken: middles.len(), broken_at: middles.first().copied(), ..drawn.lost.keeping(kept) };
+    let mut lost = drawn.lost.keeping(kept);
+    lost.signs.extend(middles);
     Lines { lines, lost, beyond: drawn.beyond }
 }
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
 const WHOLE: f32 = 0.7;
-/// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are
-/// followed, and where they are cut is felt.
-const SIGN: f32 = 25.0;
-
-fn is_small_ring(line: &Line) -> bool {
-    let mut ends = line.runs.iter().flat_map(|run| [run.path().next(), run.path().last()]).flatten();
-    let ends = (ends.next(), ends.last());
-    let is_closed = matches!(ends, (Some(first), Some(last)) if (last - first).length() < 0.05);
-    let extent = extent(line);
-    is_closed && extent.width().max(extent.height()) <= SIGN
-}
-
-fn extent(line: &Line) -> MmRect {
-    MmRect::from_points(line.runs.iter().flat_map(|run| &run.points))
-}
-
 /// The lines of the overview: all of one width and, where there are heights, high.
 pub(super) fn of_overview(lines: Vec<Line>, area: MmRect, layout: &Layout, plan: &Plan) -> Vec<Line> {
     let Medium::Dots(medium) = &layout.medium else { return lines };
@@ -79,12 +65,12 @@ pub(super) fn assemble(
         .map(|(place, lines)| {
             let own = Figure { place, source, textures: Vec::new(), lines };
             let title = title_of_overview(request.title);
-            let mut parts = parts(title, own, above_overview, (layout, medium), request);
+            let mut parts = parts(title, own, above_overview, (layout, place, medium), request);
             parts.origin.push(InSet::Overview.to_origin());
             finished(parts, request)
         })
         .transpose()?;
-    let mut parts = parts(request.title.to_owned(), figure, braille, (layout, medium), request);
+    let mut parts = parts(request.title.to_owned(), figure, braille, (layout, layout.room, medium), request);
     parts.origin.extend(overview.is_some().then(|| InSet::Followed.to_origin()));
     parts.origin.extend(left_out.to_origin());
     let page = finished(parts, request)?;
@@ -95,12 +81,12 @@ fn parts(
     title: String,
     figure: Figure,
     braille: Vec<BrailleText>,
-    (layout, medium): (&Layout, &DotMedium),
+    (layout, room, medium): (&Layout, MmRect, &DotMedium),
     request: &Request<'_>,
 ) -> Parts {
     let params = request.plan.dots(medium);
     let mark = |run: &Run| dots::mark(&run.points, &medium.area, &params);
-    let around = |params| frame::dotted(figure.place, &params, medium);
+    let around = |params| frame::dotted(room, &params, medium);
     Parts {
         title,
         origin: origin(request, figure.source, &braille),

@@ -3,6 +3,7 @@
 use super::dots;
 use super::given::{Given, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
+use super::lost_signs;
 use super::outlines::outlines_of;
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
@@ -19,8 +20,9 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
+use crate::raster::vector::DrawnText;
 use crate::regions::{Areas, Detail};
-use crate::units::{MmRect, PageTransform, PxPoint, Size};
+use crate::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 use crate::{About, Error, Note, textures};
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
@@ -45,24 +47,32 @@ pub(super) struct Marks {
     pub(super) is_flat: bool,
     /// Contours that are not drawn.
     pub(super) left_out: LeftOut,
+    /// The middles of small closed shapes of a drawing that are not on the page, or not whole.
+    pub(super) lost_signs: Vec<MmPoint>,
     /// Texts that are not drawn.
     pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
 }
 
-/// Everything but the page: decodes a picture and draws it where `layout_of` its size says.
+/// The layout with room for the texts of a drawing, given with the sizes of its raster and of its source.
+pub(super) type WithRoom<'a> = dyn Fn(&[DrawnText], [Size; 2], Layout) -> Layout + 'a;
+
+/// Everything but the page: decodes a picture and draws it where `layout_of` its size says, `with_room` for the
+/// texts in it.
 pub(super) fn draw(
     picture: Picture<'_>,
     given: &Given,
     request: &Request<'_>,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Marks, Error> {
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
     let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
-    let layout = layout_of(picture.source.size)?;
+    let sizes = [picture.raster.size(), picture.source.size];
+    let layout = with_room(&picture.texts, sizes, layout_of(picture.source.size)?);
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
@@ -90,7 +100,6 @@ pub(super) fn draw(
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
     notes.extend(edges.as_ref().and_then(told_dashed));
-    notes.extend(told_broken(&drawn.lost).filter(|_| edges.as_ref().is_some_and(Edges::of_drawing)));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
         let outlined = areas.as_ref().filter(|_| given.areas.is_none());
@@ -109,7 +118,7 @@ pub(super) fn draw(
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-    Ok(Marks { figure, overview, layout, is_flat, left_out, texts, notes })
+    Ok(Marks { figure, overview, layout, is_flat, left_out, lost_signs: drawn.lost.signs, texts, notes })
 }
 
 /// What the maker is told of lines that were given and are too short for this figure.
@@ -261,6 +270,7 @@ pub(super) fn draw_lines(
             return run(watch, Stage::Lines, || {
                 let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
                 let mut drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
+                drawn.lost.signs = lost_signs::of(edges, &drawn.lines, &transform);
                 if matches!(layout.medium, Medium::Dots(_)) {
                     drawn.lines = by_hand_first(drawn.lines, edges, &transform);
                 }
@@ -282,7 +292,7 @@ fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
 pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
-    let Lost { wanted, lost, .. } = drawn.lost;
+    let &Lost { wanted, lost, .. } = &drawn.lost;
     let share = drawn.lost.share();
     let least = match layout.medium {
         Medium::Print(_) => LEAST_TOLD,
@@ -296,18 +306,6 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
         return Some(Note::TooDense { millimetres, percent, place, width });
     }
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
-}
-
-/// What the maker of a drawing is told of small shapes that dots do not show: a label may stand beside them.
-fn told_broken(lost: &Lost) -> Option<Note> {
-    let at = lost.broken_at?;
-    let (shapes, it) = match lost.broken {
-        1 => ("1 small closed shape".to_owned(), "it"),
-        count => (format!("{count} small closed shapes"), "them"),
-    };
-    let what = format!("{shapes} (the first at {:.0}, {:.0} mm), in part or as a whole", at.x, at.y);
-    let why = format!("dots have no room for {it} beside other lines, so a label may name what is not felt");
-    Some(Note::NotOnPage(About::Lines, format!("{what}: {why}; make the figure larger")))
 }
 
 /// What the maker is told of dashed lines.

@@ -10,6 +10,7 @@ use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
 use super::request::Request;
 use super::words::{Words, Written};
+use crate::braille::Translate;
 use crate::lines::{Line, Pen, Run};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Figure, InSet, MediumParams, Page, TextRole};
@@ -46,17 +47,22 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
 ///
 /// # Errors
 /// If a mark is off its sheet.
-pub fn key_of_page(page: &Page, key: Key, request: &Request<'_>) -> Result<(Vec<Page>, Vec<Note>), Error> {
+pub fn key_of_page(
+    page: &Page,
+    (key, translate): (Key, Option<&Translate>),
+    request: &Request<'_>,
+) -> Result<(Vec<Page>, Vec<Note>), Error> {
     if page.braille.iter().any(|text| text.role == TextRole::Key) {
         let told = (key == Key::Always).then_some(Note::NoKey("this sheet is one of a key itself"));
         return Ok((Vec::new(), told.into_iter().collect()));
     }
     let labels = labels(page);
-    let words = Words { key, ..words(page, &labels) };
+    let words = Words { key, translate, ..words(page, &labels) };
     let written = Written::new(&words, request.plan);
     let layout = Layout {
         sheet: page.sheet,
         figure: page.figure.place,
+        room: page.figure.place,
         overview: None,
         mark: None,
         heading: None,
@@ -108,7 +114,8 @@ pub(super) fn marks(
     let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
-    Ok(Marks { figure, overview, layout, is_flat: false, left_out, texts: Vec::new(), notes })
+    let lost_signs = drawn.lost.signs;
+    Ok(Marks { figure, overview, layout, is_flat: false, left_out, lost_signs, texts: Vec::new(), notes })
 }
 
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they

@@ -3,6 +3,7 @@
 use super::draw::{Marks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
+use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
@@ -62,8 +63,9 @@ pub fn convert<'p>(
     let plan = request.plan;
     let written = Written::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
-    let marks = draw(picture.into(), given, request, &|size| Ok(together(&lay(size)?)), watch)?;
-    let Marks { mut figure, overview, layout, is_flat, left_out, texts, mut notes } = marks;
+    let marks = draw(picture.into(), given, request, &|size| Ok(together(&lay(size)?)), &|_, _, layout| layout, watch)?;
+    let Marks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
+    notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
     }
@@ -139,7 +141,8 @@ fn together(laid: &Laid) -> Layout {
     let Laid { spread, overview, .. } = laid;
     let (mark, medium) = (spread.mark.clone(), spread.together.clone());
     let overview = overview.as_ref().map(|overview| overview.figure);
-    Layout { sheet: spread.sheet, figure: spread.figure, overview, mark, heading: None, medium }
+    let (figure, room) = (spread.figure, spread.figure);
+    Layout { sheet: spread.sheet, figure, room, overview, mark, heading: None, medium }
 }
 
 fn aspect(size: Size) -> f32 {

@@ -3,7 +3,7 @@
 use crate::Note;
 use crate::geom::ninths;
 use crate::raster::vector::DrawnText;
-use crate::units::{MmRect, PageTransform};
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 
 /// A text of a picture that is not drawn, for labels in braille or a list beside the page.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,25 @@ impl Text {
     pub(super) fn is_read(&self) -> bool {
         !self.hidden && !self.string.is_empty()
     }
+
+    /// Where it stands: its box, or of a slanted text, such as a long word below a bar of a chart, its upper end, which
+    /// is at what it names.
+    pub(super) fn anchor(&self) -> MmRect {
+        // between 0 and 180 degrees: a text upside down has its upper end where it would have it otherwise
+        let angle = self.angle.rem_euclid(180.0);
+        let is_slanted = SLANTED.contains(&angle) || SLANTED.contains(&(180.0 - angle));
+        if !is_slanted {
+            return self.place;
+        }
+        let side = self.size.min(self.place.width()).min(self.place.height());
+        let left = if angle < 90.0 { self.place.max.x - side } else { self.place.min.x };
+        let corner = MmPoint::new(left, self.place.min.y);
+        MmRect::new(corner, corner + MmVector::new(side, side))
+    }
 }
+
+/// Degrees off the horizontal between which a text is slanted.
+const SLANTED: std::ops::RangeInclusive<f32> = 15.0..=75.0;
 
 /// Texts where they stand on the sheet.
 pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text> {

@@ -3,6 +3,7 @@
 use super::label::{Label, Position};
 use super::texts::Text;
 use super::words::{Words, Written};
+use crate::braille::Translate;
 use crate::lines::{Line, Run};
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
@@ -24,7 +25,7 @@ pub(super) struct Typed {
 /// there, nearest to where they were typed, and Unicode braille in its very place. Tells what has no room, what its
 /// code cannot write, what stands elsewhere than it was typed, and what was typed outside the figure, where no labels
 /// stand.
-pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Typed {
+pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan, translate: Option<&Translate>) -> Typed {
     if texts.is_empty() {
         return Typed::default();
     }
@@ -44,10 +45,10 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan) -> Type
     let outside: Vec<&TypedText> = texts.iter().filter(is_outside).collect();
     let language = parts.language.clone();
     let own_texts = !exact.is_empty();
-    let words = Words { language: Some(&language), labels: &labels, own_texts, ..Words::default() };
+    let words = Words { language: Some(&language), labels: &labels, own_texts, translate, ..Words::default() };
     let written = Written::new(&words, plan);
     let (sheet, medium) = (parts.sheet, parts.medium.clone());
-    let layout = Layout { sheet, figure: place, overview: None, mark: None, heading: None, medium };
+    let layout = Layout { sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
     let count = parts.figure.lines.len();
     parts.figure.lines.extend(taken(parts));
     let (mut braille, notes) = written.on(&layout, &mut parts.figure, &exact, &words, plan);

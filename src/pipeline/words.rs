@@ -1,5 +1,7 @@
 //! What is written on a page in braille.
 
+use std::f32::consts::FRAC_1_SQRT_2;
+
 use super::key::{self, Entries, Key};
 use super::label::{CLEARANCE, Label};
 use super::request::Request;
@@ -130,6 +132,11 @@ impl<'a> Written<'a> {
             Some(layout) => Ok(layout),
             None => fit.layout(size, plan),
         }
+    }
+
+    /// What writes the words; none where nothing is written.
+    pub(super) fn translator(&self) -> Option<&Translator<'a>> {
+        self.translator.as_ref()
     }
 
     /// The words where they stand on the sheet, and what the maker should know of them. Textures of the figure
@@ -311,11 +318,15 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
             None => outside.push(label.text.clone()),
         }
     }
-    // a drawing often has its title in it, which stands above it already
-    let is_title = |text: &Text| words.title.is_some_and(|title| title.trim() == text.string.trim());
-    let own = texts.iter().filter(|text| words.own_texts && text.is_read() && !is_title(text));
-    wanted.extend(own.map(|text| Wanted { text: text.string.clone(), anchor: text.place }));
+    wanted.extend(own_texts(texts, words).map(|text| Wanted { text: text.string.clone(), anchor: text.anchor() }));
     (wanted, outside)
+}
+
+/// The texts of a drawing that become labels. It often has its title in it, which stands above it already.
+pub(super) fn own_texts<'t>(texts: &'t [Text], words: &Words<'_>) -> impl Iterator<Item = &'t Text> {
+    let (are_wanted, title) = (words.own_texts, words.title.map(|title| title.trim().to_owned()));
+    let is_title = move |text: &Text| title.as_deref().is_some_and(|title| title == text.string.trim());
+    texts.iter().filter(move |text| are_wanted && text.is_read() && !is_title(text))
 }
 
 /// Blank between braille and signs, mm.
@@ -326,21 +337,27 @@ pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
     }
 }
 
-/// Labels may lie in the figure, and on paper beside it, as far as the frame leaves its clearance. On a grid the
+/// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
 fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
     let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
     let (step, area) = match &layout.medium {
-        Medium::Print(_) => (STEP, layout.figure.inflate(beside, beside)),
+        Medium::Print(_) => (STEP, layout.room.inflate(beside, beside)),
         Medium::Dots(dots) => {
             let radius = 0.5 * dots.diameter();
             let reach = dots.area.bounds().inflate(radius, radius);
-            (dots.pitch, layout.figure.intersection_unchecked(&reach))
+            (dots.pitch, layout.room.intersection_unchecked(&reach))
         }
     };
     let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
     let texture_clearance = blank_to_signs(&layout.medium);
-    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, may_cross, step }
+    // the dots of a leader line reach half a step further than those of a label, and lie up to half of the diagonal of
+    // four dots off its way
+    let leader_off = match &layout.medium {
+        Medium::Print(_) => 0.0,
+        Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,
+    };
+    Params { area, tiles: tiles.to_vec(), clearance: CLEARANCE, texture_clearance, may_cross, step, leader_off }
 }
 
 /// A leader line: as thin as lines can be.
@@ -369,7 +386,7 @@ fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
 }
 
 /// Names texts: all of up to five.
-fn named(texts: &[&str]) -> String {
+pub(super) fn named(texts: &[&str]) -> String {
     let named: Vec<String> = texts.iter().take(5).map(|text| format!("\"{text}\"")).collect();
     let more = if texts.len() > 5 { format!(" and {} more", texts.len() - 5) } else { String::new() };
     format!("{}{more}", named.join(", "))

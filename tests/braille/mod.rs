@@ -6,4 +6,5 @@ mod key;
 mod labels;
 mod outputs;
 mod reading;
+mod rows;
 mod title;

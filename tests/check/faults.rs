@@ -227,3 +227,17 @@ fn a_large_shape_that_the_overview_lacks_is_told() {
     });
     assert!(has(&bare, "overview-lacks", "which is closed, 31 mm wide and 31 mm high"), "the sun: {bare}");
 }
+
+/// Copies of a line on itself are one finding, however many there are: each pair of them would be one otherwise.
+#[test]
+fn lines_on_one_another_are_told_once() {
+    let copies = |count: usize| {
+        changed("chart.svg", |svg| {
+            let line = "<path d=\"M60 60L90 60 90 90\" fill=\"none\" stroke=\"#000\" stroke-width=\"1\"/>";
+            with_lines(svg, &line.repeat(count))
+        })
+    };
+    let (one, many) = (copies(1), copies(300));
+    assert!(has(&many, "overlap", "299 other lines lie on it, point for point"), "{many}");
+    assert_eq!(many.findings.len(), one.findings.len() + 1, "{many}");
+}

@@ -29,7 +29,7 @@ fn a_page_with_new_abbreviations_has_a_key() {
     with(&place, "page.svg", LONG, "typed.svg");
     let told = done(&place, &["render", "typed.svg", "-o", "done.svg"]);
     assert!(told.contains("abbreviated for want of room: "), "{told}");
-    assert!(told.contains("wrote done-1.svg\n") && told.contains("wrote done-2.svg\n"), "{told}");
+    assert!(told.contains("wrote done-1.svg: figure\n") && told.contains("wrote done-2.svg: key\n"), "{told}");
     let (page, key) = (read(&place, "done-1.svg"), read(&place, "done-2.svg"));
     let short = page.braille.iter().find_map(|text| text.abbreviation.clone()).expect("it is abbreviated");
     let says = |key: &Page| {

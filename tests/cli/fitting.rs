@@ -81,7 +81,7 @@ fn a_mirrored_page_has_its_marks_on_the_other_side() {
 fn several_sheets_are_one_pdf_or_files_with_numbers() {
     let place = Place::with_picture("a.png");
     let run = place.run(&["convert", "a.png", "--sheets", "2x1"]);
-    assert_eq!((run.code, run.err.as_str()), (0, "wrote a-1.svg to a-3.svg\n"));
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a-1.svg to a-3.svg: overview, a1, a2\n"));
     assert_eq!(place.names(), ["a-1.svg", "a-2.svg", "a-3.svg", "a.png"]);
     assert!(place.text("a-1.svg").contains("<title>") && place.text("a-1.svg").contains("a.png, overview"));
     assert!(place.text("a-2.svg").contains("id=\"registration\"") && place.text("a-2.svg").contains("sheets = 2x1"));
@@ -90,7 +90,7 @@ fn several_sheets_are_one_pdf_or_files_with_numbers() {
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(place.text("wide-2.svg").contains("id=\"registration\""), "{}", run.err);
     let run = place.run(&["convert", "a.png", "--sheets", "2x1", "-o", "a.pdf"]);
-    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.pdf, 3 sheets\n"));
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.pdf, 3 sheets: overview, a1, a2\n"));
     let pdf = std::fs::read(place.path("a.pdf")).expect("a PDF");
     assert!(pdf.windows(8).any(|part| part == b"/Count 3"), "not three pages");
     let what = "3 sheets do not go into one file of this format; add --format pdf, or name a file";

@@ -88,3 +88,25 @@ fn a_language_without_a_contracted_table_is_told() {
     assert_eq!(run.code, 2, "{}", run.err);
     assert!(run.err.contains("braille.grade must be 1 or 2"), "{}", run.err);
 }
+
+/// A page in contracted braille stays so when it is laid out for another device.
+#[test]
+fn a_page_keeps_its_grade_when_it_is_rendered() {
+    if !is_installed() {
+        return;
+    }
+    let place = place();
+    let run =
+        place.run(&["convert", "red.svg", "-o", "page.svg", "--title", "The great house", "--set", "braille.grade=2"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let render = ["render", "page.svg", "--profile", "viewplus-columbia", "-o", "dots.svg"];
+    let run = place.run(&render);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let names = place.names();
+    let dots = names.iter().find(|name| ["dots.svg", "dots-1.svg"].contains(&name.as_str())).expect("a page of dots");
+    assert!(place.text(dots).contains("data-braille=\"⠠⠮⠀⠛⠗⠞⠀⠓⠳⠎⠑\""), "the title is not contracted");
+    // unless it is to be otherwise
+    let run = place.run(&[&render[..], &["--set", "braille.grade=1", "--force"]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(!place.text(dots).contains("⠠⠮⠀"), "the title is contracted still");
+}

@@ -140,7 +140,7 @@ fn a_file_of_dots_is_named_when_it_is_felt() {
     let place = Place::with_picture("a.png");
     let made = ["convert", "a.png", "--profile", "index-basic-d", "-o", "a.idx"];
     let run = place.run(&made);
-    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.idx, 2 sheets\n"));
+    assert_eq!((run.code, run.err.as_str()), (0, "wrote a.idx, 2 sheets: figure, overview\n"));
     place.refuses(
         &["feel", "a.idx"],
         1,

@@ -41,9 +41,12 @@ fn previews_of_several_sheets_have_numbers() {
     let index = ["convert", "a.png", "--profile", "index-basic-d", "--format", "idx", "--preview"];
     let run = place.run(&[&index[..], &["png", "--dpi", "60", "--grey"]].concat());
     assert_eq!(run.code, 0, "{}", run.err);
-    assert_eq!(run.err.lines().last(), Some("wrote a.idx, 2 sheets, and a.preview-1.png to a.preview-2.png"));
+    assert_eq!(
+        run.err.lines().last(),
+        Some("wrote a.idx, 2 sheets: figure, overview, and a.preview-1.png to a.preview-2.png")
+    );
     let run = place.run(&[&index[..], &["pdf"]].concat());
-    assert_eq!(run.err.lines().last(), Some("wrote a.idx, 2 sheets, and a.preview.pdf"));
+    assert_eq!(run.err.lines().last(), Some("wrote a.idx, 2 sheets: figure, overview, and a.preview.pdf"));
     let run = place.run(&["render", "b.svg", "-o", "x.pdf", "--preview", "svg"]);
     assert_eq!(run.code, 1);
     assert_eq!(place.run(&["convert", "a.png", "-q", "-o", "b.svg"]).code, 0);

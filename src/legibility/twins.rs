@@ -1,0 +1,61 @@
+//! Lines that lie on one another point for point, as after a copy in an editor: told once for all of them, and judged
+//! once. Each pair of them would break every rule of distances all along.
+
+use std::collections::HashMap;
+
+use super::finding::{Found, around};
+use super::marks::name_in;
+use super::rules::OVERLAP;
+use crate::page::{Line, Names, Page, Parts};
+
+/// A page without its lines that lie on an equal one, its names, and what is told of them. `page` is returned as it is
+/// where there are none.
+pub(super) fn merged(page: Page, names: &Names) -> (Page, Names, Vec<Found>) {
+    let mut parts = Parts::clone(&page);
+    let mut names = names.clone();
+    let mut found = Vec::new();
+    one_of_each(&mut parts.figure.lines, &mut names.lines, &mut found);
+    if let Some(overview) = &mut parts.overview {
+        one_of_each(&mut overview.lines, &mut names.overview_lines, &mut found);
+    }
+    match Page::new(parts) {
+        Ok(one) if !found.is_empty() => (one, names, found),
+        _ => (page, names, found),
+    }
+}
+
+fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<Found>) {
+    let mut first: HashMap<Vec<u32>, usize> = HashMap::with_capacity(lines.len());
+    // for each line the first that is equal
+    let of: Vec<usize> = (0..).zip(lines.iter()).map(|(at, line)| *first.entry(key(line)).or_insert(at)).collect();
+    let mut twins = vec![0_usize; lines.len()];
+    for (at, &of) in of.iter().enumerate().filter(|(at, of)| at != *of) {
+        twins[of] += usize::from(at != of);
+    }
+    for (at, count) in twins.into_iter().enumerate().filter(|(_, count)| *count > 0) {
+        let points = || lines[at].runs.iter().flat_map(|run| run.points.iter().copied());
+        let (Some(middle), Some(extent)) = (points().nth(points().count() / 2), around(points())) else { continue };
+        let what = match count {
+            1 => format!("{}: another line lies on it, point for point", name_in(names, at)),
+            _ => format!("{}: {count} other lines lie on it, point for point", name_in(names, at)),
+        };
+        found.push(Found::at(OVERLAP, middle, extent, 0.0, what));
+    }
+    let is_first = |at: usize| of.get(at).is_none_or(|of| *of == at);
+    let mut number = 0..;
+    lines.retain(|_| number.next().is_some_and(is_first));
+    let mut number = 0..;
+    names.retain(|_| number.next().is_some_and(is_first));
+}
+
+/// What equal lines have in common: every number of their marks.
+fn key(line: &Line) -> Vec<u32> {
+    let of_run = |run: &crate::page::Run| {
+        let points = run.points.iter().flat_map(|at| [at.x.to_bits(), at.y.to_bits()]);
+        [run.points.len() as u32, u32::from(run.closed), run.width.to_bits()]
+            .into_iter()
+            .chain(points)
+            .collect::<Vec<_>>()
+    };
+    line.runs.iter().flat_map(of_run).collect()
+}
