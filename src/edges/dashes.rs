@@ -1,9 +1,8 @@
-//! Dashed lines of drawings: an altitude of a triangle, a hidden edge, an axis of symmetry, a border. A dash is too short
-//! for a line on a page; dashes in a row become one line that runs along all of them.
+//! Dashed lines of drawings: an altitude of a triangle, a hidden edge, an axis of symmetry, a border. A dash is too
+//! short for a line on a page; dashes in a row become one line that runs along all of them.
 
 use super::contour::{Contour, ContourPoint, crossing};
 use super::tips::Found;
-use crate::geom::crosses;
 use crate::geom::first_eigenvector;
 use crate::geom::link::{End, Thread, link};
 use crate::units::{Px, PxPoint, PxVector};
@@ -137,7 +136,7 @@ fn is_row(row: &Thread, dashes: &[Dash], found: &[Found]) -> bool {
     let own: Vec<usize> = row.parts.iter().map(|part| dashes[part.polyline].number).collect();
     let is_filled = |gap: &&(PxPoint, PxPoint)| {
         let others = (0..).zip(found).filter(|(number, _)| !own.contains(number));
-        others.flat_map(|(_, found)| found.contour.segments()).any(|(a, b)| crosses(**gap, (a.at, b.at)))
+        others.flat_map(|(_, found)| found.contour.segments()).any(|(a, b)| ahead(**gap, (a.at, b.at)).is_some())
     };
     alike(inner)
         && alike(&gap_lengths)
@@ -162,17 +161,23 @@ fn lead_on(line: &mut Contour, period: f32, others: &[Found]) {
         let Some(direction) = (end.at - before.at).try_normalize() else { continue };
         let way = (end.at, end.at + direction * (period + ROUNDING));
         let segments = others.iter().flat_map(|found| found.contour.segments());
-        let met = segments.filter(|(a, b)| crosses(way, (a.at, b.at))).filter_map(|(a, b)| {
-            let (ahead, _) = crossing((end.at, direction), (a.at, (b.at - a.at).try_normalize()?))?;
-            Some(ahead)
-        });
-        let ahead = met.fold(f32::MAX, f32::min);
-        if ahead < f32::MAX {
-            let steps = ahead.ceil().max(1.0) as usize;
-            let at = |step: usize| end.at + direction * (ahead * step as f32 / steps as f32);
+        let met = segments.filter_map(|(a, b)| ahead(way, (a.at, b.at)));
+        let nearest = met.fold(f32::MAX, f32::min);
+        if nearest < f32::MAX {
+            let steps = nearest.ceil().max(1.0) as usize;
+            let at = |step: usize| end.at + direction * (nearest * step as f32 / steps as f32);
             line.vertices.extend((1..=steps).map(|step| ContourPoint { at: at(step), ..end }));
         }
     }
+}
+
+/// How far along a way it meets a segment, px, if it does; an end of the segment belongs to it.
+fn ahead((from, to): (PxPoint, PxPoint), (a, b): (PxPoint, PxPoint)) -> Option<f32> {
+    const ON: f32 = 1e-3;
+    let (way, segment) = (to - from, b - a);
+    let (ahead, along) = crossing((from, way.try_normalize()?), (a, segment.try_normalize()?))?;
+    let within = |at: f32, length: f32| (-ON..=length + ON).contains(&at);
+    (within(ahead, way.length()) && within(along, segment.length())).then_some(ahead.max(0.0))
 }
 
 /// The ends of each gap of a row.

@@ -57,7 +57,7 @@ pub fn crossing<U>(
 }
 
 /// Whether two segments cross in a point inside both.
-pub fn crosses<U>((a, b): (Point2D<f32, U>, Point2D<f32, U>), (c, d): (Point2D<f32, U>, Point2D<f32, U>)) -> bool {
+fn crosses<U>((a, b): (Point2D<f32, U>, Point2D<f32, U>), (c, d): (Point2D<f32, U>, Point2D<f32, U>)) -> bool {
     let side = |p: Point2D<f32, U>, q: Point2D<f32, U>, r: Point2D<f32, U>| (q - p).cross(r - p);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }

@@ -341,7 +341,10 @@ impl<'a> DrawnLines<'a> {
                 Meeting::LineEnds => (j.line_arc - line_arc).abs(),
                 Meeting::PolylineEnds | Meeting::Cross(_) => passage.between(j.arc, arc),
             };
-            let joins = passage.junctions.iter().any(|j| j.line == segment.line && way(j) <= approach);
+            let comes_away =
+                |way: f32| !self.params.of_drawing || distance >= way * approach_sine(approach, clearance) - FLAT;
+            let joins = |j: &Junction| j.line == segment.line && way(j) <= approach && comes_away(way(j));
+            let joins = passage.junctions.iter().any(joins);
             let (away, missing) = (vertex.at - at, clearance - distance);
             on = visit(&Near { segment, away, distance, missing, joins, line_arc, approach });
         });
@@ -366,6 +369,15 @@ impl<'a> DrawnLines<'a> {
     pub(super) fn segments(&self) -> &Nearby {
         &self.segments
     }
+}
+
+/// What a line of a drawing that leaves a junction may lie nearer than a straight one at the flattest angle, mm: it may
+/// bend. What keeps beside the line for longer, as the first bar of a chart beside its axis, does not leave it.
+const FLAT: f32 = 1.0;
+
+/// The sine of the flattest angle at which a straight line has its clearance after an approach.
+fn approach_sine(approach: f32, clearance: f32) -> f32 {
+    (clearance / approach).min(1.0)
 }
 
 /// Whether a line goes round: it is closed, or its ends lie in one place, and so it will be drawn closed.
