@@ -115,8 +115,9 @@ pub fn convert_with_words<'p>(
     let written = Written::new(words, request.plan);
     let layout_of = |size: Size| written.layout(size, request);
     let with_room = |texts: &[DrawnText], sizes: [Size; 2], layout: Layout| {
-        let cell = request.plan.profile().braille.cell;
-        margins::with_room(texts, sizes, (words, &written, cell), layout, &layout_of)
+        let profile = request.plan.profile();
+        let (cell, min_side) = (profile.braille.cell, profile.figure.min_side);
+        margins::with_room(texts, sizes, (words, &written, cell), layout, &layout_of, min_side)
     };
     let marks = draw(picture.into(), given, request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)

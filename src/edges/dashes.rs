@@ -1,16 +1,19 @@
 //! Dashed lines of drawings: an altitude of a triangle, a hidden edge, an axis of symmetry, a border. A dash is too
 //! short for a line on a page; dashes in a row become one line that runs along all of them.
 
+use std::collections::HashSet;
+
 use super::contour::{Contour, ContourPoint, crossing};
 use super::tips::Found;
 use crate::geom::first_eigenvector;
 use crate::geom::link::{End, Thread, link};
 use crate::units::{Px, PxPoint, PxVector};
 
-/// A dash is at most this long, px: a sixteenth of a picture of the working size. Longer pieces are lines of their own.
-const LONGEST: f32 = 40.0;
-/// The ring around a dash whose two sides were found is at most this broad, px: beyond that it is an area.
-const BROADEST: f32 = 8.0;
+/// A dash is at most so many times as long as the shortest contour (2 mm on the page). Longer pieces are lines of their
+/// own.
+const LONGEST: f32 = 6.0;
+/// The ring around a dash whose two sides were found is at most so many times as broad: beyond that it is an area.
+const BROADEST: f32 = 1.2;
 /// ... and at least so many times as long: a dot has no direction.
 const ELONGATED: f32 = 1.5;
 /// The ends of a dash are at least this share of its length apart: it may bend a little with the line.
@@ -38,14 +41,14 @@ struct Dash {
 }
 
 /// Strings dashes in a row together to one stroke each; also returns how many such rows there are. `sigma` is the scale
-/// of the edge detector, px.
-pub(super) fn united(found: Vec<Found>, sigma: f32) -> (Vec<Found>, usize) {
-    let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, found)| dash(number, found, sigma)).collect();
+/// of the edge detector and `least` the length of the shortest contour, px.
+pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, usize) {
+    let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, found)| dash(number, found, sigma, least)).collect();
     if dashes.len() < FEWEST {
         return (found, 0);
     }
     let ends: Vec<End<Px>> = (0..).zip(&dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
-    let rows: Vec<Thread> = link(dashes.len(), &ends, WIDEST_GAP * LONGEST, |a, b| cost(a, b, &dashes))
+    let rows: Vec<Thread> = link(dashes.len(), &ends, WIDEST_GAP * LONGEST * least, |a, b| cost(a, b, &dashes))
         .into_iter()
         .filter(|row| is_row(row, &dashes, &found))
         .collect();
@@ -60,21 +63,21 @@ pub(super) fn united(found: Vec<Found>, sigma: f32) -> (Vec<Found>, usize) {
 }
 
 /// A contour as a dash, if it is one.
-fn dash(number: usize, Found { contour, stroke, .. }: &Found, sigma: f32) -> Option<Dash> {
+fn dash(number: usize, Found { contour, stroke, .. }: &Found, sigma: f32, least: f32) -> Option<Dash> {
     let (ends, width) = match (contour.closed, stroke) {
-        (true, None) => around(contour, sigma)?,
+        (true, None) => around(contour, sigma, least)?,
         (false, Some(width)) => ([contour.vertices.first()?.at, contour.vertices.last()?.at], *width),
         _ => return None,
     };
     let length = (ends[1] - ends[0]).length();
     let is_straight = contour.closed || length >= STRAIGHT * contour.length();
-    (is_straight && length > 0.0 && length <= LONGEST).then_some(Dash { number, ends, length, width })
+    (is_straight && length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
 }
 
 /// The ends and the width of a dash inside the ring of its sides.
-fn around(ring: &Contour, sigma: f32) -> Option<([PxPoint; 2], f32)> {
+fn around(ring: &Contour, sigma: f32, least: f32) -> Option<([PxPoint; 2], f32)> {
     let points = || ring.vertices.iter().map(|vertex| vertex.at);
-    if ring.length() > 2.0 * (LONGEST + BROADEST) {
+    if ring.length() > 2.0 * (LONGEST + BROADEST) * least {
         return None;
     }
     let centre = (points().map(|at| at.to_vector()).sum::<PxVector>() / ring.vertices.len().max(1) as f32).to_point();
@@ -88,7 +91,7 @@ fn around(ring: &Contour, sigma: f32) -> Option<([PxPoint; 2], f32)> {
     let breadth = right - left;
     // blur puts the sides of a thin stroke a scale of the detector from its middle
     let width = (breadth * breadth - 4.0 * sigma * sigma).max(1.0).sqrt();
-    let is_dash = breadth <= BROADEST && to - from >= ELONGATED * breadth;
+    let is_dash = breadth <= BROADEST * least && to - from >= ELONGATED * breadth;
     is_dash.then_some(([centre + along * from, centre + along * to], width))
 }
 
@@ -133,7 +136,7 @@ fn is_row(row: &Thread, dashes: &[Dash], found: &[Found]) -> bool {
     let longest = inner.iter().fold(0.0_f32, |longest, &length| longest.max(length));
     let gaps = gaps(row, dashes);
     let gap_lengths: Vec<f32> = gaps.iter().map(|(a, b)| (*b - *a).length()).collect();
-    let own: Vec<usize> = row.parts.iter().map(|part| dashes[part.polyline].number).collect();
+    let own: HashSet<usize> = row.parts.iter().map(|part| dashes[part.polyline].number).collect();
     let is_filled = |gap: &&(PxPoint, PxPoint)| {
         let others = (0..).zip(found).filter(|(number, _)| !own.contains(number));
         others.flat_map(|(_, found)| found.contour.segments()).any(|(a, b)| ahead(**gap, (a.at, b.at)).is_some())
@@ -231,6 +234,7 @@ mod tests {
     use super::*;
 
     const SIGMA: f32 = 1.8;
+    const LEAST: f32 = 7.0;
 
     fn stroke(from: (f32, f32), to: (f32, f32)) -> Found {
         Found { stroke: Some(2.0), ..Found::edge(polyline(&[from, to])) }
@@ -248,7 +252,7 @@ mod tests {
     #[test]
     fn dashes_in_a_row_become_one_line_from_the_first_to_the_last() {
         let rings: Vec<Found> = (0..8).map(|k| ring(20.0 + 16.0 * k as f32, 50.0)).collect();
-        let (united, rows) = united(rings, SIGMA);
+        let (united, rows) = united(rings, SIGMA, LEAST);
         assert_eq!((united.len(), rows), (1, 1));
         let line = &united[0].contour;
         let (first, last) = (line.vertices[0].at, line.vertices[line.vertices.len() - 1].at);
@@ -264,7 +268,7 @@ mod tests {
             (100.0 + 60.0 * x, 100.0 + 60.0 * y)
         };
         let dashes: Vec<Found> = (0..24).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
-        let (united, rows) = united(dashes, SIGMA);
+        let (united, rows) = united(dashes, SIGMA, LEAST);
         assert_eq!((united.len(), rows), (1, 1));
         let circle = &united[0].contour;
         assert!(circle.closed && (circle.length() - 377.0).abs() < 4.0, "{}", circle.length());
@@ -279,22 +283,22 @@ mod tests {
             };
             (0..5).map(piece).collect()
         };
-        assert_eq!(united(pieces(20.0, 14.0), SIGMA).1, 1, "with nothing between them they are dashes");
+        assert_eq!(united(pieces(20.0, 14.0), SIGMA, LEAST).1, 1, "with nothing between them they are dashes");
         let bars = (0..5).flat_map(|k| {
             let x = 41.0 + k as f32 * 34.0;
             [stroke((x, 20.0), (x, 120.0)), stroke((x + 12.0, 20.0), (x + 12.0, 120.0))]
         });
-        let (all, rows) = united(pieces(20.0, 14.0).into_iter().chain(bars).collect(), SIGMA);
+        let (all, rows) = united(pieces(20.0, 14.0).into_iter().chain(bars).collect(), SIGMA, LEAST);
         assert_eq!((all.len(), rows), (15, 0));
-        assert_eq!(united(pieces(60.0, 20.0), SIGMA).1, 0, "too long");
-        assert_eq!(united(pieces(10.0, 30.0), SIGMA).1, 0, "too far apart");
+        assert_eq!(united(pieces(60.0, 20.0), SIGMA, LEAST).1, 0, "too long");
+        assert_eq!(united(pieces(10.0, 30.0), SIGMA, LEAST).1, 0, "too far apart");
     }
 
     #[test]
     fn a_dashed_line_ends_on_what_its_last_dash_touches() {
         let base = stroke((10.0, 20.0), (10.0, 80.0));
         let rings = (0..5).map(|k| ring(24.0 + 16.0 * k as f32, 50.0)).chain([base]).collect();
-        let (united, rows) = united(rings, SIGMA);
+        let (united, rows) = united(rings, SIGMA, LEAST);
         assert_eq!((united.len(), rows), (2, 1));
         let reach = |pick: fn(f32, f32) -> f32, from: f32| {
             united[1].contour.vertices.iter().map(|vertex| vertex.at.x).fold(from, pick)
@@ -307,8 +311,8 @@ mod tests {
     fn dots_and_uneven_pieces_are_no_dashes() {
         let uneven = [(20.0, 30.0), (36.0, 60.0), (66.0, 76.0), (82.0, 118.0), (124.0, 134.0)];
         let pieces = uneven.iter().map(|&(from, to)| stroke((from, 50.0), (to, 50.0))).collect();
-        assert_eq!(united(pieces, SIGMA).1, 0);
+        assert_eq!(united(pieces, SIGMA, LEAST).1, 0);
         let aside = (0..6).map(|k| ring(20.0, 20.0 + 14.0 * k as f32)).collect();
-        assert_eq!(united(aside, SIGMA).1, 0, "beside one another, as steps of a ladder");
+        assert_eq!(united(aside, SIGMA, LEAST).1, 0, "beside one another, as steps of a ladder");
     }
 }

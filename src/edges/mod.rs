@@ -134,7 +134,7 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
     let mut found: Vec<Found> = edges.chain(strokes).collect();
     let mut dashed = 0;
     if drawn {
-        (found, dashed) = dashes::united(found, params.sigma);
+        (found, dashed) = dashes::united(found, params.sigma, params.min_length);
         let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
             stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
         };

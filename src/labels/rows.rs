@@ -144,12 +144,19 @@ pub fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
     }
 }
 
-/// Those that agree in a coordinate, each with the next one, up to `off` mm; enough of them to be no chance.
+/// Those that agree in a coordinate up to `off` mm, all with the first of them.
 fn in_line(labels: &[(usize, MmRect)], key: Key, off: f32) -> Vec<Vec<usize>> {
     let mut sorted: Vec<(usize, f32)> = labels.iter().map(|&(label, place)| (label, key(place))).collect();
     sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let lines = sorted.chunk_by(|a, b| b.1 - a.1 <= off).filter(|line| line.len() >= FEWEST);
-    lines.map(|line| line.iter().map(|(label, _)| *label).collect()).collect()
+    let mut lines: Vec<Vec<(usize, f32)>> = Vec::new();
+    for label in sorted {
+        match lines.last_mut() {
+            Some(line) if label.1 - line[0].1 <= off => line.push(label),
+            _ => lines.push(vec![label]),
+        }
+    }
+    lines.retain(|line| line.len() >= FEWEST);
+    lines.into_iter().map(|line| line.into_iter().map(|(label, _)| label).collect()).collect()
 }
 
 /// In how many rows the labels of a group stand, and whether leader lines lead to what they name.

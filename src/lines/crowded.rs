@@ -46,15 +46,16 @@ pub(super) fn cleared(
     let most = wanted(&of_wide);
     let thin = wide.thin();
     let moved_keeps = if params.exact { 0.0 } else { MOVED_KEEPS };
-    let others: [(&dyn Fn() -> Arc<Candidates>, Params, bool, f32); 4] = [
-        (&|| of_wide.clone(), wide, true, moved_keeps),
-        (&|| of_merged.clone(), merged, false, 0.0),
-        (&|| of_merged.clone(), merged, true, moved_keeps),
-        (&|| Arc::new(candidates(&thin)), thin, true, THINNER_KEEPS),
+    let others = [
+        (Some(&of_wide), wide, true, moved_keeps),
+        (Some(&of_merged), merged, false, 0.0),
+        (Some(&of_merged), merged, true, moved_keeps),
+        (None, thin, true, THINNER_KEEPS),
     ];
     let mut kept = best.kept(most);
-    for (candidates, params, moves_apart, gain) in others {
-        let this = Attempt::of(&candidates(), area, params, moves_apart);
+    for (candidates_before, params, moves_apart, gain) in others {
+        let candidates = candidates_before.cloned().unwrap_or_else(|| Arc::new(candidates(&params)));
+        let this = Attempt::of(&candidates, area, params, moves_apart);
         if this.kept(most) > kept + gain {
             (kept, best) = (this.kept(most), this);
         }
@@ -103,7 +104,8 @@ impl Attempt {
     /// geometric mean of two shares: of what this attempt itself wants, which falls where lines are torn; and of
     /// `most`, which falls where centrelines stand for two sides.
     fn kept(&self, most: f32) -> f32 {
-        self.drawn() / (self.wanted() * most).sqrt().max(f32::EPSILON)
+        let wanted = self.wanted();
+        self.drawn() / (wanted * most.max(wanted)).sqrt().max(f32::EPSILON)
     }
 }
 

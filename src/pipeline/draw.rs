@@ -75,6 +75,7 @@ pub(super) fn draw(
     let layout = with_room(&picture.texts, sizes, layout_of(picture.source.size)?);
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
+    notes.extend(told_narrower(fit, &layout));
     let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
     notes.extend(texts::left_out(&texts, layout.figure));
 
@@ -99,7 +100,7 @@ pub(super) fn draw(
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
-    notes.extend(edges.as_ref().and_then(told_dashed));
+    notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
         let outlined = areas.as_ref().filter(|_| given.areas.is_none());
@@ -270,7 +271,11 @@ pub(super) fn draw_lines(
             return run(watch, Stage::Lines, || {
                 let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
                 let mut drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
-                drawn.lost.signs = lost_signs::of(edges, &drawn.lines, &transform);
+                // those beyond as many shapes as are asked for are left out on purpose
+                if plan.lines().most_shapes.is_none() {
+                    let widest = plan.lines().max_spacing();
+                    drawn.lost.signs = lost_signs::of(edges, &drawn.lines, &transform, widest);
+                }
                 if matches!(layout.medium, Medium::Dots(_)) {
                     drawn.lines = by_hand_first(drawn.lines, edges, &transform);
                 }
@@ -306,6 +311,14 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
         return Some(Note::TooDense { millimetres, percent, place, width });
     }
     (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
+}
+
+/// What the maker is told of a figure that is narrower than asked for.
+fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
+    let (wanted, width) = (fit.width?, layout.figure.width());
+    let why = "the room beside it is for the drawing's own words; give the words with --labels FILE, or ask for more";
+    let told = format!("the figure is {width:.0} mm wide and not {wanted:.0}, as {why}");
+    (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
 }
 
 /// What the maker is told of dashed lines.

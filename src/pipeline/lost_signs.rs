@@ -18,8 +18,9 @@ const SIGN: f32 = 25.0;
 /// one stroke are drawn as one line.
 const MOVED: f32 = 3.0;
 
-/// The middles of small rings among the contours of a drawing of which there is none among its lines.
-pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform) -> Vec<MmPoint> {
+/// The middles of small rings among the contours of a drawing of which there is none among its lines. One that is no
+/// broader than `widest_stroke`, mm, may be drawn as its centreline.
+pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, widest_stroke: f32) -> Vec<MmPoint> {
     if !edges.of_drawing() {
         return Vec::new();
     }
@@ -29,7 +30,17 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform) -> Ve
         let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
         let ring = MmRect::from_points(points);
         let near = |at: MmPoint| (at - ring.center()).length() < MOVED;
-        let is_drawn = || drawn.iter().any(|other| near(other.center()));
+        let alike = |other: &MmRect| {
+            let more = (other.size() - ring.size()) * 0.5;
+            near(other.center()) && more.width.abs().max(more.height.abs()) < MOVED
+        };
+        let side = |extent: &MmRect| extent.width().max(extent.height());
+        let is_centreline = |line: &Line| {
+            let line = extent(line);
+            ring.inflate(MOVED, MOVED).contains_box(&line) && side(&line) >= 0.5 * side(&ring)
+        };
+        let is_narrow = ring.width().min(ring.height()) <= widest_stroke;
+        let is_drawn = || drawn.iter().any(alike) || is_narrow && lines.iter().any(is_centreline);
         if is_small(ring) && !is_drawn() && !lost.iter().any(|&at| near(at)) {
             lost.push(ring.center());
         }

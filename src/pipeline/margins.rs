@@ -43,13 +43,15 @@ struct Need {
 }
 
 /// The layout of a drawing with room beside it for the braille of its own texts in rows and columns; `layout_of` gives
-/// that of a size. `raster` is the size in which the texts have their places, `source` that of the drawing.
+/// that of a size. The drawing's shorter side stays at least `min_side`, mm. `raster` is the size in which the texts
+/// have their places, `source` that of the drawing.
 pub(super) fn with_room(
     texts: &[DrawnText],
     [raster, source]: [Size; 2],
     (words, written, cell): (&Words<'_>, &Written<'_>, CellSize),
     layout: Layout,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    min_side: f32,
 ) -> Layout {
     let placed = texts::placed(texts, &PageTransform::new(raster, layout.figure));
     let cells = CellGrid::of(&layout.medium, cell);
@@ -79,7 +81,11 @@ pub(super) fn with_room(
         let [left, top, right, bottom] = room;
         let size = Size::new(source.width + whole(left + right), source.height + whole(top + bottom));
         let Ok(outer) = layout_of(size) else { break };
-        best = within(outer, &own, [left, top], size, source);
+        let smaller = within(outer, &own, [left, top], size, source);
+        if smaller.figure.width().min(smaller.figure.height()) < min_side {
+            break;
+        }
+        best = smaller;
     }
     best
 }

@@ -12,8 +12,6 @@ pub struct VectorDrawing {
     /// Where contours may be seen that are on no path: pictures inside the drawing, gradients, patterns, masks and
     /// filters.
     pub pixel_areas: Vec<PixelArea>,
-    /// How many of the strokes are dashed; the paths have no gaps.
-    pub dashed: usize,
 }
 
 /// A path and how it is painted.
@@ -23,6 +21,8 @@ pub struct PaintedPath {
     pub path: Path,
     /// Its stroke, widths in pixels; none if it is filled only.
     pub stroke: Option<Stroke>,
+    /// Whether the stroke has dashes; the path has no gaps.
+    pub dashed: bool,
 }
 
 /// A text of a drawing.

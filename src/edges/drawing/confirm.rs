@@ -34,7 +34,7 @@ const HIDDEN_WIDTHS: f32 = 1.5;
 
 /// The stretches of a proposal that the picture shows, with their contrast.
 pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> Vec<Confirmed> {
-    let Proposal { line, stroke } = proposal;
+    let Proposal { line, stroke, .. } = proposal;
     let seen: Vec<Seen> = line.segments().map(|(a, b)| look(*a, *b, *stroke, picture)).collect();
     if seen.iter().all(|seen| seen.strength < params.high) {
         return Vec::new();

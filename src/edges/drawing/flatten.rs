@@ -24,10 +24,11 @@ const MARGIN: f32 = 2.0;
 pub(super) fn proposals(drawing: &VectorDrawing, widest_stroke: f32, size: Size) -> Vec<Proposal> {
     let mut strokes = Vec::new();
     let mut outlines = Vec::new();
-    for PaintedPath { path, stroke } in &drawing.paths {
+    for PaintedPath { path, stroke, dashed } in &drawing.paths {
         match stroke {
             Some(stroke) if stroke.width <= widest_stroke => {
-                strokes.extend(of_path(path, false, Some(stroke.width), size))
+                let of_path = of_path(path, false, Some(stroke.width), size);
+                strokes.extend(of_path.into_iter().map(|proposal| Proposal { dashed: *dashed, ..proposal }));
             }
             Some(stroke) => {
                 let sides = path.stroke(stroke, 1.0);
@@ -55,7 +56,7 @@ fn of_path(path: &Path, filled: bool, stroke: Option<f32>, size: Size) -> Vec<Pr
     lines
         .map(|mut line| {
             subdivide(&mut line, margin, size);
-            Proposal { line, stroke }
+            Proposal { line, stroke, dashed: false }
         })
         .collect()
 }
@@ -175,7 +176,7 @@ mod tests {
 
     fn drawing(path: Path, width: Option<f32>) -> VectorDrawing {
         let stroke = width.map(|width| Stroke { width, ..Stroke::default() });
-        VectorDrawing { paths: vec![PaintedPath { path, stroke }], ..VectorDrawing::default() }
+        VectorDrawing { paths: vec![PaintedPath { path, stroke, dashed: false }], ..VectorDrawing::default() }
     }
 
     #[test]

@@ -28,9 +28,12 @@ pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> 
     let size = raster.size();
     let proposals = flatten::proposals(drawing, params.widest_stroke, size);
     let picture = confirm::Lab::of(raster);
-    let confirmed: Vec<Confirmed> =
-        proposals.iter().flat_map(|proposal| confirm::confirmed(proposal, &picture, params)).collect();
-    let mut edges = Edges { dashed: drawing.dashed, ..Edges::none(size) };
+    let (mut confirmed, mut edges): (Vec<Confirmed>, Edges) = (Vec::new(), Edges::none(size));
+    for proposal in &proposals {
+        let of_proposal = confirm::confirmed(proposal, &picture, params);
+        edges.dashed += usize::from(proposal.dashed && !of_proposal.is_empty());
+        confirmed.extend(of_proposal);
+    }
     for Confirmed { line, stroke } in unite::united(confirmed, size) {
         edges.push_as(
             ChainKind { exact: true, drawn: true, stroke, added: false },

@@ -10,6 +10,8 @@ pub(super) struct Proposal {
     pub(super) line: Polyline<PxPoint>,
     /// Width of the stroke of which it is the centre line, px; none of an outline.
     pub(super) stroke: Option<f32>,
+    /// Whether the stroke is dashed; the line has no gaps.
+    pub(super) dashed: bool,
 }
 
 /// A proposal, or a part of one, that the picture confirms.

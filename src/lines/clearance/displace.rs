@@ -24,7 +24,7 @@ pub(super) fn farthest(polyline: &Polyline<Vertex>, passage: &Passage, params: &
     if is_held(polyline, passage, params) { RING_FARTHEST } else { FARTHEST }
 }
 
-/// Whether a line cannot come off its neighbours: it is a ring, or in a vector drawing both its ends lie on others, as
+/// Whether a line cannot come off its neighbours: it is a ring, or in a drawing both its ends lie on others, as
 /// those of a bar on its axis, or of a connector between boxes.
 pub(super) fn is_held(polyline: &Polyline<Vertex>, passage: &Passage, params: &Params) -> bool {
     let ends = |arc: f32| passage.junctions.iter().any(|j| j.is_own_end() && (j.arc - arc).abs() < TOUCH);

@@ -76,9 +76,12 @@ fn drawn<'a>(lines: &[Polyline<Vertex>], area: MmRect, params: &'a Params) -> Dr
 /// Every so many vertices, at most 2 mm apart, are looked at, and the ends; those between follow them.
 const EVERY: usize = 4;
 
-/// A line that is too near to itself on this share of its length is a narrow bar, which becomes wider; one that is so
-/// on less has a pointed corner.
+/// A line that its other side pushes on this share of its length is a narrow bar, which becomes wider; one that is
+/// pushed on less has a pointed corner.
 const NARROW: f32 = 0.25;
+
+/// What is missing between a vertex and a rival, mm, and how the vertex gives way.
+type Push = (f32, MmVector);
 
 /// Lines that move apart.
 struct All<'a> {
@@ -99,14 +102,13 @@ impl All<'_> {
         // of a bar or another ring the two sides may be too near to one another
         let closed = is_held(line, passage, params);
         let arcs = line.arc_lengths();
-        let mut pushes = vec![MmVector::zero(); line.vertices.len()];
-        let mut own = vec![MmVector::zero(); line.vertices.len()];
+        let mut rivals: Vec<(usize, [[Push; 2]; 2])> = Vec::new();
         let last = line.vertices.len().saturating_sub(1);
         for (i, vertex) in line.vertices.iter().enumerate().filter(|(i, _)| i % EVERY == 0 || *i == last) {
             let arc = arcs[i];
             let tangent = line.tangent(i);
-            // the worst rival on either side
-            let (mut most, mut push, mut of_own) = ([0.0; 2], [MmVector::zero(); 2], [false; 2]);
+            // the worst rival on either side: of other lines, and of its own
+            let mut worst: [[Push; 2]; 2] = [[(0.0, MmVector::zero()); 2]; 2];
             self.drawn.each_near(vertex, arc, passage, |near| {
                 let other = near.segment.line as usize;
                 let is_rival = match other == number {
@@ -115,24 +117,27 @@ impl All<'_> {
                     false => !near.joins && !self.passages[other].joins(number as u32, near.line_arc, near.approach),
                 };
                 let side = usize::from(tangent.cross(near.away) > 0.0);
-                if is_rival && near.missing > most[side] {
-                    most[side] = near.missing;
-                    of_own[side] = other == number;
+                let (most, push) = &mut worst[usize::from(other == number)][side];
+                if is_rival && near.missing > *most {
+                    *most = near.missing;
                     // where both together cannot give way by as much, one will be cut, and the other had better stay
                     let there = near.segment.index as usize;
                     let fits = near.missing <= self.left(number, i) + self.left(other, there) + MORE;
                     let share = if fits { 0.5 * (near.missing + MORE) / near.distance.max(MORE) } else { 0.0 };
-                    push[side] = near.away * share;
+                    *push = near.away * share;
                 }
                 true
             });
-            for (push, of_own) in push.into_iter().zip(of_own) {
-                if of_own { own[i] += push } else { pushes[i] += push }
-            }
+            rivals.push((i, worst));
         }
-        let pushed_by_own = own.iter().filter(|push| **push != MmVector::zero()).count();
-        if (pushed_by_own * EVERY) as f32 >= NARROW * line.vertices.len() as f32 {
-            pushes.iter_mut().zip(&own).for_each(|(push, own)| *push += *own);
+        let is_pushed = |of_own: &[Push; 2]| of_own.iter().any(|(_, push)| *push != MmVector::zero());
+        let by_own = rivals.iter().filter(|(_, [_, own])| is_pushed(own)).count();
+        let is_narrow = by_own as f32 >= NARROW * rivals.len() as f32;
+        let mut pushes = vec![MmVector::zero(); line.vertices.len()];
+        for (i, [others, own]) in rivals {
+            let sides = others.into_iter().zip(own);
+            let worst = sides.map(|(other, own)| if is_narrow && own.0 > other.0 { own.1 } else { other.1 });
+            pushes[i] = worst.fold(MmVector::zero(), |sum, push| sum + push);
         }
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return pushes;

@@ -99,7 +99,7 @@ fn add_group(group: &Group, transform: Transform, found: &mut VectorDrawing) {
                 let area = image.abs_bounding_box();
                 found.pixel_areas.extend(pixel_area(area, transform));
                 let border = resvg::tiny_skia::PathBuilder::from_rect(area).transform(transform);
-                found.paths.extend(border.map(|path| PaintedPath { path, stroke: None }));
+                found.paths.extend(border.map(|path| PaintedPath { path, stroke: None, dashed: false }));
             }
             Node::Text(text) => add_group(text.flattened(), transform, found),
         }
@@ -120,14 +120,21 @@ fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) 
         let mut stroke = stroke.to_tiny_skia();
         stroke.width *= mean_scale(to_pixels);
         // the line says where it runs; its dashes would be shorter than a line may be
-        found.dashed += usize::from(stroke.dash.take().is_some());
+        stroke.dash = None;
         stroke
     });
+    let dashed = path.stroke().is_some_and(|stroke| has_dashes(stroke, path.data().bounds()));
     if path.fill().is_some() && stroke.as_ref().is_some_and(|stroke| stroke.width < HAIRLINE) {
-        found.paths.push(PaintedPath { path: outline, stroke: None });
+        found.paths.push(PaintedPath { path: outline, stroke: None, dashed: false });
     } else {
-        found.paths.push(PaintedPath { path: outline, stroke });
+        found.paths.push(PaintedPath { path: outline, stroke, dashed });
     }
+}
+
+/// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw a
+/// part of it.
+fn has_dashes(stroke: &usvg::Stroke, extent: Rect) -> bool {
+    stroke.dasharray().is_some_and(|dashes| 2.0 * dashes.iter().sum::<f32>() <= extent.width().hypot(extent.height()))
 }
 
 /// A stroke around a filled area that is thinner than this share of a pixel does not show beside it.
@@ -139,7 +146,7 @@ fn add_clip(group: &Group, to_pixels: Transform, found: &mut VectorDrawing) {
             Node::Group(group) => add_clip(group, to_pixels.pre_concat(group.transform()), found),
             Node::Path(path) => {
                 let path: Option<Path> = path.data().clone().transform(to_pixels);
-                found.paths.extend(path.map(|path| PaintedPath { path, stroke: None }));
+                found.paths.extend(path.map(|path| PaintedPath { path, stroke: None, dashed: false }));
             }
             Node::Image(_) | Node::Text(_) => {}
         }
