@@ -1,6 +1,5 @@
 //! Ctrl-C, and being told to end: no half file stays, and it is said how far the run came.
 
-use std::process;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -54,7 +53,7 @@ fn progress() -> MutexGuard<'static, Option<Progress>> {
     DONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs on a thread of its own.
+/// Runs on a thread of its own, beside those at work.
 fn stop() {
     let progress = temporary::locked_within(&DONE, PATIENCE);
     let how_far = match progress.as_deref().copied().flatten() {
@@ -64,6 +63,5 @@ fn stop() {
     };
     // what could be locked stays so until the program has ended: no file takes its name and none is begun
     let _none_is_begun = temporary::remove_all(PATIENCE);
-    Report::plain().usage(&how_far);
-    process::exit(Exit::Stopped as i32);
+    Report::last_word(&how_far, Exit::Stopped)
 }

@@ -33,6 +33,13 @@ impl Report {
         Self { quiet: false, bar: None }
     }
 
+    /// Says how the program ended and ends it, at once: threads that are at work say nothing after it.
+    pub(super) fn last_word(what: &str, exit: Exit) -> ! {
+        let mut messages = std::io::stderr().lock();
+        let _ = writeln!(messages, "tactograph: {what}"); // nobody reads it: the exit code says it
+        std::process::exit(exit as i32)
+    }
+
     /// For the conversion of `pictures` pictures.
     pub(super) fn of_pictures(pictures: usize, quiet: bool) -> Self {
         let can_redraw = std::io::stderr().is_terminal() && std::env::var_os("TERM").is_none_or(|term| term != "dumb");

@@ -10,6 +10,8 @@ use crate::units::MmPoint;
 const APPROACH: f32 = 3.0;
 /// A line that comes back to itself within this way is bent, not joined, mm.
 pub(super) const BEND_LEAST: f32 = 2.0;
+/// Lines cross in a vertex of both if it is on both within this, mm: a page has hundredths.
+const VERTEX: f32 = 0.005;
 /// Lines that cross twice are looked at this often between the crossings, mm.
 const STEP: f32 = 0.5;
 
@@ -32,7 +34,7 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
         let way = &ways.ways[number];
         let mut add = |arc: f32, there: f32, other: u32| {
             let bent = other as usize == number && way.between(arc, there) <= BEND_LEAST;
-            if !bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 1e-3) {
+            if !bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 4.0 * VERTEX) {
                 found.push(Join { arc, other, line: ways.ways[other as usize].line });
             }
         };
@@ -41,7 +43,8 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
                 if !may_be_near(segment, other, 0.0) {
                     return;
                 }
-                if let Some(at) = crossing((segment.a, segment.b), (other.a, other.b)) {
+                // in a vertex of both, too
+                if let Some(at) = crossing(longer(segment), longer(other)) {
                     add(segment.arc + (at - segment.a).length(), nearest(other, at).2, other.line);
                 }
             });
@@ -68,6 +71,12 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
     };
     let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
     found.iter().enumerate().map(kept).collect()
+}
+
+/// The ends of a segment that is longer by [`VERTEX`] at both.
+fn longer(segment: &Segment) -> (MmPoint, MmPoint) {
+    let over = (segment.b - segment.a).try_normalize().unwrap_or_default() * VERTEX;
+    (segment.a - over, segment.b + over)
 }
 
 /// Whether a way stays within the least blank of another between two of its places.

@@ -49,6 +49,23 @@ fn lines_drawn_by_hand_are_held_against_the_rules() {
     assert!(has(&changed("bars.svg", |svg| with_lines(svg, out)), "margin", "5.5 mm beyond the margin of 10 mm"));
 }
 
+#[test]
+fn lines_that_cross_in_a_vertex_of_both_cross() {
+    let cross = |bend: &str| {
+        format!(
+            "<path d=\"M60,250 L90,250 L120,250\" stroke-width=\"1\"/>\
+             <path d=\"M90,235 L90,249.9 {bend} L90,265\" stroke-width=\"1\"/>"
+        )
+    };
+    for bend in ["L90,250", "L90,250.1", "L90.05,250 L90,250.15"] {
+        let checked = changed("bars.svg", |svg| with_lines(svg, &cross(bend)));
+        assert!(!has(&checked, "line-gap", "without a name and line 2"), "{bend}: {checked}");
+    }
+    let beside = cross("L90,250").replace("M90,235", "M60,240").replace("L90,249.9", "L80,247");
+    let checked = changed("bars.svg", |svg| with_lines(svg, &beside.replace("L90,250", "L90,247")));
+    assert!(has(&checked, "line-gap", "without a name and line 2"), "a line along another is too near: {checked}");
+}
+
 /// The page without the path of this id, and nothing else.
 fn without_path(svg: &str, id: &str) -> String {
     let at = svg.find(&format!("id=\"{id}\"")).expect("the object is there");

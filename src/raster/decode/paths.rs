@@ -131,8 +131,8 @@ fn add_path(path: &usvg::Path, transform: Transform, found: &mut VectorDrawing) 
     }
 }
 
-/// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw a
-/// part of it.
+/// Whether a stroke shows dashes: at least two on a path of this extent. An array longer than the path is a way to draw
+/// a part of it.
 fn has_dashes(stroke: &usvg::Stroke, extent: Rect) -> bool {
     stroke.dasharray().is_some_and(|dashes| 2.0 * dashes.iter().sum::<f32>() <= extent.width().hypot(extent.height()))
 }
