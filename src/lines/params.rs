@@ -95,7 +95,7 @@ impl Params {
         (self.max_spacing() - if self.widen_bars { RING_FARTHEST } else { 0.0 }).max(0.0)
     }
 
-    /// The widest gap between two areas of a vector drawing that is drawn as one line, mm: wider ones become as wide as
+    /// The widest gap between two areas of a drawing that is drawn as one line, mm: wider ones become as wide as
     /// two lines need, as both sides move.
     pub(super) fn widest_gap(&self) -> f32 {
         (self.max_spacing() - RING_FARTHEST).max(0.0)
