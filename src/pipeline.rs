@@ -28,6 +28,7 @@ pub mod sheets;
 mod subject;
 mod text_reader;
 mod texts;
+mod textures;
 pub mod trace;
 mod typed;
 mod unwritten;

@@ -84,7 +84,7 @@ fn pages_have_the_structure_that_others_rely_on() {
             lines.filter_map(|line| line.split_once(" = ")).find(|(name, _)| *name == key).map(|(_, value)| value)
         };
         // those of dots but for the device do not count on a printed page
-        let of_dots = ["dots.pitch", "dots.line_gap", "dots.texture_gap", "dots.heavy_from"];
+        let of_dots = ["dots.pitch", "dots.line_gap", "dots.texture_gap", "dots.texture_rows", "dots.heavy_from"];
         for key in Profile::keys() {
             // ... nor do those of braille where nothing is written
             let unused = of_dots.contains(&key.path) || key.section() == "braille";

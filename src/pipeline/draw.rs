@@ -11,19 +11,20 @@ use super::read::{Read, read};
 use super::request::{Fit, Request};
 use super::subject;
 use super::texts::{self, Text, placed};
+use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, PictureKind};
 use crate::lines::{self, Beyond, Line, Lines, Lost};
 use crate::page::layout::Layout;
-use crate::page::{Figure, LeftOut, Medium, Texture};
+use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
 use crate::raster::vector::DrawnText;
 use crate::regions::{Areas, Detail};
-use crate::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
-use crate::{About, Error, Note, textures};
+use crate::units::{MmPoint, MmRect, PageTransform, Size};
+use crate::{About, Error, Note};
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
 const MIN_PIXELS: u32 = 8;
@@ -106,6 +107,8 @@ pub(super) fn draw(
         let outlined = areas.as_ref().filter(|_| given.areas.is_none());
         notes.extend(outlined.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
         blank(classes, &erased);
+        // which areas a person gave have a texture is theirs to say
+        notes.extend(if given.areas.is_none() { blank_ground(classes, plan) } else { None });
         if let Some(subject) = &calmed_around {
             subject::blank_around(classes, subject, size);
         }
@@ -117,6 +120,7 @@ pub(super) fn draw(
     drop(edges);
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
+    notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, layout, is_flat, left_out, lost_signs: drawn.lost.signs, texts, notes })
@@ -374,42 +378,4 @@ pub(super) fn sort_colours(
         let contours = edges.map(Edges::borders).unwrap_or_default();
         classes::sort(raster, &contours, &plan.classes(px_per_mm))
     }))
-}
-
-/// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
-fn fit_to_areas(classes: &mut Classes, areas: &Areas, picture: Size, layout: &Layout, plan: &Plan) -> Option<Note> {
-    if areas.count() == 0 {
-        return None;
-    }
-    let (width, height) = (classes.size.width, classes.size.height);
-    let at = |cell: usize, count: u32, pixels: u32| (cell as f32 + 0.5) / count as f32 * pixels as f32;
-    let area = |cell: usize| {
-        let (x, y) = (cell % width as usize, cell / width as usize);
-        areas.at(PxPoint::new(at(x, width, picture.width), at(y, height, picture.height)))
-    };
-    let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
-    let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
-    let mixed = classes::unify_areas(classes, &area, min_cells);
-    (mixed > 0).then_some(Note::MixedAreas(mixed))
-}
-
-pub(super) fn draw_textures(
-    classes: Option<&Classes>,
-    layout: &Layout,
-    lines: &[Line],
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> Vec<Texture> {
-    let reason = match classes {
-        None => "figure.textures is off",
-        Some(classes) if classes.regions.is_empty() => "the picture is white",
-        Some(classes) => {
-            return run(watch, Stage::Textures, || match &layout.medium {
-                Medium::Print(_) => textures::fill(classes, layout.figure, lines, &plan.textures()),
-                Medium::Dots(medium) => dots::textures(classes, layout.figure, lines, medium, plan),
-            });
-        }
-    };
-    watch(Event::Skip(Stage::Textures, reason));
-    Vec::new()
 }

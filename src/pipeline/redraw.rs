@@ -1,7 +1,7 @@
 //! A page that was read, drawn anew for another paper or device.
 
 use super::areas;
-use super::draw::{Marks, draw_lines, draw_textures, left_out, told_left_out};
+use super::draw::{Marks, draw_lines, left_out, told_left_out};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::key::Key;
@@ -9,6 +9,7 @@ use super::label::{Label, Position};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
 use super::request::Request;
+use super::textures::{blank_ground, draw_textures, told_bare};
 use super::words::{Words, Written};
 use crate::braille::Translate;
 use crate::lines::{Line, Pen, Run};
@@ -111,8 +112,10 @@ pub(super) fn marks(
     }
     notes.extend(told_of_overview(&not_in_overview));
     notes.extend(dots_left_out(page));
-    let classes = plan.profile().figure.textures.then(|| areas::of_page(page));
+    let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
+    notes.extend(classes.as_mut().and_then(|classes| blank_ground(classes, plan)));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
+    notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, lost_signs, texts: Vec::new(), notes })

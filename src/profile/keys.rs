@@ -292,6 +292,8 @@ table! {
         lines: bool;
         /// Whether colours are drawn.
         textures: bool;
+        /// Whether the ground has a texture: the colour that most of the picture's edge has, where it reaches the edge.
+        ground: bool;
         /// Working resolution, at most the picture's own.
         resolution: f32 = 1.0 to 12.0, "px per mm";
         /// A picture whose shorter side would be smaller than this on the sheet is refused.
@@ -408,6 +410,8 @@ table! {
         /// Empty dots between a line and a texture; one is enough in areas that would lose more than half of their
         /// texture otherwise.
         texture_gap: f32 = 0.0 to 10.0, "dots";
+        /// Rows beside one another that a texture has at least; an area with room for fewer has none.
+        texture_rows: f32 = 2.0 to 10.0, "rows";
         /// Height of a colour step from which a line is two dots wide, or higher where the device has heights.
         heavy_from: f32 = 1.0 to 600.0, "units of lightness";
     }

@@ -4,6 +4,7 @@
 use super::keys::Profile;
 use crate::Error;
 use crate::devices::Device;
+use crate::dots::textures::Least;
 use crate::legibility::{Limits, MediumLimits};
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
@@ -194,6 +195,7 @@ impl Plan {
             diameter: medium.diameter(),
             line_gap: dots.texture_gap.round() as u32,
             least_gap: dots.texture_gap.round().min(1.0) as u32,
+            least: Least::of_rows(dots.texture_rows.round() as usize),
             density_blur,
             dense_from,
             white_from,

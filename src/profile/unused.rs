@@ -48,6 +48,7 @@ const PRINTED: &[Unused] = &[
         path: "dots.texture_gap",
         why: "the page is printed; textures.line_gap is the gap between lines and textures",
     },
+    Unused { path: "dots.texture_rows", why: "the page is printed; textures.min_glyph says what is too small" },
     Unused { path: "dots.heavy_from", why: "the page is printed; lines.full_strength says where lines are widest" },
 ];
 

@@ -1,5 +1,6 @@
 //! How textures of dots are drawn, and what is known of every point of the figure.
 
+use super::small_components::Least;
 use crate::classes::{Class, Classes};
 use crate::raster::plane::Plane;
 use crate::textures::{Palette, RegionMap, boldness_of};
@@ -17,6 +18,8 @@ pub struct Params {
     /// The same in an area that would lose more than half of its texture otherwise, such as a bar of a chart; at most
     /// `line_gap`.
     pub least_gap: u32,
+    /// The least that is a texture.
+    pub least: Least,
     /// Sigma of the blur that makes the map of line density.
     pub density_blur: f32,
     /// Local line density (1 on a lone straight line) from which lines count in full; above 0.

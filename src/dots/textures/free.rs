@@ -56,7 +56,7 @@ impl<'a> Candidates<'a> {
             across: (2.0 * across).max(3.0_f32.sqrt() * grey),
         };
         for (set, region) in sets.iter_mut().zip(&classes.regions) {
-            small_components::leave_out(set, params.palette.sign(region.class), spacing);
+            small_components::leave_out(set, params.palette.sign(region.class), spacing, params.least);
         }
         sets
     }

@@ -73,7 +73,7 @@ impl<'a> Candidates<'a> {
         for (set, region) in sets.iter_mut().zip(regions) {
             if let Some(pattern) = self.pattern(region.class) {
                 let spacing = pattern.spacing(self.columns, self.rows, self.field.params.pitch);
-                small_components::leave_out(set, self.sign(region.class), spacing);
+                small_components::leave_out(set, self.sign(region.class), spacing, self.field.params.least);
             }
         }
         sets

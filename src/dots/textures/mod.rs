@@ -16,6 +16,7 @@ mod tests;
 
 pub use field::Params;
 pub use pattern::{RowDirection, carried};
+pub use small_components::Least;
 
 use crate::classes::{Class, Classes, Region};
 use crate::devices::DotArea;

@@ -5,12 +5,30 @@ use crate::geom::components;
 use crate::textures::{Sign, unit};
 use crate::units::{MmPoint, MmVector};
 
-/// Fewer dots than this together are no texture: two rows of three.
-const LEAST_GROUP: usize = 6;
-/// Fewer dots than this in a row have no direction.
-const LEAST_ROW: usize = 2;
 /// Two rows lie further apart than this, in pitches; the two halves of a thick row lie nearer.
 const ONE_ROW: f32 = 1.5;
+
+/// The least that is a texture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Least {
+    /// Rows beside one another.
+    pub rows: usize,
+    /// Dots in a row; fewer are left out.
+    pub row: usize,
+    /// Dots together.
+    pub dots: usize,
+}
+
+impl Least {
+    /// So many rows: on embossers two rows of three, of which two dots are enough to show a direction. Each row more
+    /// asks for rows that are longer by two dots, as so many rows are wanted where those of lines are as near: three
+    /// rows of four.
+    pub fn of_rows(rows: usize) -> Self {
+        let rows = rows.max(2);
+        let row = 2 * (rows - 1);
+        Self { rows, row, dots: rows * row.max(3) }
+    }
+}
 
 /// Distances of the dots of one texture, mm.
 #[derive(Debug, Clone, Copy)]
@@ -26,29 +44,36 @@ pub(super) struct Spacing {
 }
 
 /// Leaves out dots alone in their row, and then components that are no texture: of few dots, or all in one row.
-pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, spacing: Spacing) {
+pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, spacing: Spacing, least: Least) {
     let pitch = spacing.pitch;
     if let Sign::Rhombus { degrees } = sign {
         let (along, across) = (unit(degrees), unit(degrees + 90.0));
         let in_row =
             |step: MmVector| step.dot(across).abs() <= spacing.off && step.dot(along).abs() <= 1.01 * spacing.along;
-        keep(dots, 1.1 * spacing.along, in_row, |row| row.len() >= LEAST_ROW);
+        keep(dots, 1.1 * spacing.along, in_row, |row| row.len() >= least.row);
     }
     let across: &[f32] = match sign {
         Sign::Rhombus { degrees } => &[degrees + 90.0],
         Sign::Dot => &[0.0, 90.0],
     };
-    let is_wide = |group: &[MmPoint]| {
-        across.iter().all(|degrees| {
-            let axis = unit(*degrees);
-            let positions = group.iter().map(|at| at.to_vector().dot(axis));
-            let (low, high) = positions.fold((f32::MAX, f32::MIN), |(low, high), at| (low.min(at), high.max(at)));
-            high - low >= ONE_ROW * pitch
-        })
+    let rows = |group: &[MmPoint], degrees: f32| {
+        let axis = unit(degrees);
+        let mut positions: Vec<f32> = group.iter().map(|at| at.to_vector().dot(axis)).collect();
+        positions.sort_by(f32::total_cmp);
+        let mut last = f32::NEG_INFINITY;
+        let begin_rows = positions.into_iter().filter(|&position| {
+            let begins = position - last >= ONE_ROW * pitch;
+            if begins {
+                last = position;
+            }
+            begins
+        });
+        begin_rows.count()
     };
+    let is_wide = |group: &[MmPoint]| across.iter().all(|degrees| rows(group, *degrees) >= least.rows);
     let reach = 1.01 * spacing.along.max(spacing.across);
     let is_near = |step: MmVector| step.length() <= reach;
-    keep(dots, reach, is_near, |group| group.len() >= LEAST_GROUP && is_wide(group));
+    keep(dots, reach, is_near, |group| group.len() >= least.dots && is_wide(group));
 }
 
 /// Keeps the components that `stays` accepts. Two dots are linked if they are no more than `reach` apart and `belong`

@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Params, fill, sample};
+use super::{Least, Params, fill, sample};
 use crate::classes::{Class, Classes, Region};
 use crate::devices::{DotArea, Grid};
 use crate::lines::{Height, Line, Run};
@@ -25,6 +25,7 @@ fn params(pitch: f32) -> Params {
         diameter: 0.7 * pitch,
         line_gap: 1,
         least_gap: 1,
+        least: Least::of_rows(2),
         density_blur: 8.0,
         dense_from: 0.5,
         white_from: 0.92,
@@ -223,24 +224,29 @@ fn a_grid_of_one_column_or_row_has_no_texture() {
     }
 }
 
-/// A blue area of a few millimetres in white.
-fn band(width: f32, height: f32) -> usize {
+/// The dots of a dark blue area of a few millimetres in white, where a texture has so many rows at least.
+fn band(width: f32, height: f32, rows: usize) -> usize {
     let size = Size::new(240, 240);
     let inside = |i: u32| (i % 240) as f32 * 0.5 < width && (i / 240) as f32 * 0.5 < height;
     let region: Vec<Option<u32>> = (0..240 * 240).map(|i| inside(i).then_some(0)).collect();
     let cells = region.iter().flatten().count() as u32;
     let regions = vec![Region { class: Class::Blue, colour: [0; 3], cells }];
     let classes = Classes { size, region, regions, lightness: Plane::filled(size, 0.1), fringe: Vec::new() };
-    let textures =
-        fill(&classes, AREA, &[line(vec![MmPoint::new(16.0, 36.0)])], &DotArea::Grid(grid(2.5)), &params(2.5));
+    let params = Params { least: Least::of_rows(rows), ..params(2.5) };
+    let textures = fill(&classes, AREA, &[line(vec![MmPoint::new(16.0, 36.0)])], &DotArea::Grid(grid(2.5)), &params);
     textures.iter().map(|texture| texture.glyphs.len()).sum()
 }
 
 #[test]
 fn one_row_and_a_few_dots_are_no_texture() {
-    assert_eq!(band(100.0, 4.0), 0, "one row of dots is felt as a line");
-    assert_eq!(band(6.0, 12.0), 0, "two dots a row");
-    assert!(band(100.0, 22.0) > 60, "three rows are a texture");
+    assert_eq!(band(100.0, 4.0, 2), 0, "one row of dots is felt as a line");
+    assert_eq!(band(6.0, 12.0, 2), 0, "two dots a row");
+    // far from lines rows are 10 mm apart
+    assert!(band(100.0, 22.0, 2) > 60, "two rows are a texture where two are enough");
+    assert_eq!(band(100.0, 22.0, 3), 0, "two rows, where three are wanted");
+    assert!(band(100.0, 32.0, 3) > 100, "three rows");
+    assert!(band(8.0, 50.0, 2) >= 9, "rows of three dots");
+    assert_eq!(band(8.0, 50.0, 3), 0, "rows of three dots, where four are wanted");
 }
 
 #[test]

@@ -34,6 +34,8 @@ impl Device {
         let mut profile = profile.clone();
         // it has a sheet to itself, and is not felt here
         profile.set("overview", "false").expect("a key of the profile");
+        // all of a scene is judged, also what would be the ground of a picture
+        profile.set("figure.ground", "true").expect("a key of the profile");
         let plan = Plan::new(&profile).expect("the values make sense");
         let Layout { figure, medium, sheet, .. } = layout::fit(1.0, f32::MAX, &plan.layout());
         let Medium::Dots(medium) = medium else { return None };

@@ -1,0 +1,181 @@
+//! From sorted colours to the textures of the figure: which areas have one, and what the maker is told of the others.
+
+use super::dots;
+use super::progress::{Event, Stage, Watch, run};
+use crate::classes::{self, Class, Classes};
+use crate::lines::Line;
+use crate::page::layout::Layout;
+use crate::page::{Medium, Texture};
+use crate::profile::Plan;
+use crate::regions::Areas;
+use crate::units::{PxPoint, Size};
+use crate::{About, Note, textures};
+
+/// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on which
+/// things stand has a half or more, the bars of a chart that stand on its edge less than a quarter.
+const GROUND: f32 = 1.0 / 3.0;
+/// Share of the figure without a texture for want of room from which the maker is told. Less is a few slivers.
+const BARE: f32 = 0.03;
+
+/// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
+pub(super) fn fit_to_areas(
+    classes: &mut Classes,
+    areas: &Areas,
+    picture: Size,
+    layout: &Layout,
+    plan: &Plan,
+) -> Option<Note> {
+    if areas.count() == 0 {
+        return None;
+    }
+    let (width, height) = (classes.size.width, classes.size.height);
+    let at = |cell: usize, count: u32, pixels: u32| (cell as f32 + 0.5) / count as f32 * pixels as f32;
+    let area = |cell: usize| {
+        let (x, y) = (cell % width as usize, cell / width as usize);
+        areas.at(PxPoint::new(at(x, width, picture.width), at(y, height, picture.height)))
+    };
+    let area: Vec<usize> = (0..classes.size.len()).map(area).collect();
+    let min_cells = plan.profile().colours.min_area / layout.figure.area() * classes.size.area() as f32;
+    let mixed = classes::unify_areas(classes, &area, min_cells);
+    (mixed > 0).then_some(Note::MixedAreas(mixed))
+}
+
+/// Leaves the ground of a picture without a texture, where the profile wants none there. Tells of it.
+///
+/// The ground is the colour that most of the picture's edge has, if that is at least a third of the edge; areas of that
+/// colour that do not reach the edge keep their texture.
+pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
+    if plan.profile().figure.ground {
+        return None;
+    }
+    let [width, height] = [classes.size.width, classes.size.height].map(|side| side as usize);
+    let is_edge = |cell: usize| {
+        let (x, y) = (cell % width, cell / width);
+        x == 0 || y == 0 || x + 1 == width || y + 1 == height
+    };
+    let edge: Vec<Option<u32>> = (0..width * height).filter(|&cell| is_edge(cell)).map(|c| classes.region[c]).collect();
+    let class_of = |region: u32| classes.regions[region as usize].class;
+    let on_edge = |class: Class| edge.iter().flatten().filter(|region| class_of(**region) == class).count();
+    // of two with as much the first
+    let (ground, cells) = Class::ALL.iter().rev().map(|&class| (class, on_edge(class))).max_by_key(|(_, c)| *c)?;
+    if (cells as f32) < GROUND * edge.len() as f32 {
+        return None;
+    }
+    let mut is_ground = vec![false; classes.regions.len()];
+    edge.iter().flatten().filter(|region| class_of(**region) == ground).for_each(|r| is_ground[*r as usize] = true);
+    let mut blank = 0;
+    for region in &mut classes.region {
+        if let Some(number) = region.filter(|&number| is_ground[number as usize]) {
+            classes.regions[number as usize].cells -= 1;
+            *region = None;
+            blank += 1;
+        }
+    }
+    let (colour, percent) = (ground.name(), (100 * blank / classes.region.len().max(1)) as u32);
+    let told = format!(
+        "the texture of the ground ({colour}, {percent} percent of the figure), so that lines stand out; figure.ground \
+         = true draws it"
+    );
+    Some(Note::NotOnPage(About::Areas, told))
+}
+
+/// What the maker is told of areas that have a colour and no room for its texture, on a page of dots.
+pub(super) fn told_bare(classes: Option<&Classes>, textures: &[Texture], layout: &Layout, plan: &Plan) -> Option<Note> {
+    let (classes, Medium::Dots(_)) = (classes?, &layout.medium) else { return None };
+    let coloured: u32 = classes.regions.iter().map(|region| region.cells).sum();
+    let figure = layout.figure.area();
+    let drawn: f32 = textures.iter().map(|texture| texture.area).sum::<f32>() / figure;
+    let bare = coloured as f32 / classes.size.area() as f32 - drawn;
+    let (percent, rows) = ((100.0 * bare).round(), plan.profile().dots.texture_rows);
+    let told = || {
+        format!(
+            "the textures of {percent} percent of the figure, as these areas have no room for {rows} rows of dots \
+             clear of lines (dots.texture_rows); a larger figure has"
+        )
+    };
+    (bare >= BARE).then(|| Note::NotOnPage(About::Areas, told()))
+}
+
+pub(super) fn draw_textures(
+    classes: Option<&Classes>,
+    layout: &Layout,
+    lines: &[Line],
+    plan: &Plan,
+    watch: &mut Watch<'_>,
+) -> Vec<Texture> {
+    let reason = match classes {
+        None => "figure.textures is off",
+        Some(classes) if classes.regions.is_empty() => "the picture is white",
+        Some(classes) => {
+            return run(watch, Stage::Textures, || match &layout.medium {
+                Medium::Print(_) => textures::fill(classes, layout.figure, lines, &plan.textures()),
+                Medium::Dots(medium) => dots::textures(classes, layout.figure, lines, medium, plan),
+            });
+        }
+    };
+    watch(Event::Skip(Stage::Textures, reason));
+    Vec::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::classes::Region;
+    use crate::profile::Profile;
+    use crate::raster::plane::Plane;
+
+    /// Twelve by six cells, one letter each: the class by its first letter, a dot for white. Areas are those of a
+    /// letter, capital or small.
+    fn classes(rows: [&str; 6]) -> Classes {
+        let letters: Vec<char> = rows.iter().flat_map(|row| row.chars()).collect();
+        let mut kinds: Vec<char> = letters.iter().copied().filter(|letter| *letter != '.').collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let class = |kind: char| {
+            Class::ALL.into_iter().find(|class| class.name().starts_with(kind.to_ascii_lowercase())).expect("a class")
+        };
+        let count = |kind: char| letters.iter().filter(|letter| **letter == kind).count() as u32;
+        let number = |letter: &char| kinds.iter().position(|kind| kind == letter).map(|number| number as u32);
+        Classes {
+            size: Size::new(12, 6),
+            region: letters.iter().map(number).collect(),
+            regions: kinds.iter().map(|&k| Region { class: class(k), colour: [0; 3], cells: count(k) }).collect(),
+            lightness: Plane::filled(Size::new(12, 6), 0.3),
+            fringe: Vec::new(),
+        }
+    }
+
+    fn plan(profile: &str) -> Plan {
+        Plan::new(&Profile::named(profile).expect("it is built in")).expect("built-in profiles make sense")
+    }
+
+    /// How many cells of each letter are left, and the note.
+    fn blanked(rows: [&str; 6], profile: &str) -> (Vec<u32>, Option<String>) {
+        let mut classes = classes(rows);
+        let note = blank_ground(&mut classes, &plan(profile));
+        let left = classes.regions.iter().map(|region| region.cells).collect();
+        let counted = |number: usize| classes.region.iter().flatten().filter(|r| **r as usize == number).count() as u32;
+        assert_eq!(left, (0..classes.regions.len()).map(counted).collect::<Vec<_>>(), "cells are counted anew");
+        (left, note.map(|note| note.to_string()))
+    }
+
+    #[test]
+    fn the_ground_is_blank_on_pins_and_is_told() {
+        // a table on both sides of a bowl with a ball of its colour in it
+        let rows = ["YYYYggggYYYY", "YYYggggggYYY", "YYgggyyggYYY", "YYgggyyggYYY", "YYYggggggYYY", "YYYYggggYYYY"];
+        let (left, note) = blanked(rows, "dot-pad");
+        assert_eq!(left, [0, 30, 4], "the table, the bowl and the ball");
+        let wanted = "left out of the page: the texture of the ground (yellow, 52 percent of the figure), so that \
+                      lines stand out; figure.ground = true draws it";
+        assert_eq!(note.as_deref(), Some(wanted));
+        assert_eq!(blanked(rows, "swell-a4"), (vec![38, 30, 4], None), "paper has room for it");
+    }
+
+    #[test]
+    fn what_holds_less_than_a_third_of_the_edge_is_no_ground() {
+        let bars = ["............", ".rr.bb.gg...", ".rr.bb.gg...", ".rr.bb.gg...", ".rr.bb.gg...", ".rr.bb.gg..."];
+        assert_eq!(blanked(bars, "dot-pad"), (vec![10, 10, 10], None));
+        let white = ["............"; 6];
+        assert_eq!(blanked(white, "dot-pad"), (vec![], None));
+    }
+}
