@@ -66,8 +66,6 @@ fn device(profile: &str, pitch: &str) -> Device {
     profile.set("dots.pitch", pitch).expect("a key of the profile");
     // cells come without, for the reason that is tested here
     profile.set("figure.textures", "true").expect("a key of the profile");
-    // all of a scene is judged, also what would be the ground of a picture
-    profile.set("figure.ground", "true").expect("a key of the profile");
     Device::of(&profile).expect("it is one of dots")
 }
 

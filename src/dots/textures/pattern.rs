@@ -36,7 +36,7 @@
 //! | `index-basic-d`, 2.0 | 1.6 | 0.648 | 0.996 | 0.916 | 0.991 | 0.956 |
 //! | `index-basic-d`, 2.5 | 1.6 | 0.637 | 0.975 | 0.964 | 0.988 | 0.903 |
 //! | `braillerap`, anywhere, 2.5 | 1.6 | 0.983 | 0.991 | 0.813 | 0.985 | 0.856 |
-//! | `dot-pad`, 2.5 | 1.5 | 0.617 | 0.978 (0.984) | 0.974 | 0.985 | 0.916 |
+//! | `dot-pad`, 2.5, three rows | 1.5 | 0.619 | 0.965 (0.971) | 0.964 | 0.992 | 0.927 |
 //! | `braille-cells`, 2.34 | 1.44 | 0.373 | 0.538 (0.459) | 0.598 | 0.837 | 0.728 |
 //!
 //! What is misread lies in narrow areas: two empty dots beside each line take 15 mm of a stripe at 2.5 mm. With
