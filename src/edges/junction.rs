@@ -8,6 +8,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::contour::{Contour, ContourPoint, LineFit};
 use crate::geom::nearby::Index;
+use crate::geom::nearest_on_segment;
 use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// Greatest distance over which an end is extended, in blurs.
@@ -24,6 +25,23 @@ const TOLERANCE: f32 = 0.05;
 const TOO_CLOSE: f32 = 0.2;
 /// Side of the cells of the index of points, px.
 const CELL: f32 = 8.0;
+
+/// A contour may have a kink for this much to both sides of the end of another, px, which is no farther from it.
+const KINK: f32 = 9.0;
+/// ... if it is straight for this much before and after it, px,
+const STRAIGHT: f32 = 12.0;
+/// no farther off a line than this (RMS), px,
+const EVEN: f32 = 0.3;
+/// and the two lines are one: cosine between them at least (6 degrees), and how far one lies beside the other, px.
+const COLLINEAR: f32 = 0.9945;
+const IN_LINE: f32 = 0.75;
+
+/// What runs no farther than this beside another contour, px, is in its place; what is no farther than that lies on it.
+const BESIDE: f32 = 1.5;
+const ON: f32 = 0.75;
+/// An end is cut off where it runs along another contour for more than this, px: one that meets it at the flattest angle
+/// (see `lines`) leaves it sooner.
+const ALONG: f32 = 5.0;
 
 /// An end of a contour with the line that it follows and the junction to which the line leads.
 struct Extension {
@@ -43,6 +61,115 @@ pub(super) fn extend(contours: &mut [Contour], size: Size) {
     for extension in found {
         apply(&mut contours[extension.contour], &extension);
     }
+}
+
+/// Straightens contours beside the ends of others. Where a stroke meets a straight one at a small angle, the two are one
+/// thick spot, and the middle of that, through which both were found, lies between them.
+pub(super) fn straighten(contours: &mut [Contour], size: Size) {
+    let index = index_of(contours, size);
+    let ends = contours.iter().enumerate().filter(|(_, contour)| !contour.closed).flat_map(|(number, contour)| {
+        contour.vertices.first().into_iter().chain(contour.vertices.last()).map(move |end| (number, end.at))
+    });
+    let kinks: Vec<Kink> = ends.filter_map(|(number, end)| kink(contours, &index, number, end)).collect();
+    for Kink { contour, vertices, from, to } in kinks {
+        for (k, vertex) in vertices.iter().enumerate() {
+            contours[contour].vertices[*vertex].at = from.lerp(to, (k + 1) as f32 / (vertices.len() + 1) as f32);
+        }
+    }
+}
+
+/// The vertices of a contour that are to lie on the straight way between two points.
+struct Kink {
+    contour: usize,
+    vertices: Vec<usize>,
+    from: PxPoint,
+    to: PxPoint,
+}
+
+/// The kink of the contour on which another one ends, if that is straight before and after it.
+fn kink(contours: &[Contour], index: &PointIndex, number: usize, end: PxPoint) -> Option<Kink> {
+    let mut nearest: Option<(f32, usize, usize)> = None;
+    index.around(end, end, KINK, |&(other, k)| {
+        let (other, k) = (other as usize, k as usize);
+        let distance = (contours[other].vertices[k].at - end).length();
+        let is_nearer = nearest.is_none_or(|(least, a, b)| (distance, other, k) < (least, a, b));
+        if other != number && distance <= KINK && is_nearer {
+            nearest = Some((distance, other, k));
+        }
+    });
+    let (_, other, at) = nearest?;
+    let contour = &contours[other];
+    let side = |forwards: bool| contour.line_fit(at, forwards, KINK, KINK + STRAIGHT);
+    let [before, after] = [side(false)?, side(true)?];
+    let is_straight = before.rms.max(after.rms) <= EVEN
+        && before.direction.dot(after.direction) <= -COLLINEAR
+        && (before.nearest(after.centre) - after.centre).length() <= IN_LINE
+        && (after.nearest(before.centre) - before.centre).length() <= IN_LINE;
+    if !is_straight {
+        return None;
+    }
+    let within =
+        |forwards: bool| contour.walk(at, forwards).take_while(|(_, arc)| *arc < KINK).map(|(vertex, _)| vertex);
+    let beyond = |forwards: bool| contour.walk(at, forwards).find(|(_, arc)| *arc >= KINK).map(|(vertex, _)| vertex);
+    let [from, to] = [beyond(false)?, beyond(true)?].map(|vertex| contour.vertices[vertex].at);
+    let mut vertices: Vec<usize> = within(false).collect();
+    vertices.reverse();
+    vertices.extend(within(true).skip(1));
+    Some(Kink { contour: other, vertices, from: before.nearest(from), to: after.nearest(to) })
+}
+
+/// Cuts off ends that run along another contour, up to the place where they come onto it: a stroke that was found
+/// together with a piece of what it meets has a hook there, and what turns back is no junction.
+pub(super) fn trim(contours: &mut [Contour], size: Size) {
+    let index = index_of(contours, size);
+    let mut kept: Vec<[usize; 2]> = contours.iter().map(|contour| [0, contour.vertices.len()]).collect();
+    for number in 0..contours.len() {
+        for at_start in [true, false] {
+            if let Some(vertex) = hook(contours, &index, &kept, number, at_start) {
+                if at_start {
+                    kept[number][0] = vertex;
+                } else {
+                    kept[number][1] = vertex + 1;
+                }
+            }
+        }
+    }
+    for (contour, [from, to]) in contours.iter_mut().zip(kept) {
+        contour.vertices.truncate(to);
+        contour.vertices.drain(..from);
+    }
+}
+
+/// Where an end that runs along another contour comes onto it; `kept` is from where to where each contour is there yet.
+fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: usize, at_start: bool) -> Option<usize> {
+    let (contour, [from, to]) = (&contours[number], kept[number]);
+    if contour.closed || to < from + 2 {
+        return None;
+    }
+    let is_there = |other: usize, k: usize| (kept[other][0]..kept[other][1]).contains(&k);
+    let to_others = |at: PxPoint| {
+        let mut least = f32::INFINITY;
+        index.around(at, at, CELL, |&(other, k)| {
+            let (other, k) = (other as usize, k as usize);
+            let Some(next) = contours[other].next(k, 1).filter(|_| other != number) else { return };
+            if is_there(other, k) && is_there(other, next) {
+                let (a, b) = (contours[other].vertices[k].at, contours[other].vertices[next].at);
+                least = least.min(nearest_on_segment(at, a, b).0);
+            }
+        });
+        least
+    };
+    let tip = if at_start { from } else { to - 1 };
+    let mut onto = None;
+    for (vertex, arc) in contour.walk(tip, at_start).take_while(|(vertex, _)| is_there(number, *vertex)) {
+        match to_others(contour.vertices[vertex].at) {
+            distance if distance <= ON => onto = Some((vertex, arc)),
+            distance if distance <= BESIDE => {}
+            // it leaves the other one
+            _ => return onto.filter(|(_, arc)| *arc > ALONG).map(|(vertex, _)| vertex),
+        }
+    }
+    None
 }
 
 /// Where an end meets another contour if it continues straight on.
@@ -135,6 +262,71 @@ mod tests {
         let mut contours = contours.to_vec();
         extend(&mut contours, SIZE);
         contours
+    }
+
+    /// Two strokes that meet at 24 degrees, as they are found: through the middle of the thick spot where they meet.
+    fn connector() -> [Contour; 2] {
+        let base = polyline(&[(5.0, 50.0), (42.0, 50.0), (48.0, 52.0), (49.0, 52.0), (55.0, 50.0), (95.0, 50.0)]);
+        [base, polyline(&[(49.0, 52.5), (90.0, 70.8)])]
+    }
+
+    #[test]
+    fn a_straight_line_stays_straight_where_another_ends_on_it() {
+        for turn in 0..2 {
+            let mut contours = connector();
+            if turn == 1 {
+                contours[1].reverse();
+            }
+            straighten(&mut contours, SIZE);
+            let off = contours[0].vertices.iter().map(|point| (point.at.y - 50.0).abs()).fold(0.0, f32::max);
+            assert!(off < 0.1, "{off} px off");
+            let way = |contour: &Contour| contour.vertices.windows(2).all(|pair| pair[1].at.x > pair[0].at.x);
+            assert!(way(&contours[0]), "its vertices stay in order");
+        }
+        // a corner of its own is none that another made, nor is what no other one comes near
+        let corner = polyline(&[(5.0, 50.0), (50.0, 50.0), (80.0, 80.0)]);
+        let mut contours = [corner.clone(), polyline(&[(50.0, 48.0), (50.0, 10.0)])];
+        straighten(&mut contours, SIZE);
+        assert_eq!(contours[0], corner);
+        let mut alone = [connector()[0].clone(), polyline(&[(49.0, 70.0), (90.0, 90.0)])];
+        straighten(&mut alone, SIZE);
+        assert_eq!(alone[0], connector()[0]);
+    }
+
+    #[test]
+    fn an_end_that_runs_along_another_contour_is_cut_off_where_it_comes_onto_it() {
+        let base = polyline(&[(5.0, 50.0), (95.0, 50.0)]);
+        let hook = polyline(&[(90.0, 70.8), (46.0, 50.6), (46.0, 50.3), (62.0, 50.3)]);
+        for reversed in [false, true] {
+            let mut contours = [base.clone(), hook.clone()];
+            if reversed {
+                contours[1].reverse();
+            }
+            trim(&mut contours, SIZE);
+            assert_eq!(contours[0], base, "the other one stays");
+            let most = contours[1].vertices.iter().filter(|point| point.at.y < 51.0).map(|point| point.at.x);
+            assert!(most.fold(0.0, f32::max) < 48.0, "the hook is gone");
+            assert!((contours[1].length() - 48.4).abs() < 1.0, "and no more: {}", contours[1].length());
+        }
+        // one that ends on it, and one that lies along it as a whole, are left
+        for other in [polyline(&[(50.0, 90.0), (50.0, 50.2)]), polyline(&[(20.0, 50.5), (60.0, 50.5)])] {
+            let mut contours = [base.clone(), other];
+            let before = contours.clone();
+            trim(&mut contours, SIZE);
+            assert_eq!(contours, before);
+        }
+    }
+
+    #[test]
+    fn of_two_ends_that_overlap_one_stays() {
+        let mut contours = [polyline(&[(5.0, 50.0), (60.0, 50.0)]), polyline(&[(45.0, 50.4), (95.0, 50.4)])];
+        trim(&mut contours, SIZE);
+        let covered = |x: f32| {
+            contours
+                .iter()
+                .any(|contour| contour.vertices.windows(2).any(|pair| (pair[0].at.x..=pair[1].at.x).contains(&x)))
+        };
+        assert!((6..95).all(|x| covered(x as f32)), "no gap is left between them");
     }
 
     #[test]

@@ -143,6 +143,10 @@ pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, region
         found = rings::parted(given_back, params.min_length);
     }
     let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
+    if drawn {
+        junction::straighten(&mut contours, size);
+        junction::trim(&mut contours, size);
+    }
     junction::extend(&mut contours, size);
     let mut edges = Edges::none(size);
     for (contour, &stroke) in contours.iter().zip(&widths) {
