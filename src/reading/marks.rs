@@ -12,6 +12,8 @@ use crate::Error;
 use crate::output::layer::Layer;
 use crate::units::{MM_PER_CSS_PX, MmPoint};
 
+/// Scales of transforms are off by less.
+const ROUNDING: f32 = 1e-5;
 /// Most points of all paths together: a page of ours has 100 000 at most.
 const MOST_POINTS: usize = 5_000_000;
 
@@ -174,6 +176,8 @@ impl<'a> Marks<'a> {
             _ => (self.next_object(), own),
         };
         let area_scale = (transform.sx * transform.sy - transform.kx * transform.ky).abs();
+        // on a page that nobody scaled it is 1 but for a rounding, by which a large area would change
+        let area_scale = if (area_scale - 1.0).abs() < ROUNDING { 1.0 } else { area_scale };
         let opacity = around.opacity;
         let colour = path.fill().map_or([0; 3], |fill| colour_of(fill.paint(), fill.opacity().get() * opacity));
         let fill = path.fill().map(|fill| self.shade(fill.paint(), fill.opacity().get() * opacity));
