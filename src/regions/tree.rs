@@ -1,7 +1,5 @@
 //! The tree of regions.
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-
 use super::arcs::{Arc, Crack, Sums, arcs};
 use super::grid::Grid;
 use super::merge::{Node, merge};
@@ -54,10 +52,13 @@ impl Tree {
     /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
     pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid, detail: Detail) -> Self {
         let traces = TraceMap::of(traces, grid);
-        let (basin, count) = basins(&landscape(&traces, colours, detail.landscape_scale));
-        let soft: Vec<Plane> = colours.par_iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
-        let (cracks, arcs) = arcs(&basin, grid, &traces, &soft);
-        let nodes = merge(basin_nodes(&basin, count, colours, grid), &arcs, basin.len(), detail.part);
+        let ((basin, count), soft) = rayon::join(
+            || basins(&landscape(&traces, colours, detail.landscape_scale)),
+            || colours.iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect::<Vec<Plane>>(),
+        );
+        let ((cracks, arcs), nodes) =
+            rayon::join(|| arcs(&basin, grid, &traces, &soft), || basin_nodes(&basin, count, colours, grid));
+        let nodes = merge(nodes, &arcs, basin.len(), detail.part);
         Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
     }
 
@@ -99,12 +100,19 @@ fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Ve
     let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None, height: 0.0 };
     let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
-    for (cell, &basin) in basin.iter().enumerate() {
-        let node = &mut nodes[basin as usize];
-        node.area += 1.0;
-        node.colour.iter_mut().zip(colours).for_each(|(sum, plane)| *sum += f64::from(plane.values[cell]));
-        let (x, y) = (cell % width, cell / width);
-        node.frame += f64::from([x == 0, y == 0, x + 1 == width, y + 1 == height].map(u8::from).iter().sum::<u8>());
+    for &basin in basin {
+        nodes[basin as usize].area += 1.0;
+    }
+    for (k, plane) in colours.iter().enumerate().take(3) {
+        // sums of their own lie closer together than in nodes
+        let mut sums = vec![0.0_f64; count];
+        basin.iter().zip(&plane.values).for_each(|(&basin, &value)| sums[basin as usize] += f64::from(value));
+        nodes.iter_mut().zip(sums).for_each(|(node, sum)| node.colour[k] = sum);
+    }
+    let (first, last) = (0, width * height - width);
+    let sides = (0..width).flat_map(|x| [first + x, last + x]);
+    for cell in sides.chain((0..height).flat_map(|y| [y * width, y * width + width - 1])) {
+        nodes[basin[cell] as usize].frame += 1.0;
     }
     nodes
 }
