@@ -109,14 +109,37 @@ impl<A: Accumulator> Span<A> {
         self.start + self.weights.len()
     }
 
-    /// The mean of the source pixels under the target pixel. Most pictures are little larger than they are worked on,
-    /// so that a target pixel covers one to three source pixels: those are written out.
+    /// The mean of the source pixels under the target pixel.
     fn mean(&self, row: &[A]) -> A {
-        match (&self.weights[..], &row[self.start..self.end()]) {
-            (&[a], &[x]) => a * x,
-            (&[a, b], &[x, y]) => a * x + b * y,
-            (&[a, b, c], &[x, y, z]) => a * x + b * y + c * z,
-            (weights, values) => weights.iter().zip(values).map(|(weight, value)| *weight * *value).sum(),
+        let values = &row[self.start..self.end()];
+        self.weights.iter().zip(values).map(|(weight, value)| *weight * *value).sum()
+    }
+}
+
+/// A span of one to three source pixels. Most pictures are little larger than they are worked on, so that no target
+/// pixel covers more.
+#[derive(Debug, Clone, Copy)]
+struct Narrow<A> {
+    start: usize,
+    count: usize,
+    weights: [A; 3],
+}
+
+impl<A: Accumulator> Narrow<A> {
+    /// A span, if it is narrow.
+    fn of(span: &Span<A>) -> Option<Self> {
+        let count = span.weights.len();
+        let weight = |i: usize| span.weights.get(i).copied().unwrap_or_default();
+        (1..=3).contains(&count).then(|| Self { start: span.start, count, weights: [0, 1, 2].map(weight) })
+    }
+
+    /// The mean of the source pixels under the target pixel.
+    fn mean(&self, row: &[A]) -> A {
+        let ([a, b, c], row) = (self.weights, &row[self.start..]);
+        match self.count {
+            1 => a * row[0],
+            2 => a * row[0] + b * row[1],
+            _ => a * row[0] + b * row[1] + c * row[2],
         }
     }
 }
@@ -126,6 +149,8 @@ impl<A: Accumulator> Span<A> {
 pub struct Shrinker<A = f32> {
     arch: Arch,
     across: Arc<[Span<A>]>,
+    /// The same, if all are narrow.
+    narrow: Option<Arc<[Narrow<A>]>>,
     /// Of the rows that are made here.
     down: Arc<[Span<A>]>,
     /// Whether nothing is to be averaged.
@@ -167,9 +192,11 @@ impl<A: Accumulator> Shrinker<A> {
         let is_copy = across.is_copied_to(to.width) && down.is_copied_to(to.height);
         let out = Plane::filled(Size::new(to.width, rows.len() as u32), 0.0);
         let down: Arc<[Span<A>]> = down.spans(to.height).drain(rows).collect();
+        let across: Arc<[Span<A>]> = across.spans(to.width).into();
         Self {
             arch: Arch::new(),
-            across: across.spans(to.width).into(),
+            narrow: across.iter().map(Narrow::of).collect(),
+            across,
             is_copy,
             sum: if is_copy { Vec::new() } else { vec![A::default(); width as usize] },
             next_row: down.first().map_or(0, |span| span.start),
@@ -224,8 +251,9 @@ impl<A: Accumulator> Shrinker<A> {
             if place + 1 < span.weights.len() {
                 break;
             }
-            for (to, span) in to.iter_mut().zip(&self.across[..]) {
-                *to = span.mean(&self.sum).to_f32();
+            match &self.narrow {
+                Some(narrow) => to.iter_mut().zip(&narrow[..]).for_each(|(to, of)| *to = of.mean(&self.sum).to_f32()),
+                None => to.iter_mut().zip(&self.across[..]).for_each(|(to, of)| *to = of.mean(&self.sum).to_f32()),
             }
             self.sum.fill(A::default());
             self.target += 1;
