@@ -3,7 +3,6 @@
 use super::disc::Disc;
 use super::members::Members;
 use super::tree::Tree;
-use crate::geom::components::four_neighbours;
 use crate::geom::distance::{FAR, squared_distances};
 use crate::raster::shrink::Shrinker;
 use crate::units::Size;
@@ -126,13 +125,22 @@ fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<(u8, bool)> {
 fn cores(labels: &[u8], size: Size, square: f32) -> Vec<bool> {
     let disc = Disc::new(size, |of_cell| of_cell as f32 <= square);
     let mut is_core = vec![true; labels.len()];
+    // the nearest cell with another label has a neighbour with the own one
+    let width = size.width as usize;
+    let mut at_border = vec![false; labels.len()];
     for cell in 0..labels.len() {
-        // the nearest cell with another label has a neighbour with the own one
-        if four_neighbours(cell, size).any(|next| labels[next] != labels[cell]) {
-            for row in disc.around(cell) {
-                let of_row = is_core[row.clone()].iter_mut().zip(&labels[row]);
-                of_row.for_each(|(is_core, label)| *is_core &= *label == labels[cell]);
-            }
+        let (right, below) = ((cell + 1) % width > 0, labels.get(cell + width));
+        if right && labels[cell + 1] != labels[cell] {
+            (at_border[cell], at_border[cell + 1]) = (true, true);
+        }
+        if below.is_some_and(|below| *below != labels[cell]) {
+            (at_border[cell], at_border[cell + width]) = (true, true);
+        }
+    }
+    for cell in (0..labels.len()).filter(|&cell| at_border[cell]) {
+        for row in disc.around(cell) {
+            let of_row = is_core[row.clone()].iter_mut().zip(&labels[row]);
+            of_row.for_each(|(is_core, label)| *is_core &= *label == labels[cell]);
         }
     }
     is_core
@@ -183,7 +191,7 @@ mod tests {
     fn check(rows: &[&str], radius: f32, expected: &[&str]) {
         let size = Size::new(rows[0].len() as u32, rows.len() as u32);
         let labels: Vec<u8> = rows.iter().flat_map(|row| row.bytes()).map(|digit| digit - b'0').collect();
-        let opened = opened(&labels, 2, size, radius);
+        let opened = opened(&labels, size, radius);
         let found: Vec<String> = opened
             .chunks(rows[0].len())
             .map(|row| row.iter().map(|(label, _)| char::from(b'0' + label)).collect())
@@ -205,5 +213,39 @@ mod tests {
     fn the_frame_narrows_nothing() {
         let strip = ["0111", "0111", "0111", "0111"];
         check(&strip, 2.0, &strip);
+    }
+
+    #[test]
+    fn cores_and_the_nearest_of_them_are_those_of_a_distance_transform_for_each_label() {
+        let size = Size::new(31, 23);
+        for seed in 1..6_usize {
+            // blocks of labels, and single cells
+            let label = |cell: usize| {
+                let (x, y) = (cell % 31, cell / 31);
+                let block = (x / (3 + seed) * 7 + y / (9 - seed) * 5 + seed) % 3;
+                if (cell * 7919 + seed * 104_729) % 97 < 2 { 2 } else { block as u8 }
+            };
+            let labels: Vec<u8> = (0..size.len()).map(label).collect();
+            for radius in [0.5_f32, 1.0, 2.3, 4.0] {
+                let (wide, padded, margin) = padded(&labels, size, radius.ceil() as usize + 1);
+                let square = radius * radius;
+                let mut nearest: Vec<(u8, u32, bool)> = wide.iter().map(|&label| (label, FAR, false)).collect();
+                for label in 0..3 {
+                    let is_other: Vec<bool> = wide.iter().map(|&other| other != label).collect();
+                    let to_other = squared_distances(&is_other, padded);
+                    let is_core: Vec<bool> = to_other.iter().map(|to| *to as f32 > square).collect();
+                    for (cell, distance) in squared_distances(&is_core, padded).into_iter().enumerate() {
+                        if distance < nearest[cell].1 || (distance == nearest[cell].1 && label == wide[cell]) {
+                            nearest[cell] = (label, distance, distance as f32 <= square);
+                        }
+                    }
+                }
+                let (width, across) = (size.width as usize, padded.width as usize);
+                let of_cell = |cell: usize| nearest[(cell / width + margin) * across + cell % width + margin];
+                let expected: Vec<(u8, bool)> =
+                    (0..size.len()).map(of_cell).map(|(label, _, in_reach)| (label, in_reach)).collect();
+                assert_eq!(opened(&labels, size, radius), expected, "radius {radius}, seed {seed}");
+            }
+        }
     }
 }

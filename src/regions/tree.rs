@@ -51,11 +51,18 @@ pub struct Tree {
 impl Tree {
     /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
     pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid, detail: Detail) -> Self {
-        let traces = TraceMap::of(traces, grid);
-        let ((basin, count), soft) = rayon::join(
-            || basins(&landscape(&traces, colours, detail.landscape_scale)),
-            || colours.iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect::<Vec<Plane>>(),
+        let ((traces, ridges), (squares, soft)) = rayon::join(
+            || {
+                let traces = TraceMap::of(traces, grid);
+                let ridges = traces.strengths().blurred(TRACE_SCALE);
+                (traces, ridges)
+            },
+            || {
+                let soft: Vec<Plane> = colours.iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
+                (squared_gradient(colours, grid), soft)
+            },
         );
+        let (basin, count) = basins(&landscape(ridges, &squares, detail.landscape_scale));
         let ((cracks, arcs), nodes) =
             rayon::join(|| arcs(&basin, grid, &traces, &soft), || basin_nodes(&basin, count, colours, grid));
         let nodes = merge(nodes, &arcs, basin.len(), detail.part);
@@ -68,12 +75,18 @@ impl Tree {
     }
 }
 
-/// High where traces run and colours change, smooth at a scale, in cells, so that every basin is worth one.
-fn landscape(traces: &TraceMap, colours: &[Plane], scale: f32) -> Plane {
-    let mut ridges = traces.strengths().blurred(TRACE_SCALE);
-    ridges.values.iter_mut().for_each(|v| *v *= TRACES);
-    let mut squares = vec![0.0_f32; ridges.values.len()];
-    let (width, height) = (ridges.size.width as usize, ridges.size.height as usize);
+/// High where traces run and colours change, smooth at a scale, in cells, so that every basin is worth one. `ridges`
+/// are the strengths of traces, `squares` the squared gradient.
+fn landscape(mut ridges: Plane, squares: &[f32], scale: f32) -> Plane {
+    let sum = |(v, square): (&mut f32, &f32)| *v = *v * TRACES + GRADIENT * square.sqrt();
+    ridges.values.iter_mut().zip(squares).for_each(sum);
+    ridges.blurred(scale)
+}
+
+/// The squared length of the colour gradient of each cell.
+fn squared_gradient(colours: &[Plane], grid: Grid) -> Vec<f32> {
+    let mut squares = vec![0.0_f32; grid.cells.len()];
+    let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     for plane in colours {
         let soft = plane.clone().blurred(GRADIENT_SCALE);
         let row = |y: usize| &soft.values[y * width..][..width];
@@ -91,8 +104,7 @@ fn landscape(traces: &TraceMap, colours: &[Plane], scale: f32) -> Plane {
             }
         }
     }
-    ridges.values.iter_mut().zip(&squares).for_each(|(v, square)| *v += GRADIENT * square.sqrt());
-    ridges.blurred(scale)
+    squares
 }
 
 /// Basins with their areas and colours.
