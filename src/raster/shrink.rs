@@ -161,7 +161,10 @@ pub struct Shrinker<A = f32> {
     next_row: usize,
     /// The target row in work, of those made here.
     target: usize,
-    out: Plane,
+    /// The rows that are done.
+    out: Vec<f32>,
+    /// Of the plane that the rows fill.
+    size: Size,
 }
 
 impl Shrinker<f32> {
@@ -190,7 +193,7 @@ impl<A: Accumulator> Shrinker<A> {
     /// larger; makes only the rows `rows` of it. The first row to come is the first of [`Shrinker::rows`].
     pub(crate) fn of_rows(width: u32, across: Extent, down: Extent, to: Size, rows: Range<usize>) -> Self {
         let is_copy = across.is_copied_to(to.width) && down.is_copied_to(to.height);
-        let out = Plane::filled(Size::new(to.width, rows.len() as u32), 0.0);
+        let size = Size::new(to.width, rows.len() as u32);
         let down: Arc<[Span<A>]> = down.spans(to.height).drain(rows).collect();
         let across: Arc<[Span<A>]> = across.spans(to.width).into();
         Self {
@@ -202,7 +205,8 @@ impl<A: Accumulator> Shrinker<A> {
             next_row: down.first().map_or(0, |span| span.start),
             down,
             target: 0,
-            out,
+            out: Vec::new(),
+            size,
         }
     }
 
@@ -226,8 +230,10 @@ impl<A: Accumulator> Shrinker<A> {
 
     /// Adds the rows below those made here.
     pub fn append(&mut self, below: Self) {
-        self.out.size.height += below.out.size.height;
-        self.out.values.extend(below.out.values);
+        let (mut own, below) = (self.filled(), below.finish());
+        own.extend(below.values);
+        self.out = own;
+        self.size.height += below.size.height;
     }
 
     /// Takes the next row, from the top.
@@ -237,10 +243,13 @@ impl<A: Accumulator> Shrinker<A> {
         while let Some(span) = self.down.get(self.target)
             && span.start <= self.next_row
         {
-            let to = &mut self.out.values[self.target * width..][..width];
+            // all at once, and only where rows come: clones are made before
+            if self.out.capacity() == 0 {
+                self.out.reserve_exact(self.size.len());
+            }
             if self.is_copy {
                 let left = self.across.first().map_or(0, |span| span.start);
-                to.copy_from_slice(&row[left..left + width]);
+                self.out.extend_from_slice(&row[left..left + width]);
                 self.target += 1;
                 break;
             }
@@ -252,8 +261,8 @@ impl<A: Accumulator> Shrinker<A> {
                 break;
             }
             match &self.narrow {
-                Some(narrow) => to.iter_mut().zip(&narrow[..]).for_each(|(to, of)| *to = of.mean(&self.sum).to_f32()),
-                None => to.iter_mut().zip(&self.across[..]).for_each(|(to, of)| *to = of.mean(&self.sum).to_f32()),
+                Some(narrow) => self.out.extend(narrow.iter().map(|of| of.mean(&self.sum).to_f32())),
+                None => self.out.extend(self.across.iter().map(|of| of.mean(&self.sum).to_f32())),
             }
             self.sum.fill(A::default());
             self.target += 1;
@@ -262,13 +271,20 @@ impl<A: Accumulator> Shrinker<A> {
     }
 
     /// The small plane; what rows that have not come would have filled is 0.
-    pub fn finish(self) -> Plane {
-        self.out
+    pub fn finish(mut self) -> Plane {
+        Plane { values: self.filled(), size: self.size }
+    }
+
+    /// Takes all rows, with 0 for those that have not come.
+    fn filled(&mut self) -> Vec<f32> {
+        let mut rows = std::mem::take(&mut self.out);
+        rows.resize(self.size.len(), 0.0);
+        rows
     }
 
     /// The small plane; `None` when rows are missing.
     pub(crate) fn finish_whole(self) -> Option<Plane> {
-        (self.target == self.down.len()).then_some(self.out)
+        (self.target == self.down.len()).then(|| self.finish())
     }
 }
 
