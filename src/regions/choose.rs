@@ -139,10 +139,10 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], am
 
 /// How near a cell of the halved grid is to an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Near {
+enum Closeness {
     Far,
     /// Outlines so near disturb one another.
-    TooNear,
+    Disturbs,
     /// Outlines so near are the same.
     Same,
 }
@@ -151,7 +151,7 @@ enum Near {
 /// are visited, which takes a tenth of the time of a distance transform.
 struct Nearness {
     is_outline: Vec<bool>,
-    of_cell: Vec<Near>,
+    of_cell: Vec<Closeness>,
     too_near: Disc,
     same: Disc,
 }
@@ -162,7 +162,7 @@ impl Nearness {
         let (same, near) = ((0.5 * SAME).powi(2), (0.5 * params.spacing / mm).powi(2));
         Self {
             is_outline: vec![false; size.len()],
-            of_cell: vec![Near::Far; size.len()],
+            of_cell: vec![Closeness::Far; size.len()],
             too_near: Disc::new(size, |square| (square as f32) < near),
             same: Disc::new(size, |square| square as f32 <= same),
         }
@@ -175,7 +175,7 @@ impl Nearness {
             if std::mem::replace(&mut self.is_outline[cell], true) {
                 continue;
             }
-            for (disc, near) in [(&self.too_near, Near::TooNear), (&self.same, Near::Same)] {
+            for (disc, near) in [(&self.too_near, Closeness::Disturbs), (&self.same, Closeness::Same)] {
                 for row in disc.around(cell) {
                     self.of_cell[row].iter_mut().for_each(|of_cell| *of_cell = near.max(*of_cell));
                 }
@@ -184,7 +184,7 @@ impl Nearness {
     }
 
     /// How near the nearer cell beside a crack is.
-    fn of(&self, crack: &Crack, tree: &Tree) -> Near {
+    fn of(&self, crack: &Crack, tree: &Tree) -> Closeness {
         let [a, b] = crack.cells(tree.grid).map(|cell| self.of_cell[halved(cell, tree.grid.cells)]);
         a.max(b)
     }
@@ -234,8 +234,8 @@ fn gain(score: f64, outline: &[Crack], near: &Nearness, tree: &Tree, params: &Pa
     let (mut same, mut too_near) = (0_usize, 0_usize);
     for crack in outline {
         let near = near.of(crack, tree);
-        same += usize::from(near == Near::Same);
-        too_near += usize::from(near == Near::TooNear);
+        same += usize::from(near == Closeness::Same);
+        too_near += usize::from(near == Closeness::Disturbs);
     }
     let count = outline.len().max(1) as f64;
     let (same, too_near) = (same as f64 / count, too_near as f64 / count);

@@ -44,9 +44,7 @@ pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm: f32, narrowest: f32) ->
         let y = place(y, coarse.height, cells.height);
         out.extend(labels.iter().zip(&columns).map(|(&label, &x)| {
             let cell = y * across + x;
-            let stays = || {
-                around(y, down).any(|y| opened[y * across..][around(x, across)].iter().any(|of| *of == (label, true)))
-            };
+            let stays = || around(y, down).any(|y| opened[y * across..][around(x, across)].contains(&(label, true)));
             if !is_inside[cell] && stays() { label } else { opened[cell].0 }
         }));
     }

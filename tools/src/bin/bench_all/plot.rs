@@ -85,7 +85,7 @@ fn swatch(svg: &mut String, [x, y, width, height]: [f64; 4], number: usize) {
 const GREYS: [&str; 4] = ["#fff", "#777", "#ddd", "#444"];
 
 fn is_dark(number: usize) -> bool {
-    number % 2 == 0
+    number.is_multiple_of(2)
 }
 
 #[cfg(test)]
