@@ -18,6 +18,7 @@ fn run(picture: &DynamicImage, settings: &[(&str, &str)]) -> (Drawing, Vec<Stage
         _ => (),
     });
     ran.sort(); // some run side by side, and either may end first
+    ran.dedup(); // and some in parts
     (drawing, ran, skipped)
 }
 

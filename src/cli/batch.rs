@@ -119,12 +119,13 @@ pub(super) fn run(order: &Order<'_>, make: impl Fn(&Input<'_>) -> Result<Made, E
     notes.iter().for_each(|(place, what)| report.note(place, what));
     let mut failed: Vec<&Path> = Vec::new();
     interrupt::begin(jobs.len(), product.done());
+    let workers = side_by_side::workers(jobs.len());
     side_by_side::run(
         jobs.len(),
-        side_by_side::workers(jobs.len()),
+        workers,
         |index| {
             let start = Instant::now();
-            (work(order, &jobs[index], &options, &make), start.elapsed())
+            (work(order, &jobs[index], workers == 1, &options, &make), start.elapsed())
         },
         || report.advance(),
         |index, outcome| {
@@ -192,15 +193,16 @@ fn accepted(order: &Order<'_>) -> Result<(Vec<Job>, Profile), Exit> {
     }
 }
 
-/// One picture, from the file to the file.
+/// One picture, from the file to the file; `is_alone` if no others are worked on meanwhile.
 fn work(
     order: &Order<'_>,
     job: &Job,
+    is_alone: bool,
     options: &Options,
     make: impl Fn(&Input<'_>) -> Result<Made, Error>,
 ) -> Result<Done, Failure> {
     let &Order { product, shared, session, .. } = order;
-    let timings = Timings::start();
+    let timings = Timings::start(is_alone);
     let about_picture = |what: String| Failure { file: places::job_name(job), what };
     let made_up = |path: &Path| match session {
         _ if shared.force => Existing::Forced,

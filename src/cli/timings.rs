@@ -8,7 +8,8 @@ use tactograph::{Event, Stage};
 /// A row of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Row {
-    Took(Duration),
+    /// By the clock, and the working time of all cores where it is known and nothing else ran.
+    Took(Duration, Option<Duration>),
     Skipped(&'static str),
 }
 
@@ -18,30 +19,66 @@ pub(super) struct Timings(Arc<Mutex<Clock>>);
 
 #[derive(Debug)]
 struct Clock {
-    start: Instant,
-    begun: Vec<(Stage, Instant)>,
+    start: Moment,
+    begun: Vec<(Stage, Moment)>,
+    /// When the stages that run side by side began.
+    together: Option<Moment>,
+    /// Whether nothing but this picture is worked on.
+    is_alone: bool,
     /// Of a stage with its place among the others.
     rows: Vec<(&'static str, Option<Stage>, Row)>,
     /// Stages that ran while others did.
     beside: Vec<Stage>,
 }
 
+/// A moment, by the clock and by the working time of all threads of the program.
+#[derive(Debug, Clone, Copy)]
+struct Moment {
+    clock: Instant,
+    worked: Option<Duration>,
+}
+
+impl Moment {
+    fn now() -> Self {
+        Self { clock: Instant::now(), worked: worked() }
+    }
+
+    /// What has passed since.
+    fn took(self) -> Row {
+        let now = Self::now();
+        let worked = now.worked.zip(self.worked).map(|(now, then)| now.saturating_sub(then));
+        Row::Took(now.clock - self.clock, worked)
+    }
+}
+
+/// The working time of all threads of this program since its start; none where the system does not tell.
+fn worked() -> Option<Duration> {
+    #[cfg(unix)]
+    return nix::time::clock_gettime(nix::time::ClockId::CLOCK_PROCESS_CPUTIME_ID).ok().map(Duration::from);
+    #[cfg(not(unix))]
+    None
+}
+
+/// The row of all stages that ran side by side.
+const TOGETHER: &str = "together";
+
 /// What the stopwatch says when the picture is done, which is before its turn to be told of may come.
 #[derive(Debug)]
 pub(super) struct Stopped(Vec<(&'static str, Row, bool)>);
 
 impl Timings {
-    /// Starts the clock.
-    pub(super) fn start() -> Self {
-        let clock = Clock { start: Instant::now(), begun: Vec::new(), rows: Vec::new(), beside: Vec::new() };
+    /// Starts the clock. Working time is told if the program works on nothing else meanwhile.
+    pub(super) fn start(is_alone: bool) -> Self {
+        let (start, begun, rows, beside) = (Moment::now(), Vec::new(), Vec::new(), Vec::new());
+        let clock = Clock { start, begun, together: None, is_alone, rows, beside };
         Self(Arc::new(Mutex::new(clock)))
     }
 
     /// Takes the time of a step outside the pipeline.
     pub(super) fn step<T>(&self, name: &'static str, work: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
+        let start = Moment::now();
         let done = work();
-        self.with(|clock| clock.add(name, None, start.elapsed()));
+        self.with(|clock| clock.add(name, None, start.took()));
         done
     }
 
@@ -64,15 +101,21 @@ impl Clock {
     fn watch(&mut self, event: Event) {
         match event {
             Event::Begin(stage) => {
-                if !self.begun.is_empty() {
+                if let Some((_, first)) = self.begun.first() {
+                    self.together.get_or_insert(*first);
                     self.beside.extend(self.begun.iter().map(|(running, _)| *running).chain([stage]));
                 }
-                self.begun.push((stage, Instant::now()));
+                self.begun.push((stage, Moment::now()));
             }
             Event::End(stage) => {
                 if let Some(index) = self.begun.iter().rposition(|(begun, _)| *begun == stage) {
                     let (_, start) = self.begun.remove(index);
-                    self.add(stage.name(), Some(stage), start.elapsed());
+                    self.add(stage.name(), Some(stage), start.took());
+                }
+                if let (true, Some(start)) = (self.begun.is_empty(), self.together) {
+                    self.together = None;
+                    let last = self.beside.iter().max().copied();
+                    self.add(TOGETHER, last, start.took());
                 }
             }
             Event::Skip(stage, why) => self.insert(stage.name(), Some(stage), Row::Skipped(why)),
@@ -81,14 +124,15 @@ impl Clock {
     }
 
     /// A stage that runs in several parts is one row.
-    fn add(&mut self, name: &'static str, stage: Option<Stage>, took: Duration) {
+    fn add(&mut self, name: &'static str, stage: Option<Stage>, took: Row) {
         for (row_name, _, row) in &mut self.rows {
-            if let (true, Row::Took(sum)) = (*row_name == name, row) {
-                *sum += took;
+            if let (true, Row::Took(sum, all_worked), Row::Took(time, worked)) = (*row_name == name, row, took) {
+                *sum += time;
+                *all_worked = all_worked.zip(worked).map(|(a, b)| a + b);
                 return;
             }
         }
-        self.insert(name, stage, Row::Took(took));
+        self.insert(name, stage, took);
     }
 
     /// Stages stand in their own order, whichever of two side by side ended first.
@@ -99,22 +143,32 @@ impl Clock {
     }
 
     fn stop(&mut self) -> Stopped {
-        self.rows.push(("total", None, Row::Took(self.start.elapsed())));
-        let is_beside = |stage| self.beside.contains(&stage);
-        let rows = self.rows.iter().map(|&(name, stage, row)| (name, row, stage.is_some_and(is_beside)));
+        self.rows.push(("total", None, self.start.took()));
+        let is_beside =
+            |name, stage: Option<Stage>| name != TOGETHER && stage.is_some_and(|of| self.beside.contains(&of));
+        let told = |row: Row, is_beside: bool| match row {
+            Row::Took(time, _) if is_beside || !self.is_alone => Row::Took(time, None),
+            row => row,
+        };
+        let rows = self.rows.iter().map(|&(name, stage, row)| {
+            let is_beside = is_beside(name, stage);
+            (name, told(row, is_beside), is_beside)
+        });
         Stopped(rows.collect())
     }
 }
 
 impl Stopped {
-    /// A heading, one line a stage, the total. Of stages that ran side by side, the sum is more than they took
-    /// together.
+    /// A heading, one line a stage, the total: the time by the clock and the working time. Stages that ran side by side
+    /// have no working time each, as threads help where they can; a line tells what they took together.
     pub(super) fn table(&self, file: &str) -> Vec<String> {
         let mut lines = vec![format!("timings of {file}:")];
         lines.extend(self.0.iter().map(|(name, row, is_beside)| match row {
-            Row::Took(time) => {
+            Row::Took(time, worked) => {
+                let ms = |time: &Duration| time.as_secs_f64() * 1000.0;
+                let worked = worked.map_or(String::new(), |worked| format!(" {:>9.1} ms CPU", ms(&worked)));
                 let beside = if *is_beside { " side by side" } else { "" };
-                format!("  {name:<9} {:>9.1} ms{beside}", time.as_secs_f64() * 1000.0)
+                format!("  {name:<9} {:>9.1} ms{worked}{beside}", ms(time))
             }
             Row::Skipped(why) => format!("  {name:<9} skipped: {why}"),
         }));
@@ -128,29 +182,39 @@ mod tests {
 
     #[test]
     fn the_table_lists_stages_in_order_with_skips_and_a_total() {
-        let timings = Timings::start();
-        timings.step("read", || ());
-        timings.watch(Event::Begin(Stage::Lines));
-        timings.watch(Event::Begin(Stage::Overview)); // beside another
-        timings.watch(Event::End(Stage::Overview));
-        timings.watch(Event::End(Stage::Lines));
-        timings.watch(Event::Skip(Stage::Textures, "figure.textures = false"));
-        timings.watch(Event::Begin(Stage::Edges));
-        timings.watch(Event::End(Stage::Edges));
-        timings.watch(Event::Begin(Stage::Edges)); // a second part: the same row
-        timings.watch(Event::End(Stage::Edges));
-        timings.step("write", || ());
-        let stopped = timings.stop();
-        let table = stopped.table("a.png");
-        let names = table.iter().map(|line| line.split_whitespace().next().unwrap_or("")).collect::<Vec<_>>();
-        assert_eq!(names, ["timings", "read", "edges", "lines", "overview", "textures", "write", "total"]);
-        assert_eq!(table[5], "  textures  skipped: figure.textures = false");
-        for line in [&table[1], &table[2], &table[6], &table[7]] {
-            assert!(line.ends_with(" ms") && line.len() == table[1].len(), "not aligned: {line}");
+        let table = |is_alone: bool| {
+            let timings = Timings::start(is_alone);
+            timings.step("read", || ());
+            timings.watch(Event::Begin(Stage::Lines));
+            timings.watch(Event::Begin(Stage::Overview)); // beside another
+            timings.watch(Event::End(Stage::Overview));
+            timings.watch(Event::End(Stage::Lines));
+            timings.watch(Event::Skip(Stage::Textures, "figure.textures = false"));
+            timings.watch(Event::Begin(Stage::Edges));
+            timings.watch(Event::End(Stage::Edges));
+            timings.watch(Event::Begin(Stage::Edges)); // a second part: the same row
+            timings.watch(Event::End(Stage::Edges));
+            timings.step("write", || ());
+            timings.stop()
+        };
+        let stopped = table(false);
+        let table_of_one_of_many = stopped.table("a.png");
+        let names =
+            table_of_one_of_many.iter().map(|line| line.split_whitespace().next().unwrap_or("")).collect::<Vec<_>>();
+        assert_eq!(names, ["timings", "read", "edges", "lines", "overview", "together", "textures", "write", "total"]);
+        let table_of_one = table(true).table("a.png");
+        let end = if worked().is_some() { " ms CPU" } else { " ms" };
+        for (table, end) in [(&table_of_one_of_many, " ms"), (&table_of_one, end)] {
+            assert_eq!(table[6], "  textures  skipped: figure.textures = false");
+            for line in [&table[1], &table[2], &table[5], &table[7], &table[8]] {
+                assert!(line.ends_with(end) && line.len() == table[1].len(), "not aligned: {line}");
+            }
+            for line in [&table[3], &table[4]] {
+                let time = line.strip_suffix(" side by side").map(str::len);
+                assert_eq!(time, Some(table_of_one_of_many[1].len()), "{line}");
+            }
         }
-        for line in [&table[3], &table[4]] {
-            assert_eq!(line.strip_suffix(" side by side").map(str::len), Some(table[1].len()), "{line}");
-        }
+        let table = table_of_one_of_many;
         std::thread::sleep(Duration::from_millis(2)); // waiting for its turn is not work on the picture
         assert_eq!(stopped.table("a.png"), table);
     }

@@ -46,6 +46,7 @@ mod tips;
 
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
+use chain::Chain;
 use contour::ContourPoint;
 pub use drawing::find_drawn;
 pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
@@ -53,12 +54,15 @@ use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
 use ridge::RidgePoint;
+use side_statistics::SideStatistics;
 use strength::Evidence;
+use stroke::Stroke;
 use tips::Found;
 
 use crate::raster::Raster;
 use crate::raster::lab;
-use crate::regions::{Detail, Heights};
+use crate::raster::plane::Plane;
+use crate::regions::{Detail, Heights, Tree};
 use crate::units::{PxPoint, Size};
 
 /// What kind of picture it is. Contours and letters are looked for by it.
@@ -96,70 +100,119 @@ pub fn ridge_points(raster: &Raster, params: &Params) -> Vec<([u32; 2], PxPoint,
 
 /// [`find`], or with regions of some detail [`find_with_regions`], where it is known what kind of picture it is.
 pub fn find_of_kind(raster: &Raster, kind: &PictureKind, params: &Params, regions: Option<Detail>) -> Edges {
-    let size = raster.size();
-    let (noise, drawn) = (&kind.noise, kind.is_drawing);
-    let params = &noise.adapted(params);
-    let planes = if drawn { lab::whole(raster) } else { Vec::new() };
-    let strokes = if drawn { stroke::find(&planes, noise.pixel, params) } else { Vec::new() };
-    let (mut points, sides) = bands::scan(raster, &noise.weights, params);
-    if drawn {
-        points.retain(|point| !is_border(point, size));
+    let Some(ridges) = Ridges::of(raster, kind, params) else { return Edges::none(raster.size()) };
+    let grouped = regions.and_then(|detail| ridges.grouped(detail));
+    ridges.contours(grouped)
+}
+
+/// All ridge points and their chains, before any is dropped: [`find_of_kind`] in parts, for those who tell how long
+/// each takes.
+pub struct Ridges<'a> {
+    raster: &'a Raster,
+    kind: &'a PictureKind,
+    /// Adapted to the noise.
+    params: Params,
+    /// Of a drawing.
+    planes: Vec<Plane>,
+    strokes: Vec<Stroke>,
+    points: Vec<RidgePoint>,
+    chains: Vec<Chain>,
+    sides: SideStatistics,
+}
+
+/// The regions between all chains, and what follows for those.
+pub struct Grouped {
+    heights: Heights,
+    strengths: Vec<Vec<f32>>,
+    tree: Tree,
+}
+
+impl<'a> Ridges<'a> {
+    /// Of a picture; none if there is nothing in it.
+    pub fn of(raster: &'a Raster, kind: &'a PictureKind, params: &Params) -> Option<Self> {
+        let size = raster.size();
+        let (noise, drawn) = (&kind.noise, kind.is_drawing);
+        let params = noise.adapted(params);
+        let planes = if drawn { lab::whole(raster) } else { Vec::new() };
+        let strokes = if drawn { stroke::find(&planes, noise.pixel, &params) } else { Vec::new() };
+        let (mut points, sides) = bands::scan(raster, &noise.weights, &params);
+        if drawn {
+            points.retain(|point| !is_border(point, size));
+        }
+        if !strokes.is_empty() {
+            // their sides are no contours
+            let taken = stroke::Taken::by(&strokes, size, params.sigma);
+            points.retain(|point| !taken.has(point.at));
+        }
+        if points.is_empty() && strokes.is_empty() {
+            return None;
+        }
+        let chains = chain::link(&points, size, params.min_length);
+        step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
+        let sides = sides.finish(&points, &chains, noise.height_sigma(params.sigma));
+        Some(Self { raster, kind, params, planes, strokes, points, chains, sides })
     }
-    if !strokes.is_empty() {
-        // their sides are no contours
-        let taken = stroke::Taken::by(&strokes, size, params.sigma);
-        points.retain(|point| !taken.has(point.at));
+
+    /// Whether regions are looked for: not in a drawing, whose lines say enough.
+    pub fn has_regions(&self) -> bool {
+        !self.kind.is_drawing
     }
-    if points.is_empty() && strokes.is_empty() {
-        return Edges::none(size);
+
+    /// The regions between all chains; none of a drawing.
+    pub fn grouped(&self, detail: Detail) -> Option<Grouped> {
+        let Self { raster, points, chains, sides, params, .. } = self;
+        self.has_regions().then(|| {
+            let strengths = strength::of_all(points, chains, sides, params);
+            let tree = grouping::tree(raster, points, chains, &strengths, detail);
+            Grouped { heights: Heights::of(&tree), strengths, tree }
+        })
     }
-    let chains = chain::link(&points, size, params.min_length);
-    step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
-    let sides = &sides.finish(&points, &chains, noise.height_sigma(params.sigma));
-    let grouped = regions.filter(|_| !drawn).map(|detail| {
-        let strengths = strength::of_all(&points, &chains, sides, params);
-        let tree = grouping::tree(raster, &points, &chains, &strengths, detail);
-        (Heights::of(&tree), strengths, tree)
-    });
-    let by_regions = grouped.as_ref().map(|(heights, strengths, _)| (heights, &strengths[..]));
-    let evidence = Evidence { sides, regions: by_regions };
-    let selection = Selection { points: &points, raster, evidence, noise: noise.pixel, params };
-    let mut contours = bridge::join(selection.contours(&chains), params.sigma);
-    contours.par_iter_mut().for_each(|contour| {
-        refine::refine(contour, params.sigma);
-        corner::sharpen(contour, size, drawn);
-    });
-    let edges = contours.into_iter().map(Found::edge);
-    let strokes = strokes.into_iter().map(Found::stroke);
-    let mut found: Vec<Found> = edges.chain(strokes).collect();
-    let mut dashed = 0;
-    if drawn {
-        (found, dashed) = dashes::united(found, params.sigma, params.min_length);
-        let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
-            stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
-        };
-        let met = tips::meet(found, params.sigma, &is_seen);
-        let given_back = straight::give_back(met, params.sigma, params.min_length);
-        found = rings::parted(given_back, params.min_length);
+
+    /// The contours among the chains, weighted by regions where those are known.
+    pub fn contours(self, grouped: Option<Grouped>) -> Edges {
+        let Self { raster, kind, params, planes, strokes, points, chains, sides } = self;
+        let (size, params, drawn) = (raster.size(), &params, kind.is_drawing);
+        let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
+        let evidence = Evidence { sides: &sides, regions: by_regions };
+        let selection = Selection { points: &points, raster, evidence, noise: kind.noise.pixel, params };
+        let mut contours = bridge::join(selection.contours(&chains), params.sigma);
+        contours.par_iter_mut().for_each(|contour| {
+            refine::refine(contour, params.sigma);
+            corner::sharpen(contour, size, drawn);
+        });
+        let edges = contours.into_iter().map(Found::edge);
+        let strokes = strokes.into_iter().map(Found::stroke);
+        let mut found: Vec<Found> = edges.chain(strokes).collect();
+        let mut dashed = 0;
+        if drawn {
+            (found, dashed) = dashes::united(found, params.sigma, params.min_length);
+            let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
+                stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
+            };
+            let met = tips::meet(found, params.sigma, &is_seen);
+            let given_back = straight::give_back(met, params.sigma, params.min_length);
+            found = rings::parted(given_back, params.min_length);
+        }
+        let (mut contours, widths): (Vec<_>, Vec<_>) =
+            found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
+        if drawn {
+            junction::straighten(&mut contours, size);
+            junction::trim(&mut contours, size);
+        }
+        junction::extend(&mut contours, size);
+        let mut edges = Edges::none(size);
+        for (contour, &stroke) in contours.iter().zip(&widths) {
+            let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
+            edges.push_as(
+                ChainKind { exact: false, drawn, stroke, added: false },
+                contour.vertices.iter().map(edgel),
+                contour.closed,
+            );
+        }
+        edges.regions = grouped.map(|grouped| grouped.tree);
+        edges.dashed = dashed;
+        edges
     }
-    let (mut contours, widths): (Vec<_>, Vec<_>) = found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
-    if drawn {
-        junction::straighten(&mut contours, size);
-        junction::trim(&mut contours, size);
-    }
-    junction::extend(&mut contours, size);
-    let mut edges = Edges::none(size);
-    for (contour, &stroke) in contours.iter().zip(&widths) {
-        let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
-        edges.push_as(
-            ChainKind { exact: false, drawn, stroke, added: false },
-            contour.vertices.iter().map(edgel),
-            contour.closed,
-        );
-    }
-    edges.regions = grouped.map(|(.., tree)| tree);
-    edges.dashed = dashed;
-    edges
 }
 
 /// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in

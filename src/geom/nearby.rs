@@ -39,6 +39,8 @@ pub struct Index<T, U> {
     cells: Vec<Vec<T>>,
     /// Which cells hold something, so that emptying the grid is cheap.
     used: Vec<usize>,
+    /// The length of the longest segment, of an index of segments.
+    longest: f32,
 }
 
 impl<T: Copy, U: Copy> Index<T, U> {
@@ -56,6 +58,7 @@ impl<T: Copy, U: Copy> Index<T, U> {
             rows,
             cells: vec![Vec::new(); columns * rows],
             used: Vec::new(),
+            longest: 0.0,
         }
     }
 
@@ -91,13 +94,22 @@ impl<T: Copy, U: Copy> Index<T, U> {
 
     /// Calls `visit` with the entries that may lie within `reach` of the box `low`-`high`; one entry can come several
     /// times, and some farther ones come too.
-    pub fn around(&self, low: Point2D<f32, U>, high: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(&T)) {
+    pub fn around<'a>(&'a self, low: Point2D<f32, U>, high: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(&'a T)) {
+        self.each_cell(low, high, reach, |cell| cell.iter().for_each(&mut visit));
+    }
+
+    /// Calls `visit` with the cells within `reach` of the box `low`-`high`.
+    fn each_cell<'a>(
+        &'a self,
+        low: Point2D<f32, U>,
+        high: Point2D<f32, U>,
+        reach: f32,
+        mut visit: impl FnMut(&'a [T]),
+    ) {
         let (columns, rows) =
             self.covered(Point2D::new(low.x - reach, low.y - reach), Point2D::new(high.x + reach, high.y + reach));
         for row in rows {
-            for column in columns.clone() {
-                self.cells[row * self.columns + column].iter().for_each(&mut visit);
-            }
+            self.cells[row * self.columns..][columns.clone()].iter().for_each(|cell| visit(cell));
         }
     }
 
@@ -145,10 +157,35 @@ impl<T: Copy, U: Copy> Index<T, U> {
     }
 }
 
+/// What rounding may make of a distance, in millimetres or pixels.
+const ROUNDING: f32 = 0.01;
+
 impl<U: Copy> Nearby<U> {
     /// Adds a segment.
     pub fn insert(&mut self, segment: Segment<U>) {
+        self.longest = self.longest.max((segment.b - segment.a).length());
         self.put_over(segment.a.min(segment.b), segment.a.max(segment.b), segment);
+    }
+
+    /// The length of the longest segment.
+    pub fn longest(&self) -> f32 {
+        self.longest
+    }
+
+    /// The farthest that a segment within `reach` can begin.
+    fn farthest(&self, reach: f32) -> f32 {
+        reach + self.longest + ROUNDING
+    }
+
+    /// [`Index::around`] for the segments that may lie within `reach` of a point; few farther ones come too: segments
+    /// are short, so where each begins tells most of them.
+    pub fn around_point(&self, at: Point2D<f32, U>, reach: f32, mut visit: impl FnMut(&Segment<U>)) {
+        let square = self.farthest(reach).powi(2);
+        self.around(at, at, reach, |segment| {
+            if (segment.a - at).square_length() <= square {
+                visit(segment);
+            }
+        });
     }
 
     /// The segment nearest to `at` within `reach` (centre lines) that `wanted` lets pass: distance, nearest point,
@@ -159,15 +196,59 @@ impl<U: Copy> Nearby<U> {
         reach: f32,
         wanted: impl Fn(&Segment<U>) -> bool,
     ) -> Option<(f32, Point2D<f32, U>, Segment<U>)> {
-        let mut best: Option<(f32, Point2D<f32, U>, Segment<U>)> = None;
-        self.around(at, at, reach, |segment| {
-            // the distance first: it is cheaper than most questions of `wanted`
-            let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
-            if distance <= reach && best.is_none_or(|(least, ..)| distance < least) && wanted(segment) {
-                best = Some((distance, point, *segment));
-            }
+        let mut best = Best::new(self, at, reach);
+        // the distance first: it is cheaper than most questions of `wanted`
+        self.around(at, at, reach, |segment| best.look(segment, &wanted));
+        best.found()
+    }
+
+    /// [`Nearby::nearest`] among the segments of one line, in an index into which lines came one after another: in each
+    /// cell those of one follow one another.
+    pub fn nearest_of_line(
+        &self,
+        at: Point2D<f32, U>,
+        reach: f32,
+        line: u32,
+    ) -> Option<(f32, Point2D<f32, U>, Segment<U>)> {
+        let mut best = Best::new(self, at, reach);
+        self.each_cell(at, at, reach, |cell| {
+            let start = cell.partition_point(|segment| segment.line < line);
+            let of_line = cell[start..].iter().take_while(|segment| segment.line == line);
+            of_line.for_each(|segment| best.look(segment, |_| true));
         });
-        best
+        best.found()
+    }
+}
+
+/// The nearest segment to a point among those looked at.
+struct Best<'a, U> {
+    at: Point2D<f32, U>,
+    reach: f32,
+    /// The length of the longest segment.
+    longest: f32,
+    /// The square of the farthest that a segment can begin that is within reach and nearer than the one found.
+    square: f32,
+    found: Option<(f32, Point2D<f32, U>, &'a Segment<U>)>,
+}
+
+impl<'a, U: Copy> Best<'a, U> {
+    fn new(nearby: &Nearby<U>, at: Point2D<f32, U>, reach: f32) -> Self {
+        Self { at, reach, longest: nearby.longest, square: nearby.farthest(reach).powi(2), found: None }
+    }
+
+    fn look(&mut self, segment: &'a Segment<U>, wanted: impl Fn(&Segment<U>) -> bool) {
+        if (segment.a - self.at).square_length() > self.square {
+            return;
+        }
+        let (distance, point) = nearest_on_segment(self.at, segment.a, segment.b);
+        if distance <= self.reach && self.found.is_none_or(|(least, ..)| distance < least) && wanted(segment) {
+            self.found = Some((distance, point, segment));
+            self.square = (distance + self.longest + ROUNDING).powi(2);
+        }
+    }
+
+    fn found(self) -> Option<(f32, Point2D<f32, U>, Segment<U>)> {
+        self.found.map(|(distance, point, segment)| (distance, point, *segment))
     }
 }
 

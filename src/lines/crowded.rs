@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
 use super::candidates::Candidates;
 use super::clearance::{Cleared, clear, spread};
 use super::junction;
@@ -27,7 +29,7 @@ const HOPELESS: f32 = 0.5;
 /// whichever keeps most of them; also returns what was to be drawn and how it is drawn then. Where nothing has to be
 /// left out this costs nothing more, else up to five times as much.
 pub(super) fn cleared(
-    candidates: impl Fn(&Params) -> Candidates,
+    candidates: impl Fn(&Params) -> Candidates + Sync,
     area: MmRect,
     params: Params,
 ) -> (Arc<Candidates>, Vec<Cleared>, Params) {
@@ -53,9 +55,14 @@ pub(super) fn cleared(
         (None, thin, true, THINNER_KEEPS),
     ];
     let mut kept = best.kept(most);
-    for (candidates_before, params, moves_apart, gain) in others {
-        let candidates = candidates_before.cloned().unwrap_or_else(|| Arc::new(candidates(&params)));
-        let this = Attempt::of(&candidates, area, params, moves_apart);
+    let attempts: Vec<(Attempt, f32)> = others
+        .into_par_iter()
+        .map(|(candidates_before, params, moves_apart, gain)| {
+            let candidates = candidates_before.cloned().unwrap_or_else(|| Arc::new(candidates(&params)));
+            (Attempt::of(&candidates, area, params, moves_apart), gain)
+        })
+        .collect();
+    for (this, gain) in attempts {
         if this.kept(most) > kept + gain {
             (kept, best) = (this.kept(most), this);
         }

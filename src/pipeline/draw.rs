@@ -13,7 +13,7 @@ use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use crate::classes::{self, Classes};
-use crate::edges::{self, Edges, PictureKind};
+use crate::edges::{self, Edges, PictureKind, Ridges};
 use crate::lines::{self, Beyond, Line, Lines, Lost};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
@@ -178,7 +178,7 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
     };
     let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
     let drawn = decode::decode(bytes, &options)?;
-    Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), None))
+    Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), None, &mut |_| ()))
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
@@ -230,13 +230,25 @@ pub(super) fn edges_of(
     kind: Option<&PictureKind>,
     params: &edges::Params,
     regions: Option<Detail>,
+    watch: &mut Watch<'_>,
 ) -> Edges {
     let raster = &picture.raster;
-    match (&picture.drawing, kind) {
-        (Some(drawing), _) => edges::find_drawn(raster, drawing, params),
-        (None, Some(kind)) => edges::find_of_kind(raster, kind, params, regions),
-        (None, None) => edges::find_of_kind(raster, &PictureKind::of(raster), params, regions),
+    if let Some(drawing) = &picture.drawing {
+        return run(watch, Stage::Edges, || edges::find_drawn(raster, drawing, params));
     }
+    let own;
+    let kind = match kind {
+        Some(kind) => kind,
+        None => {
+            own = run(watch, Stage::Edges, || PictureKind::of(raster));
+            &own
+        }
+    };
+    let ridges = run(watch, Stage::Edges, || Ridges::of(raster, kind, params));
+    let Some(ridges) = ridges else { return Edges::none(raster.size()) };
+    let detail = regions.filter(|_| ridges.has_regions());
+    let grouped = detail.and_then(|detail| run(watch, Stage::Regions, || ridges.grouped(detail)));
+    run(watch, Stage::Edges, || ridges.contours(grouped))
 }
 
 pub(super) fn find_edges(
@@ -253,9 +265,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return Some(run(watch, Stage::Edges, || {
-            edges_of(picture, kind, &plan.edges(px_per_mm), Some(Detail::OUTLINES))
-        }));
+        return Some(edges_of(picture, kind, &plan.edges(px_per_mm), Some(Detail::OUTLINES), watch));
     };
     watch(Event::Skip(Stage::Edges, reason));
     None

@@ -13,6 +13,9 @@ pub enum Stage {
     Text,
     /// Pixels to contours.
     Edges,
+    /// The regions between contours, by which those are weighted. Runs within [`Stage::Edges`], which ends before it
+    /// and begins again after it.
+    Regions,
     /// Contours to lines in millimetres.
     Lines,
     /// The lines of the overview.
@@ -34,6 +37,7 @@ impl Stage {
             Self::Decode => "decode",
             Self::Text => "text",
             Self::Edges => "edges",
+            Self::Regions => "regions",
             Self::Lines => "lines",
             Self::Overview => "overview",
             Self::Hues => "hues",

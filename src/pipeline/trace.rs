@@ -2,7 +2,7 @@
 
 use super::draw::{contours_of, draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::given::Given;
-use super::progress::{Event, Stage, Watch, run};
+use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
 use super::request::{Fit, Request};
 use crate::contours::Trace;
@@ -156,7 +156,7 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         Subject::ContoursAtFullResolution => Detail::CONTOURS,
         Subject::Contours | Subject::Lines => Detail::OUTLINES,
     };
-    let edges = run(watch, Stage::Edges, || edges_of(picture, kind.as_ref(), &params, Some(detail)));
+    let edges = edges_of(picture, kind.as_ref(), &params, Some(detail), watch);
     // only lines have outlines of regions; for contours the tree has done its work
     let regions = edges.regions.filter(|_| tracing.subject == Subject::Lines);
     Some(Edges { regions, ..edges })

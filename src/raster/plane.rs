@@ -26,17 +26,7 @@ impl Plane {
 
     /// [`Plane::at`] for values that are not in a `Plane`.
     pub fn look_up(values: &[f32], size: Size, x: f32, y: f32) -> f32 {
-        let (width, height) = (size.width as usize, size.height as usize);
-        let fx = (x - 0.5).clamp(0.0, (width - 1) as f32);
-        let fy = (y - 0.5).clamp(0.0, (height - 1) as f32);
-        let (left, top) = (fx as usize, fy as usize);
-        let (right, bottom) = ((left + 1).min(width - 1), (top + 1).min(height - 1));
-        let (tx, ty) = (fx - left as f32, fy - top as f32);
-        let row = |y: usize| {
-            let row = &values[y * width..(y + 1) * width];
-            row[left] * (1.0 - tx) + row[right] * tx
-        };
-        row(top) * (1.0 - ty) + row(bottom) * ty
+        Place::new(size, x, y).look_up(values)
     }
 
     /// Blurs with a Gaussian of `sigma` pixels; beyond the edge the nearest pixel counts.
@@ -72,6 +62,41 @@ impl Plane {
             }
         }
         Self { size: self.size, values }
+    }
+}
+
+/// A position between four pixels, to look up in several planes of one size.
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    width: usize,
+    left: usize,
+    right: usize,
+    top: usize,
+    bottom: usize,
+    /// The position between the pixels, 0..1.
+    tx: f32,
+    ty: f32,
+}
+
+impl Place {
+    /// A position in pixels (centres at +0.5) in planes of this size.
+    pub fn new(size: Size, x: f32, y: f32) -> Self {
+        let (width, height) = (size.width as usize, size.height as usize);
+        let fx = (x - 0.5).clamp(0.0, (width - 1) as f32);
+        let fy = (y - 0.5).clamp(0.0, (height - 1) as f32);
+        let (left, top) = (fx as u32 as usize, fy as u32 as usize);
+        let (right, bottom) = ((left + 1).min(width - 1), (top + 1).min(height - 1));
+        Self { width, left, right, top, bottom, tx: fx - left as f32, ty: fy - top as f32 }
+    }
+
+    /// The value there, bilinear; beyond the edge the nearest pixel counts.
+    pub fn look_up(&self, values: &[f32]) -> f32 {
+        let Self { width, left, right, top, bottom, tx, ty } = *self;
+        let row = |y: usize| {
+            let row = &values[y * width..(y + 1) * width];
+            row[left] * (1.0 - tx) + row[right] * tx
+        };
+        row(top) * (1.0 - ty) + row(bottom) * ty
     }
 }
 

@@ -109,14 +109,37 @@ impl<A: Accumulator> Span<A> {
         self.start + self.weights.len()
     }
 
-    /// The mean of the source pixels under the target pixel. Most pictures are little larger than they are worked on,
-    /// so that a target pixel covers one to three source pixels: those are written out.
+    /// The mean of the source pixels under the target pixel.
     fn mean(&self, row: &[A]) -> A {
-        match (&self.weights[..], &row[self.start..self.end()]) {
-            (&[a], &[x]) => a * x,
-            (&[a, b], &[x, y]) => a * x + b * y,
-            (&[a, b, c], &[x, y, z]) => a * x + b * y + c * z,
-            (weights, values) => weights.iter().zip(values).map(|(weight, value)| *weight * *value).sum(),
+        let values = &row[self.start..self.end()];
+        self.weights.iter().zip(values).map(|(weight, value)| *weight * *value).sum()
+    }
+}
+
+/// A span of one to three source pixels. Most pictures are little larger than they are worked on, so that no target
+/// pixel covers more.
+#[derive(Debug, Clone, Copy)]
+struct Narrow<A> {
+    start: usize,
+    count: usize,
+    weights: [A; 3],
+}
+
+impl<A: Accumulator> Narrow<A> {
+    /// A span, if it is narrow.
+    fn of(span: &Span<A>) -> Option<Self> {
+        let count = span.weights.len();
+        let weight = |i: usize| span.weights.get(i).copied().unwrap_or_default();
+        (1..=3).contains(&count).then(|| Self { start: span.start, count, weights: [0, 1, 2].map(weight) })
+    }
+
+    /// The mean of the source pixels under the target pixel.
+    fn mean(&self, row: &[A]) -> A {
+        let ([a, b, c], row) = (self.weights, &row[self.start..]);
+        match self.count {
+            1 => a * row[0],
+            2 => a * row[0] + b * row[1],
+            _ => a * row[0] + b * row[1] + c * row[2],
         }
     }
 }
@@ -126,6 +149,8 @@ impl<A: Accumulator> Span<A> {
 pub struct Shrinker<A = f32> {
     arch: Arch,
     across: Arc<[Span<A>]>,
+    /// The same, if all are narrow.
+    narrow: Option<Arc<[Narrow<A>]>>,
     /// Of the rows that are made here.
     down: Arc<[Span<A>]>,
     /// Whether nothing is to be averaged.
@@ -136,7 +161,10 @@ pub struct Shrinker<A = f32> {
     next_row: usize,
     /// The target row in work, of those made here.
     target: usize,
-    out: Plane,
+    /// The rows that are done.
+    out: Vec<f32>,
+    /// Of the plane that the rows fill.
+    size: Size,
 }
 
 impl Shrinker<f32> {
@@ -165,17 +193,20 @@ impl<A: Accumulator> Shrinker<A> {
     /// larger; makes only the rows `rows` of it. The first row to come is the first of [`Shrinker::rows`].
     pub(crate) fn of_rows(width: u32, across: Extent, down: Extent, to: Size, rows: Range<usize>) -> Self {
         let is_copy = across.is_copied_to(to.width) && down.is_copied_to(to.height);
-        let out = Plane::filled(Size::new(to.width, rows.len() as u32), 0.0);
+        let size = Size::new(to.width, rows.len() as u32);
         let down: Arc<[Span<A>]> = down.spans(to.height).drain(rows).collect();
+        let across: Arc<[Span<A>]> = across.spans(to.width).into();
         Self {
             arch: Arch::new(),
-            across: across.spans(to.width).into(),
+            narrow: across.iter().map(Narrow::of).collect(),
+            across,
             is_copy,
             sum: if is_copy { Vec::new() } else { vec![A::default(); width as usize] },
             next_row: down.first().map_or(0, |span| span.start),
             down,
             target: 0,
-            out,
+            out: Vec::new(),
+            size,
         }
     }
 
@@ -199,8 +230,10 @@ impl<A: Accumulator> Shrinker<A> {
 
     /// Adds the rows below those made here.
     pub fn append(&mut self, below: Self) {
-        self.out.size.height += below.out.size.height;
-        self.out.values.extend(below.out.values);
+        let (mut own, below) = (self.filled(), below.finish());
+        own.extend(below.values);
+        self.out = own;
+        self.size.height += below.size.height;
     }
 
     /// Takes the next row, from the top.
@@ -210,10 +243,13 @@ impl<A: Accumulator> Shrinker<A> {
         while let Some(span) = self.down.get(self.target)
             && span.start <= self.next_row
         {
-            let to = &mut self.out.values[self.target * width..][..width];
+            // all at once, and only where rows come: clones are made before
+            if self.out.capacity() == 0 {
+                self.out.reserve_exact(self.size.len());
+            }
             if self.is_copy {
                 let left = self.across.first().map_or(0, |span| span.start);
-                to.copy_from_slice(&row[left..left + width]);
+                self.out.extend_from_slice(&row[left..left + width]);
                 self.target += 1;
                 break;
             }
@@ -224,8 +260,9 @@ impl<A: Accumulator> Shrinker<A> {
             if place + 1 < span.weights.len() {
                 break;
             }
-            for (to, span) in to.iter_mut().zip(&self.across[..]) {
-                *to = span.mean(&self.sum).to_f32();
+            match &self.narrow {
+                Some(narrow) => self.out.extend(narrow.iter().map(|of| of.mean(&self.sum).to_f32())),
+                None => self.out.extend(self.across.iter().map(|of| of.mean(&self.sum).to_f32())),
             }
             self.sum.fill(A::default());
             self.target += 1;
@@ -234,13 +271,20 @@ impl<A: Accumulator> Shrinker<A> {
     }
 
     /// The small plane; what rows that have not come would have filled is 0.
-    pub fn finish(self) -> Plane {
-        self.out
+    pub fn finish(mut self) -> Plane {
+        Plane { values: self.filled(), size: self.size }
+    }
+
+    /// Takes all rows, with 0 for those that have not come.
+    fn filled(&mut self) -> Vec<f32> {
+        let mut rows = std::mem::take(&mut self.out);
+        rows.resize(self.size.len(), 0.0);
+        rows
     }
 
     /// The small plane; `None` when rows are missing.
     pub(crate) fn finish_whole(self) -> Option<Plane> {
-        (self.target == self.down.len()).then_some(self.out)
+        (self.target == self.down.len()).then(|| self.finish())
     }
 }
 

@@ -1,12 +1,13 @@
 //! Where basins meet: cracks between two cells, and arcs of all cracks between the same two basins.
 
-use rayon::iter::ParallelIterator;
-use rayon::slice::ParallelSlice;
+use std::ops::Range;
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::grid::Grid;
 use super::traces::TraceMap;
 use crate::geom::first_eigenvector;
-use crate::raster::plane::Plane;
+use crate::raster::plane::{Place, Plane};
 use crate::units::{PxPoint, PxVector};
 
 /// Cracks of an arc within this distance, cells, give a crack's direction.
@@ -41,10 +42,16 @@ impl Crack {
         if self.is_upright { PxPoint::new(x + 1.0, y + 0.5) } else { PxPoint::new(x + 0.5, y + 1.0) }
     }
 
-    fn ends(&self, grid: Grid) -> [PxPoint; 2] {
-        let half = if self.is_upright { PxVector::new(0.0, 0.5) } else { PxVector::new(0.5, 0.0) };
-        let middle = self.middle(grid);
-        [middle - half, middle + half]
+    /// Its middle, in halves of a cell.
+    fn half_cells(&self, grid: Grid) -> [i32; 2] {
+        let width = grid.cells.width;
+        let (x, y) = (2 * (self.cell % width) as i32, 2 * (self.cell / width) as i32);
+        if self.is_upright { [x + 2, y + 1] } else { [x + 1, y + 2] }
+    }
+
+    /// From its middle to an end, in halves of a cell.
+    fn half(&self) -> [i32; 2] {
+        if self.is_upright { [0, 1] } else { [1, 0] }
     }
 }
 
@@ -98,45 +105,72 @@ pub(super) struct Arc {
     pub(super) ends: [u32; 2],
     pub(super) sums: Sums,
     /// Its cracks among all.
-    pub(super) cracks: std::ops::Range<usize>,
+    pub(super) cracks: Range<usize>,
 }
 
 /// All cracks, arc by arc, and the arcs in the order of their basins.
 pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plane]) -> (Vec<Crack>, Vec<Arc>) {
+    let found = found(basin, grid);
+    let cracks: Vec<Crack> = found.iter().map(|(_, crack)| *crack).collect();
+    let mut ranges: Vec<Range<usize>> = Vec::new();
+    for of_arc in found.chunk_by(|a, b| a.0 == b.0) {
+        let start = ranges.last().map_or(0, |range| range.end);
+        ranges.push(start..start + of_arc.len());
+    }
+    let arc = |range: Range<usize>| {
+        let ends = found[range.start].0;
+        let sums = measure(&cracks[range.clone()], ends, basin, grid, traces, colours);
+        Arc { ends, sums, cracks: range }
+    };
+    let arcs = ranges.into_par_iter().map(arc).collect();
+    (cracks, arcs)
+}
+
+/// All cracks with the basins beside them, the lower number first, in the order of these basins; those of the same two
+/// row by row.
+fn found(basin: &[u32], grid: Grid) -> Vec<([u32; 2], Crack)> {
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     let mut found: Vec<([u32; 2], Crack)> = Vec::new();
-    for cell in 0..basin.len() {
-        let (right, below) = (cell % width + 1 < width, cell / width + 1 < height);
-        for (is_there, next, is_upright) in [(right, cell + 1, true), (below, cell + width, false)] {
-            if is_there && basin[cell] != basin[next] {
-                let ends = [basin[cell].min(basin[next]), basin[cell].max(basin[next])];
-                found.push((ends, Crack { cell: cell as u32, is_upright }));
+    for (y, row) in basin.chunks_exact(width).enumerate() {
+        let mut put = |a: u32, b: u32, x: usize, is_upright: bool| {
+            if a != b {
+                found.push(([a.min(b), a.max(b)], Crack { cell: (y * width + x) as u32, is_upright }));
             }
+        };
+        let below = if y + 1 < height { &basin[(y + 1) * width..][..width] } else { row };
+        for x in 0..width {
+            put(row[x], below[x], x, false);
+            put(row[x], row[(x + 1).min(width - 1)], x, true);
         }
     }
-    found.sort_by_key(|(ends, crack)| (*ends, crack.cell, crack.is_upright));
-    let measured: Vec<([u32; 2], Vec<Crack>, Sums)> = found
-        .par_chunk_by(|a, b| a.0 == b.0)
-        .map(|of_arc| {
-            let (ends, cracks) = (of_arc[0].0, of_arc.iter().map(|(_, crack)| *crack).collect::<Vec<_>>());
-            let sums = measure(&cracks, ends, basin, grid, traces, colours);
-            (ends, cracks, sums)
-        })
-        .collect();
-    let (mut cracks, mut arcs) = (Vec::with_capacity(found.len()), Vec::with_capacity(measured.len()));
-    for (ends, of_arc, sums) in measured {
-        let start = cracks.len();
-        cracks.extend(of_arc);
-        arcs.push(Arc { ends, sums, cracks: start..cracks.len() });
+    // They were found row by row. Numbers of basins are dense, so that counting orders them in little time, first by
+    // the higher number, then by the lower one.
+    let count = basin.iter().max().map_or(0, |last| *last as usize + 1);
+    let by_higher = counted(&found, count, |(ends, _)| ends[1]);
+    counted(&by_higher, count, |(ends, _)| ends[0])
+}
+
+/// Items in the order of a number below `count`; equal ones stay in order.
+fn counted<T: Copy>(items: &[T], count: usize, number: impl Fn(&T) -> u32) -> Vec<T> {
+    let mut next = vec![0_usize; count + 1];
+    items.iter().for_each(|item| next[number(item) as usize + 1] += 1);
+    for i in 1..next.len() {
+        next[i] += next[i - 1];
     }
-    (cracks, arcs)
+    let Some(&first) = items.first() else { return Vec::new() };
+    let mut out = vec![first; items.len()];
+    for item in items {
+        let place = &mut next[number(item) as usize];
+        out[*place] = *item;
+        *place += 1;
+    }
+    out
 }
 
 /// Sums up what is seen at the cracks of one arc.
 fn measure(cracks: &[Crack], ends: [u32; 2], basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plane]) -> Sums {
     let mut sums = Sums::default();
-    let tangents: Vec<PxVector> = (0..cracks.len()).map(|i| tangent(cracks, i, grid)).collect();
-    for (crack, tangent) in cracks.iter().zip(tangents) {
+    for (crack, tangent) in cracks.iter().zip(tangents(cracks, grid)) {
         let middle = crack.middle(grid);
         let strength = traces.seen(middle, tangent).1;
         // from the first cell to the second
@@ -149,36 +183,73 @@ fn measure(cracks: &[Crack], ends: [u32; 2], basin: &[u32], grid: Grid, traces: 
         sums.clear += f64::from(strength.min(CLEAR));
         sums.seen += f64::from(u8::from(strength >= SEEN));
         for (side, at) in [(first, middle - across * BESIDE), (1 - first, middle + across * BESIDE)] {
+            let place = Place::new(grid.cells, at.x, at.y);
             for (sum, plane) in sums.colours[side].iter_mut().zip(colours) {
-                *sum += f64::from(plane.at(at.x, at.y));
+                *sum += f64::from(place.look_up(&plane.values));
             }
         }
     }
     sums
 }
 
-/// The direction of an arc at one of its cracks: the main axis of the cracks near it.
-fn tangent(cracks: &[Crack], i: usize, grid: Grid) -> PxVector {
-    let middle = cracks[i].middle(grid);
-    let (mut count, mut mean) = (0.0, PxVector::zero());
-    let [mut xx, mut xy, mut yy] = [0.0; 3];
-    // cracks come row by row
-    let (width, rows) = (grid.cells.width, TANGENT_REACH as u32 + 1);
-    let row = cracks[i].cell / width;
-    let start = cracks.partition_point(|crack| crack.cell / width + rows < row);
-    for crack in cracks[start..].iter().take_while(|crack| crack.cell / width <= row + rows) {
-        if (crack.middle(grid) - middle).square_length() <= TANGENT_REACH * TANGENT_REACH {
-            for end in crack.ends(grid) {
-                let v = end - middle;
-                (count, mean) = (count + 1.0, mean + v);
-                (xx, xy, yy) = (xx + v.x * v.x, xy + v.x * v.y, yy + v.y * v.y);
+/// Sums over the ends of the cracks near one, from its middle, in halves of a cell: whole numbers, so that their order
+/// does not matter.
+#[derive(Clone, Copy)]
+struct Moments {
+    count: i32,
+    x: i32,
+    y: i32,
+    xx: i32,
+    xy: i32,
+    yy: i32,
+}
+
+impl Moments {
+    /// Adds both ends of a crack whose middle is there; `half` is from its middle to an end.
+    fn add(&mut self, [x, y]: [i32; 2], half: [i32; 2]) {
+        self.count += 2;
+        self.x += 2 * x;
+        self.y += 2 * y;
+        self.xx += 2 * (x * x + half[0]);
+        self.xy += 2 * x * y;
+        self.yy += 2 * (y * y + half[1]);
+    }
+}
+
+/// The direction of an arc at each of its cracks: the main axis of the cracks near it.
+fn tangents(cracks: &[Crack], grid: Grid) -> Vec<PxVector> {
+    const REACH: i32 = 2 * TANGENT_REACH as i32;
+    let middles: Vec<([i32; 2], [i32; 2])> =
+        cracks.iter().map(|crack| (crack.half_cells(grid), crack.half())).collect();
+    let none = Moments { count: 0, x: 0, y: 0, xx: 0, xy: 0, yy: 0 };
+    let mut moments = vec![none; cracks.len()];
+    let mut rest = (&mut moments[..], &middles[..]);
+    while let ([own, others @ ..], [(middle, half), later @ ..]) = rest {
+        own.add([0, 0], *half);
+        for (moments, (other, of_other)) in others.iter_mut().zip(later) {
+            let to = [other[0] - middle[0], other[1] - middle[1]];
+            // cracks come row by row; in a row those that run down lie half a cell higher
+            if to[1] > REACH + 1 {
+                break;
+            }
+            if to[0] * to[0] + to[1] * to[1] <= REACH * REACH {
+                own.add(to, *of_other);
+                moments.add([-to[0], -to[1]], *half);
             }
         }
+        rest = (others, later);
     }
-    let mean = mean / count;
-    let own = if cracks[i].is_upright { PxVector::new(0.0, 1.0) } else { PxVector::new(1.0, 0.0) };
-    let [xx, xy, yy] = [xx / count - mean.x * mean.x, xy / count - mean.x * mean.y, yy / count - mean.y * mean.y];
-    first_eigenvector(xx, xy, yy).unwrap_or(own)
+    moments.iter().zip(cracks).map(|(moments, crack)| tangent(moments, crack)).collect()
+}
+
+/// The main axis of the cracks near one.
+fn tangent(moments: &Moments, crack: &Crack) -> PxVector {
+    let &Moments { count, x, y, xx, xy, yy } = moments;
+    let count = count as f32;
+    let mean = [x, y].map(|sum| 0.5 * sum as f32 / count);
+    let [xx, xy, yy] = [xx, xy, yy].map(|sum| 0.25 * sum as f32 / count);
+    let own = if crack.is_upright { PxVector::new(0.0, 1.0) } else { PxVector::new(1.0, 0.0) };
+    first_eigenvector(xx - mean[0] * mean[0], xy - mean[0] * mean[1], yy - mean[1] * mean[1]).unwrap_or(own)
 }
 
 #[cfg(test)]

@@ -116,12 +116,13 @@ impl Map<'_> {
     fn starts(&self, count: usize) -> Vec<Vec<(usize, usize)>> {
         let (width, across) = (self.size.width as usize, self.size.width as usize + 1);
         let mut starts = vec![Vec::new(); count];
-        for (cell, &label) in self.labels.iter().enumerate() {
-            let above = cell.checked_sub(width).map(|above| self.labels[above]);
-            if let Some(starts) = usize::from(label).checked_sub(1).and_then(|number| starts.get_mut(number))
-                && above != Some(label)
-            {
-                starts.push((cell / width * across + cell % width, 0));
+        let ground = vec![0; width];
+        let above = std::iter::once(&ground[..]).chain(self.labels.chunks_exact(width));
+        for (y, (row, above)) in self.labels.chunks_exact(width).zip(above).enumerate() {
+            for (x, (&label, _)) in row.iter().zip(above).enumerate().filter(|(_, (label, above))| label != above) {
+                if let Some(starts) = usize::from(label).checked_sub(1).and_then(|number| starts.get_mut(number)) {
+                    starts.push((y * across + x, 0));
+                }
             }
         }
         starts

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::arcs::Crack;
+use super::disc::Disc;
 use super::members::Members;
 use super::merge::Node;
 use super::tree::Tree;
@@ -107,11 +108,8 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], am
         .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 })
         .collect();
     let (mut chosen, mut first) = (subjects.to_vec(), None);
-    let mut is_outline = vec![false; half(tree.grid.cells).len()];
-    let mut near = None;
-    for &subject in subjects {
-        near = Some(with_outline(&mut is_outline, tree, &members.outline(tree, subject)));
-    }
+    let mut near = Nearness::new(tree, mm, params);
+    subjects.iter().for_each(|&subject| near.add(&members.outline(tree, subject), tree));
     while let Some(candidate) = heap.pop() {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
@@ -121,7 +119,7 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], am
         // as the next; it waits behind its older gain.)
         if candidate.round < chosen.len() {
             let own = score(&tree.nodes[candidate.node as usize], tree.basin.len(), mm);
-            if let Some(gain) = gain(own, &members.outline(tree, candidate.node), near.as_deref(), tree, mm, params) {
+            if let Some(gain) = gain(own, &members.outline(tree, candidate.node), &near, tree, params) {
                 heap.push(Candidate { gain, round: chosen.len(), ..candidate });
             }
             continue;
@@ -134,17 +132,62 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], am
         if chosen.len() == params.most {
             break;
         }
-        near = Some(with_outline(&mut is_outline, tree, &members.outline(tree, candidate.node)));
+        near.add(&members.outline(tree, candidate.node), tree);
     }
     chosen
 }
 
-/// Adds an outline to those of the chosen regions. Returns the squared distance from them, in cells of the halved grid.
-fn with_outline(is_outline: &mut [bool], tree: &Tree, outline: &[Crack]) -> Vec<u32> {
-    for crack in outline {
-        crack.cells(tree.grid).into_iter().for_each(|cell| is_outline[halved(cell, tree.grid.cells)] = true);
+/// How near a cell of the halved grid is to an outline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Closeness {
+    Far,
+    /// Outlines so near disturb one another.
+    Disturbs,
+    /// Outlines so near are the same.
+    Same,
+}
+
+/// How near the cells of the halved grid are to the outlines of the chosen regions. Only cells around a new outline
+/// are visited, which takes a tenth of the time of a distance transform.
+struct Nearness {
+    is_outline: Vec<bool>,
+    of_cell: Vec<Closeness>,
+    too_near: Disc,
+    same: Disc,
+}
+
+impl Nearness {
+    fn new(tree: &Tree, mm: f32, params: &Params) -> Self {
+        let size = half(tree.grid.cells);
+        let (same, near) = ((0.5 * SAME).powi(2), (0.5 * params.spacing / mm).powi(2));
+        Self {
+            is_outline: vec![false; size.len()],
+            of_cell: vec![Closeness::Far; size.len()],
+            too_near: Disc::new(size, |square| (square as f32) < near),
+            same: Disc::new(size, |square| square as f32 <= same),
+        }
     }
-    squared_distances(is_outline, half(tree.grid.cells))
+
+    /// Adds the outline of a chosen region.
+    fn add(&mut self, outline: &[Crack], tree: &Tree) {
+        for cell in outline.iter().flat_map(|crack| crack.cells(tree.grid)) {
+            let cell = halved(cell, tree.grid.cells);
+            if std::mem::replace(&mut self.is_outline[cell], true) {
+                continue;
+            }
+            for (disc, near) in [(&self.too_near, Closeness::Disturbs), (&self.same, Closeness::Same)] {
+                for row in disc.around(cell) {
+                    self.of_cell[row].iter_mut().for_each(|of_cell| *of_cell = near.max(*of_cell));
+                }
+            }
+        }
+    }
+
+    /// How near the nearer cell beside a crack is.
+    fn of(&self, crack: &Crack, tree: &Tree) -> Closeness {
+        let [a, b] = crack.cells(tree.grid).map(|cell| self.of_cell[halved(cell, tree.grid.cells)]);
+        a.max(b)
+    }
 }
 
 /// How much a region tells, by itself.
@@ -187,22 +230,15 @@ fn halved(cell: usize, cells: Size) -> usize {
 }
 
 /// What a region adds to those that are chosen; none if its outline is one of theirs or too near to them.
-fn gain(score: f64, outline: &[Crack], near: Option<&[u32]>, tree: &Tree, mm: f32, params: &Params) -> Option<f64> {
-    let Some(near) = near else { return Some(score) };
-    let (mut same, mut too_near) = (0.0, 0.0);
-    let (same_square, near_square) = ((0.5 * SAME).powi(2), (0.5 * params.spacing / mm).powi(2));
+fn gain(score: f64, outline: &[Crack], near: &Nearness, tree: &Tree, params: &Params) -> Option<f64> {
+    let (mut same, mut too_near) = (0_usize, 0_usize);
     for crack in outline {
-        let square = crack
-            .cells(tree.grid)
-            .map(|cell| near[halved(cell, tree.grid.cells)])
-            .into_iter()
-            .min()
-            .unwrap_or(u32::MAX) as f32;
-        same += f64::from(u8::from(square <= same_square));
-        too_near += f64::from(u8::from(square > same_square && square < near_square));
+        let near = near.of(crack, tree);
+        same += usize::from(near == Closeness::Same);
+        too_near += usize::from(near == Closeness::Disturbs);
     }
     let count = outline.len().max(1) as f64;
-    let (same, too_near) = (same / count, too_near / count);
+    let (same, too_near) = (same as f64 / count, too_near as f64 / count);
     let too_near = too_near / f64::from(params.most_near);
     (same <= MOST_SAME && too_near <= 1.0).then_some(score * (1.0 - same) * (1.0 - NEAR * too_near))
 }

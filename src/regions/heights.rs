@@ -39,10 +39,10 @@ impl Heights {
         let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
         let mut greatest = 0.0_f32;
         for y in range(at.y, height) {
-            for x in range(at.x, width) {
-                let centre = PxPoint::new(x as f32 + 0.5, y as f32 + 0.5);
-                let of_cell = self.of_cell[y * width + x];
-                if of_cell > greatest && (centre - at).square_length() <= REACH * REACH {
+            let columns = range(at.x, width);
+            for (x, &of_cell) in columns.clone().zip(&self.of_cell[y * width..][columns]) {
+                let centre = || PxPoint::new(x as f32 + 0.5, y as f32 + 0.5);
+                if of_cell > greatest && (centre() - at).square_length() <= REACH * REACH {
                     greatest = of_cell;
                 }
             }

@@ -1,8 +1,9 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
+use super::disc::Disc;
 use super::members::Members;
 use super::tree::Tree;
-use crate::geom::distance::squared_distances;
+use crate::geom::distance::{FAR, squared_distances};
 use crate::raster::shrink::Shrinker;
 use crate::units::Size;
 
@@ -24,19 +25,30 @@ pub(super) fn label_map(tree: &Tree, chosen: &[u32], mm: f32, narrowest: f32) ->
     let labels = painted(tree, chosen);
     let small = majority(&labels, chosen.len(), [cells, coarse], MAJORITY / COARSE.max(mm));
     let radius = 0.5 * narrowest / mm * coarse.width as f32 / cells.width as f32;
-    let opened = opened(&small, chosen.len(), coarse, radius);
+    let opened = opened(&small, coarse, radius);
     // an area that stays keeps its own fine border
     let place = |i: usize, to: u32, from: u32| ((2 * i + 1) * to as usize) / (2 * from as usize);
     let (width, across, down) = (cells.width as usize, coarse.width as usize, coarse.height as usize);
-    let label = |cell: usize| {
-        let (x, y) = (cell % width, cell / width);
-        let (x, y) = (place(x, coarse.width, cells.width), place(y, coarse.height, cells.height));
-        let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);
-        let stays = |y: usize, x: usize| opened[y * across + x] == (labels[cell], true);
-        let stays = around(y, down).any(|y| around(x, across).any(|x| stays(y, x)));
-        if stays { labels[cell] } else { opened[y * across + x].0 }
-    };
-    (0..labels.len()).map(label).collect()
+    let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);
+    // most coarse cells lie inside an area: so do all cells in them, whatever their own labels
+    let is_inside: Vec<bool> = (0..opened.len())
+        .map(|cell| {
+            let (x, y) = (cell % across, cell / across);
+            let here = opened[cell];
+            here.1 && around(y, down).all(|y| opened[y * across..][around(x, across)].iter().all(|of| *of == here))
+        })
+        .collect();
+    let columns: Vec<usize> = (0..width).map(|x| place(x, coarse.width, cells.width)).collect();
+    let mut out = Vec::with_capacity(labels.len());
+    for (y, labels) in labels.chunks_exact(width).enumerate() {
+        let y = place(y, coarse.height, cells.height);
+        out.extend(labels.iter().zip(&columns).map(|(&label, &x)| {
+            let cell = y * across + x;
+            let stays = || around(y, down).any(|y| opened[y * across..][around(x, across)].contains(&(label, true)));
+            if !is_inside[cell] && stays() { label } else { opened[cell].0 }
+        }));
+    }
+    out
 }
 
 /// The regions, small ones on large ones.
@@ -63,11 +75,20 @@ fn majority(labels: &[u8], count: usize, [fine, coarse]: [Size; 2], sigma: f32) 
     let mut best = vec![0.0_f32; coarse.len()];
     let mut winner = vec![0; coarse.len()];
     let mut row = vec![0.0; fine.width as usize];
-    for label in 0..=count as u8 {
+    let width = fine.width as usize;
+    let mut has_row = vec![vec![false; fine.height as usize]; count + 1];
+    for (y, labels) in labels.chunks_exact(width).enumerate() {
+        labels.chunk_by(|a, b| a == b).for_each(|run| has_row[usize::from(run[0])][y] = true);
+    }
+    for (label, has_row) in (0_u8..).zip(has_row) {
         let mut shrinker = Shrinker::new(fine, coarse);
-        for labels in labels.chunks_exact(fine.width as usize) {
-            row.iter_mut().zip(labels).for_each(|(share, &other)| *share = f32::from(u8::from(other == label)));
-            shrinker.push(&row);
+        for (y, labels) in labels.chunks_exact(width).enumerate() {
+            // rows without the label add nothing, unless all are copied; the last finishes those before it
+            if has_row[y] || y + 1 == has_row.len() || fine == coarse {
+                row.iter_mut().zip(labels).for_each(|(share, &other)| *share = f32::from(u8::from(other == label)));
+                shrinker.start(y);
+                shrinker.push(&row);
+            }
         }
         let shares = shrinker.finish().blurred(sigma);
         for ((best, winner), share) in best.iter_mut().zip(&mut winner).zip(shares.values) {
@@ -81,27 +102,73 @@ fn majority(labels: &[u8], count: usize, [fine, coarse]: [Size; 2], sigma: f32) 
 
 /// Opens every area with a disc of this radius, cells: for each cell the label of the nearest core that is left, and
 /// whether the cell is in reach of its own. The frame of the picture narrows nothing.
-fn opened(labels: &[u8], count: usize, size: Size, radius: f32) -> Vec<(u8, bool)> {
+fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<(u8, bool)> {
     let square = radius * radius;
     let (labels, padded, margin) = padded(labels, size, radius.ceil() as usize + 1);
-    let mut nearest_core: Vec<(u8, u32, bool)> = labels.iter().map(|&label| (label, u32::MAX, false)).collect();
-    for label in 0..=count as u8 {
-        let is_other: Vec<bool> = labels.iter().map(|&other| other != label).collect();
-        let is_core: Vec<bool> = squared_distances(&is_other, padded).iter().map(|to| *to as f32 > square).collect();
-        let to_core = squared_distances(&is_core, padded);
-        for ((core, own), distance) in nearest_core.iter_mut().zip(&labels).zip(to_core) {
-            // of two that are as near, its own
-            if distance < core.1 || (distance == core.1 && label == *own) {
-                *core = (label, distance, distance as f32 <= square);
+    let is_core = cores(&labels, padded, square);
+    let to_core = squared_distances(&is_core, padded);
+    let (width, across) = (size.width as usize, padded.width as usize);
+    let label = |cell: usize| {
+        let cell = (cell / width + margin) * across + cell % width + margin;
+        match to_core[cell] {
+            0 => (labels[cell], true),
+            FAR => (labels[cell], false),
+            distance => (nearest(cell, distance, &labels, &is_core, padded), distance as f32 <= square),
+        }
+    };
+    (0..size.len()).map(label).collect()
+}
+
+/// Whether each cell is farther than a distance, given as its square, from all cells with another label.
+fn cores(labels: &[u8], size: Size, square: f32) -> Vec<bool> {
+    let disc = Disc::new(size, |of_cell| of_cell as f32 <= square);
+    let mut is_core = vec![true; labels.len()];
+    // the nearest cell with another label has a neighbour with the own one
+    let width = size.width as usize;
+    let mut at_border = vec![false; labels.len()];
+    for cell in 0..labels.len() {
+        let (right, below) = ((cell + 1) % width > 0, labels.get(cell + width));
+        if right && labels[cell + 1] != labels[cell] {
+            (at_border[cell], at_border[cell + 1]) = (true, true);
+        }
+        if below.is_some_and(|below| *below != labels[cell]) {
+            (at_border[cell], at_border[cell + width]) = (true, true);
+        }
+    }
+    for cell in (0..labels.len()).filter(|&cell| at_border[cell]) {
+        for row in disc.around(cell) {
+            let of_row = is_core[row.clone()].iter_mut().zip(&labels[row]);
+            of_row.for_each(|(is_core, label)| *is_core &= *label == labels[cell]);
+        }
+    }
+    is_core
+}
+
+/// The label of the core cells at a distance, given as its square, at which there is one; of several its own, or the
+/// lowest.
+fn nearest(cell: usize, distance: u32, labels: &[u8], is_core: &[bool], size: Size) -> u8 {
+    let (width, height) = (size.width as usize, size.height as usize);
+    let (x, y) = (cell % width, cell / width);
+    let mut lowest = u8::MAX;
+    for dx in 0..=distance.isqrt() {
+        let dy = (distance - dx * dx).isqrt();
+        if dx * dx + dy * dy != distance {
+            continue;
+        }
+        let (dx, dy) = (dx as usize, dy as usize);
+        for x in [x.checked_sub(dx), Some(x + dx).filter(|x| *x < width)].into_iter().flatten() {
+            for y in [y.checked_sub(dy), Some(y + dy).filter(|y| *y < height)].into_iter().flatten() {
+                let other = y * width + x;
+                if is_core[other] && labels[other] == labels[cell] {
+                    return labels[cell];
+                }
+                if is_core[other] {
+                    lowest = lowest.min(labels[other]);
+                }
             }
         }
     }
-    let (width, across) = (size.width as usize, padded.width as usize);
-    let label = |cell: usize| {
-        let (label, _, in_reach) = nearest_core[(cell / width + margin) * across + cell % width + margin];
-        (label, in_reach)
-    };
-    (0..size.len()).map(label).collect()
+    lowest
 }
 
 /// A map with its outermost cells repeated around it.
@@ -122,7 +189,7 @@ mod tests {
     fn check(rows: &[&str], radius: f32, expected: &[&str]) {
         let size = Size::new(rows[0].len() as u32, rows.len() as u32);
         let labels: Vec<u8> = rows.iter().flat_map(|row| row.bytes()).map(|digit| digit - b'0').collect();
-        let opened = opened(&labels, 2, size, radius);
+        let opened = opened(&labels, size, radius);
         let found: Vec<String> = opened
             .chunks(rows[0].len())
             .map(|row| row.iter().map(|(label, _)| char::from(b'0' + label)).collect())
@@ -144,5 +211,39 @@ mod tests {
     fn the_frame_narrows_nothing() {
         let strip = ["0111", "0111", "0111", "0111"];
         check(&strip, 2.0, &strip);
+    }
+
+    #[test]
+    fn cores_and_the_nearest_of_them_are_those_of_a_distance_transform_for_each_label() {
+        let size = Size::new(31, 23);
+        for seed in 1..6_usize {
+            // blocks of labels, and single cells
+            let label = |cell: usize| {
+                let (x, y) = (cell % 31, cell / 31);
+                let block = (x / (3 + seed) * 7 + y / (9 - seed) * 5 + seed) % 3;
+                if (cell * 7919 + seed * 104_729) % 97 < 2 { 2 } else { block as u8 }
+            };
+            let labels: Vec<u8> = (0..size.len()).map(label).collect();
+            for radius in [0.5_f32, 1.0, 2.3, 4.0] {
+                let (wide, padded, margin) = padded(&labels, size, radius.ceil() as usize + 1);
+                let square = radius * radius;
+                let mut nearest: Vec<(u8, u32, bool)> = wide.iter().map(|&label| (label, FAR, false)).collect();
+                for label in 0..3 {
+                    let is_other: Vec<bool> = wide.iter().map(|&other| other != label).collect();
+                    let to_other = squared_distances(&is_other, padded);
+                    let is_core: Vec<bool> = to_other.iter().map(|to| *to as f32 > square).collect();
+                    for (cell, distance) in squared_distances(&is_core, padded).into_iter().enumerate() {
+                        if distance < nearest[cell].1 || (distance == nearest[cell].1 && label == wide[cell]) {
+                            nearest[cell] = (label, distance, distance as f32 <= square);
+                        }
+                    }
+                }
+                let (width, across) = (size.width as usize, padded.width as usize);
+                let of_cell = |cell: usize| nearest[(cell / width + margin) * across + cell % width + margin];
+                let expected: Vec<(u8, bool)> =
+                    (0..size.len()).map(of_cell).map(|(label, _, in_reach)| (label, in_reach)).collect();
+                assert_eq!(opened(&labels, size, radius), expected, "radius {radius}, seed {seed}");
+            }
+        }
     }
 }

@@ -45,7 +45,12 @@ impl Members {
 
     /// The cracks around a region.
     pub(super) fn outline(&self, tree: &Tree, node: u32) -> Vec<Crack> {
-        let around = tree.arcs.iter().filter(|arc| self.has(node, arc.ends[0]) != self.has(node, arc.ends[1]));
-        around.flat_map(|arc| tree.cracks[arc.cracks.clone()].iter().copied()).collect()
+        let range = &self.range[node as usize];
+        let is_in = |basin: u32| range.contains(&self.place[basin as usize]);
+        let mut outline = Vec::new();
+        for arc in tree.arcs.iter().filter(|arc| is_in(arc.ends[0]) != is_in(arc.ends[1])) {
+            outline.extend_from_slice(&tree.cracks[arc.cracks.clone()]);
+        }
+        outline
     }
 }

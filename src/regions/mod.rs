@@ -17,6 +17,7 @@
 mod arcs;
 mod border;
 mod choose;
+mod disc;
 mod grid;
 mod heights;
 mod label_map;

@@ -20,6 +20,8 @@ pub(super) struct Sample {
 pub(super) struct TraceMap {
     grid: Grid,
     samples: Vec<Option<Sample>>,
+    /// Which cells have a sample, 64 to a number, each row from a number of its own: most have none.
+    is_there: Vec<u64>,
 }
 
 /// The direction of a trace is taken over this many of its points to both sides.
@@ -44,19 +46,28 @@ impl TraceMap {
                 }
             }
         }
-        Self { grid, samples }
+        let width = grid.cells.width as usize;
+        let bits = |cells: &[Option<Sample>]| {
+            cells.iter().enumerate().fold(0, |bits, (i, sample)| bits | u64::from(sample.is_some()) << i)
+        };
+        let is_there = samples.chunks_exact(width).flat_map(|row| row.chunks(64).map(bits)).collect();
+        Self { grid, samples, is_there }
     }
 
     /// Strengths spread over the cells nearest to each trace, so that what lies between two cells counts for both.
     pub(super) fn strengths(&self) -> Plane {
         let mut plane = Plane::filled(self.grid.cells, 0.0);
         for Sample { at, strength, .. } in self.samples.iter().flatten() {
-            let (x, y) = (at.x.floor(), at.y.floor());
-            for (dx, dy) in [-1.0, 0.0, 1.0].into_iter().flat_map(|dy| [-1.0, 0.0, 1.0].map(|dx| (dx, dy))) {
-                let centre = PxPoint::new(x + dx + 0.5, y + dy + 0.5);
-                let share = (1.0 - (centre.x - at.x).abs()).max(0.0) * (1.0 - (centre.y - at.y).abs()).max(0.0);
-                if let Some(cell) = self.grid.cell_at(centre) {
-                    plane.values[cell] = plane.values[cell].max(strength * share);
+            let centres = |at: f32| [-1.0, 0.0, 1.0].map(|step| at.floor() + step + 0.5);
+            let share = |centre: f32, at: f32| (1.0 - (centre - at).abs()).max(0.0);
+            for y in centres(at.y) {
+                let down = share(y, at.y);
+                for x in centres(at.x) {
+                    let share = share(x, at.x) * down;
+                    // most of the nine cells are too far away
+                    if let Some(cell) = (share > 0.0).then(|| self.grid.cell_at(PxPoint::new(x, y))).flatten() {
+                        plane.values[cell] = plane.values[cell].max(strength * share);
+                    }
                 }
             }
         }
@@ -67,7 +78,12 @@ impl TraceMap {
     pub(super) fn seen(&self, at: PxPoint, tangent: PxVector) -> (PxPoint, f32) {
         let mut best = (at, 0.0);
         self.around(at, |sample, square| {
-            let strength = sample.strength * (-square / FALL).exp() * sample.along.dot(tangent).abs();
+            // near or not it is no stronger than this: most need no exponential
+            let along = sample.along.dot(tangent).abs();
+            if sample.strength * along <= best.1 {
+                return;
+            }
+            let strength = sample.strength * (-square / FALL).exp() * along;
             if strength > best.1 {
                 best = (sample.at, strength);
             }
@@ -79,8 +95,21 @@ impl TraceMap {
     pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&Sample, f32)) {
         let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
         let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
+        let (columns, words) = (range(at.x, width), width.div_ceil(64));
         for y in range(at.y, height) {
-            for sample in self.samples[y * width..][range(at.x, width)].iter().flatten() {
+            let row = &self.is_there[y * words..][..words];
+            let first = columns.start / 64;
+            let bits = row[first] >> (columns.start % 64);
+            // the next 64 columns from the first on
+            let bits = match row.get(first + 1) {
+                Some(next) if columns.start % 64 > 0 => bits | next << (64 - columns.start % 64),
+                _ => bits,
+            };
+            let mut bits = bits & ((1 << columns.len()) - 1);
+            while bits != 0 {
+                let cell = y * width + columns.start + bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                let Some(sample) = &self.samples[cell] else { continue };
                 let square = (sample.at - at).square_length();
                 if square <= REACH * REACH {
                     visit(sample, square);

@@ -1,7 +1,5 @@
 //! The tree of regions.
 
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-
 use super::arcs::{Arc, Crack, Sums, arcs};
 use super::grid::Grid;
 use super::merge::{Node, merge};
@@ -53,11 +51,21 @@ pub struct Tree {
 impl Tree {
     /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
     pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid, detail: Detail) -> Self {
-        let traces = TraceMap::of(traces, grid);
-        let (basin, count) = basins(&landscape(&traces, colours, detail.landscape_scale));
-        let soft: Vec<Plane> = colours.par_iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
-        let (cracks, arcs) = arcs(&basin, grid, &traces, &soft);
-        let nodes = merge(basin_nodes(&basin, count, colours, grid), &arcs, basin.len(), detail.part);
+        let ((traces, ridges), (squares, soft)) = rayon::join(
+            || {
+                let traces = TraceMap::of(traces, grid);
+                let ridges = traces.strengths().blurred(TRACE_SCALE);
+                (traces, ridges)
+            },
+            || {
+                let soft: Vec<Plane> = colours.iter().map(|plane| plane.clone().blurred(TRACE_SCALE)).collect();
+                (squared_gradient(colours, grid), soft)
+            },
+        );
+        let (basin, count) = basins(&landscape(ridges, &squares, detail.landscape_scale));
+        let ((cracks, arcs), nodes) =
+            rayon::join(|| arcs(&basin, grid, &traces, &soft), || basin_nodes(&basin, count, colours, grid));
+        let nodes = merge(nodes, &arcs, basin.len(), detail.part);
         Self { grid, traces, basin, basins: count, cracks, arcs, nodes }
     }
 
@@ -67,12 +75,18 @@ impl Tree {
     }
 }
 
-/// High where traces run and colours change, smooth at a scale, in cells, so that every basin is worth one.
-fn landscape(traces: &TraceMap, colours: &[Plane], scale: f32) -> Plane {
-    let mut ridges = traces.strengths().blurred(TRACE_SCALE);
-    ridges.values.iter_mut().for_each(|v| *v *= TRACES);
-    let mut squares = vec![0.0_f32; ridges.values.len()];
-    let (width, height) = (ridges.size.width as usize, ridges.size.height as usize);
+/// High where traces run and colours change, smooth at a scale, in cells, so that every basin is worth one. `ridges`
+/// are the strengths of traces, `squares` the squared gradient.
+fn landscape(mut ridges: Plane, squares: &[f32], scale: f32) -> Plane {
+    let sum = |(v, square): (&mut f32, &f32)| *v = *v * TRACES + GRADIENT * square.sqrt();
+    ridges.values.iter_mut().zip(squares).for_each(sum);
+    ridges.blurred(scale)
+}
+
+/// The squared length of the colour gradient of each cell.
+fn squared_gradient(colours: &[Plane], grid: Grid) -> Vec<f32> {
+    let mut squares = vec![0.0_f32; grid.cells.len()];
+    let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     for plane in colours {
         let soft = plane.clone().blurred(GRADIENT_SCALE);
         let row = |y: usize| &soft.values[y * width..][..width];
@@ -90,8 +104,7 @@ fn landscape(traces: &TraceMap, colours: &[Plane], scale: f32) -> Plane {
             }
         }
     }
-    ridges.values.iter_mut().zip(&squares).for_each(|(v, square)| *v += GRADIENT * square.sqrt());
-    ridges.blurred(scale)
+    squares
 }
 
 /// Basins with their areas and colours.
@@ -99,12 +112,19 @@ fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Ve
     let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None, height: 0.0 };
     let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
-    for (cell, &basin) in basin.iter().enumerate() {
-        let node = &mut nodes[basin as usize];
-        node.area += 1.0;
-        node.colour.iter_mut().zip(colours).for_each(|(sum, plane)| *sum += f64::from(plane.values[cell]));
-        let (x, y) = (cell % width, cell / width);
-        node.frame += f64::from([x == 0, y == 0, x + 1 == width, y + 1 == height].map(u8::from).iter().sum::<u8>());
+    for &basin in basin {
+        nodes[basin as usize].area += 1.0;
+    }
+    for (k, plane) in colours.iter().enumerate().take(3) {
+        // sums of their own lie closer together than in nodes
+        let mut sums = vec![0.0_f64; count];
+        basin.iter().zip(&plane.values).for_each(|(&basin, &value)| sums[basin as usize] += f64::from(value));
+        nodes.iter_mut().zip(sums).for_each(|(node, sum)| node.colour[k] = sum);
+    }
+    let (first, last) = (0, width * height - width);
+    let sides = (0..width).flat_map(|x| [first + x, last + x]);
+    for cell in sides.chain((0..height).flat_map(|y| [y * width, y * width + width - 1])) {
+        nodes[basin[cell] as usize].frame += 1.0;
     }
     nodes
 }

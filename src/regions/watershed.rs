@@ -26,19 +26,32 @@ pub(super) fn basins(landscape: &Plane) -> (Vec<u32>, usize) {
     (basin, count as usize)
 }
 
-/// The lowest neighbour of each cell, or the cell itself where none is lower.
+/// The lowest neighbour of each cell, or the cell itself where none is lower. Of equal ones it is that on the left,
+/// then on the right, above, below.
 fn descents(landscape: &Plane) -> Vec<u32> {
-    let heights = &landscape.values;
-    let lowest = |cell: usize| {
-        let mut lowest = cell;
-        for next in four_neighbours(cell, landscape.size) {
-            if heights[next] < heights[lowest] {
-                lowest = next;
-            }
+    let (width, height) = (landscape.size.width as usize, landscape.size.height as usize);
+    let row = |y: usize| &landscape.values[y * width..][..width];
+    let mut down = Vec::with_capacity(landscape.values.len());
+    for y in 0..height {
+        // beyond the frame is the cell itself, which is not lower
+        let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(height - 1)));
+        let start = (y * width) as u32;
+        for x in 0..width {
+            let own = start + x as u32;
+            let (mut lowest, mut cell) = (here[x], own);
+            let mut look = |value: f32, other: u32| {
+                let is_lower = value < lowest;
+                lowest = if is_lower { value } else { lowest };
+                cell = if is_lower { other } else { cell };
+            };
+            look(here[x.saturating_sub(1)], own.wrapping_sub(1));
+            look(here[(x + 1).min(width - 1)], own + 1);
+            look(above[x], own.wrapping_sub(width as u32));
+            look(below[x], own + width as u32);
+            down.push(cell);
         }
-        lowest as u32
-    };
-    (0..heights.len()).map(lowest).collect()
+    }
+    down
 }
 
 /// Leads the cells of plains to the nearest way down, or all to one cell where there is none.
@@ -47,13 +60,13 @@ fn cross_plains(landscape: &Plane, down: &mut [u32]) {
     let is_stuck = |down: &[u32], cell: usize| down[cell] as usize == cell;
     let level = |a: usize, b: usize| heights[a].total_cmp(&heights[b]).is_eq();
     // from the rims of plains inwards, level by level
-    let mut front: Vec<usize> = Vec::new();
-    let mut reached: Vec<bool> = (0..down.len()).map(|cell| !is_stuck(down, cell)).collect();
-    for cell in 0..down.len() {
-        if reached[cell] && four_neighbours(cell, landscape.size).any(|next| !reached[next] && level(cell, next)) {
-            front.push(cell);
-        }
-    }
+    let stuck: Vec<usize> = (0..down.len()).filter(|&cell| is_stuck(down, cell)).collect();
+    let mut reached = vec![true; down.len()];
+    stuck.iter().for_each(|&cell| reached[cell] = false);
+    let rim = |&cell: &usize| four_neighbours(cell, landscape.size).filter(move |&next| level(cell, next));
+    let mut front: Vec<usize> = stuck.iter().flat_map(rim).filter(|&cell| reached[cell]).collect();
+    front.sort_unstable();
+    front.dedup();
     while !front.is_empty() {
         let mut next_front = Vec::new();
         for &cell in &front {
@@ -68,7 +81,7 @@ fn cross_plains(landscape: &Plane, down: &mut [u32]) {
         front = next_front;
     }
     // what is left are minima of several cells
-    for start in 0..down.len() {
+    for start in stuck {
         if !reached[start] {
             reached[start] = true;
             let mut todo = vec![start];

@@ -68,7 +68,7 @@ fn pushes(
     let push = |(vertex, &arc): (&Vertex, &f32)| {
         let mut push = MmVector::zero();
         drawn.each_near(vertex, arc, passage, |near| {
-            if !near.joins && near.missing + MORE > push.length() {
+            if near.missing + MORE > push.length() && !near.joins() {
                 push = near.away * ((near.missing + MORE) / near.distance.max(MORE));
             }
             true

@@ -21,6 +21,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far beyond its ends a segment is still crossed, as a share of its length.
 const VERTEX: f32 = 1e-3;
+/// Segments farther apart than this do not cross, mm, whatever rounding makes of it.
+const NOT_CROSSED: f32 = 0.01;
 
 /// How near a vertex is to drawn lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,18 +38,39 @@ pub(super) enum State {
 /// A segment that is near to a vertex.
 pub(super) struct Near<'a> {
     pub(super) segment: &'a Segment,
+    /// Its nearest point.
+    pub(super) at: MmPoint,
     /// From the nearest point of the segment to the vertex.
     pub(super) away: MmVector,
     /// From centre line to centre line, mm.
     pub(super) distance: f32,
+    /// What the distance should be, mm.
+    clearance: f32,
     /// What the distance falls short by, mm.
     pub(super) missing: f32,
-    /// Whether the two lines have a junction close by.
-    pub(super) joins: bool,
     /// Where on the other line it is nearest, mm along that.
     pub(super) line_arc: f32,
     /// How far along either line a junction is close by, mm.
     pub(super) approach: f32,
+    /// How far along its polyline the vertex is, mm.
+    arc: f32,
+    passage: &'a Passage,
+    of_drawing: bool,
+}
+
+impl Near<'_> {
+    /// Whether the two lines have a junction close by.
+    pub(super) fn joins(&self) -> bool {
+        // it is the line that ends there, or either of two that cross, that must have come from far enough
+        let way = |j: &Junction| match j.meeting {
+            Meeting::LineEnds => (j.line_arc - self.line_arc).abs(),
+            Meeting::PolylineEnds | Meeting::Cross(_) => self.passage.between(j.arc, self.arc),
+        };
+        let least = |way: f32| way * approach_sine(self.approach, self.clearance) - FLAT;
+        let comes_away = |way: f32| !self.of_drawing || self.distance >= least(way);
+        let joins = |j: &Junction| j.line == self.segment.line && way(j) <= self.approach && comes_away(way(j));
+        self.passage.junctions.iter().any(joins)
+    }
 }
 
 /// The drawn lines.
@@ -79,7 +102,7 @@ impl<'a> DrawnLines<'a> {
 
     /// Whether a vertex is too near to a line.
     pub(super) fn is_near(&self, vertex: &Vertex, line: u32) -> bool {
-        let of_line = self.segments.nearest(vertex.at, self.params.max_clearance(), |segment| segment.line == line);
+        let of_line = self.segments.nearest_of_line(vertex.at, self.params.max_clearance(), line);
         of_line.is_some_and(|(distance, _, segment)| {
             distance < self.params.clearance(0.5 * vertex.width + segment.half_width)
         })
@@ -181,8 +204,10 @@ impl<'a> DrawnLines<'a> {
         is_other: impl Fn(u32) -> bool,
         junctions: &mut Vec<Junction>,
     ) {
+        let reach = (1.0 + 2.0 * VERTEX) * ((b - a).length() + self.segments.longest()) + NOT_CROSSED;
         self.segments.around(a.min(b), a.max(b), 0.0, |segment| {
-            if !is_other(segment.line) {
+            // most are too far away to cross it
+            if (segment.a - a).square_length() > reach * reach || !is_other(segment.line) {
                 return;
             }
             // longer by a rounding: lines that cross at a vertex, as those of drawings do, cross all the same
@@ -233,7 +258,7 @@ impl<'a> DrawnLines<'a> {
 
     /// Adds the junctions of an end of a polyline with the lines that it lies on.
     fn add_ends_on_lines(&self, at: MmPoint, arc: f32, is_other: impl Fn(u32) -> bool, junctions: &mut Vec<Junction>) {
-        self.segments.around(at, at, TOUCH, |segment| {
+        self.segments.around_point(at, TOUCH, |segment| {
             junctions.extend(Junction::of_end(at, arc, segment).filter(|end| is_other(end.line)));
         });
     }
@@ -256,7 +281,7 @@ impl<'a> DrawnLines<'a> {
         let between = &vertices[index(a.arc.min(b.arc))..index(a.arc.max(b.arc))];
         between.iter().all(|vertex| {
             let reach = self.params.clearance(0.5 * vertex.width);
-            self.segments.nearest(vertex.at, reach, |segment| segment.line == a.line).is_some()
+            self.segments.nearest_of_line(vertex.at, reach, a.line).is_some()
         })
     }
 
@@ -285,7 +310,7 @@ impl<'a> DrawnLines<'a> {
     fn grazes(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
         let grazing = |(vertex, arc): (&Vertex, &f32)| {
             let reach = self.params.clearance(0.5 * vertex.width);
-            let (distance, ..) = self.segments.nearest(vertex.at, reach, |segment| segment.line == junction.line)?;
+            let (distance, ..) = self.segments.nearest_of_line(vertex.at, reach, junction.line)?;
             Some((arc - junction.arc).abs() > SPIKE && distance <= self.params.play())
         };
         let at = passage.arcs.partition_point(|&arc| arc < junction.arc).min(vertices.len());
@@ -308,7 +333,7 @@ impl<'a> DrawnLines<'a> {
     fn state(&self, vertex: &Vertex, arc: f32, passage: &Passage) -> State {
         let mut state = State::Free;
         self.each_near(vertex, arc, passage, |near| {
-            state = if near.joins && state != State::TooNear { State::Joined } else { State::TooNear };
+            state = if near.joins() && state != State::TooNear { State::Joined } else { State::TooNear };
             state != State::TooNear
         });
         state
@@ -316,11 +341,17 @@ impl<'a> DrawnLines<'a> {
 
     /// Calls `visit` with every segment that is nearer to a vertex of a polyline than two lines may be, as long as
     /// `visit` returns true.
-    pub(super) fn each_near(
+    pub(super) fn each_near(&self, vertex: &Vertex, arc: f32, passage: &Passage, visit: impl FnMut(&Near<'_>) -> bool) {
+        self.each_near_among(vertex, arc, passage, |_| true, visit);
+    }
+
+    /// [`DrawnLines::each_near`] among the lines of which `is_other` is true.
+    pub(super) fn each_near_among(
         &self,
         vertex: &Vertex,
         arc: f32,
         passage: &Passage,
+        is_other: impl Fn(u32) -> bool,
         mut visit: impl FnMut(&Near<'_>) -> bool,
     ) {
         if !self.may_be_near(vertex.at) {
@@ -328,25 +359,22 @@ impl<'a> DrawnLines<'a> {
         }
         let half = 0.5 * vertex.width;
         let mut on = true;
-        self.segments.around(vertex.at, vertex.at, self.params.max_clearance(), |segment| {
+        self.segments.around_point(vertex.at, self.params.max_clearance(), |segment| {
+            if !on || !is_other(segment.line) {
+                return;
+            }
             let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
             let clearance = self.params.clearance(half + segment.half_width);
-            if !on || distance >= clearance {
+            if distance >= clearance {
                 return;
             }
             let approach = self.params.approach(half, segment.half_width);
             let line_arc = segment.arc + (at - segment.a).length();
-            // it is the line that ends there, or either of two that cross, that must have come from far enough
-            let way = |j: &Junction| match j.meeting {
-                Meeting::LineEnds => (j.line_arc - line_arc).abs(),
-                Meeting::PolylineEnds | Meeting::Cross(_) => passage.between(j.arc, arc),
-            };
-            let comes_away =
-                |way: f32| !self.params.of_drawing || distance >= way * approach_sine(approach, clearance) - FLAT;
-            let joins = |j: &Junction| j.line == segment.line && way(j) <= approach && comes_away(way(j));
-            let joins = passage.junctions.iter().any(joins);
+            let of_drawing = self.params.of_drawing;
             let (away, missing) = (vertex.at - at, clearance - distance);
-            on = visit(&Near { segment, away, distance, missing, joins, line_arc, approach });
+            let near =
+                Near { segment, at, away, distance, clearance, missing, line_arc, approach, arc, passage, of_drawing };
+            on = visit(&near);
         });
     }
 

@@ -164,7 +164,7 @@ impl Extension<'_> {
         let joins = whole.iter().zip(&passage.arcs).skip(1).all(|(vertex, &arc)| {
             let mut fits = true;
             self.drawn.each_near(vertex, arc, &passage, |near| {
-                fits = near.joins || self.is_own_bend(near.segment, arc, near.distance);
+                fits = near.joins() || self.is_own_bend(near.segment, arc, near.distance);
                 fits
             });
             fits

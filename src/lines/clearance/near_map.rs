@@ -36,11 +36,15 @@ impl NearMap {
             ((middle - reach / CELL).max(0.0) as usize)..(((middle + reach / CELL).max(0.0) as usize + 1).min(count))
         };
         for row in range(y, self.rows) {
-            for column in range(x, self.columns) {
-                let (dx, dy) = (column as f32 + 0.5 - x, row as f32 + 0.5 - y);
-                if (dx * dx + dy * dy) * CELL * CELL <= reach * reach {
-                    self.marked[row * self.columns + column] = true;
-                }
+            let is_in = |column: &usize| {
+                let (dx, dy) = (*column as f32 + 0.5 - x, row as f32 + 0.5 - y);
+                (dx * dx + dy * dy) * CELL * CELL <= reach * reach
+            };
+            let mut columns = range(x, self.columns);
+            // a run of each row is in reach
+            if let Some(first) = columns.find(is_in) {
+                let last = columns.rfind(is_in).unwrap_or(first);
+                self.marked[row * self.columns..][first..=last].fill(true);
             }
         }
     }

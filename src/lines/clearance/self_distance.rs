@@ -4,12 +4,13 @@ use std::ops::Range;
 
 use super::drawn::{goes_round, segment};
 use super::passage::TOUCH;
-use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearby::Nearby;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
+use crate::units::MmPoint;
 
 /// A line that comes back to itself is its own rival where the length along it is more than the distance across by this
 /// factor and this length, mm. A corner of 33 degrees or more is none (its factor is 1 / sin 16.5 = 3.5), nor is a
@@ -35,11 +36,16 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
     for (i, vertex) in polyline.path().enumerate() {
         let half = 0.5 * vertex.width;
         let mut near = false;
-        own.around(vertex.at, vertex.at, params.max_clearance(), |segment| {
+        own.around_point(vertex.at, params.max_clearance(), |segment| {
             if near || apart(arcs[i], segment.arc) <= BEND_LEAST {
                 return;
             }
-            let Some(line_arc) = too_near(polyline, &arcs, (arcs[i], vertex), segment, params) else { return };
+            let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
+            let line_arc = segment.arc + (at - segment.a).length();
+            let is_near = distance < params.clearance(half + segment.half_width);
+            if !is_near || !is_rival(polyline, &arcs, [(arcs[i], vertex.at), (line_arc, at)], distance) {
+                return;
+            }
             let limit = params.approach(half, segment.half_width);
             near = !tips.iter().any(|tip| (tip - arcs[i]).abs() <= limit || (tip - line_arc).abs() <= limit);
         });
@@ -56,24 +62,13 @@ pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Ne
     found
 }
 
-/// Where on a segment of a polyline, as an arc, a vertex of the same polyline is too near to it, and not beside a bend
-/// or a corner.
-pub(super) fn too_near(
-    polyline: &Polyline<Vertex>,
-    arcs: &[f32],
-    (arc, vertex): (f32, &Vertex),
-    segment: &Segment,
-    params: &Params,
-) -> Option<f32> {
+/// Whether two places of a polyline that are too near to one another, at this distance, are not beside a bend or a
+/// corner. Each is given as its arc and its point.
+pub(super) fn is_rival(polyline: &Polyline<Vertex>, arcs: &[f32], places: [(f32, MmPoint); 2], distance: f32) -> bool {
     let (ring, total) = (goes_round(polyline.view()), arcs.last().copied().unwrap_or(0.0));
-    let (distance, at) = nearest_on_segment(vertex.at, segment.a, segment.b);
-    let line_arc = segment.arc + (at - segment.a).length();
-    let apart = (arc - line_arc).abs();
+    let apart = (places[0].0 - places[1].0).abs();
     let apart = if ring { apart.min(total - apart) } else { apart };
-    let is_near = distance < params.clearance(0.5 * vertex.width + segment.half_width);
-    let is_rival =
-        is_near && !is_bend(apart, distance) && !is_corner(polyline, arcs, ring, [(arc, vertex.at), (line_arc, at)]);
-    is_rival.then_some(line_arc)
+    !is_bend(apart, distance) && !is_corner(polyline, arcs, ring, places)
 }
 
 /// The arcs of those ends of an open polyline that lie on the polyline itself, at the end of a loop longer than `knot`.
@@ -87,7 +82,7 @@ fn own_junctions(polyline: &Polyline<Vertex>, arcs: &[f32], knot: f32, own: &mut
     }
     let mut tips = Vec::new();
     for (at, arc) in [(first.at, 0.0), (last.at, total)] {
-        own.around(at, at, TOUCH, |segment| {
+        own.around_point(at, TOUCH, |segment| {
             let (distance, touched) = nearest_on_segment(at, segment.a, segment.b);
             let line_arc = segment.arc + (touched - segment.a).length();
             if distance <= TOUCH && (line_arc - arc).abs() > knot {
@@ -108,7 +103,7 @@ pub(super) fn is_bend(length: f32, distance: f32) -> bool {
 mod tests {
     use super::super::tests::polyline;
     use super::*;
-    use crate::units::{MmPoint, MmRect};
+    use crate::units::MmRect;
 
     fn first_return(points: &[(f32, f32)], closed: bool) -> Option<Range<usize>> {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));

@@ -155,7 +155,17 @@ fn slid(stretch: &Stretch, along: MmVector) -> MmVector {
 /// it is.
 fn faded(arc: f32, pushes: &[Push], passage: &Passage) -> MmVector {
     let mut longest = MmVector::zero();
-    for &(there, push) in pushes {
+    // those farther away have faded: of an open line the others are a run, of a ring there may be two more
+    let at = |arc: f32| pushes.partition_point(|(there, _)| *there < arc);
+    let first = at(arc - FADE - TOUCH);
+    let last = at(arc + FADE + TOUCH).max(first);
+    let over_start = passage.round.map(|round| {
+        let before = at(arc + FADE + TOUCH - round).min(first);
+        let after = at(arc - FADE - TOUCH + round).max(last);
+        (&pushes[..before], &pushes[after..])
+    });
+    let (before, after) = over_start.unwrap_or_default();
+    for &(there, push) in before.iter().chain(&pushes[first..last]).chain(after) {
         let push = push * (1.0 - passage.between(arc, there) / FADE).max(0.0);
         if push.square_length() > longest.square_length() {
             longest = push;

@@ -7,7 +7,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRef
 use super::displace::{MORE, OUTSIDE, farthest, is_held};
 use super::drawn::DrawnLines;
 use super::passage::Passage;
-use super::self_distance::too_near;
+use super::self_distance::is_rival;
 use super::shift::shifts;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
@@ -109,16 +109,17 @@ impl All<'_> {
             let tangent = line.tangent(i);
             // the worst rival on either side: of other lines, and of its own
             let mut worst: [[Push; 2]; 2] = [[(0.0, MmVector::zero()); 2]; 2];
-            self.drawn.each_near(vertex, arc, passage, |near| {
+            let is_rival_line = |other: u32| closed || other as usize != number;
+            self.drawn.each_near_among(vertex, arc, passage, is_rival_line, |near| {
                 let other = near.segment.line as usize;
-                let is_rival = match other == number {
-                    true => closed && too_near(line, &arcs, (arc, vertex), near.segment, params).is_some(),
+                let is_rival = || match other == number {
+                    true => is_rival(line, &arcs, [(arc, vertex.at), (near.line_arc, near.at)], near.distance),
                     // where the other one comes to a junction it may be near
-                    false => !near.joins && !self.passages[other].joins(number as u32, near.line_arc, near.approach),
+                    false => !near.joins() && !self.passages[other].joins(number as u32, near.line_arc, near.approach),
                 };
                 let side = usize::from(tangent.cross(near.away) > 0.0);
                 let (most, push) = &mut worst[usize::from(other == number)][side];
-                if is_rival && near.missing > *most {
+                if near.missing > *most && is_rival() {
                     *most = near.missing;
                     // where both together cannot give way by as much, one will be cut, and the other had better stay
                     let there = near.segment.index as usize;

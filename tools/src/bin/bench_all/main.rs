@@ -5,7 +5,7 @@
 //! cargo run --release -p tactograph-tools --bin bench_all                  all tables, as Markdown (some eight minutes)
 //!   --quick            three rounds, nothing of 50 MP, no vtracer (two minutes)
 //!   --runs N           rounds in which each program runs once; 9 if not said
-//!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "skipped", "growth"
+//!   --only PART        only work with this in its name, such as "12 mp png", "one core: 12 mp png", "kinds", "other work", "throughput", "skipped", "growth"
 //!   --write            also writes the tables into docs/speed.md, a short one of them at its head
 //!   --program FILE     another program than the one built here, such as one with other settings
 //! ```
@@ -17,7 +17,8 @@
 //! less. Who has worked 15 s in all does not run again. Memory is the most that was held (peak resident set).
 //!
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
-//! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages.
+//! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages (`plot.rs` draws
+//! them), `work.rs` at drawings, PDF and pages, `throughput.rs` at many photographs in one call.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 mod args;
@@ -27,11 +28,14 @@ mod measured;
 mod numbers;
 mod ours;
 mod peers;
+mod plot;
 mod rounds;
 mod stages;
 mod table;
 mod targets;
+mod throughput;
 mod usage;
+mod work;
 mod written;
 
 use std::path::Path;
@@ -94,8 +98,13 @@ fn measure() -> Result<(), String> {
             tables.push(targets::long_table(title, about, rows));
         }
     }
-    let alone: [(&str, Measure); 3] =
-        [("kinds", stages::kinds), ("skipped", stages::skips), ("growth", stages::growth)];
+    let alone: [(&str, Measure); 5] = [
+        ("kinds", stages::kinds),
+        ("other work", work::others),
+        ("throughput", throughput::throughput),
+        ("skipped", stages::skips),
+        ("growth", stages::growth),
+    ];
     for (name, table) in alone {
         if args.wants(name) {
             eprintln!("{name}");

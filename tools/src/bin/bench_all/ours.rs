@@ -51,15 +51,20 @@ impl Ours {
         Job::new(name, command.chain(["--timings".into()])).writes(page)
     }
 
-    /// A place for what a peer writes.
+    /// Any other command of the program.
+    pub(crate) fn command(&self, name: &str, words: impl IntoIterator<Item = OsString>) -> Job {
+        Job::new(name, std::iter::once(self.program.clone().into_os_string()).chain(words))
+    }
+
+    /// A place for what is written on the way, by us or a peer.
     pub(crate) fn page(&self, name: &str) -> PathBuf {
         self.pages.join(name)
     }
 }
 
 /// Stages in their order, as `--timings` lists them.
-pub(crate) const STAGES: [&str; 9] =
-    ["read", "decode", "edges", "lines", "overview", "classes", "textures", "page", "write"];
+pub(crate) const STAGES: [&str; 11] =
+    ["read", "decode", "text", "edges", "regions", "lines", "overview", "classes", "textures", "page", "write"];
 
 /// How long a stage took, ms; nothing where it was skipped.
 pub(crate) fn stage(run: &Run, name: &str) -> Option<f64> {

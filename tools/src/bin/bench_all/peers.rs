@@ -1,5 +1,6 @@
 //! The other programs: which of them there are, and how each does the work.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -94,6 +95,18 @@ impl Peers {
         let command = ["sh".as_ref(), "-c".as_ref(), pipe.as_ref(), picture.as_os_str(), out.as_os_str()];
         (is_program("djpeg") && is_program("potrace"))
             .then(|| Job::new("potrace (djpeg -grayscale before it)", command).writes(&out))
+    }
+}
+
+impl Peers {
+    /// [`Peers::potrace`] of many pictures, one after the other.
+    pub(crate) fn potrace_loop(&self, pictures: &[PathBuf], ours: &Ours) -> Option<Job> {
+        let out = ours.page("potrace.svg");
+        let pipe = r#"out=$0; for file; do djpeg -grayscale "$file" | potrace --svg --output "$out"; done"#;
+        let command = ["sh".as_ref(), "-c".as_ref(), pipe.as_ref(), out.as_os_str()].map(OsString::from);
+        let pictures = pictures.iter().map(|file| file.clone().into_os_string());
+        (is_program("djpeg") && is_program("potrace"))
+            .then(|| Job::new("djpeg and potrace in a shell loop", command.into_iter().chain(pictures)).writes(&out))
     }
 }
 

@@ -4,9 +4,14 @@ use crate::inputs::SIZES;
 use crate::measured::{Job, run};
 use crate::numbers::exponent;
 use crate::ours::{STAGES, after_decoding, skipped, stage};
+use crate::plot::plot;
 use crate::rounds::{Outcome, rounds};
 use crate::table::{Table, number};
 use crate::targets::Bench;
+
+/// Where the drawing of the stages lies, and what it shows.
+const PLOT: &str = "docs/speed/stages.svg";
+const PLOT_SAYS: &str = "A bar for each kind of picture in the table above, made of the time of each stage.";
 
 /// Every kind of picture, stage by stage.
 pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
@@ -25,8 +30,9 @@ pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
     ];
     names.extend(rest.map(String::from));
     let mut pictures: Vec<_> = names.iter().map(|name| (name.clone(), bench.inputs.file(name))).collect();
-    let samples = ["astronaut.png", "bars.svg", "chart.svg", "chelsea.png", "coffee.png", "empty.png", "landscape.svg"];
-    pictures.extend(samples.into_iter().chain(["portrait.svg", "rocket.jpg"]).map(|name| {
+    let photos = ["astronaut.png", "chelsea.png", "coffee.png", "rocket.jpg", "empty.png"];
+    let drawings = ["bars.svg", "cell.svg", "chart.svg", "landscape.svg", "map.svg", "portrait.svg", "worksheet.pdf"];
+    pictures.extend(photos.into_iter().chain(drawings).map(|name| {
         let name = format!("samples/{name}");
         (name.clone(), name.into())
     }));
@@ -37,12 +43,20 @@ pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
     let about = "Whole process (picture to SVG, swell-a4) and its stages, ms. The number in a name is megapixels; a dash is a \
                  stage that was skipped.";
     let mut table = Table::new("Every kind of picture", about, &head);
-    table.rows.extend(rounds(&jobs, bench.setting(false)).iter().map(|outcome| {
+    let outcomes = rounds(&jobs, bench.setting(false));
+    table.rows.extend(outcomes.iter().map(|outcome| {
         let mut cells = vec![outcome.name.clone()];
         cells.extend([outcome.wall(), outcome.cpu(), outcome.peak()].map(number));
         cells.extend(STAGES.map(|name| number(outcome.median(|run| stage(run, name)))));
         cells
     }));
+    if bench.args.write {
+        let drawing = plot(&outcomes);
+        match std::fs::write(PLOT, drawing) {
+            Ok(()) => table.after = format!("![{PLOT_SAYS}]({})\n", PLOT.trim_start_matches("docs/")),
+            Err(fault) => eprintln!("{PLOT}: {fault}"),
+        }
+    }
     table
 }
 
@@ -151,7 +165,7 @@ pub(crate) fn growth(bench: &Bench<'_>) -> Table {
     };
     let with = format!("area of the sheet, {}", SHEETS.map(|(name, ..)| name).join(", "));
     row("all after decoding", &with, &sheets(&|outcome| outcome.median(after_decoding)));
-    for name in ["edges", "lines", "overview", "classes", "textures", "write"] {
+    for name in ["edges", "regions", "lines", "overview", "classes", "textures", "write"] {
         row(name, &with, &sheets(&|outcome| outcome.median(|run| stage(run, name))));
     }
     row("decoding, 12 MP JPEG", &with, &sheets(&|outcome| outcome.median(|run| stage(run, "decode"))));

@@ -6,11 +6,19 @@ pub(crate) struct Table {
     pub(crate) about: String,
     pub(crate) head: Vec<String>,
     pub(crate) rows: Vec<Vec<String>>,
+    /// What follows it, as Markdown.
+    pub(crate) after: String,
 }
 
 impl Table {
     pub(crate) fn new(title: &'static str, about: impl Into<String>, head: &[&str]) -> Self {
-        Self { title, about: about.into(), head: head.iter().map(|&name| name.into()).collect(), rows: Vec::new() }
+        Self {
+            title,
+            about: about.into(),
+            head: head.iter().map(|&name| name.into()).collect(),
+            rows: Vec::new(),
+            after: String::new(),
+        }
     }
 
     /// Without its title.
@@ -24,7 +32,8 @@ impl Table {
 
     /// All of it.
     pub(crate) fn text(&self) -> String {
-        format!("## {}\n\n{}\n\n{}\n", self.title, self.about, self.body())
+        let after = if self.after.is_empty() { String::new() } else { format!("{}\n", self.after) };
+        format!("## {}\n\n{}\n\n{}\n{after}", self.title, self.about, self.body())
     }
 }
 

@@ -1,0 +1,57 @@
+//! The cells within a distance of a cell.
+
+use std::ops::Range;
+
+use crate::units::Size;
+
+/// The cells around one whose squared distance is small enough.
+pub(super) struct Disc {
+    /// How many columns it reaches to both sides, by the number of rows above or below its middle.
+    reach: Vec<usize>,
+    size: Size,
+}
+
+impl Disc {
+    /// All cells of a grid of this size whose squared distance from the middle, in cells, `is_in`; so are those that
+    /// are nearer.
+    pub(super) fn new(size: Size, is_in: impl Fn(u32) -> bool) -> Self {
+        let (width, height) = (size.width, size.height);
+        let rows = (0..height).take_while(|dy| is_in(dy * dy));
+        let reach = rows.map(|dy| (1..width).take_while(|dx| is_in(dx * dx + dy * dy)).count()).collect();
+        Self { reach, size }
+    }
+
+    /// The cells of the grid that are in it, row by row, where its middle is at `cell`.
+    pub(super) fn around(&self, cell: usize) -> impl Iterator<Item = Range<usize>> {
+        let (width, height) = (self.size.width as usize, self.size.height as usize);
+        let (x, y) = (cell % width, cell / width);
+        let farthest = self.reach.len().wrapping_sub(1);
+        let rows =
+            if self.reach.is_empty() { 0..0 } else { y.saturating_sub(farthest)..(y + farthest + 1).min(height) };
+        rows.map(move |row| {
+            let reach = self.reach[row.abs_diff(y)];
+            row * width + x.saturating_sub(reach)..row * width + (x + reach + 1).min(width)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_disc_has_the_cells_that_are_near_enough_and_in_the_grid() {
+        let size = Size::new(9, 7);
+        for most in [0, 1, 2, 5, 9, 200] {
+            let disc = Disc::new(size, |square| square <= most);
+            for cell in 0..size.len() {
+                let square = |other: usize| {
+                    ((cell % 9).abs_diff(other % 9).pow(2) + (cell / 9).abs_diff(other / 9).pow(2)) as u32
+                };
+                let near: Vec<usize> = (0..size.len()).filter(|&other| square(other) <= most).collect();
+                assert_eq!(disc.around(cell).flatten().collect::<Vec<_>>(), near);
+            }
+        }
+        assert_eq!(Disc::new(size, |_| false).around(3).count(), 0);
+    }
+}
