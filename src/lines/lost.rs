@@ -16,8 +16,17 @@ pub struct Lost {
     pub by_place: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
-    /// The middles of small rings that are not drawn, or that a device has not all dots for.
-    pub signs: Vec<MmPoint>,
+    /// Small rings that are not drawn, or that a device has not all dots for.
+    pub signs: Vec<LostSign>,
+}
+
+/// A small ring that is not drawn, such as a town on a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LostSign {
+    /// Its middle.
+    pub at: MmPoint,
+    /// Whether it is a triangle at the end of a line: an arrowhead.
+    pub is_arrowhead: bool,
 }
 
 /// Names of the parts of a figure.
