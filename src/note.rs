@@ -282,7 +282,10 @@ impl std::fmt::Display for Note {
                     write!(f, "{}{character:?} (character {at})", if i > 0 { ", " } else { "" })?;
                 }
                 let more = lacking.len() - shown;
-                if more > 0 { write!(f, " and {more} more") } else { Ok(()) }
+                if more > 0 {
+                    write!(f, " and {more} more")?;
+                }
+                f.write_str("; write it in words, or take a table of liblouis that has it (--braille-table TABLE)")
             }
             Self::NotTranslated { texts, why } => {
                 let verb = if texts.len() == 1 { "is" } else { "are" };
