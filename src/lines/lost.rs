@@ -1,7 +1,7 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
 use super::vertex::Vertex;
-use crate::geom::ninths::ninth;
+use crate::geom::ninths::{NAMES, ninth};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
 
@@ -29,19 +29,6 @@ pub struct LostSign {
     pub is_arrowhead: bool,
 }
 
-/// Names of the parts of a figure.
-const PLACES: [&str; 9] = [
-    "at the top left",
-    "at the top",
-    "at the top right",
-    "on the left",
-    "in the middle",
-    "on the right",
-    "at the bottom left",
-    "at the bottom",
-    "at the bottom right",
-];
-
 impl Lost {
     /// Share of what is not drawn, 0..=1.
     pub fn share(&self) -> f32 {
@@ -50,7 +37,7 @@ impl Lost {
 
     /// Where most of it is, in words.
     pub fn place_name(&self) -> &'static str {
-        PLACES[(0..9).fold(0, |best, i| if self.by_place[i] > self.by_place[best] { i } else { best })]
+        NAMES[(0..9).fold(0, |best, i| if self.by_place[i] > self.by_place[best] { i } else { best })]
     }
 
     /// The same if of what is drawn only a share is kept after all.
@@ -141,7 +128,7 @@ mod tests {
         kept.add(&line((12.0, 12.0), (32.0, 12.0)));
         let lost = wanted.lost(&kept);
         assert!((lost.lost - 15.0).abs() < 1e-3 && (lost.share() - 15.0 / 35.0).abs() < 1e-3, "{lost:?}");
-        assert_eq!(lost.place_name(), "on the right");
+        assert_eq!(lost.place_name(), "middle right");
         assert!((lost.keeping(0.5).lost - 25.0).abs() < 1e-3);
     }
 }
