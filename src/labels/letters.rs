@@ -86,7 +86,7 @@ fn initials_of_months(texts: &[&str]) -> Option<Vec<char>> {
     let initials: Vec<char> = texts.iter().map(initial).collect::<Option<_>>()?;
     let written: String = initials.iter().collect();
     let is_year = |months: &&str| initials.len() == 12 && months.repeat(2).contains(&written);
-    MONTHS.iter().any(|months| is_year(&months)).then_some(initials)
+    MONTHS.iter().any(is_year).then_some(initials)
 }
 
 #[cfg(test)]

@@ -136,9 +136,9 @@ impl Room {
         let begin = self.first_ink(from, direction, way.length())?;
         // the ink of the squares of one line is not interrupted
         let steps = (2.0 * way.length() / SQUARE).ceil() as u32;
-        let along = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|along| *along <= way.length());
+        let mut along = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|along| *along <= way.length());
         let is_ink = |along: f32| self.squares.index(from + direction * along).is_some_and(|at| self.ink[at] > 0);
-        let last = along.filter(|along| is_ink(*along)).last()?;
+        let last = along.rfind(|along| is_ink(*along))?;
         (last - begin <= broadest).then_some(begin)
     }
 

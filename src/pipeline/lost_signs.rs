@@ -44,15 +44,18 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, wides
             ring.inflate(MOVED, MOVED).contains_box(&line) && side(&line) >= 0.5 * side(&ring)
         };
         let is_narrow = ring.width().min(ring.height()) <= widest_stroke;
-        let is_drawn = || drawn.iter().any(alike) || is_narrow && lines.iter().any(is_centreline);
+        // the line that an arrowhead ends is no centreline of it
+        let is_arrowhead = side(&ring) <= ARROWHEAD && is_triangle(&points, side(&ring)) && is_at_end(lines, ring);
+        let is_drawn = || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
         if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
-            let is_arrowhead = is_triangle(&points, side(&ring)) && is_at_end(lines, ring);
             lost.push(LostSign { at: ring.center(), is_arrowhead });
         }
     }
     lost
 }
 
+/// Longest side of an arrowhead, mm: a larger triangle, such as a mountain on a map, is a shape by itself.
+const ARROWHEAD: f32 = 7.0;
 /// How far a triangle may be off its three sides, as a share of its own size.
 const OFF_SIDES: f32 = 0.15;
 
