@@ -282,7 +282,10 @@ impl std::fmt::Display for Note {
                     write!(f, "{}{character:?} (character {at})", if i > 0 { ", " } else { "" })?;
                 }
                 let more = lacking.len() - shown;
-                if more > 0 { write!(f, " and {more} more") } else { Ok(()) }
+                if more > 0 {
+                    write!(f, " and {more} more")?;
+                }
+                f.write_str("; write it in words, or take a table of liblouis that has it (--braille-table TABLE)")
             }
             Self::NotTranslated { texts, why } => {
                 let verb = if texts.len() == 1 { "is" } else { "are" };
@@ -343,16 +346,16 @@ impl std::fmt::Display for Note {
             ),
             Self::LinesLeftOut { millimetres, percent, place } => write!(
                 f,
-                "{millimetres} mm of contours, {percent} percent, were left out, most of them {place}: they lie too \
-                 close to others for fingers, or are too short; a larger figure, on larger paper if there is any, or \
-                 only a part of the picture keeps more of them"
+                "{millimetres} mm of contours, {percent} percent, were left out, most of them in the {place}: they lie \
+                 too close to others for fingers, or are too short; a larger figure, on larger paper if there is any, \
+                 or only a part of the picture keeps more of them"
             ),
             Self::TooDense { millimetres, percent, place, width } => write!(
                 f,
                 "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} \
-                 percent, had no room and were left out, most of them {place}; make the figure wider, spread it over \
-                 several sheets, draw only a part of it, or leave details out on purpose (lines.detail), so that what \
-                 is left is whole"
+                 percent, had no room and were left out, most of them in the {place}; make the figure wider, spread it \
+                 over several sheets, draw only a part of it, or leave details out on purpose (lines.detail), so that \
+                 what is left is whole"
             ),
             Self::ShapesNotInOverview(count) => write!(
                 f,
@@ -362,8 +365,8 @@ impl std::fmt::Display for Note {
             ),
             Self::LinesNotInOverview { percent, place } => write!(
                 f,
-                "the overview lacks {percent} percent of the drawing's lines, most of them {place}, as they have no \
-                 room in it; do without it (--no-overview), or spread the figure over several sheets"
+                "the overview lacks {percent} percent of the drawing's lines, most of them in the {place}, as they \
+                 have no room in it; do without it (--no-overview), or spread the figure over several sheets"
             ),
             Self::Simplified { shapes, lines, most } => {
                 let counted = [(*shapes, "shape"), (*lines, "other line")].into_iter().filter(|(count, _)| *count > 0);

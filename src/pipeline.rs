@@ -29,6 +29,7 @@ mod subject;
 mod text_reader;
 mod texts;
 mod textures;
+mod told_labels;
 pub mod trace;
 mod typed;
 mod unwritten;
@@ -56,6 +57,7 @@ use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
+use crate::raster::Raster;
 use crate::raster::vector::DrawnText;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
@@ -115,10 +117,8 @@ pub fn convert_with_words<'p>(
 ) -> Result<Drawing, Error> {
     let written = Written::new(words, request.plan);
     let layout_of = |size: Size| written.layout(size, request);
-    let with_room = |texts: &[DrawnText], sizes: [Size; 2], layout: Layout| {
-        let profile = request.plan.profile();
-        let (cell, min_side) = (profile.braille.cell, profile.figure.min_side);
-        margins::with_room(texts, sizes, (words, &written, cell), layout, &layout_of, min_side)
+    let with_room = |texts: &[DrawnText], picture: (&Raster, Size), layout: Layout| {
+        margins::with_room(texts, picture, (words, &written, request.plan), layout, &layout_of)
     };
     let marks = draw(picture.into(), given, request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)

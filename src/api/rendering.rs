@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::braille::Translate;
-use crate::page::Page;
+use crate::page::{BrailleText, Page};
 use crate::pipeline::{self, Adapted, Drawing, Fit, Key as KeySheets, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
@@ -97,8 +97,32 @@ fn rendered(
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));
     drawing.key = in_language(drawing.key, &page);
+    notes.extend(in_other_cells(&page, &drawing.page));
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })
+}
+
+/// Tells of words that stand in other cells than on the page that was read, which another table wrote.
+fn in_other_cells(before: &Page, after: &Page) -> Option<Note> {
+    // without blanks and hyphens, as lines may be divided elsewhere
+    let cells = |text: &BrailleText| -> String {
+        text.lines.concat().chars().filter(|cell| !matches!(cell, '\u{2800}' | '\u{2824}')).collect()
+    };
+    let whole = |page: &'_ Page| -> Vec<BrailleText> {
+        page.braille.iter().filter(|text| text.abbreviation.is_none()).cloned().collect()
+    };
+    let after = whole(after);
+    let is_other = |text: &&BrailleText| {
+        let same = |other: &&BrailleText| other.role == text.role && other.text == text.text;
+        after.iter().find(same).is_some_and(|other| cells(other) != cells(text))
+    };
+    let count = whole(before).iter().filter(is_other).count();
+    let words = if count == 1 { "1 text is" } else { &format!("{count} texts are") };
+    let told = format!(
+        "{words} written in other cells of braille than on the page, which another table wrote; give that table \
+         (--braille-table TABLE)"
+    );
+    (count > 0).then_some(Note::TakenAs(About::Braille, told))
 }
 
 /// Sheets of a key, whose titles are in the language of the page's.

@@ -59,10 +59,20 @@ impl Table {
         }
     }
 
+    /// A text in which what the code has as a sign is no capital letter: its cells say that it is one.
+    fn without_signs(&self, text: &[char]) -> Vec<char> {
+        let has = |sign: &str| self.signs.contains_key(sign);
+        let is_sign = |letter: char| {
+            let sign = letter.to_string();
+            letter.is_uppercase() && (has(&sign) || same_as(&sign).is_some_and(has))
+        };
+        text.iter().map(|&letter| if is_sign(letter) { NO_LETTER } else { letter }).collect()
+    }
+
     fn write(&self, text: &[(char, usize)]) -> Braille {
         let (text, places): (Vec<char>, Vec<usize>) = text.iter().copied().unzip();
         let around = match &self.capitals {
-            Some(capitals) => capitals::signs(&text, capitals),
+            Some(capitals) => capitals::signs(&self.without_signs(&text), capitals),
             None => vec![Around::default(); text.len()],
         };
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
@@ -190,6 +200,9 @@ impl<'t> Writer<'t> {
         })
     }
 }
+
+/// What is no letter, in place of a sign.
+const NO_LETTER: char = '\u{2423}';
 
 /// Whether the space at `i` parts groups of three digits of one number, as in 12 000.
 fn is_group(text: &[char], i: usize) -> bool {

@@ -83,6 +83,7 @@ struct Done {
     previews: Vec<String>,
     checked: Vec<Value>,
     notes: Vec<String>,
+    labels_left_out: Vec<(Vec<String>, &'static str)>,
     description: Option<String>,
     timings: Stopped,
 }
@@ -236,6 +237,11 @@ fn work(
         Some((product, target)) => sheets::pieces(*product, target, &previews, &made_up)?,
         None => Vec::new(),
     };
+    let left_out = |note: &Note| match note {
+        Note::LabelsLeftOut { texts, why } => Some((texts.clone(), *why)),
+        _ => None,
+    };
+    let labels_left_out = notes.iter().filter_map(left_out).collect();
     let mut notes: Vec<String> = notes.iter().map(remark).collect();
     let (wrote, page_names) = (wrote(&pages, &previews, &sheets), names_of(&pages));
     let preview_names = names_of(&previews);
@@ -246,7 +252,16 @@ fn work(
         notes.extend(other.map(|other| format!("{} was made of {} before", path.display(), other.display())));
     }
     let timings = timings.stop();
-    Ok(Done { wrote, pages: page_names, previews: preview_names, checked, notes, description, timings })
+    Ok(Done {
+        wrote,
+        pages: page_names,
+        previews: preview_names,
+        checked,
+        notes,
+        labels_left_out,
+        description,
+        timings,
+    })
 }
 
 fn names_of(pieces: &[Piece<'_>]) -> Vec<String> {
@@ -344,8 +359,9 @@ fn tell(
 fn note_down(record: &mut Record, job: &Job, outcome: &Result<Outcome, Panicked>) {
     match outcome {
         Ok((Ok(done), took)) => {
-            let Done { pages, previews, checked, notes, .. } = done;
-            record.done(job, &Written { pages, previews, sheets: checked, notes: notes.clone() }, *took);
+            let Done { pages, previews, checked, notes, labels_left_out, .. } = done;
+            let notes = notes.clone();
+            record.done(job, &Written { pages, previews, sheets: checked, notes, labels_left_out }, *took);
         }
         Ok((Err(failure), took)) => record.failed(job, Some((&failure.file, &failure.what)), Some(*took)),
         Err(Panicked) => record.failed(job, None, None),

@@ -16,7 +16,7 @@ pub(super) fn read(path: &Path, most_bytes: u64, too_long: &str) -> anyhow::Resu
     if super::places::is_std(path) {
         limited(&mut io::stdin().lock(), &mut bytes, most_bytes)
     } else {
-        let file = File::open(path).map_err(|error| explain(&error))?;
+        let file = File::open(path).map_err(|error| not_there(path, &error))?;
         // Room for the whole file at once saves copying; the length is only a hint (pipes have none).
         let length = file.metadata().map_or(0, |data| data.len()).min(most_bytes);
         bytes.reserve_exact(usize::try_from(length).unwrap_or(0).saturating_add(1));
@@ -37,7 +37,7 @@ pub(super) fn check(path: &Path) -> anyhow::Result<()> {
     if super::places::is_std(path) {
         return Ok(());
     }
-    let found = std::fs::metadata(path).map_err(|error| explain(&error))?;
+    let found = std::fs::metadata(path).map_err(|error| not_there(path, &error))?;
     if found.is_dir() {
         return Err(explain(&ErrorKind::IsADirectory.into()));
     }
@@ -47,6 +47,25 @@ pub(super) fn check(path: &Path) -> anyhow::Result<()> {
 /// Reads one byte more than allowed, to tell "just fits" from "too long".
 fn limited(from: &mut dyn Read, bytes: &mut Vec<u8>, most_bytes: u64) -> io::Result<usize> {
     from.take(most_bytes.saturating_add(1)).read_to_end(bytes)
+}
+
+/// Why a file cannot be read. A page of several sheets has files with numbers, which are named.
+fn not_there(path: &Path, error: &io::Error) -> anyhow::Error {
+    let sheets = if error.kind() == ErrorKind::NotFound { sheets_of(path) } else { Vec::new() };
+    match &sheets[..] {
+        [] => explain(error),
+        [only] => anyhow!("there is no such file, but {only}; name that"),
+        [first, .., last] => anyhow!("there is no such file, but sheets of it, {first} to {last}; name one of them"),
+    }
+}
+
+/// The names of the files that `path` would have as several sheets: a-1.svg, a-2.svg for a.svg.
+fn sheets_of(path: &Path) -> Vec<String> {
+    let (Some(stem), Some(ending)) = (path.file_stem(), path.extension()) else { return Vec::new() };
+    let sheet = |number: usize| {
+        path.with_file_name(format!("{}-{number}.{}", stem.to_string_lossy(), ending.to_string_lossy()))
+    };
+    (1..).map(sheet).take_while(|path| path.is_file()).map(|path| path.display().to_string()).collect()
 }
 
 fn explain(error: &io::Error) -> anyhow::Error {

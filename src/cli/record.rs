@@ -16,6 +16,8 @@ pub(super) struct Written<'a> {
     /// What [`checked`] says of its sheets.
     pub(super) sheets: &'a [Value],
     pub(super) notes: Vec<String>,
+    /// All labels that are not on the page, by the reason why.
+    pub(super) labels_left_out: &'a [(Vec<String>, &'static str)],
 }
 
 /// The report of a run, picture by picture.
@@ -36,13 +38,15 @@ impl Record {
 
     /// A picture whose page is written.
     pub(super) fn done(&mut self, job: &Job, written: &Written<'_>, took: Duration) {
-        let Written { pages, previews, sheets, notes } = written;
+        let Written { pages, previews, sheets, notes, labels_left_out } = written;
+        let labels = labels_left_out.iter().map(|(texts, why)| json!({ "texts": texts, "why": why }));
         let mut entry = self.entry(job, took);
         entry["done"] = json!(true);
         entry["outputs"] = json!(pages);
         entry["previews"] = json!(previews);
         entry["sheets"] = json!(sheets);
         entry["notes"] = json!(notes);
+        entry["labels_left_out"] = labels.collect();
         self.pictures.push(entry);
     }
 
@@ -68,6 +72,7 @@ impl Record {
             "previews": [],
             "sheets": [],
             "notes": [],
+            "labels_left_out": [],
             "error": null,
             "time_ms": milliseconds(took),
         })

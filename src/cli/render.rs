@@ -72,7 +72,8 @@ fn read(
             return Err((Exit::Usage, faults));
         }
     }
-    let (other, table) = contracted(&bytes, &own, other, args, |why| report.note(name, why));
+    let (other, table) = contracted(&bytes, &own, other, args, |why| report.note(name, why))
+        .map_err(|what| (Exit::Usage, vec![what]))?;
     let (other, key) = (other.as_ref(), args.key.sheets());
     let drawing = match table {
         Some(table) => render_with_translator(&bytes, other, key, move |text| louis::translate(&table, text)),
@@ -85,14 +86,17 @@ fn read(
 }
 
 /// The profile that the page is laid out anew for, with contracted braille where the page has that, unless `--set` says
-/// otherwise; and the table of liblouis that writes it.
+/// otherwise; and the table of liblouis that writes it, or the one that is asked for.
+///
+/// # Errors
+/// In one line, if the one that is asked for is none, or liblouis is not installed.
 fn contracted(
     bytes: &[u8],
     own: &Profile,
     other: Option<&Profile>,
     args: &Render,
     tell: impl Fn(&str),
-) -> (Option<Profile>, Option<String>) {
+) -> Result<(Option<Profile>, Option<String>), String> {
     const GRADE: &str = "braille.grade";
     let is_contracted = |profile: &Profile| profile.get(GRADE) == Some(Value::Number(2.0));
     let is_set = args.set.iter().any(|set| set.split('=').next().is_some_and(|key| key.trim() == GRADE));
@@ -103,10 +107,14 @@ fn contracted(
     }
     let profile = other.as_ref().unwrap_or(own);
     let language = language_of_page(bytes).unwrap_or_default();
+    if let Some(asked) = args.braille_table.as_deref() {
+        let table = louis::wanted(Some(asked), profile, &language)?;
+        return Ok((other, table));
+    }
     let table = if is_contracted(profile) { louis::wanted(None, profile, &language) } else { Ok(None) };
     let table = table.unwrap_or_else(|why| {
         tell(&format!("{why}; until then words that are written anew are uncontracted"));
         None
     });
-    (other, table)
+    Ok((other, table))
 }

@@ -20,6 +20,8 @@ pub(super) struct Candidate {
     pub(super) cost: f32,
     /// Whether it was placed together with the labels of its row or column, which keep their own blank.
     is_in_row: bool,
+    /// Whether that stands in the margin beyond all lines.
+    is_in_margin: bool,
 }
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
@@ -124,8 +126,19 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 
 impl Candidate {
     /// One that is placed together with its row.
-    pub(super) fn in_row(form: usize, place: MmRect, leader: Option<[MmPoint; 2]>, cost: f32) -> Self {
-        Self { form, place, leader, crosses: false, cost, is_in_row: true }
+    pub(super) fn in_row(
+        form: usize,
+        place: MmRect,
+        leader: Option<[MmPoint; 2]>,
+        cost: f32,
+        is_in_margin: bool,
+    ) -> Self {
+        Self { form, place, leader, crosses: false, cost, is_in_row: true, is_in_margin }
+    }
+
+    /// Whether it stands in a row in the margin beyond all lines.
+    pub(super) fn is_in_margin(&self) -> bool {
+        self.is_in_margin
     }
 
     /// Whether it stands in a row that is placed as a whole.
@@ -226,6 +239,7 @@ pub(super) fn of(label: &Wanted, forms: &[Form], around: &Around<'_>, cells: &Ce
     let mut candidates: Vec<Candidate> = forms
         .iter()
         .enumerate()
+        .filter(|(_, form)| form.kind.is_of_one())
         .flat_map(|(number, form)| apart(of_form(label, (number, form), around, cells)))
         .collect();
     candidates.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -291,7 +305,8 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
     };
     let (leader, crosses) = match is_near {
         true => (None, false),
-        false => match clear() {
+        false if !is_point && is_beside_outline(nearest, place, around) => (None, false),
+        false => match clear().or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
             Some(way) => (Some(way), false),
             None if !params.may_cross || is_open(&nearest) => return None,
             None => (Some(leads(nearest)?), true),
@@ -319,8 +334,43 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         None => 0.0,
     };
     let cost = form.cost + distance + elsewhere + GLYPH * glyphs + leader_cost;
-    Some(Candidate { form: number, place, leader, crosses, cost, is_in_row: false })
+    Some(Candidate { form: number, place, leader, crosses, cost, is_in_row: false, is_in_margin: false })
 }
+
+/// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands
+/// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it.
+fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> bool {
+    let way = around.anchor - nearest;
+    let is_straight = way.x == 0.0 || way.y == 0.0;
+    let outline = || around.room.only_line(nearest, around.anchor, WIDEST_OUTLINE);
+    is_straight
+        && outline().is_some_and(|blank| blank < SHORTEST_LEADER)
+        && around.is_own(place)
+        && is_open(place, around)
+}
+
+/// The leader line of a label in the open to such an outline: it ends there, and crosses nothing.
+fn to_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> Option<[MmPoint; 2]> {
+    let &Around { room, anchor, .. } = around;
+    let way = anchor - nearest;
+    let direction = (way.length() > 0.0).then(|| way.normalize())?;
+    let blank = room.only_line(nearest, anchor, WIDEST_OUTLINE).filter(|blank| *blank >= SHORTEST_LEADER)?;
+    let (from, outline) = (nearest + direction * BEFORE_LEADER, nearest + direction * blank);
+    // short of the outline nothing else is near; within another shape it would name that one
+    let end = (outline - from).length().min(AT_END);
+    let is_clear = room.is_free_way(from, outline, end) && around.leads_to_own(place, [from, outline]);
+    (is_clear && is_open(place, around)).then_some([from, outline])
+}
+
+/// Whether a place is not shut in by lines.
+fn is_open(place: MmRect, around: &Around<'_>) -> bool {
+    around.room.shut_in(place.center(), FURTHEST_OUTLINE).is_none()
+}
+
+/// Breadth of the line of an outline on the way across it, at most, mm: twice the widest line, for a slanted way.
+const WIDEST_OUTLINE: f32 = 3.0;
+/// A label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
+const FURTHEST_OUTLINE: f32 = 60.0;
 
 /// A better place of a label near to the one that it has, by the steps between those that were kept; none if there is
 /// none that is `free` of other labels.

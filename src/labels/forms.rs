@@ -8,12 +8,33 @@ use crate::braille::{Braille, Divide, Lacking, Translator, in_two};
 use crate::page::cells::CellGrid;
 use crate::units::MmVector;
 
+/// What a form of a label is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The whole text.
+    Text,
+    /// An abbreviation of two or three cells.
+    Short,
+    /// A single letter, as which only a whole row of labels is written.
+    Letter,
+    /// A number without its unit, of an axis where another number has it.
+    Bare,
+}
+
+impl Kind {
+    /// Whether a label may be written so by itself, and not only with all of its row.
+    pub(super) fn is_of_one(self) -> bool {
+        matches!(self, Self::Text | Self::Short)
+    }
+}
+
 /// One form of a label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Form {
     pub(super) lines: Vec<Vec<u8>>,
     /// What is written in place of the text.
     pub(super) abbreviation: Option<String>,
+    pub(super) kind: Kind,
     /// What this form costs beside one in a single line: the millimetres that a label may lie further away for it.
     pub(super) cost: f32,
 }
@@ -63,23 +84,36 @@ pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Form
             None => return Err(Unplaced::TooLong),
             Some(Err(why)) => return Err(Unplaced::NotTranslated(why.clone())),
             Some(Ok(braille)) if braille.cells.is_empty() => return Err(Unplaced::NoCells(braille.lacking.clone())),
+            Some(Ok(braille)) if braille.lacking.iter().any(|lacking| says_something(lacking.character)) => {
+                return Err(Unplaced::Misleading(braille.lacking.clone()));
+            }
             Some(Ok(braille)) => braille,
         };
         let length = braille.cells.len();
-        let form = |lines, abbreviation, cost| Form { lines, abbreviation, cost };
-        let mut forms = vec![form(vec![braille.cells.clone()], None, 0.0)];
+        let form = |lines, kind, cost| Form { lines, abbreviation: None, kind, cost };
+        let mut forms = vec![form(vec![braille.cells.clone()], Kind::Text, 0.0)];
         if length > LONG {
             let whole = in_two(braille, Divide::Never);
             let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
-            forms.extend(whole.map(|lines| form(lines.into(), None, SECOND_LINE)));
-            forms.extend(divided.map(|lines| form(lines.into(), None, DIVIDED)));
+            forms.extend(whole.map(|lines| form(lines.into(), Kind::Text, SECOND_LINE)));
+            forms.extend(divided.map(|lines| form(lines.into(), Kind::Text, DIVIDED)));
         }
-        forms.extend(
-            short
-                .filter(|short| short.cells.len() < length)
-                .map(|short| form(vec![short.cells], Some(short.letters), ABBREVIATED)),
-        );
+        forms.extend(short.filter(|short| short.cells.len() < length).map(|short| Form {
+            abbreviation: Some(short.letters),
+            ..form(vec![short.cells], Kind::Short, ABBREVIATED)
+        }));
         Ok(Forms { forms, lacking: braille.lacking.clone() })
     };
     texts.iter().zip(short).map(of_text).collect()
+}
+
+/// Whether a text says something else without this character: letters, numbers, signs of mathematics and currencies do,
+/// ornaments and pictures do not.
+fn says_something(character: char) -> bool {
+    let is_sign = matches!(
+        character,
+        '+' | '<' | '=' | '>' | '%' | '°' | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{22ff}'
+            | '\u{27c0}'..='\u{27ff}' | '\u{2900}'..='\u{2aff}'
+    );
+    is_sign || character.is_alphanumeric()
 }

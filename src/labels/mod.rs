@@ -1,7 +1,7 @@
 //! Labels in braille: each beside what it names, apart from lines and from one another.
 //!
 //! ```text
-//! wanted -> forms (one line, two, abbreviated) -> rows (as a whole) ------------------------.
+//! wanted -> forms (one line, two, abbreviated) -> groups -> rows (as a whole) --------------.
 //!                                            `-> candidates (free places near the anchor) -> choose -> placed
 //! ```
 //!
@@ -11,22 +11,27 @@
 mod abbreviate;
 mod candidates;
 mod choose;
+mod foretold;
 mod forms;
+mod groups;
+mod letters;
 mod placed;
 mod room;
 mod rows;
+mod scale;
 
 pub use candidates::NEAR;
 pub use choose::{Choice, choose};
+pub use foretold::{Foretold, rows_beyond};
 pub use forms::LONGEST;
 pub use placed::{Params, Placed, Unplaced, Wanted};
-pub use rows::{Lies, least_blank, of_texts};
 
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
 use candidates::{Around, Candidate, Spacing, TIGHTEST};
-use forms::{Form, Forms};
+use forms::{Form, Forms, Kind};
+use groups::Group;
 use room::Room;
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
@@ -51,16 +56,14 @@ pub fn place(
     let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let forms = forms::of(&texts, translator);
-    let longest = |forms: &Result<Forms, Unplaced>| {
-        let forms = forms.iter().flat_map(|forms| &forms.forms);
-        forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
-    };
-    let around = |(number, forms)| Around::of(number, wanted, longest(forms), &room, params);
-    let around: Vec<Around<'_>> = forms.iter().enumerate().map(around).collect();
-    let in_rows = rows::placed(&rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells });
+    let mut forms = forms::of(&texts, translator);
+    let around = around(wanted, &forms, &room, cells, params);
+    let groups = groups_of(wanted, &mut forms, &around, translator);
+    let place = rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells };
+    let rows::InRows { placed: in_rows, thinned } = rows::placed(&groups, &place);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],
+        (None, Ok(_)) if thinned[number].is_some() => Vec::new(),
         (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells),
         (None, Err(_)) => Vec::new(),
     };
@@ -70,8 +73,40 @@ pub fn place(
     let mut chosen: Vec<Option<Candidate>> =
         chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
     move_nearer(&mut chosen, wanted, &forms, &around, (cells, spacing));
-    let placed = forms.into_iter().zip(chosen).map(|(forms, chosen)| placed(forms?, chosen));
+    let placed = forms.into_iter().zip(chosen).zip(thinned).map(|((forms, chosen), thinned)| match thinned {
+        Some(every) => Err(Unplaced::Thinned(every)),
+        None => placed(forms?, chosen),
+    });
     placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
+}
+
+/// What lies around what each label names.
+fn around<'a>(
+    wanted: &[Wanted],
+    forms: &[Result<Forms, Unplaced>],
+    room: &'a Room,
+    cells: &CellGrid<'_>,
+    params: &'a Params,
+) -> Vec<Around<'a>> {
+    let longest = |forms: &Result<Forms, Unplaced>| {
+        let forms = forms.iter().flat_map(|forms| &forms.forms);
+        forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
+    };
+    let around = |(number, forms)| Around::of(number, wanted, longest(forms), room, params);
+    forms.iter().enumerate().map(around).collect()
+}
+
+/// Which labels stand in rows and columns; those of rows may be written as single letters too.
+fn groups_of(
+    wanted: &[Wanted],
+    forms: &mut [Result<Forms, Unplaced>],
+    around: &[Around<'_>],
+    translator: &Translator<'_>,
+) -> Vec<Group> {
+    let mut groups = groups::of(wanted, |label| forms[label].is_ok(), |label| around[label].is_at_lower_side);
+    letters::add(&mut groups, forms, wanted, translator);
+    letters::add_bare(&groups, forms, wanted, translator);
+    groups
 }
 
 /// Which candidate each label takes, if any, and how much blank is kept between them: less where labels would be lost
@@ -155,7 +190,7 @@ fn move_nearer(
 fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
     let Forms { mut forms, lacking } = forms;
     let candidate = chosen.ok_or(Unplaced::NoRoom)?;
-    let Form { lines, abbreviation, .. } = forms.swap_remove(candidate.form);
+    let Form { lines, abbreviation, kind, .. } = forms.swap_remove(candidate.form);
     Ok(Placed {
         place: candidate.place,
         lines,
@@ -163,6 +198,8 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         abbreviation,
         leader: candidate.leader,
         crosses: candidate.leader.is_some() && candidate.crosses,
+        is_in_margin: candidate.is_in_margin(),
+        is_bare: kind == Kind::Bare,
     })
 }
 

@@ -54,6 +54,10 @@ pub struct Placed {
     pub leader: Option<[MmPoint; 2]>,
     /// Whether that line crosses others, as there is room nowhere else.
     pub crosses: bool,
+    /// Whether it is a number of an axis that stands in the margin beyond all lines.
+    pub is_in_margin: bool,
+    /// Whether it is such a number without its unit, which another has.
+    pub is_bare: bool,
 }
 
 /// Why a label has no place.
@@ -61,12 +65,16 @@ pub struct Placed {
 pub enum Unplaced {
     /// There is no room for it.
     NoRoom,
+    /// It is a number along an axis where there is room for every so many-th only.
+    Thinned(i64),
     /// There are more labels than a page takes.
     TooMany,
     /// It is longer than anything that is written in braille on a page.
     TooLong,
     /// Its code has no cells for any of its characters.
     NoCells(Vec<Lacking>),
+    /// Its code has no cells for characters without which it would say something else.
+    Misleading(Vec<Lacking>),
     /// The translator could not write it; what it says.
     NotTranslated(String),
 }

@@ -44,35 +44,67 @@ pub(super) struct Room {
     ink: Vec<u32>,
     /// Glyphs.
     glyphs: Vec<u32>,
+    /// The box around all lines.
+    bounds: Option<MmRect>,
 }
 
 impl Room {
     pub(super) fn new(area: MmRect, lines: &[Line], textures: &[Texture], clearance: f32) -> Self {
-        let count = |mm: f32| (mm / SQUARE).ceil().max(1.0) as usize;
-        let squares = Squares { area, columns: count(area.width()), rows: count(area.height()) };
-        let none = || vec![0; squares.columns * squares.rows];
-        let (mut taken, mut for_leader, mut ink, mut glyphs) = (none(), none(), none(), none());
-        for run in lines.iter().flat_map(|line| &line.runs) {
-            let half = 0.5 * run.width + CORNER;
-            let mut mark = |a: MmPoint, b: MmPoint| {
-                squares.around(a, b, half + clearance, |index| taken[index] = 1);
-                squares.around(a, b, half + LEADER_CLEARANCE, |index| for_leader[index] = 1);
-                squares.around(a, b, half, |index| ink[index] = 1);
-            };
-            match run.pen {
-                Pen::Dots(_) => run.points.iter().for_each(|&at| mark(at, at)),
+        let segments = lines.iter().flat_map(|line| &line.runs).flat_map(|run| {
+            let points: Vec<MmPoint> = match run.pen {
+                Pen::Dots(_) => run.points.iter().flat_map(|&at| [at, at]).collect(),
                 Pen::Stroke => {
                     let path: Vec<MmPoint> = run.polyline().path().copied().collect();
-                    path.windows(2).for_each(|pair| mark(pair[0], pair[1]));
+                    path.windows(2).flat_map(|pair| [pair[0], pair[1]]).collect()
                 }
-            }
+            };
+            let pairs: Vec<_> = points.chunks_exact(2).map(|ends| ([ends[0], ends[1]], run.width)).collect();
+            pairs
+        });
+        let glyphs = textures.iter().flat_map(|texture| &texture.glyphs).map(|glyph| glyph.at);
+        Self::of_segments(area, segments, glyphs, clearance)
+    }
+
+    /// Of a drawing that is not drawn yet: with contours at these points, on which lines of this width will lie.
+    pub(super) fn of_contours(area: MmRect, points: &[MmPoint], width: f32, clearance: f32) -> Self {
+        let squares = Squares::of(area);
+        let mut points: Vec<(usize, MmPoint)> =
+            points.iter().filter_map(|&at| Some((squares.index(at)?, at))).collect();
+        // one in each square
+        points.sort_by_key(|(square, _)| *square);
+        points.dedup_by_key(|(square, _)| *square);
+        let segments = points.into_iter().map(|(_, at)| ([at, at], width));
+        Self::of_segments(area, segments, std::iter::empty(), clearance)
+    }
+
+    /// Of segments, each with the width of its ink, and of glyphs.
+    fn of_segments(
+        area: MmRect,
+        segments: impl Iterator<Item = ([MmPoint; 2], f32)>,
+        glyphs: impl Iterator<Item = MmPoint>,
+        clearance: f32,
+    ) -> Self {
+        let squares = Squares::of(area);
+        let none = || vec![0; squares.columns * squares.rows];
+        let (mut taken, mut for_leader, mut ink, mut of_glyphs) = (none(), none(), none(), none());
+        let mut bounds: Option<MmRect> = None;
+        for ([a, b], width) in segments {
+            let half = 0.5 * width + CORNER;
+            squares.around(a, b, half + clearance, |index| taken[index] = 1);
+            squares.around(a, b, half + LEADER_CLEARANCE, |index| for_leader[index] = 1);
+            squares.around(a, b, half, |index| ink[index] = 1);
+            let own = MmRect::new(a.min(b), a.max(b)).inflate(0.5 * width, 0.5 * width);
+            bounds = Some(bounds.map_or(own, |all| MmRect::new(all.min.min(own.min), all.max.max(own.max))));
         }
-        for glyph in textures.iter().flat_map(|texture| &texture.glyphs) {
-            if let Some(index) = squares.index(glyph.at) {
-                glyphs[index] += 1;
-            }
+        for index in glyphs.filter_map(|at| squares.index(at)) {
+            of_glyphs[index] += 1;
         }
-        Self { squares, taken: squares.sums(&taken), for_leader, ink, glyphs: squares.sums(&glyphs) }
+        Self { squares, taken: squares.sums(&taken), for_leader, ink, glyphs: squares.sums(&of_glyphs), bounds }
+    }
+
+    /// The box around the ink of all lines; none where there are none.
+    pub(super) fn bounds(&self) -> Option<MmRect> {
+        self.bounds
     }
 
     /// Whether a box lies in the area and as far from lines as labels must.
@@ -94,6 +126,20 @@ impl Room {
     /// Whether a line lies between two places; `end` mm before the second it does not count.
     pub(super) fn is_parted(&self, from: MmPoint, to: MmPoint, end: f32) -> bool {
         self.meets(&self.ink, from, to, end)
+    }
+
+    /// How far from the first point the only line begins that lies between two, if it is no broader than this, mm; none
+    /// where there is none, or more than one.
+    pub(super) fn only_line(&self, from: MmPoint, to: MmPoint, broadest: f32) -> Option<f32> {
+        let way = to - from;
+        let direction = way / way.length().max(SQUARE);
+        let begin = self.first_ink(from, direction, way.length())?;
+        // the ink of the squares of one line is not interrupted
+        let steps = (2.0 * way.length() / SQUARE).ceil() as u32;
+        let mut along = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|along| *along <= way.length());
+        let is_ink = |along: f32| self.squares.index(from + direction * along).is_some_and(|at| self.ink[at] > 0);
+        let last = along.rfind(|along| is_ink(*along))?;
+        (last - begin <= broadest).then_some(begin)
     }
 
     /// How far the lines around a point reach that shut it in on all sides, mm; none if one side is open as far as
@@ -179,6 +225,11 @@ impl Room {
 }
 
 impl Squares {
+    fn of(area: MmRect) -> Self {
+        let count = |mm: f32| (mm / SQUARE).ceil().max(1.0) as usize;
+        Self { area, columns: count(area.width()), rows: count(area.height()) }
+    }
+
     /// Calls `visit` with the squares whose middle is nearer than `reach` to a segment.
     fn around(&self, a: MmPoint, b: MmPoint, reach: f32, mut visit: impl FnMut(usize)) {
         let (low, high) = (a.min(b) - MmVector::new(reach, reach), a.max(b) + MmVector::new(reach, reach));
@@ -256,6 +307,20 @@ mod tests {
         assert!((reach - 4.2).abs() < 0.6, "{reach}");
         assert_eq!(whole.shut_in(MmPoint::new(50.0, 50.0), 3.0), None);
         assert_eq!(arc.shut_in(MmPoint::new(50.0, 50.0), 12.0), None);
+    }
+
+    #[test]
+    fn the_only_line_on_a_way_is_found() {
+        let one = room(&[(50.0, 10.0), (50.0, 90.0)], false);
+        let (from, to) = (MmPoint::new(20.0, 50.0), MmPoint::new(70.0, 50.0));
+        let begin = one.only_line(from, to, 3.0).expect("it is between them");
+        assert!((begin - 29.3).abs() < 0.6, "{begin}");
+        assert_eq!(one.only_line(from, MmPoint::new(40.0, 50.0), 3.0), None);
+        assert_eq!(
+            room(&[(40.0, 10.0), (40.0, 90.0), (60.0, 90.0), (60.0, 10.0)], false).only_line(from, to, 3.0),
+            None
+        );
+        assert_eq!(one.only_line(MmPoint::new(50.0, 20.0), MmPoint::new(50.0, 80.0), 3.0), None, "along it");
     }
 
     #[test]

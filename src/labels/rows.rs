@@ -3,19 +3,14 @@
 //! under the next bar.
 
 use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, TIGHTEST};
-use super::forms::{Form, Forms};
+use super::forms::{Form, Forms, Kind};
+use super::groups::{Group, Lies};
 use super::placed::{Params, Unplaced, Wanted};
 use super::room::Room;
+use super::scale::EVERY;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Fewest labels of a row. Two may stand side by side by chance.
-const FEWEST: usize = 3;
-/// Texts of one row have their middles at one height, and those of a column one edge below the other, up to so much,
-/// mm: more than rounding, less than print lines are apart.
-const ALIGNED: f32 = 0.7;
-/// Points that a person gives by hand are in a row up to so much, mm.
-const BY_HAND: f32 = 2.0;
 /// How far a row may lie from its texts, mm: so near a label names something without a leader line.
 const REACH: f32 = 12.0;
 /// ... and how far with leader lines straight to its texts, mm: past a row of other things below them, such as a
@@ -29,26 +24,6 @@ const BELOW_POINTS: f32 = 2.0;
 /// What a second row of labels costs for each of them, mm.
 const SECOND_ROW: f32 = 5.0;
 
-/// How the labels of a group lie.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Lies {
-    /// Side by side, in place of texts.
-    Row,
-    /// Side by side, below points.
-    BelowPoints,
-    /// One above the other, with one edge in line: 0 is the left one, 1 the right one.
-    Column(f32),
-}
-
-/// Labels that are placed together, in their order.
-#[derive(Debug)]
-pub struct Group {
-    /// Which they are.
-    pub members: Vec<usize>,
-    /// In a row or a column.
-    pub lies: Lies,
-}
-
 /// In which form the labels of a group are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Level {
@@ -57,6 +32,9 @@ enum Level {
     /// Each as it fits beside its anchor, in a column.
     Fitting,
     Short,
+    Letters,
+    /// Of numbers along an axis: the unit with the highest or the last one only.
+    UnitOnce,
 }
 
 impl Level {
@@ -66,15 +44,12 @@ impl Level {
             Self::Whole => false,
             Self::Fitting => fits(form),
             Self::TwoLines => form.is_in_two_lines(),
-            Self::Short => form.abbreviation.is_some(),
+            Self::Short => form.kind == Kind::Short,
+            Self::Letters => form.kind == Kind::Letter,
+            Self::UnitOnce => form.kind == Kind::Bare,
         };
         forms.iter().position(is).unwrap_or(0)
     }
-}
-
-/// The least blank between labels side by side, and one above the other, mm.
-pub fn least_blank() -> [f32; 2] {
-    [TIGHTEST.aside(), TIGHTEST.above()]
 }
 
 /// What groups are placed in.
@@ -87,108 +62,93 @@ pub(super) struct Place<'a> {
     pub(super) cells: &'a CellGrid<'a>,
 }
 
+/// What becomes of labels that stand in rows and columns.
+pub(super) struct InRows {
+    /// The place of each that stands in one which has room as a whole.
+    pub(super) placed: Vec<Option<Candidate>>,
+    /// Of numbers along an axis that are left out as there is no room for all, every how many-th is written.
+    pub(super) thinned: Vec<Option<i64>>,
+}
+
 /// The place of each label that stands in a row or column which has room as a whole.
-pub(super) fn placed(of: &Place<'_>) -> Vec<Option<Candidate>> {
+pub(super) fn placed(groups: &[Group], of: &Place<'_>) -> InRows {
     let mut placed: Vec<Option<Candidate>> = vec![None; of.wanted.len()];
-    for group in groups(of) {
-        if let Some(found) = of_group(&group, of, &placed) {
-            for (&member, candidate) in group.members.iter().zip(found) {
-                placed[member] = Some(candidate);
-            }
+    let mut thinned = vec![None; of.wanted.len()];
+    for group in groups {
+        // all of them, else every so many-th number
+        let some = EVERY.into_iter().filter(|_| group.steps.is_some()).map(|count| (group.every(count), count));
+        let mut tried = std::iter::once((group.clone(), 1)).chain(some).filter(|(some, _)| some.members.len() > 1);
+        let found = tried.find_map(|(some, count)| Some((of_group(&some, of, &placed)?, some, count)));
+        let Some((found, some, count)) = found else { continue };
+        if count > 1 {
+            group.members.iter().for_each(|&member| thinned[member] = Some(count));
+        }
+        for (&member, candidate) in some.members.iter().zip(found) {
+            placed[member] = Some(candidate);
+            thinned[member] = None;
         }
     }
-    placed
+    InRows { placed, thinned }
 }
 
-/// What is written of what is wanted, in rows and columns.
-fn groups(of: &Place<'_>) -> Vec<Group> {
-    let is_written = |label: &usize| of.forms[*label].is_ok();
-    let anchor = |label: usize| (label, of.wanted[label].anchor);
-    let (texts, points): (Vec<usize>, Vec<usize>) =
-        (0..of.wanted.len()).filter(is_written).partition(|&label| !of.wanted[label].anchor.is_empty());
-    let points: Vec<_> = points.into_iter().filter(|&at| of.around[at].is_at_lower_side).map(anchor).collect();
-    let below = in_line(&points, |place| place.center().y, BY_HAND);
-    let below = below.into_iter().map(|members| Group { members, lies: Lies::BelowPoints });
-    let mut groups: Vec<Group> = below.chain(of_texts(&texts.into_iter().map(anchor).collect::<Vec<_>>())).collect();
-    for group in &mut groups {
-        let along = |label: &usize| match (group.lies, of.wanted[*label].anchor.center()) {
-            (Lies::Column(_), at) => at.y,
-            (_, at) => at.x,
-        };
-        group.members.sort_by(|a, b| along(a).total_cmp(&along(b)));
-    }
-    groups
-}
-
-/// A coordinate of a box in which those of a row or column agree.
-type Key = fn(MmRect) -> f32;
-
-/// Texts in these boxes that stand in rows, the largest first, then columns of those that are in no row. Numbers at an
-/// axis end in line, names in a list begin so.
-pub fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
-    let rows = in_line(texts, |place| place.center().y, ALIGNED);
-    let mut groups: Vec<Group> = rows.into_iter().map(|members| Group { members, lies: Lies::Row }).collect();
-    groups.sort_by_key(|group| std::cmp::Reverse(group.members.len()));
-    let mut alone = texts.to_vec();
-    loop {
-        alone.retain(|(label, _)| !groups.iter().any(|group| group.members.contains(label)));
-        let edges: [(Key, f32); 3] =
-            [(|place| place.max.x, 1.0), (|place| place.min.x, 0.0), (|place| place.center().x, 0.5)];
-        let columns = edges.into_iter().flat_map(|(edge, side)| {
-            in_line(&alone, edge, ALIGNED).into_iter().map(move |members| Group { members, lies: Lies::Column(side) })
-        });
-        match columns.reduce(|a, b| if b.members.len() > a.members.len() { b } else { a }) {
-            Some(column) => groups.push(column),
-            None => return groups,
-        }
-    }
-}
-
-/// Those that agree in a coordinate up to `off` mm, all with the first of them.
-fn in_line(labels: &[(usize, MmRect)], key: Key, off: f32) -> Vec<Vec<usize>> {
-    let mut sorted: Vec<(usize, f32)> = labels.iter().map(|&(label, place)| (label, key(place))).collect();
-    sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let mut lines: Vec<Vec<(usize, f32)>> = Vec::new();
-    for label in sorted {
-        match lines.last_mut() {
-            Some(line) if label.1 - line[0].1 <= off => line.push(label),
-            _ => lines.push(vec![label]),
-        }
-    }
-    lines.retain(|line| line.len() >= FEWEST);
-    lines.into_iter().map(|line| line.into_iter().map(|(label, _)| label).collect()).collect()
-}
-
-/// In how many rows the labels of a group stand, and whether leader lines lead to what they name.
+/// In how many rows the labels of a group stand, and where.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Way {
     rows: usize,
-    leads: bool,
+    at: At,
 }
+
+/// Where a row stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum At {
+    /// Near to what it names.
+    Near,
+    /// Further away, with leader lines.
+    Led,
+    /// Of labels along an axis, in the margin beyond all lines, each at the height or breadth of its own: there a
+    /// finger finds it along the lines of a grid, or by its place.
+    Margin,
+}
+
+/// In which ways and forms the labels of a group are tried, in this order.
+fn tried(group: &Group) -> Vec<(Way, Level)> {
+    let words = [Level::Whole, Level::TwoLines, Level::Fitting, Level::UnitOnce, Level::Short];
+    let is_column = matches!(group.lies, Lies::Column(_));
+    let at_most_rows = if is_column { 1 } else { 2 };
+    let of = |at: At, levels: &[Level]| -> Vec<(Way, Level)> {
+        let ways = (1..=at_most_rows).map(|rows| Way { rows, at });
+        ways.flat_map(|way| levels.iter().map(move |&level| (way, level))).collect()
+    };
+    let is_axis = group.steps.is_some() || !is_column && group.members.len() >= OF_AN_AXIS;
+    let letters: &[Level] = if is_column || group.steps.is_some() { &[] } else { &[Level::Letters] };
+    let (known, unknown): (&[Level], &[Level]) = if group.is_of_months { (letters, &[]) } else { (&[], letters) };
+    let of_margin = if is_axis { of(At::Margin, &words) } else { Vec::new() };
+    let led = if is_column { Vec::new() } else { of(At::Led, &words) };
+    [of(At::Near, &words), of(At::Near, known), led, of_margin, of(At::Near, unknown), of(At::Led, unknown)].concat()
+}
+
+/// From so many labels on a row without numbers is taken for that of an axis.
+const OF_AN_AXIS: usize = 5;
 
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
 fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
-    let levels = [Level::Whole, Level::TwoLines, Level::Fitting, Level::Short];
     let fits = |label: usize, form: &Form| match group.lies {
         Lies::Column(side) => {
-            let (anchor, area) = (of.wanted[label].anchor, of.params.area);
-            let free = (1.0 - side) * (area.max.x - anchor.min.x) + side * (anchor.max.x - area.min.x);
-            form.extent(of.cells).x <= free
+            let (anchor, area, width) = (of.wanted[label].anchor, of.params.area, form.extent(of.cells).x);
+            let left = edge(anchor, side, width);
+            left >= area.min.x && left + width <= area.max.x
         }
         _ => false,
     };
-    let ways = [(1, false), (2, false), (1, true), (2, true)].map(|(rows, leads)| Way { rows, leads });
-    let ways = if matches!(group.lies, Lies::Column(_)) { &ways[..1] } else { &ways };
-    let tried = ways.iter().flat_map(|&way| levels.map(|level| (way, level)));
     let mut seen: Vec<(Way, Vec<usize>)> = Vec::new();
-    for (way, level) in tried {
-        let forms: Vec<usize> = group
-            .members
-            .iter()
-            .map(|&label| {
-                of.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
-            })
-            .collect();
+    for (way, level) in tried(group) {
+        let number_of = |(i, &label): (usize, &usize)| {
+            let with_unit = if matches!(group.lies, Lies::Column(_)) { 0 } else { group.members.len() - 1 };
+            // in two lines, if it has them
+            let level = if level == Level::UnitOnce && i == with_unit { Level::TwoLines } else { level };
+            of.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
+        };
+        let forms: Vec<usize> = group.members.iter().enumerate().map(number_of).collect();
         // those that fit are all words, or none of them counts
         let is_short = |(&label, &number): (&usize, &usize)| {
             of.forms[label].as_ref().is_ok_and(|forms| forms.forms[number].abbreviation.is_some())
@@ -214,7 +174,7 @@ fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Opti
 fn in_rows(
     group: &Group,
     numbers: &[usize],
-    Way { rows, leads }: Way,
+    Way { rows, at: way }: Way,
     of: &Place<'_>,
     placed: &[Option<Candidate>],
 ) -> Option<Vec<Candidate>> {
@@ -228,29 +188,42 @@ fn in_rows(
     let along = along(group, &sizes, rows, of)?;
     let highest = sizes.iter().map(|size| size.y).fold(0.0, f32::max);
     let pitch = in_steps(highest + TIGHTEST.above(), of.cells.steps().map(|steps| steps.y));
+    let bounds = of.room.bounds();
+    let all: MmVector = sizes.iter().fold(MmVector::zero(), |all, size| all.max(*size));
+    let starts = match way {
+        At::Margin => {
+            starts_in_margin(group, of, (all + MmVector::new(0.0, (rows - 1) as f32 * pitch), highest), bounds?)
+        }
+        _ => vec![None],
+    };
     let steps = |mm: f32| (mm / of.params.step).ceil() as i32;
-    let (nearest, furthest) = if leads { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
+    let (nearest, furthest) = if way == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
     // below before above
     let offsets = both_ways(nearest, furthest);
-    let at = |offset: f32, moves: bool| -> Option<Vec<Candidate>> {
+    let at = |start: Option<f32>, offset: f32, moves: bool| -> Option<Vec<Candidate>> {
         let mut found: Vec<Candidate> = Vec::with_capacity(sizes.len());
         for (number, &label) in group.members.iter().enumerate() {
             let (anchor, size, row) = (of.wanted[label].anchor, sizes[number], (number % rows) as f32);
             let (begin, may_move) = along[number];
-            let corner = |moved: f32| match group.lies {
-                Lies::Row => MmPoint::new(begin + moved, anchor.center().y - 0.5 * highest + offset + row * pitch),
-                Lies::BelowPoints => MmPoint::new(begin + moved, anchor.max.y + BELOW_POINTS + offset + row * pitch),
-                Lies::Column(side) => {
-                    let edge = anchor.min.x + side * (anchor.width() - size.x);
-                    MmPoint::new(edge + offset, begin + moved)
+            let corner = |moved: f32| match (group.lies, start) {
+                (Lies::Column(side), Some(start)) => {
+                    MmPoint::new(start + side * (all.x - size.x) + offset, begin + moved)
+                }
+                (Lies::Column(side), None) => MmPoint::new(edge(anchor, side, size.x) + offset, begin + moved),
+                (_, Some(start)) => MmPoint::new(begin + moved, start + offset + row * pitch),
+                (Lies::Row, None) => {
+                    MmPoint::new(begin + moved, anchor.center().y - 0.5 * highest + offset + row * pitch)
+                }
+                (Lies::BelowPoints, None) => {
+                    MmPoint::new(begin + moved, anchor.max.y + BELOW_POINTS + offset + row * pitch)
                 }
             };
             let candidate = |moved: f32| {
                 let corner = corner(moved);
                 let place = of.cells.snapped(MmRect::new(corner, corner + size));
                 let cost = forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
-                let leader = leads.then(|| leader(place, anchor.center()));
-                let candidate = Candidate::in_row(numbers[number], place, leader, cost);
+                let leader = (way == At::Led).then(|| leader(place, anchor.center()));
+                let candidate = Candidate::in_row(numbers[number], place, leader, cost, way == At::Margin);
                 let mut others = found.iter().chain(placed.iter().flatten());
                 let is_free = is_free(label, &candidate, of)
                     && others.all(|other| !candidate.is_too_near(other, JUST, of.params.leader_off));
@@ -265,9 +238,50 @@ fn in_rows(
     let is_wanted = |offset: &i32| *offset >= 0 || group.lies != Lies::BelowPoints;
     let offsets: Vec<f32> = offsets.filter(is_wanted).map(|offset| offset as f32 * of.params.step).collect();
     // each at its own anchor, if that can be
-    let tried = [false, true].into_iter().flat_map(|moves| offsets.iter().map(move |offset| (*offset, moves)));
-    tried.into_iter().find_map(|(offset, moves)| at(offset, moves))
+    starts.into_iter().find_map(|start| {
+        let mut tried = [false, true].into_iter().flat_map(|moves| offsets.iter().map(move |offset| (*offset, moves)));
+        tried.find_map(|(offset, moves)| at(start, offset, moves))
+    })
 }
+
+/// Where the left edge of a label lies in a column of which this edge is in line: 0 is the left one, 1 the right one.
+fn edge(anchor: MmRect, side: f32, width: f32) -> f32 {
+    anchor.min.x + side * (anchor.width() - width)
+}
+
+/// Where rows (columns) of this size begin in the margin beyond all lines: below and above (on the left and on the
+/// right), the nearer one first.
+///
+/// Where numbers stand in a column too, the first of a row below it keeps off the last of the column, which stands half
+/// of its height below the lines.
+fn starts_in_margin(group: &Group, of: &Place<'_>, (size, height): (MmVector, f32), lines: MmRect) -> Vec<Option<f32>> {
+    let reaches_out = group.members.iter().any(|&label| {
+        let middle = of.wanted[label].anchor.center().x;
+        middle - 0.5 * size.x < lines.min.x || middle + 0.5 * size.x > lines.max.x
+    });
+    let corner = if group.is_beside_column && reaches_out { 0.5 * height + TIGHTEST.above() } else { 0.0 };
+    let count = group.members.len() as f32;
+    let mean = group
+        .members
+        .iter()
+        .fold(MmVector::zero(), |sum, &label| sum + of.wanted[label].anchor.center().to_vector() / count);
+    let blank = of.params.clearance + of.params.step;
+    let (starts, is_second_nearer) = match group.lies {
+        Lies::Column(_) => {
+            ([lines.min.x - blank - size.x, lines.max.x + blank], mean.x > SECOND_SIDE * lines.width() + lines.min.x)
+        }
+        _ => (
+            [lines.max.y + blank.max(corner), lines.min.y - blank.max(corner) - size.y],
+            mean.y < (1.0 - SECOND_SIDE) * lines.height() + lines.min.y,
+        ),
+    };
+    let starts = if is_second_nearer { [starts[1], starts[0]] } else { starts };
+    starts.map(Some).to_vec()
+}
+
+/// From this share of the breadth on, numbers of an upright axis stand on the right side, and from so far up those of a
+/// level one above: those of an axis through the middle are looked for on the left and below.
+const SECOND_SIDE: f32 = 0.6;
 
 /// Whether a label of a row can lie in its place: free, and with a free way for its leader line; without one on its
 /// own side of all lines, and nearer to its own anchor than to that of another label.
@@ -276,6 +290,7 @@ fn is_free(label: usize, candidate: &Candidate, of: &Place<'_>) -> bool {
     let anchor = of.wanted[label].anchor.center();
     let nearest = anchor.clamp(place.min, place.max);
     let is_told = || match candidate.leader {
+        _ if candidate.is_in_margin() => true,
         Some([from, to]) => of.room.is_free_way(from, to, around.end) && around.leads_to_own(place, [from, to]),
         None => !of.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
     };

@@ -7,7 +7,7 @@ use super::rules::BROKEN_LINE;
 use super::strokes::both;
 use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Index, Nearby};
-use crate::geom::{crossing, nearby};
+use crate::geom::{crossing, nearby, segment_distance};
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
 
 /// How far back from its end the direction of a line is taken, mm.
@@ -16,6 +16,8 @@ const BACK: f32 = 3.0;
 const STRAIGHT: f32 = 0.906;
 /// Dots nearer than so many pitches are next to one another, also diagonally.
 const STEP: f32 = 1.6;
+/// A line no further than this from the way between two ends lies on it, mm: rounding.
+const TOUCH: f32 = 0.02;
 /// The two ends of one line are looked at if it is longer than so many of the gap.
 const LEAST_LENGTH: f32 = 4.0;
 
@@ -46,10 +48,15 @@ pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &L
                 || tip.is_dot && other.is_dot && (other.at - tip.at).length() < STEP * limits.spacing_of_dots();
             let long = tip.way != other.way || ways.ways[tip.way as usize].length > LEAST_LENGTH * blank;
             if id < number && blank > 0.0 && blank <= most && long && facing(tip, other) && !is_step() {
-                let free = |(a, b): (MmPoint, MmPoint)| crossing((tip.at, other.at), (a, b)).is_none();
+                let between = (tip.at, other.at);
+                // also a line that passes in one of its vertices: on a grid of dots all lines cross so
+                let free = |segment: &nearby::Segment| {
+                    let (is_own, ends) = ([tip.way, other.way].contains(&segment.line), (segment.a, segment.b));
+                    if is_own { crossing(between, ends).is_none() } else { segment_distance(between, ends) > TOUCH }
+                };
                 let mut clear = true;
-                index.around(tip.at.min(other.at), tip.at.max(other.at), 0.0, |segment| {
-                    clear &= free((segment.a, segment.b));
+                index.around(tip.at.min(other.at), tip.at.max(other.at), TOUCH, |segment| {
+                    clear &= free(segment);
                 });
                 if clear {
                     found.push(broken(ways, names, tip, other, blank));

@@ -1,7 +1,7 @@
 //! Lines that lie on one another point for point, as after a copy in an editor: told once for all of them, and judged
 //! once. Each pair of them would break every rule of distances all along.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::finding::{Found, around};
 use super::marks::name_in;
@@ -11,6 +11,10 @@ use crate::page::{Line, Names, Page, Parts};
 /// A page without its lines that lie on an equal one, its names, and what is told of them. `page` is returned as it is
 /// where there are none.
 pub(super) fn merged(page: Page, names: &Names) -> (Page, Names, Vec<Found>) {
+    let overview = page.overview.as_ref().map(|overview| &overview.lines);
+    if !has_twins(&page.figure.lines) && !overview.is_some_and(|lines| has_twins(lines)) {
+        return (page, names.clone(), Vec::new());
+    }
     let mut parts = Parts::clone(&page);
     let mut names = names.clone();
     let mut found = Vec::new();
@@ -22,6 +26,12 @@ pub(super) fn merged(page: Page, names: &Names) -> (Page, Names, Vec<Found>) {
         Ok(one) if !found.is_empty() => (one, names, found),
         _ => (page, names, found),
     }
+}
+
+/// Whether a line lies on another one.
+fn has_twins(lines: &[Line]) -> bool {
+    let mut known = HashSet::with_capacity(lines.len());
+    !lines.iter().all(|line| known.insert(key(line)))
 }
 
 fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<Found>) {
@@ -58,4 +68,39 @@ fn key(line: &Line) -> Vec<u32> {
             .collect::<Vec<_>>()
     };
     line.runs.iter().flat_map(of_run).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::Run;
+    use crate::units::MmPoint;
+
+    fn line(y: f32) -> Line {
+        let points = vec![MmPoint::new(10.0, y), MmPoint::new(50.0, y), MmPoint::new(90.0, y)];
+        Line { strength: 1.0, runs: vec![Run::stroke(1.0, points)] }
+    }
+
+    #[test]
+    fn of_equal_lines_the_first_stays_and_is_told_once() {
+        let mut lines = vec![line(10.0), line(20.0), line(10.0), line(30.0), line(10.0), line(20.0)];
+        let mut names: Vec<String> = (1..=6).map(|number| format!("line {number}")).collect();
+        let mut found = Vec::new();
+        assert!(has_twins(&lines));
+        one_of_each(&mut lines, &mut names, &mut found);
+        assert_eq!(lines, [line(10.0), line(20.0), line(30.0)]);
+        assert_eq!(names, ["line 1", "line 2", "line 4"]);
+        let told: Vec<&str> = found.iter().map(|found| found.what.as_str()).collect();
+        assert_eq!(told.len(), 2, "{told:?}");
+        assert!(told[0].contains("line 1: 2 other lines lie on it") && told[1].contains("line 2: another line"));
+        assert!(!has_twins(&lines));
+    }
+
+    /// The same line drawn from its other end is another one here: what lies on it is told by the rule of distances.
+    #[test]
+    fn lines_that_differ_in_a_number_stay() {
+        let mut wider = line(10.0);
+        wider.runs[0].width = 1.2;
+        assert!(!has_twins(&[line(10.0), wider, line(10.01)]));
+    }
 }

@@ -1,7 +1,7 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
 use super::vertex::Vertex;
-use crate::geom::ninths::ninth;
+use crate::geom::ninths::{NAMES, ninth};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
 
@@ -16,22 +16,18 @@ pub struct Lost {
     pub by_place: [f32; 9],
     /// How many rings are not drawn as such.
     pub rings: usize,
-    /// The middles of small rings that are not drawn, or that a device has not all dots for.
-    pub signs: Vec<MmPoint>,
+    /// Small rings that are not drawn, or that a device has not all dots for.
+    pub signs: Vec<LostSign>,
 }
 
-/// Names of the parts of a figure.
-const PLACES: [&str; 9] = [
-    "at the top left",
-    "at the top",
-    "at the top right",
-    "on the left",
-    "in the middle",
-    "on the right",
-    "at the bottom left",
-    "at the bottom",
-    "at the bottom right",
-];
+/// A small ring that is not drawn, such as a town on a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LostSign {
+    /// Its middle.
+    pub at: MmPoint,
+    /// Whether it is a triangle at the end of a line: an arrowhead.
+    pub is_arrowhead: bool,
+}
 
 impl Lost {
     /// Share of what is not drawn, 0..=1.
@@ -41,7 +37,7 @@ impl Lost {
 
     /// Where most of it is, in words.
     pub fn place_name(&self) -> &'static str {
-        PLACES[(0..9).fold(0, |best, i| if self.by_place[i] > self.by_place[best] { i } else { best })]
+        NAMES[(0..9).fold(0, |best, i| if self.by_place[i] > self.by_place[best] { i } else { best })]
     }
 
     /// The same if of what is drawn only a share is kept after all.
@@ -132,7 +128,7 @@ mod tests {
         kept.add(&line((12.0, 12.0), (32.0, 12.0)));
         let lost = wanted.lost(&kept);
         assert!((lost.lost - 15.0).abs() < 1e-3 && (lost.share() - 15.0 / 35.0).abs() < 1e-3, "{lost:?}");
-        assert_eq!(lost.place_name(), "on the right");
+        assert_eq!(lost.place_name(), "middle right");
         assert!((lost.keeping(0.5).lost - 25.0).abs() < 1e-3);
     }
 }

@@ -129,6 +129,12 @@ fn braille(text: &BrailleText) -> Group {
         None => group,
     };
     let group = group.add(dots(&text.dots));
+    let ends = text.leader.as_ref().and_then(|leader| leader.points.first().zip(leader.points.last()));
+    // where it runs, for a label that is moved in an editor: its tip stays
+    let group = match ends {
+        Some((from, tip)) => group.set("data-leader", [from.x, from.y, tip.x, tip.y].map(number).join(" ")),
+        None => group,
+    };
     match &text.leader {
         Some(leader) => group.add(with_strokes(Group::new()).add(stroke(leader))),
         None => group,

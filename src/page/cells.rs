@@ -74,6 +74,11 @@ impl<'m> CellGrid<'m> {
         }
     }
 
+    /// Cells of the same measures that can stand anywhere.
+    pub fn anywhere(&self) -> CellGrid<'static> {
+        CellGrid { diameter: self.diameter, size: self.size, on: None }
+    }
+
     /// The measures that cells have here.
     pub fn size(&self) -> CellSize {
         self.size

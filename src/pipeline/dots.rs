@@ -7,11 +7,11 @@ use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
-use crate::lines::{Line, Lines, Run};
+use crate::lines::{Line, Lines, LostSign, Run};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
-use crate::units::{MmPoint, MmRect};
+use crate::units::MmRect;
 
 /// Lines in `area` as the device presses them; on a printed page they stay.
 pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
@@ -25,9 +25,10 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     let rings = drawn.lines.iter().zip(shares).filter(|(line, share)| *share < WHOLE && is_small_ring(line));
-    let middles: Vec<MmPoint> = rings.map(|(line, _)| extent(line).center()).collect();
+    let signs: Vec<LostSign> =
+        rings.map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: false }).collect();
     let mut lost = drawn.lost.keeping(kept);
-    lost.signs.extend(middles);
+    lost.signs.extend(signs);
     Lines { lines, lost, beyond: drawn.beyond }
 }
 

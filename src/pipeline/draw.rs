@@ -14,7 +14,7 @@ use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use crate::classes::{self, Classes};
 use crate::edges::{self, Edges, PictureKind, Ridges};
-use crate::lines::{self, Beyond, Line, Lines, Lost};
+use crate::lines::{self, Beyond, Line, Lines, Lost, LostSign};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
@@ -23,7 +23,7 @@ use crate::raster::Raster;
 use crate::raster::decode::{self, Source};
 use crate::raster::vector::DrawnText;
 use crate::regions::{Areas, Detail};
-use crate::units::{MmPoint, MmRect, PageTransform, Size};
+use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
@@ -48,15 +48,15 @@ pub(super) struct Marks {
     pub(super) is_flat: bool,
     /// Contours that are not drawn.
     pub(super) left_out: LeftOut,
-    /// The middles of small closed shapes of a drawing that are not on the page, or not whole.
-    pub(super) lost_signs: Vec<MmPoint>,
+    /// Small closed shapes of a drawing that are not on the page, or not whole.
+    pub(super) lost_signs: Vec<LostSign>,
     /// Texts that are not drawn.
     pub(super) texts: Vec<Text>,
     pub(super) notes: Vec<Note>,
 }
 
-/// The layout with room for the texts of a drawing, given with the sizes of its raster and of its source.
-pub(super) type WithRoom<'a> = dyn Fn(&[DrawnText], [Size; 2], Layout) -> Layout + 'a;
+/// The layout with room for the texts of a drawing, given with its raster and the size of its source.
+pub(super) type WithRoom<'a> = dyn Fn(&[DrawnText], (&Raster, Size), Layout) -> Layout + 'a;
 
 /// Everything but the page: decodes a picture and draws it where `layout_of` its size says, `with_room` for the
 /// texts in it.
@@ -72,8 +72,8 @@ pub(super) fn draw(
     let working_size = |source: Source| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
     let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
-    let sizes = [picture.raster.size(), picture.source.size];
-    let layout = with_room(&picture.texts, sizes, layout_of(picture.source.size)?);
+    let source = picture.source.size;
+    let layout = with_room(&picture.texts, (&picture.raster, source), layout_of(source)?);
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));

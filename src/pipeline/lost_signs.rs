@@ -3,10 +3,13 @@
 
 use super::label::Label;
 use super::texts::Text;
-use super::words::{Words, named};
+use super::told_labels::named;
+use super::words::Words;
 use crate::edges::Edges;
+use crate::geom::polyline::PolylineRef;
+use crate::geom::simplify::simplify;
 use crate::labels::NEAR;
-use crate::lines::Line;
+use crate::lines::{Line, LostSign};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note};
@@ -18,17 +21,18 @@ const SIGN: f32 = 25.0;
 /// one stroke are drawn as one line.
 const MOVED: f32 = 3.0;
 
-/// The middles of small rings among the contours of a drawing of which there is none among its lines. One that is no
+/// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
-pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, widest_stroke: f32) -> Vec<MmPoint> {
+pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
     if !edges.of_drawing() {
         return Vec::new();
     }
     let drawn: Vec<MmRect> = lines.iter().filter(|line| is_small_ring(line)).map(extent).collect();
-    let mut lost: Vec<MmPoint> = Vec::new();
+    let mut lost: Vec<LostSign> = Vec::new();
     for chain in edges.chains.iter().filter(|chain| chain.closed) {
-        let points = edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at));
-        let ring = MmRect::from_points(points);
+        let points: Vec<MmPoint> =
+            edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect();
+        let ring = MmRect::from_points(&points);
         let near = |at: MmPoint| (at - ring.center()).length() < MOVED;
         let alike = |other: &MmRect| {
             let more = (other.size() - ring.size()) * 0.5;
@@ -40,12 +44,45 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, wides
             ring.inflate(MOVED, MOVED).contains_box(&line) && side(&line) >= 0.5 * side(&ring)
         };
         let is_narrow = ring.width().min(ring.height()) <= widest_stroke;
-        let is_drawn = || drawn.iter().any(alike) || is_narrow && lines.iter().any(is_centreline);
-        if is_small(ring) && !is_drawn() && !lost.iter().any(|&at| near(at)) {
-            lost.push(ring.center());
+        // the line that an arrowhead ends is no centreline of it
+        let is_arrowhead = side(&ring) <= ARROWHEAD && is_triangle(&points, side(&ring)) && is_at_end(lines, ring);
+        let is_drawn = || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
+        if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
+            lost.push(LostSign { at: ring.center(), is_arrowhead });
         }
     }
     lost
+}
+
+/// Longest side of an arrowhead, mm: a larger triangle, such as a mountain on a map, is a shape by itself.
+const ARROWHEAD: f32 = 7.0;
+/// How far a triangle may be off its three sides, as a share of its own size.
+const OFF_SIDES: f32 = 0.15;
+
+/// Whether a ring of this size has three corners.
+fn is_triangle(ring: &[MmPoint], size: f32) -> bool {
+    let corners = simplify(PolylineRef { vertices: ring, closed: true }, OFF_SIDES * size);
+    let corner = |i: usize| corners.get(i).and_then(|&at| ring.get(at));
+    let (Some(a), Some(b), Some(c)) = (corner(0), corner(1), corner(2)) else { return false };
+    // a circle of three corners has more outside of them: most of a triangle is inside
+    let area = 0.5 * (*b - *a).cross(*c - *a).abs();
+    let around: f32 = ring.iter().zip(ring.iter().cycle().skip(1)).map(|(p, q)| (*p - *a).cross(*q - *a)).sum();
+    corners.len() == 3 && area >= LEAST_INSIDE * 0.5 * around.abs()
+}
+
+/// How much of a triangle is inside its three corners at least, as a share: of a circle it is 0.41, of a square a half.
+const LEAST_INSIDE: f32 = 0.75;
+
+/// Whether a line ends in a box or close beside it.
+fn is_at_end(lines: &[Line], ring: MmRect) -> bool {
+    let reach = ring.inflate(MOVED, MOVED);
+    let ends = |line: &Line| {
+        let mut runs = line.runs.iter().filter(|run| !run.closed);
+        let first = runs.clone().next().and_then(|run| run.path().next());
+        let last = runs.next_back().and_then(|run| run.path().last());
+        [first, last]
+    };
+    lines.iter().flat_map(ends).flatten().any(|end| reach.contains(end))
 }
 
 /// Whether a line is a small ring.
@@ -65,19 +102,33 @@ pub(super) fn extent(line: &Line) -> MmRect {
     MmRect::from_points(line.runs.iter().flat_map(|run| &run.points))
 }
 
-/// What is told of small rings that are not on a page, or not whole, by the labels and texts beside them.
-pub(super) fn told(lost: &[MmPoint], texts: &[Text], words: &Words<'_>, figure: &Figure) -> Option<Note> {
-    let first = lost.first()?;
+/// What is told of small rings that are not on a page, or not whole, by the labels and texts beside them, and of
+/// arrowheads by themselves.
+pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure: &Figure) -> Vec<Note> {
     let texts = texts.iter().filter(|text| text.is_read()).map(|text| (text.string.as_str(), text.place));
     let on = |label: &Label| label.on(figure.place, figure.source);
     let labels = words.labels.iter().filter_map(|label| on(label).map(|at| (label.text.as_str(), MmRect::new(at, at))));
     let all: Vec<(&str, MmRect)> = labels.chain(texts).collect();
+    let are_labels = words.own_texts || !words.labels.is_empty();
+    let (heads, others): (Vec<LostSign>, Vec<LostSign>) = lost.iter().partition(|sign| sign.is_arrowhead);
+    let arrows = heads.first().map(|first| {
+        let heads = if heads.len() == 1 { "1 arrowhead" } else { &format!("{} arrowheads", heads.len()) };
+        let at = format!("the first at {:.0}, {:.0} mm", first.at.x, first.at.y);
+        let why = "they are smaller than what fingers tell apart from the line; say in the title or a label which way \
+                   the lines lead, or draw larger ones";
+        Note::NotOnPage(About::Lines, format!("{heads} at ends of lines ({at}): {why}"))
+    });
+    told_of_shapes(&others, &all, are_labels).into_iter().chain(arrows).collect()
+}
+
+fn told_of_shapes(lost: &[LostSign], all: &[(&str, MmRect)], are_labels: bool) -> Option<Note> {
+    let first = lost.first()?.at;
     let name = |at: MmPoint| {
         let far = |place: &MmRect| (at - at.clamp(place.min, place.max)).length();
         let nearest = all.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
         nearest.filter(|(_, place)| far(place) < NEAR).map(|(text, _)| *text)
     };
-    let mut names: Vec<&str> = lost.iter().filter_map(|&at| name(at)).collect();
+    let mut names: Vec<&str> = lost.iter().filter_map(|sign| name(sign.at)).collect();
     names.dedup();
     let (shapes, them, which, at) = match lost.len() {
         1 => ("1 small closed shape".to_owned(), "it", "that", "at"),
@@ -85,12 +136,54 @@ pub(super) fn told(lost: &[MmPoint], texts: &[Text], words: &Words<'_>, figure: 
     };
     let at = format!("{at} {:.0}, {:.0} mm", first.x, first.y);
     let beside = if names.is_empty() { at } else { format!("{which} beside {}; {at}", named(&names)) };
-    let labelled = if (words.own_texts || !words.labels.is_empty()) && !names.is_empty() {
-        ", so a label may name what is not felt"
-    } else {
-        ""
-    };
+    let labelled = if are_labels && !names.is_empty() { ", so a label may name what is not felt" } else { "" };
     let what = format!("{shapes} ({beside}), in part or as a whole");
     let why = format!("there is no room for {them} beside other lines{labelled}; make the figure larger");
     Some(Note::NotOnPage(About::Lines, format!("{what}: {why}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::Run;
+
+    fn points(corners: &[(f32, f32)]) -> Vec<MmPoint> {
+        // some points on each side, as edgels are
+        let at = |i: usize| MmPoint::from(corners[i % corners.len()]);
+        (0..corners.len()).flat_map(|i| (0..8).map(move |k| at(i).lerp(at(i + 1), k as f32 / 8.0))).collect()
+    }
+
+    #[test]
+    fn a_triangle_has_three_corners() {
+        let of = |corners: &[(f32, f32)]| is_triangle(&points(corners), 4.0);
+        assert!(of(&[(0.0, 0.0), (4.0, 2.0), (0.0, 4.0)]));
+        assert!(!of(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]), "a square");
+        let circle: Vec<(f32, f32)> = (0..24)
+            .map(|i| (i as f32 * std::f32::consts::TAU / 24.0).sin_cos())
+            .map(|(y, x)| (2.0 * x, 2.0 * y))
+            .collect();
+        assert!(!of(&circle));
+        assert!(!is_triangle(&[], 4.0));
+    }
+
+    #[test]
+    fn arrowheads_are_told_by_themselves() {
+        let line =
+            Line { strength: 1.0, runs: vec![Run::stroke(1.0, points(&[(0.0, 0.0), (50.0, 0.0)])[..9].to_vec())] };
+        let ring = |x: f32| MmRect::new(MmPoint::new(x, -2.0), MmPoint::new(x + 4.0, 2.0));
+        assert!(is_at_end(std::slice::from_ref(&line), ring(49.0)));
+        assert!(!is_at_end(&[line], ring(20.0)), "in the middle of the line");
+        let sign = |x: f32, is_arrowhead: bool| LostSign { at: MmPoint::new(x, 0.0), is_arrowhead };
+        let figure = Figure {
+            place: MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0)),
+            source: crate::units::Size::new(100, 100),
+            textures: Vec::new(),
+            lines: Vec::new(),
+        };
+        let lost = [sign(50.0, true), sign(20.0, false), sign(80.0, true)];
+        let told: Vec<String> = told(&lost, &[], &Words::default(), &figure).iter().map(ToString::to_string).collect();
+        assert_eq!(told.len(), 2);
+        assert!(told[0].contains("1 small closed shape (at 20, 0 mm)"), "{}", told[0]);
+        assert!(told[1].contains("2 arrowheads at ends of lines (the first at 50, 0 mm)"), "{}", told[1]);
+    }
 }

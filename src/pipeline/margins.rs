@@ -4,78 +4,79 @@
 
 use super::label::CLEARANCE;
 use super::texts::{self, Text};
-use super::words::{Words, Written, own_texts};
+use super::words::{self, Words, Written, own_texts};
 use crate::Error;
-use crate::braille::CellSize;
-use crate::labels::{self, Lies};
+use crate::labels::{self, Foretold, Wanted, rows_beyond};
 use crate::page::Medium;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::raster::Raster;
 use crate::raster::vector::DrawnText;
-use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Size};
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform, PxPoint, Size};
 
 /// Most room on one side, as a share of the drawing's width or height: beyond it the drawing would lose more than
 /// abbreviations cost. Words that need more get none.
-const MOST: f32 = 0.2;
-/// Least distance of a word below the drawing's lowest line to the middle of the print that it stands for, mm: print
-/// is set about as near to a line as braille, but half as high.
+const MOST: f32 = 0.25;
+/// Least distance of a heading to the middle of the print that it stands for, mm: print is set about as near to a line
+/// as braille, but half as high.
 const LOWER: f32 = 2.0;
-/// How many steps of a grid of dots a row lies lower: its line may be one lower and have a second row, and its braille
-/// is brought on to the grid, too.
-const OF_DOTS: f32 = 3.0;
-/// How much further than print the braille of a column stands from the line beside it, mm.
-const ASIDE: f32 = 3.0;
-/// Cells of an abbreviation, as which a row is written that has no room for whole words.
-const SHORT: usize = 2;
 /// How often the room is computed: a smaller drawing has its words elsewhere. Three rounds leave less than 0.1 mm.
 const ROUNDS: usize = 4;
+/// How far lines may lie beside where they are foretold, mm: they are moved apart, and labels with them.
+const MOVED: f32 = 2.0;
 /// What is no lack of room, mm.
 const SLACK: f32 = 0.1;
-
-/// A text that needs room, in millimetres of the sheet.
-struct Need {
-    /// The box of its print, as a share of the drawing.
-    print: MmRect,
-    /// Size of its braille, with that of other rows.
-    braille: MmVector,
-    /// Which of their edges are in line: 0 the left ones, 1 the right ones.
-    side: f32,
-}
+/// By how much two pixels side by side differ at least where a contour is, in a plane of square roots of linear light:
+/// the grey of the palest lines of a grid (#eee) differs from white by 0.08.
+const CONTOUR: f32 = 0.03;
 
 /// The layout of a drawing with room beside it for the braille of its own texts in rows and columns; `layout_of` gives
-/// that of a size. The drawing's shorter side stays at least `min_side`, mm. `raster` is the size in which the texts
-/// have their places, `source` that of the drawing.
+/// that of a size. The drawing's shorter side stays as long as the profile wants. Texts have their places in `raster`,
+/// which is without them; `source` is the size of the drawing.
 pub(super) fn with_room(
     texts: &[DrawnText],
-    [raster, source]: [Size; 2],
-    (words, written, cell): (&Words<'_>, &Written<'_>, CellSize),
+    (raster, source): (&Raster, Size),
+    (words, written, plan): (&Words<'_>, &Written<'_>, &Plan),
     layout: Layout,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
-    min_side: f32,
 ) -> Layout {
-    let placed = texts::placed(texts, &PageTransform::new(raster, layout.figure));
-    let cells = CellGrid::of(&layout.medium, cell);
-    let needs = needs(&placed, words, written, &cells, (&layout.medium, layout.figure));
-    if needs.is_empty() {
+    let transform = |layout: &Layout| PageTransform::new(raster.size(), layout.figure);
+    let wants = |layout: &Layout| {
+        let placed = texts::placed(texts, &transform(layout));
+        own_texts(&placed, words).map(|text| (text.clone(), text.anchor())).collect::<Vec<(Text, MmRect)>>()
+    };
+    let own = wants(&layout);
+    if own.is_empty() || own.len() > labels::MOST || written.translator().is_none() {
         return layout;
     }
+    let contours = contours(raster);
+    let lacks = |layout: &Layout, most: [f32; 2]| {
+        let texts = wants(layout);
+        let to_mm = transform(layout);
+        let contours: Vec<MmPoint> = contours.iter().map(|&at| to_mm.to_mm(at)).collect();
+        lacks(&texts, &contours, written, (layout, most), plan)
+    };
+    let min_side = plan.profile().figure.min_side;
     let (own, mut best) = (layout.clone(), layout);
+    // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
+    let most = [own.figure.width(), own.figure.height()].map(|side| MOST * side);
     let mut room = [0.0_f32; 4];
-    let most = [source.width, source.height].map(|side| MOST * side as f32);
-    for _ in 0..ROUNDS {
+    for round in 0..=ROUNDS {
         let px_per_mm = source.width as f32 / best.figure.width();
-        // on a side where a text lacks more than there may be, it is abbreviated anyhow
-        let more = lacks(&needs, best.figure, best.room).map(|lacks| lacks * px_per_mm);
-        let mut is_more = false;
-        for (side, lacks) in more.into_iter().enumerate() {
-            let wanted = room[side] + lacks;
-            if lacks > SLACK * px_per_mm && wanted <= most[side % 2] {
-                room[side] = wanted;
-                is_more = true;
+        let more = lacks(&best, most).map(|lack| lack * px_per_mm);
+        let mut changes = false;
+        for (side, lack) in more.into_iter().enumerate() {
+            let wanted = room[side] + lack;
+            // in the end room falls away that nothing stands in, as what it was for is abbreviated after all
+            let is_needed = lack > 0.0 && round < ROUNDS && wanted <= most[side % 2] * px_per_mm;
+            if lack.abs() > SLACK * px_per_mm && (is_needed || lack < 0.0 && round == ROUNDS && room[side] > 0.0) {
+                room[side] = wanted.max(0.0);
+                changes = true;
             }
         }
-        if !is_more {
-            break;
+        if !changes {
+            continue;
         }
         let whole = |px: f32| px.ceil() as u32;
         let [left, top, right, bottom] = room;
@@ -87,7 +88,7 @@ pub(super) fn with_room(
         }
         best = smaller;
     }
-    best
+    if room.iter().all(|px| *px <= 0.0) { own } else { best }
 }
 
 /// The drawing in a layout of a larger size, so many pixels from its left and upper edge.
@@ -114,101 +115,77 @@ fn within(outer: Layout, own: &Layout, [left, top]: [f32; 2], size: Size, source
     Layout { figure, overview, room: outer.figure, ..outer }
 }
 
-/// The texts of a drawing that stand in rows and columns, and the room that their braille takes.
-fn needs(
-    texts: &[Text],
-    words: &Words<'_>,
-    written: &Written<'_>,
-    cells: &CellGrid<'_>,
-    (medium, figure): (&Medium, MmRect),
-) -> Vec<Need> {
-    let Some(translator) = written.translator() else { return Vec::new() };
-    let own: Vec<&Text> = own_texts(texts, words).collect();
-    if own.len() > labels::MOST {
-        return Vec::new();
-    }
-    let boxes: Vec<(usize, MmRect)> = own.iter().map(|text| text.anchor()).enumerate().collect();
-    let size = |text: &Text| Some(cells.extent(translator.translate(&text.string).ok()?.cells.len(), 1));
-    let share = |at: MmPoint| {
-        let from = at - figure.min;
-        MmPoint::new(from.x / figure.width(), from.y / figure.height())
-    };
-    let [aside, above] = labels::least_blank();
-    let step = if let Medium::Dots(dots) = medium { dots.pitch } else { 0.0 };
-    let of_short = cells.extent(SHORT, 1).x;
-    // a text without letters has no abbreviation
-    let short = |member: usize, whole: f32| {
-        let letters = own[member].string.chars().filter(|letter| letter.is_alphabetic());
-        if letters.take(SHORT).count() == SHORT { whole.min(of_short) } else { whole }
-    };
-    let mut needs = Vec::new();
-    let mut is_alone = vec![true; own.len()];
-    for group in labels::of_texts(&boxes) {
-        let mut members = group.members;
-        members.iter().for_each(|&member| is_alone[member] = false);
-        members.sort_by(|&a, &b| boxes[a].1.center().x.total_cmp(&boxes[b].1.center().x));
-        let wholes: Vec<MmVector> = members.iter().map(|&member| size(own[member]).unwrap_or_default()).collect();
-        let shorts: Vec<f32> = members.iter().zip(&wholes).map(|(&member, whole)| short(member, whole.x)).collect();
-        let is_row = group.lies == Lies::Row;
-        // a row whose words do not fit side by side is abbreviated, and where that does not fit either, in two
-        let fits = |width: &dyn Fn(usize) -> f32| {
-            let middle = |at: usize| boxes[members[at]].1.center().x;
-            (1..members.len()).all(|at| middle(at) - middle(at - 1) >= 0.5 * (width(at) + width(at - 1)) + aside)
-        };
-        let side = if let Lies::Column(side) = group.lies { side } else { 0.5 };
-        // and so is a column of which a word is too long for any room
-        let is_whole = match group.lies {
-            Lies::Column(_) => members.iter().zip(&wholes).all(|(&member, whole)| {
-                let place = boxes[member].1;
-                let left = place.min.x + side * (place.width() - whole.x) - figure.min.x;
-                left.min(figure.width() - left - whole.x) > -MOST * figure.width()
-            }),
-            _ => fits(&|at| wholes[at].x),
-        };
-        let is_in_two = is_row && !is_whole && !fits(&|at| shorts[at]);
-        for ((&member, whole), short) in members.iter().zip(&wholes).zip(&shorts) {
-            let mut braille = MmVector::new(if is_whole { whole.x } else { *short }, whole.y);
-            if is_row {
-                braille.y += LOWER + OF_DOTS * step + if is_in_two { braille.y + above } else { 0.0 };
-            } else {
-                braille.x += ASIDE + step;
+/// Where the contours of a picture are seen, px: between two pixels that differ.
+fn contours(raster: &Raster) -> Vec<PxPoint> {
+    let (width, height) = (raster.size().width as usize, raster.size().height as usize);
+    let mut at = Vec::new();
+    for plane in raster.planes().iter() {
+        let light: Vec<f32> = plane.iter().map(|value| value.max(0.0).sqrt()).collect();
+        let differ = |i: usize, j: usize| (light[i] - light[j]).abs() >= CONTOUR;
+        for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+            let (i, to) = (y * width + x, PxPoint::new(x as f32 + 1.0, y as f32 + 1.0));
+            if x + 1 < width && differ(i, i + 1) {
+                at.push(PxPoint::new(to.x, to.y - 0.5));
             }
-            let place = boxes[member].1;
-            needs.push(Need { print: MmRect::new(share(place.min), share(place.max)), braille, side });
+            if y + 1 < height && differ(i, i + width) {
+                at.push(PxPoint::new(to.x - 0.5, to.y));
+            }
         }
     }
-    // a word by itself above all else, such as a heading, is higher than its print
-    for (text, _) in own.iter().zip(is_alone).filter(|(text, alone)| *alone && text.angle.abs() < 1.0) {
-        let (place, height) = (text.place, cells.extent(1, 1).y + step);
-        if share(place.center()).y < AT_EDGE {
-            let raised = MmVector::new(0.0, 0.5 * height + LOWER);
-            let print = MmRect::new(share(place.center() - raised), share(place.center() - raised));
-            needs.push(Need { print, braille: MmVector::zero(), side: 0.5 });
-        }
-    }
-    needs
+    at
+}
+
+/// How much room texts lack on the left, above, on the right and below, mm, or have too much: where they would stand if
+/// there were as much as there may be at most. What has no room there either is abbreviated.
+fn lacks(
+    texts: &[(Text, MmRect)],
+    contours: &[MmPoint],
+    written: &Written<'_>,
+    (layout, [across, down]): (&Layout, [f32; 2]),
+    plan: &Plan,
+) -> [f32; 4] {
+    let Some(translator) = written.translator() else { return [0.0; 4] };
+    let (figure, cells) = (layout.figure, CellGrid::of(&layout.medium, plan.profile().braille.cell));
+    let within = words::params(layout, &[], plan);
+    let params = labels::Params { area: layout.figure.inflate(across, down), ..within };
+    let wanted: Vec<Wanted> =
+        texts.iter().map(|(text, anchor)| Wanted { text: text.string.clone(), anchor: *anchor }).collect();
+    // on a grid a line may lie a step aside and have a second row
+    let (line_width, step) = match &layout.medium {
+        Medium::Print(_) => (plan.lines().width_max, 0.0),
+        Medium::Dots(dots) => (dots.diameter() + 2.0 * dots.pitch, dots.pitch),
+    };
+    let foretold = Foretold { wanted: &wanted, contours, line_width, params: &params };
+    let [left, top, right, bottom] = rows_beyond(&foretold, &cells, translator, layout.room);
+    // ... and braille is brought on to it
+    let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + step + MOVED);
+    // a word above all else, such as a heading, is higher than its print
+    let height = cells.extent(1, 1).y + step;
+    let is_heading =
+        |text: &&Text| text.angle.abs() < 1.0 && text.place.center().y - figure.min.y < AT_EDGE * figure.height();
+    let headings = texts.iter().map(|(text, _)| text).filter(is_heading);
+    let of_heading = |text: &Text| layout.room.min.y - (text.place.center().y - 0.5 * height - LOWER - 0.5 * CLEARANCE);
+    let top = headings.map(of_heading).filter(|lack| *lack <= down).fold(top, f32::max);
+    [left, top, right, bottom]
 }
 
 /// Share of the drawing's height in which a heading stands.
 const AT_EDGE: f32 = 0.15;
 
-/// How much room the texts lack on the left, above, on the right and below, mm: the most that any of them lacks
-/// which is not more than it may be.
-fn lacks(needs: &[Need], figure: MmRect, room: MmRect) -> [f32; 4] {
-    let most = [figure.width(), figure.height()].map(|side| MOST * side);
-    let mut lacks = [0.0_f32; 4];
-    for Need { print, braille, side } in needs {
-        let at = |share: MmPoint| figure.min + MmVector::new(share.x * figure.width(), share.y * figure.height());
-        let (low, high) = (at(print.min), at(print.max));
-        let left = low.x + side * (high.x - low.x - braille.x);
-        // the first line is in place of the print, others are below it
-        let top = 0.5 * (low.y + high.y) - 0.5 * CLEARANCE;
-        let of_one = [room.min.x - left, room.min.y - top, left + braille.x - room.max.x, top + braille.y - room.max.y];
-        for (lacks, (lack, most)) in lacks.iter_mut().zip(of_one.into_iter().zip([most, most].concat())) {
-            if lack <= most {
-                *lacks = lacks.max(lack);
-            }
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A contour is seen where two pixels side by side differ, in pale lines and in one plane of colours too.
+    #[test]
+    fn contours_are_where_pixels_differ() {
+        let size = Size::new(6, 4);
+        let bar = |inside: f32| -> Vec<f32> { (0..24).map(|i| if i % 6 == 3 { inside } else { 1.0 }).collect() };
+        let grey = contours(&Raster::grey(size, bar(0.85)));
+        assert_eq!(grey.len(), 8, "two sides of a bar, in four rows: {grey:?}");
+        assert!(grey.iter().all(|at| ((at.x - 3.5).abs() - 0.5).abs() < 1e-3 && (0.0..4.0).contains(&at.y)));
+        assert!(contours(&Raster::grey(size, bar(0.99))).is_empty(), "noise");
+        let flat = vec![1.0; 24];
+        assert_eq!(contours(&Raster::colour(size, [flat.clone(), bar(0.5), flat])).len(), 8);
     }
-    lacks
 }

@@ -6,18 +6,21 @@ use super::key::{self, Entries, Key};
 use super::label::{CLEARANCE, Label};
 use super::request::Request;
 use super::texts::Text;
-use super::unwritten::{self, Refused};
+use super::told_labels::{
+    NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, of_axes, of_nothing, told,
+};
+use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
 use crate::devices::Family;
 use crate::dots;
-use crate::labels::{self, NEAR, Params, Placed, Unplaced, Wanted};
+use crate::labels::{self, Params, Placed, Wanted};
 use crate::page::cells::CellGrid;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Class, Dots, Figure, LANGUAGE, Medium, Page, Run, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, Size};
-use crate::{About, Error, Note};
+use crate::{Error, Note};
 
 /// What the maker of a page wants to be written on it.
 #[derive(Clone, Copy, Default)]
@@ -206,6 +209,7 @@ impl<'a> Written<'a> {
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure));
         notes.extend(across(&wanted, &results));
+        notes.extend(of_axes(&wanted, &results));
         labels::make_room(figure, &placed, &params);
         notes.extend(told(&wanted, &results));
         let labels = wanted.iter().zip(&results).filter_map(|(wanted, result)| {
@@ -264,7 +268,7 @@ impl<'a> Written<'a> {
         let mut abbreviations: Vec<(String, String)> = Vec::new();
         for text in braille {
             if let Some(short) = &text.abbreviation
-                && !abbreviations.iter().any(|(known, _)| known == short)
+                && !abbreviations.contains(&(short.clone(), text.text.clone()))
             {
                 abbreviations.push((short.clone(), text.text.clone()));
             }
@@ -339,7 +343,7 @@ pub(super) fn blank_to_signs(medium: &Medium) -> f32 {
 
 /// Labels may lie in the frame, on paper as far as the frame leaves its clearance. On a grid the
 /// frame is some columns from the outermost of the figure, which may lie a step within it.
-fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
+pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
     let beside = plan.layout().frame.map_or(0.0, |frame| (frame.gap - CLEARANCE).max(0.0));
     let (step, area) = match &layout.medium {
         Medium::Print(_) => (STEP, layout.room.inflate(beside, beside)),
@@ -366,117 +370,4 @@ fn leader(ends: [MmPoint; 2], layout: &Layout, plan: &Plan) -> Run {
         Medium::Print(_) => Run::stroke(plan.lines().width_min, ends.to_vec()),
         Medium::Dots(medium) => dots::mark(&ends, &medium.area, &plan.dots(medium)),
     }
-}
-
-/// Why labels are left out.
-const OUTSIDE: &str = "they lie outside of the picture";
-const OFF: &str = "braille is off (braille=false)";
-const NO_CODE: &str = "there is no braille code for their language";
-const NO_CODE_OF_WORDS: &str = "there is no braille code for the language of the words";
-const NOTHING_TO_TELL: &str =
-    "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
-const NO_ROOM: &str = "there is no room for them";
-const NO_CELLS: &str = "their code has no cells for them";
-const TOO_MANY: &str = "a page takes 300 labels at most";
-const TOO_LONG: &str = "a text of a page has 1000 characters at most";
-const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
-
-fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
-    (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
-}
-
-/// Names texts: all of up to five.
-pub(super) fn named(texts: &[&str]) -> String {
-    let named: Vec<String> = texts.iter().take(5).map(|text| format!("\"{text}\"")).collect();
-    let more = if texts.len() > 5 { format!(" and {} more", texts.len() - 5) } else { String::new() };
-    format!("{}{more}", named.join(", "))
-}
-
-/// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
-/// which on it has a leader line.
-fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &Figure) -> Option<Note> {
-    let is_there = |label: &Wanted| {
-        let place = label.anchor.inflate(NEAR, NEAR);
-        let lines = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
-        let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
-        points.any(|glyph| place.contains(glyph.at)) || is_met(lines, place)
-    };
-    let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
-    let alone: Vec<&str> = placed
-        .filter(|(label, _)| label.anchor.is_empty() && !is_there(label))
-        .map(|(label, _)| label.text.as_str())
-        .collect();
-    (!alone.is_empty()).then(|| {
-        let told = format!(
-            "labels that name something which is not on the page, as no line or texture is within {NEAR} mm: {}",
-            named(&alone)
-        );
-        Note::TakenAs(About::Braille, told)
-    })
-}
-
-/// Whether a line of these points passes through a box: looked at every 2 mm.
-fn is_met(mut points: impl Iterator<Item = MmPoint>, place: MmRect) -> bool {
-    let mut last: Option<MmPoint> = None;
-    points.any(|at| {
-        let from = last.replace(at).unwrap_or(at);
-        let steps = ((at - from).length() / 2.0).ceil().max(1.0);
-        (0..=steps as u32).any(|step| place.contains(from.lerp(at, step as f32 / steps)))
-    })
-}
-
-/// Tells of leader lines that cross others.
-fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
-    let crosses = |result: &Result<Placed, Unplaced>| result.as_ref().is_ok_and(|label| label.crosses);
-    let texts: Vec<&str> = wanted
-        .iter()
-        .zip(results)
-        .filter(|(_, result)| crosses(result))
-        .map(|(label, _)| label.text.as_str())
-        .collect();
-    (!texts.is_empty()).then(|| {
-        let told = format!(
-            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure \
-             may have it",
-            named(&texts)
-        );
-        Note::TakenAs(About::Leaders, told)
-    })
-}
-
-/// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
-fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
-    let mut notes: Vec<Note> = Vec::new();
-    let mut tell = |note: Option<Note>| {
-        if let Some(note) = note.filter(|note| !notes.contains(note)) {
-            notes.push(note);
-        }
-    };
-    let (mut abbreviated, mut refused) = (Vec::new(), Refused::default());
-    let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for (Wanted { text, .. }, result) in wanted.iter().zip(results) {
-        match result {
-            Ok(label) => {
-                tell(unwritten::lacking(text, &label.lacking));
-                if let Some(short) = &label.abbreviation
-                    && !abbreviated.iter().any(|(known, _)| known == short)
-                {
-                    abbreviated.push((short.clone(), text.clone()));
-                }
-            }
-            Err(Unplaced::NoRoom) => no_room.push(text.clone()),
-            Err(Unplaced::TooMany) => too_many.push(text.clone()),
-            Err(Unplaced::TooLong) => too_long.push(text.clone()),
-            Err(Unplaced::NoCells(lacking)) => {
-                tell(unwritten::lacking(text, lacking));
-                no_cells.push(text.clone());
-            }
-            Err(Unplaced::NotTranslated(why)) => refused.add(text, why.clone()),
-        }
-    }
-    notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
-    notes.extend(refused.notes());
-    let missing = [(no_cells, NO_CELLS), (no_room, NO_ROOM), (too_many, TOO_MANY), (too_long, TOO_LONG)];
-    notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
-    notes
 }

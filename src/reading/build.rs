@@ -1,10 +1,10 @@
 //! A page of what was found drawn.
 
 use resvg::tiny_skia::{Point, Transform};
-use usvg::roxmltree::Node;
 
 use super::areas::{self, DrawnArea};
-use super::document::Elements;
+use super::document::{Elements, numbers};
+use super::leaders::with_own_tip;
 use super::marks::{Mark, Marks};
 use super::names::{self, Name};
 use super::outline::{Outline, clean};
@@ -146,11 +146,6 @@ fn on_sheet(place: Option<MmRect>, sheet: [f32; 2]) -> MmRect {
     place.and_then(|place| place.intersection(&all)).unwrap_or(all)
 }
 
-fn numbers(node: Node<'_, '_>, name: &str) -> Option<Vec<f32>> {
-    let all: Result<Vec<f32>, _> = node.attribute(name)?.split_whitespace().map(str::parse).collect();
-    all.ok().filter(|all| all.iter().all(|number| number.is_finite()))
-}
-
 fn source(elements: &Elements<'_>) -> Option<Size> {
     let text = elements.layer(Layer::Figure)?.attribute("data-source")?;
     let (width, height) = text.split_once(' ')?;
@@ -278,6 +273,7 @@ impl<'m> Builder<'m> {
             }
             Some(Layer::Braille(role)) if is_text => {
                 let leader = self.on_sheet(of_path).into_iter().next();
+                let leader = leader.map(|leader| with_own_tip(leader, mark.element));
                 let index = self.text_of(mark, role);
                 self.parts.braille[index].leader = leader;
             }

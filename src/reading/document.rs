@@ -234,6 +234,12 @@ impl<'a> Elements<'a> {
     }
 }
 
+/// The numbers of an attribute; none if one of them is no finite number.
+pub(super) fn numbers(node: Node<'_, '_>, name: &str) -> Option<Vec<f32>> {
+    let all: Result<Vec<f32>, _> = node.attribute(name)?.split_whitespace().map(str::parse).collect();
+    all.ok().filter(|all| all.iter().all(|number| number.is_finite()))
+}
+
 /// Whether a text lies in the layer of texts that are labels.
 pub(super) fn is_in_labels(text: Node<'_, '_>) -> bool {
     let named = |name: &str| name.trim().to_lowercase().replace([' ', '_'], "-") == LABELS;

@@ -17,6 +17,7 @@ mod areas;
 mod build;
 mod document;
 mod entities;
+mod leaders;
 mod marks;
 mod names;
 mod outline;

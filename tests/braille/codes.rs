@@ -161,3 +161,30 @@ fn words_are_divided_where_lines_would_be_short() {
         assert_eq!(in_two(&table.translate("informationen"), Divide::Never), None);
     }
 }
+
+/// Greek letters, of the codes of which liblouis 3.24 knows them, as it writes them; a code that lacks them says so.
+#[test]
+fn greek_letters_are_as_liblouis_has_them() {
+    for (language, text, cells) in [
+        ("en", "α = 39°", "⠨⠁⠀⠐⠶⠀⠼⠉⠊⠘⠚"),
+        ("en", "ΔT and Ω", "⠠⠠⠨⠙⠞⠀⠁⠝⠙⠀⠠⠨⠺"),
+        ("en", "αβγδεζηθ", "⠨⠁⠨⠃⠨⠛⠨⠙⠨⠑⠨⠵⠨⠱⠨⠹"),
+        ("en", "ικλμνξοπρ", "⠨⠊⠨⠅⠨⠇⠨⠍⠨⠝⠨⠭⠨⠕⠨⠏⠨⠗"),
+        ("en", "σςτυφχψω", "⠨⠎⠨⠎⠨⠞⠨⠥⠨⠋⠨⠯⠨⠽⠨⠺"),
+        ("fr", "αβγδεζηθ", "⠘⠁⠘⠃⠘⠛⠘⠙⠘⠑⠘⠵⠘⠓⠘⠚"),
+        ("fr", "σςτυφχψω", "⠘⠎⠘⠎⠘⠞⠘⠥⠘⠋⠘⠟⠘⠽⠘⠺"),
+        ("fr", "Ω Δ ΔT", "⠨⠘⠺⠀⠨⠘⠙⠀⠨⠨⠘⠙⠞"),
+        ("es", "ικλμνξοπρ", "⠈⠊⠈⠅⠈⠇⠈⠍⠈⠝⠈⠭⠈⠕⠈⠏⠈⠗"),
+        ("pl", "ω Ω ΔT", "⠰⠺⠀⠸⠺⠀⠸⠙⠨⠞"),
+        ("cs", "α Δ ΔT ω", "⠘⠁⠀⠨⠙⠀⠨⠙⠠⠞⠀⠘⠶"),
+    ] {
+        let braille = Code::of_language(language).and_then(Code::table).expect("a table").translate(text);
+        assert!(braille.lacking.is_empty(), "{language}: {text}: {:?}", braille.lacking);
+        assert_eq!(braille.unicode(), cells, "{language}: {text}");
+    }
+    for (language, text) in [("de", "α"), ("es", "Δ"), ("it", "α"), ("nl", "α"), ("pt", "α"), ("sv", "α"), ("cs", "η")]
+    {
+        let braille = Code::of_language(language).and_then(Code::table).expect("a table").translate(text);
+        assert_eq!(braille.lacking.len(), 1, "{language}: {text}: {}", braille.unicode());
+    }
+}

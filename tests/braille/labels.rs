@@ -296,11 +296,18 @@ fn labels_that_are_not_there_are_told() {
     // of a text without cells, and of one that is abbreviated, every character is told
     let labels = vec![at(50.0, 50.0, "\u{65e5}\u{672c}"), at(20.0, 50.0, &"long\u{65e5}".repeat(40))];
     let drawing = convert(&picture, &options("swell-a4").labels(labels.clone())).expect("a page");
-    assert_eq!(left_out(&drawing), [told("\u{65e5}\u{672c}", "their code has no cells for them")]);
+    let misleading = "without characters that their code has no cells for they would say something else";
+    let no_cells = told("\u{65e5}\u{672c}", "their code has no cells for them");
+    assert_eq!(left_out(&drawing), [no_cells, told(&labels[1].text, misleading)]);
     for label in &labels {
         let is_told = |note: &Note| matches!(note, Note::NotInBraille { text, .. } if *text == label.text);
         assert_eq!(drawing.notes.iter().filter(|note| is_told(note)).count(), 1, "{:?}", drawing.notes);
     }
+    // an ornament is told, and the rest says what it said
+    let labels = vec![at(50.0, 50.0, "sun \u{2600}")];
+    let drawing = convert(&picture, &options("swell-a4").labels(labels)).expect("a page");
+    assert_eq!((labels_of(&drawing).len(), left_out(&drawing)), (1, vec![]));
+    assert!(drawing.notes.iter().any(|note| note.to_string().contains("write it in words")), "{:?}", drawing.notes);
     // a translator that fails says why, once for all labels, and for what is on the key
     let fails = |text: &str| match text {
         "trees" => Ok(vec![1, 2, 3]),

@@ -2,7 +2,7 @@
 
 use super::labels::{labels_of, options, place};
 use std::fmt::Write as _;
-use tactograph::{Drawing, MmRect, convert};
+use tactograph::{Drawing, MmPoint, MmRect, Note, convert};
 
 const MONTHS: [&str; 14] = [
     "January",
@@ -106,4 +106,141 @@ fn a_town_that_is_not_on_the_page_is_told_by_its_name() {
     let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
     let lost = told.iter().find(|note| note.contains("small closed shape")).expect("Aston's mark is lost");
     assert!(lost.contains("\"Aston\"") && !lost.contains("\"Ely\""), "{lost}");
+}
+
+/// A grid with axes through its middle, which have numbers at every line, and a curve.
+fn grid(lines: usize) -> String {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='620' height='620' font-family='sans-serif' \
+        font-size='14'><rect width='620' height='620' fill='#fff'/>"
+        .to_owned();
+    let step = 500.0 / (lines - 1) as f32;
+    let half = (lines / 2) as i32;
+    for i in -half..=half {
+        let at = 310.0 + step * i as f32;
+        write!(svg, "<path d='M{at} 60V560M60 {at}H560' stroke='#ccc' fill='none'/>").expect("a string takes it");
+        write!(svg, "<text x='{at}' y='334' text-anchor='middle'>{i}</text>").expect("a string takes it");
+        if i != 0 {
+            write!(svg, "<text x='300' y='{}' text-anchor='end'>{}</text>", at + 5.0, -i).expect("a string takes it");
+        }
+    }
+    svg + "<path d='M40 310H580M310 580V40' stroke='#000' stroke-width='2'/>\
+        <path d='M110 100Q310 800 510 100' fill='none' stroke='#c22' stroke-width='3'/></svg>"
+}
+
+/// Numbers of axes through the middle of a grid have no room beside them: they stand in the margin, each in line with its
+/// own line of the grid, and that is told.
+#[test]
+fn numbers_of_axes_in_a_grid_stand_in_the_margin() {
+    for profile in ["swell-a4", "index-basic-d"] {
+        let drawing = drawn(&grid(11), profile);
+        let (labels, figure) = (labels_of(&drawing), drawing.page.figure.place);
+        assert_eq!(labels.len(), 21, "{profile}: {:?}", drawing.notes);
+        let told = drawing.notes.iter().any(|note| note.to_string().contains("stand in the margin"));
+        assert!(told, "{profile}: {:?}", drawing.notes);
+        let lines = MmRect::from_points(
+            drawing.page.figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.points.iter()),
+        );
+        for label in labels {
+            let value: f32 = label.text.replace('\u{2212}', "-").parse().expect("a number");
+            let (middle, of) = (place(label).center(), format!("{} on {profile}", label.text));
+            assert!(label.leader.is_none(), "{of}");
+            let at = |value: f32| (310.0 + 50.0 * value) / 620.0;
+            if place(label).max.x < lines.min.x {
+                assert!((middle.y - (figure.min.y + at(-value) * figure.height())).abs() < 5.0, "{of}");
+            } else {
+                assert!(middle.y > lines.max.y, "{of} is in the grid");
+                assert!((middle.x - across(figure, at(value))).abs() < 6.0, "{of}");
+            }
+        }
+    }
+}
+
+/// Where there is no room for all numbers of an axis, every second, fifth or tenth stays, from zero on, and those that
+/// are left out are told, all of them.
+#[test]
+fn numbers_without_room_are_thinned_evenly() {
+    let drawing = drawn(&grid(31), "swell-a4");
+    let written: Vec<i32> = labels_of(&drawing).iter().filter_map(|label| label.text.parse().ok()).collect();
+    let every = [2, 5, 10].into_iter().rev().find(|every| written.iter().all(|value| value % every == 0));
+    let every = every.expect("even steps");
+    assert!(written.contains(&0) && written.contains(&-every) && written.contains(&every), "{written:?}");
+    let why = format!(
+        "every {} number along an axis only",
+        ["", "", "second", "", "", "fifth"].get(every as usize).unwrap_or(&"tenth")
+    );
+    let told = drawing.notes.iter().filter_map(|note| match note {
+        Note::LabelsLeftOut { texts, why: reason } if reason.contains(&why) => Some(texts.len()),
+        _ => None,
+    });
+    assert_eq!(written.len() + told.sum::<usize>(), 61, "{:?}", drawing.notes);
+}
+
+/// Twelve months under bars, with a legend right below them: all of them stay, in one form, and none has a leader line
+/// across others.
+#[test]
+fn months_above_a_legend_stay_in_one_form() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='800' height='570' font-family='sans-serif' \
+        font-size='15'><rect width='800' height='570' fill='#fff'/>\
+        <path d='M80 70V480H704V70' fill='none' stroke='#000' stroke-width='2'/>\
+        <rect x='240' y='530' width='20' height='16' fill='#47d'/><text x='266' y='544'>Rain</text>\
+        <path d='M400 538H430' stroke='#d22' stroke-width='4'/><text x='438' y='544'>Temperature</text>"
+        .to_owned();
+    for (i, month) in MONTHS.iter().enumerate().take(12) {
+        let (x, name): (usize, String) = (106 + 52 * i, month.chars().take(3).collect());
+        let (left, top) = (x - 16, 250 + (i * 61) % 150);
+        let height = 480 - top;
+        write!(
+            svg,
+            "<rect x='{left}' y='{top}' width='32' height='{height}' fill='#47d'/>\
+             <text x='{x}' y='502' text-anchor='middle'>{name}</text>"
+        )
+        .expect("a string takes it");
+    }
+    for i in 0..6 {
+        write!(svg, "<text x='712' y='{}'>{} \u{b0}C</text>", 485 - 80 * i, 5 * i).expect("a string takes it");
+    }
+    let svg = svg + "</svg>";
+    for profile in ["swell-a4", "index-basic-d", "viewplus-columbia"] {
+        let drawing = drawn(&svg, profile);
+        let labels = labels_of(&drawing);
+        let names: Vec<String> = MONTHS.iter().map(|month| month.chars().take(3).collect()).collect();
+        let months: Vec<_> = labels.iter().filter(|label| names.contains(&label.text)).collect();
+        assert_eq!(months.len(), 12, "{profile}: {:?}", drawing.notes);
+        let short = months.iter().filter(|month| month.abbreviation.is_some()).count();
+        assert!(short == 0 || short == 12, "{profile}: two forms in one row");
+        assert!(!drawing.notes.iter().any(|note| note.to_string().contains("crosses other lines")), "{profile}");
+        // a unit that has no room behind each number stands with one of them
+        let numbers: Vec<_> = labels.iter().filter(|label| label.text.ends_with('C')).collect();
+        assert_eq!(numbers.len(), 6, "{profile}: {:?}", drawing.notes);
+        let with_unit = numbers.iter().filter(|number| number.lines.concat().contains('\u{2818}')).count();
+        assert!(with_unit == 6 || with_unit == 1, "{profile}: {with_unit} units");
+    }
+}
+
+/// Texts in boxes that have no room in them stand beside their box, or have a leader line that ends at it.
+#[test]
+fn leader_lines_end_at_the_outline_of_a_box() {
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='600' height='420' font-family='sans-serif' \
+        font-size='16'><rect width='600' height='420' fill='#fff'/><g fill='none' stroke='#000' stroke-width='3'>\
+        <rect x='220' y='40' width='160' height='40'/><rect x='220' y='180' width='160' height='40'/>\
+        <rect x='220' y='320' width='160' height='40'/><path d='M300 80V180M300 220V320'/></g>\
+        <g text-anchor='middle'><text x='300' y='66'>Ask for a number</text>\
+        <text x='300' y='206'>Add one to it</text><text x='300' y='346'>Tell the sum</text></g></svg>";
+    for profile in ["swell-a4", "index-basic-d", "viewplus-columbia"] {
+        let drawing = drawn(svg, profile);
+        assert!(!drawing.notes.iter().any(|note| note.to_string().contains("crosses other lines")), "{profile}");
+        let labels = labels_of(&drawing);
+        assert_eq!(labels.len(), 3, "{profile}");
+        let figure = drawing.page.figure.place;
+        for leader in labels.iter().filter_map(|label| label.leader.as_ref()) {
+            let tip = *leader.points.last().expect("two ends");
+            let inside = |top: f32| {
+                let at = |x: f32, y: f32| MmPoint::new(across(figure, x), figure.min.y + y * figure.height());
+                let corners = [(220.0, top), (380.0, top + 40.0)].map(|(x, y)| at(x / 600.0, y / 420.0));
+                // on dots a line lies up to half a step aside, and may have a second row
+                MmRect::new(corners[0], corners[1]).inflate(-3.5, -3.5).contains(tip)
+            };
+            assert!(![40.0, 180.0, 320.0].into_iter().any(inside), "{profile}: {tip:?} is in a box");
+        }
+    }
 }

@@ -135,6 +135,20 @@ fn what_render_mends_is_a_warning() {
     assert!(finding("error")["render"].is_null());
 }
 
+/// Two ends between which another line passes are no broken line, also where it passes in one of its vertices.
+#[test]
+fn a_line_between_two_ends_keeps_them_apart() {
+    let ends = "<path d=\"M60,250 L87,250\" stroke-width=\"1\"/><path d=\"M93,250 L120,250\" stroke-width=\"1\"/>";
+    let broken = |between: &str| {
+        let checked = changed("bars.svg", |svg| with_lines(svg, &format!("{ends}{between}")));
+        has(&checked, "broken-line", "before one another")
+    };
+    assert!(broken(""));
+    for between in ["M90,240 L90,260", "M90,240 L90,250 L90,260", "M90,240 L90.5,250 L90,260"] {
+        assert!(!broken(&format!("<path fill=\"none\" d=\"{between}\" stroke-width=\"1\"/>")), "{between}");
+    }
+}
+
 /// The second row of a heavy line of dots, and the next dot of a ring, are no gaps.
 #[test]
 fn rows_of_dots_are_not_broken_lines() {

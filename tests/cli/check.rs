@@ -49,6 +49,19 @@ fn rules_are_listed_with_the_numbers_of_a_profile() {
     assert!(run.code == 0 && run.out.contains("line-gap, error (2 dots): "), "{}", run.out);
 }
 
+/// A page of several sheets has no file of the name that it was given, and those that it has are named.
+#[test]
+fn sheets_of_a_page_are_named_where_it_is_asked_for_as_one() {
+    let place = with_page();
+    let page = place.text("page.svg");
+    place.put("rain-1.svg", page.as_bytes());
+    place.refuses(&["check", "rain.svg"], 1, &["rain.svg: there is no such file, but rain-1.svg; name that"]);
+    ["rain-2.svg", "rain-3.svg"].iter().for_each(|name| place.put(name, page.as_bytes()));
+    let line = "rain.svg: there is no such file, but sheets of it, rain-1.svg to rain-3.svg; name one of them";
+    place.refuses(&["check", "rain.svg"], 1, &[line]);
+    place.refuses(&["render", "rain.svg", "-o", "rain.pdf"], 1, &[line]);
+}
+
 #[test]
 fn what_cannot_be_checked_is_refused_in_one_line() {
     let place = with_page();

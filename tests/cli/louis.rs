@@ -110,3 +110,26 @@ fn a_page_keeps_its_grade_when_it_is_rendered() {
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(!place.text(dots).contains("⠠⠮⠀"), "the title is contracted still");
 }
+
+/// A page that another table wrote is told when its words are written anew by another one, and keeps it by its name.
+#[test]
+fn a_table_is_kept_when_it_is_named_to_render() {
+    if !is_installed() {
+        return;
+    }
+    let place = place();
+    let title = ["--title", "The great house", "--braille-table", "en-ueb-g2.ctb"];
+    let run = place.run(&[&["convert", "red.svg", "-o", "page.svg"][..], &title].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    let render = ["render", "page.svg", "--profile", "swell-a3", "-o", "large.svg"];
+    let run = place.run(&render);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let told =
+        "1 text is written in other cells of braille than on the page, which another table wrote; give that table";
+    assert!(run.err.contains(told), "{}", run.err);
+    let run = place.run(&[&render[..], &["--braille-table", "en-ueb-g2.ctb"]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(!run.err.contains("other cells") && place.text("large.svg").contains("⠠⠮⠀⠛⠗⠞⠀⠓⠳⠎⠑"), "{}", run.err);
+    let run = place.run(&[&render[..], &["--braille-table", "no-such.ctb"]].concat());
+    assert_eq!(run.code, 2, "{}", run.err);
+}

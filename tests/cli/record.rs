@@ -90,3 +90,22 @@ fn a_report_has_a_place_of_its_own() {
         Some("new/a.svg".into())
     );
 }
+
+/// All labels that are not on the page are in the report, also those that a message has no room for.
+#[test]
+fn all_labels_that_are_left_out_are_in_the_report() {
+    let place = Place::with_picture("a.png");
+    let labels: String = (0..400).map(|i| format!("50%,50%,many words {i}\n")).collect();
+    place.put("labels.csv", labels.as_bytes());
+    let run = place.run(&["convert", "a.png", "--labels", "labels.csv", "--report", "run.json"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.err.contains("more"), "{}", run.err);
+    let report = report(&place, "run.json");
+    let left_out = report["pictures"][0]["labels_left_out"].as_array().expect("a list").clone();
+    let texts = |why: &str| -> usize {
+        let of = left_out.iter().filter(|of| of["why"].as_str().is_some_and(|reason| reason.contains(why)));
+        of.filter_map(|of| of["texts"].as_array()).map(Vec::len).sum()
+    };
+    assert_eq!(texts("300 labels at most"), 100, "{left_out:?}");
+    assert!(texts("no room") > 12, "{left_out:?}");
+}

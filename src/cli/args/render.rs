@@ -68,6 +68,13 @@ pub(in crate::cli) struct Render {
     #[command(flatten)]
     pub(in crate::cli) key: WithKey,
 
+    /// Writes braille by a table of an installed liblouis, as the one that the page was made with
+    ///
+    /// As in "tactograph convert": the name of a table, or "contracted". Without it, words that are written anew are
+    /// contracted only where the profile says braille.grade = 2.
+    #[arg(long, value_name = "TABLE|contracted")]
+    pub(in crate::cli) braille_table: Option<String>,
+
     /// Replaces numbered files that are there already, whoever wrote them
     #[arg(long, visible_alias = "overwrite")]
     pub(in crate::cli) force: bool,

@@ -1,0 +1,47 @@
+//! Where the rows and columns of labels of a drawing would stand before the drawing is laid out: how much room they
+//! lack beside it.
+
+use super::forms;
+use super::placed::{Params, Wanted};
+use super::room::Room;
+use super::{around, groups_of, rows};
+use crate::braille::Translator;
+use crate::page::cells::CellGrid;
+use crate::units::{MmPoint, MmRect};
+
+/// A drawing that is not drawn yet, and its texts.
+#[derive(Debug)]
+pub struct Foretold<'a> {
+    /// Its texts, where they stand.
+    pub wanted: &'a [Wanted],
+    /// Points on its contours, no further apart than half a millimetre.
+    pub contours: &'a [MmPoint],
+    /// How wide the lines on them will be at most, mm.
+    pub line_width: f32,
+    /// As labels will be placed, but in all the area that they may take.
+    pub params: &'a Params,
+}
+
+/// How far labels in rows and columns reach out of a box on the left, above, on the right and below, mm; less than 0
+/// where they keep within it.
+pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Translator<'_>, within: MmRect) -> [f32; 4] {
+    let Foretold { wanted, contours, line_width, params } = of;
+    // the grid of a device may end at the box
+    let cells = &cells.anywhere();
+    let room = Room::of_contours(params.area, contours, *line_width, params.clearance);
+    let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
+    let mut forms = forms::of(&texts, translator);
+    let around = around(wanted, &forms, &room, cells, params);
+    let groups = groups_of(wanted, &mut forms, &around, translator);
+    let place = rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells };
+    let placed = rows::placed(&groups, &place).placed;
+    placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {
+        let place = candidate.place;
+        [
+            left.max(within.min.x - place.min.x),
+            top.max(within.min.y - place.min.y),
+            right.max(place.max.x - within.max.x),
+            bottom.max(place.max.y - within.max.y),
+        ]
+    })
+}

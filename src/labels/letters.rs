@@ -1,0 +1,125 @@
+//! Forms that only whole rows of labels have. Single letters for a row that has no room for abbreviations: the initials
+//! of the months, which are known by their order, else the alphabet. Numbers of an axis whose unit stands with one of
+//! them.
+
+use std::collections::BTreeSet;
+
+use super::forms::{Form, Forms, Kind};
+use super::groups::{Group, Lies};
+use super::placed::{Unplaced, Wanted};
+use super::scale;
+use crate::braille::Translator;
+
+/// The initials of the months: in Dutch, English, French, German, Portuguese and Swedish, in Spanish, Italian, Polish
+/// and Czech.
+const MONTHS: [&str; 5] = ["jfmamjjasond", "efmamjjasond", "gfmamglasond", "slmkmclswplg", "lúbdkččszřlp"];
+/// What a number costs whose unit another one has, mm: it is understood as well.
+const BARE: f32 = 5.0;
+/// What a letter costs: more than an abbreviation.
+const LETTER: f32 = 1500.0;
+
+/// Gives each label of a row a letter as its last form. Letters are no other label's cells.
+pub(super) fn add(
+    groups: &mut [Group],
+    forms: &mut [Result<Forms, Unplaced>],
+    wanted: &[Wanted],
+    translator: &Translator<'_>,
+) {
+    let cells = |forms: &Result<Forms, Unplaced>| {
+        forms.iter().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect::<Vec<_>>()
+    };
+    let mut taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
+    for group in groups.iter_mut().filter(|group| !matches!(group.lies, Lies::Column(_)) && group.steps.is_none()) {
+        let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
+        let spelled = |letter: char| {
+            let cells = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?.cells;
+            (cells.len() == 1 && !taken.contains(&cells)).then(|| (letter.to_string(), cells))
+        };
+        let months: Option<Vec<(String, Vec<u8>)>> =
+            initials_of_months(&texts).and_then(|letters| letters.into_iter().map(spelled).collect());
+        group.is_of_months = months.is_some();
+        let letters = match months {
+            Some(months) => months,
+            None => ('a'..='z').filter_map(spelled).take(texts.len()).collect(),
+        };
+        if letters.len() < texts.len() {
+            continue;
+        }
+        for (&label, (letter, cells)) in group.members.iter().zip(letters) {
+            taken.insert(cells.clone());
+            if let Ok(of) = &mut forms[label] {
+                of.forms.push(Form {
+                    lines: vec![cells],
+                    abbreviation: Some(letter),
+                    kind: Kind::Letter,
+                    cost: LETTER,
+                });
+            }
+        }
+    }
+}
+
+/// Gives each number of an axis its digits alone as its last form, if they have a unit.
+pub(super) fn add_bare(
+    groups: &[Group],
+    forms: &mut [Result<Forms, Unplaced>],
+    wanted: &[Wanted],
+    translator: &Translator<'_>,
+) {
+    for &label in groups.iter().filter(|group| group.steps.is_some()).flat_map(|group| &group.members) {
+        let bare = scale::without_unit(&wanted[label].text);
+        let braille = bare.and_then(|bare| translator.translate(bare).ok());
+        if let (Ok(of), Some(braille)) = (&mut forms[label], braille)
+            && braille.lacking.is_empty()
+        {
+            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: Kind::Bare, cost: BARE });
+        }
+    }
+}
+
+/// The initials of twelve texts that are the months, from whichever on.
+fn initials_of_months(texts: &[&str]) -> Option<Vec<char>> {
+    let initial = |text: &&str| {
+        let is_word = text.chars().take(2).all(char::is_alphabetic);
+        text.chars().next().filter(|_| is_word)?.to_lowercase().next()
+    };
+    let initials: Vec<char> = texts.iter().map(initial).collect::<Option<_>>()?;
+    let written: String = initials.iter().collect();
+    let is_year = |months: &&str| initials.len() == 12 && months.repeat(2).contains(&written);
+    MONTHS.iter().any(is_year).then_some(initials)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn months_are_known_by_their_order() {
+        let year = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"];
+        let of = |texts: &[&str]| initials_of_months(texts).map(String::from_iter);
+        assert_eq!(of(&year).as_deref(), Some("jfmamjjasond"));
+        let school: Vec<&str> = year.iter().cycle().skip(8).take(12).copied().collect();
+        assert_eq!(of(&school).as_deref(), Some("sondjfmamjja"));
+        assert_eq!(of(&year[..11]), None, "a part of a year has several Js that nobody can count");
+        let backwards: Vec<&str> = year.iter().rev().copied().collect();
+        assert_eq!(of(&backwards), None);
+        assert_eq!(
+            of(&[
+                "styczeń",
+                "luty",
+                "marzec",
+                "kwiecień",
+                "maj",
+                "czerwiec",
+                "lipiec",
+                "sierpień",
+                "wrzesień",
+                "październik",
+                "listopad",
+                "grudzień"
+            ])
+            .as_deref(),
+            Some("slmkmclswplg")
+        );
+    }
+}

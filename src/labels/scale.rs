@@ -1,0 +1,118 @@
+//! Numbers along an axis: what their values are, and which of them stay where there is no room for all.
+
+/// How far a number may stand from where its value says, as a share of the way to the next: print is moved aside where
+/// an axis crosses.
+const OFF: f32 = 0.3;
+/// How far values may lie off even steps, as a share of a step: rounding.
+const UNEVEN: f64 = 0.01;
+/// Most characters of a unit behind a number, such as "°C" or "km/h".
+const UNIT: usize = 6;
+/// Fewest numbers that show what their steps are.
+const FEWEST: usize = 3;
+
+/// Every how many-th of the numbers along an axis is written where there is no room for all, the first that fits:
+/// steps that are counted easily, as on rulers.
+pub(super) const EVERY: [i64; 3] = [2, 5, 10];
+
+/// Of numbers that stand in even steps along a line, how many steps each lies from zero, or from the first of them
+/// where zero is none of the steps; none where they do not.
+pub(super) fn steps(texts: &[&str], positions: &[f32]) -> Option<Vec<i64>> {
+    let values: Vec<(f64, &str)> = texts.iter().map(|text| value(text)).collect::<Option<_>>()?;
+    let unit = values.iter().map(|(_, unit)| *unit).find(|unit| !unit.is_empty()).unwrap_or_default();
+    let is_of_unit = |(value, own): &(f64, &str)| *own == unit || own.is_empty() && *value == 0.0;
+    let mut differences = values.windows(2).map(|pair| (pair[1].0 - pair[0].0).abs());
+    let step = differences.clone().fold(f64::INFINITY, f64::min);
+    let rises = values.first()?.0 < values.last()?.0;
+    let is_in_order = values.windows(2).all(|pair| (pair[0].0 < pair[1].0) == rises);
+    if values.len() < FEWEST || !values.iter().all(is_of_unit) || !is_in_order || differences.any(|by| by == 0.0) {
+        return None;
+    }
+    let is_whole = |from: f64| values.iter().all(|(value, _)| whole((value - from) / step).is_some());
+    let from = if is_whole(0.0) { 0.0 } else { values[0].0 };
+    let steps: Vec<i64> = values.iter().map(|(value, _)| whole((value - from) / step)).collect::<Option<_>>()?;
+    is_even(&steps, positions).then_some(steps)
+}
+
+/// Whether a text is a number, with or without a unit.
+pub(super) fn is_number(text: &str) -> bool {
+    value(text).is_some()
+}
+
+/// A number without its unit; none if it has none.
+pub(super) fn without_unit(text: &str) -> Option<&str> {
+    let (_, unit) = value(text)?;
+    if unit.is_empty() { None } else { text.trim().strip_suffix(unit).map(str::trim) }
+}
+
+/// A number that is whole but for rounding.
+fn whole(number: f64) -> Option<i64> {
+    // far beyond what is written at an axis
+    ((number - number.round()).abs() < UNEVEN && number.abs() < 1e12).then(|| number.round() as i64)
+}
+
+/// Whether places along a line are even in these steps.
+fn is_even(steps: &[i64], positions: &[f32]) -> bool {
+    let (Some((&first, &last)), Some((&from, &to))) =
+        (steps.first().zip(steps.last()), positions.first().zip(positions.last()))
+    else {
+        return false;
+    };
+    let of_step = (to - from) / (last - first) as f32;
+    let off = |(step, at): (&i64, &f32)| (from + of_step * (step - first) as f32 - at).abs();
+    steps.iter().zip(positions).all(|pair| off(pair) <= OFF * of_step.abs())
+}
+
+/// The number that a text begins with, and the unit behind it; none of a text that is no number.
+fn value(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let is_minus = |sign: char| matches!(sign, '-' | '\u{2010}'..='\u{2013}' | '\u{2212}');
+    let (sign, rest) = match text.strip_prefix(is_minus) {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | ',');
+    let end = rest.find(|sign| !is_of_number(sign)).unwrap_or(rest.len());
+    let (digits, unit) = rest.split_at(end);
+    let number: f64 = digits.replace(',', ".").parse().ok()?;
+    let unit = unit.trim();
+    let is_unit = unit.chars().count() <= UNIT && !unit.contains(|sign: char| sign.is_ascii_digit());
+    is_unit.then_some((sign * number, unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(texts: &[&str]) -> Option<Vec<i64>> {
+        let positions: Vec<f32> = (0..texts.len()).map(|i| 10.0 * i as f32).collect();
+        steps(texts, &positions)
+    }
+
+    #[test]
+    fn numbers_in_even_steps_are_a_scale() {
+        assert_eq!(of(&["-2", "\u{2212}1", "0", "1"]), Some(vec![-2, -1, 0, 1]));
+        assert_eq!(of(&["25 °C", "20 °C", "15 °C", "0"]), None, "15 and 0 are three steps apart, and stand as one");
+        assert_eq!(of(&["10 °C", "5 °C", "0"]), Some(vec![2, 1, 0]));
+        assert_eq!(of(&["0,5", "1,0", "1,5"]), Some(vec![1, 2, 3]));
+        assert_eq!(of(&["1", "3", "5"]), Some(vec![0, 1, 2]), "zero is none of these steps");
+        assert_eq!(of(&["1990", "1995", "2000"]), Some(vec![398, 399, 400]));
+        assert_eq!(of(&["1", "10", "100"]), None, "a scale of logarithms");
+        assert_eq!(of(&["Jan", "Feb", "Mar"]), None);
+        assert_eq!(of(&["1", "2", "2"]), None);
+        assert_eq!(of(&["1 m", "2 s", "3 m"]), None);
+    }
+
+    #[test]
+    fn a_unit_is_what_is_behind_a_number() {
+        assert_eq!(without_unit("-25 °C"), Some("-25"));
+        assert_eq!(without_unit("25%"), Some("25"));
+        assert_eq!((without_unit("25"), without_unit("P 3")), (None, None));
+    }
+
+    #[test]
+    fn a_number_may_stand_a_little_aside() {
+        let texts = ["-1", "0", "1"];
+        assert_eq!(steps(&texts, &[0.0, 8.0, 20.0]), Some(vec![-1, 0, 1]));
+        assert_eq!(steps(&texts, &[0.0, 4.0, 20.0]), None);
+    }
+}

@@ -1,0 +1,164 @@
+//! What is told of labels: those that are not on the page, and why, and how others stand there.
+
+use std::collections::BTreeMap;
+
+use super::unwritten::{self, Refused};
+use crate::labels::{self, NEAR, Placed, Unplaced, Wanted};
+use crate::page::Figure;
+use crate::units::{MmPoint, MmRect};
+use crate::{About, Note};
+
+/// Why labels are left out.
+pub(super) const OUTSIDE: &str = "they lie outside of the picture";
+pub(super) const OFF: &str = "braille is off (braille=false)";
+pub(super) const NO_CODE: &str = "there is no braille code for their language";
+pub(super) const NO_CODE_OF_WORDS: &str = "there is no braille code for the language of the words";
+pub(super) const NOTHING_TO_TELL: &str =
+    "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
+const NO_ROOM: &str = "there is no room for them";
+const EVERY_SECOND: &str = "there is room for every second number along an axis only";
+const EVERY_FIFTH: &str = "there is room for every fifth number along an axis only";
+const EVERY_TENTH: &str = "there is room for every tenth number along an axis only";
+const NO_CELLS: &str = "their code has no cells for them";
+const MISLEADING: &str = "without characters that their code has no cells for they would say something else";
+const TOO_MANY: &str = "a page takes 300 labels at most";
+pub(super) const TOO_LONG: &str = "a text of a page has 1000 characters at most";
+const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
+
+pub(super) fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
+    (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
+}
+
+/// Names texts: all of up to five.
+pub(super) fn named(texts: &[&str]) -> String {
+    let named: Vec<String> = texts.iter().take(5).map(|text| format!("\"{text}\"")).collect();
+    let more = if texts.len() > 5 { format!(" and {} more", texts.len() - 5) } else { String::new() };
+    format!("{}{more}", named.join(", "))
+}
+
+/// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
+/// which on it has a leader line.
+pub(super) fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &Figure) -> Option<Note> {
+    let is_there = |label: &Wanted| {
+        let place = label.anchor.inflate(NEAR, NEAR);
+        let lines = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
+        let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
+        points.any(|glyph| place.contains(glyph.at)) || is_met(lines, place)
+    };
+    let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
+    let alone: Vec<&str> = placed
+        .filter(|(label, _)| label.anchor.is_empty() && !is_there(label))
+        .map(|(label, _)| label.text.as_str())
+        .collect();
+    (!alone.is_empty()).then(|| {
+        let told = format!(
+            "labels that name something which is not on the page, as no line or texture is within {NEAR} mm: {}",
+            named(&alone)
+        );
+        Note::TakenAs(About::Braille, told)
+    })
+}
+
+/// Whether a line of these points passes through a box: looked at every 2 mm.
+fn is_met(mut points: impl Iterator<Item = MmPoint>, place: MmRect) -> bool {
+    let mut last: Option<MmPoint> = None;
+    points.any(|at| {
+        let from = last.replace(at).unwrap_or(at);
+        let steps = ((at - from).length() / 2.0).ceil().max(1.0);
+        (0..=steps as u32).any(|step| place.contains(from.lerp(at, step as f32 / steps)))
+    })
+}
+
+/// Tells of leader lines that cross others.
+pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
+    let crosses = |result: &Result<Placed, Unplaced>| result.as_ref().is_ok_and(|label| label.crosses);
+    let texts: Vec<&str> = wanted
+        .iter()
+        .zip(results)
+        .filter(|(_, result)| crosses(result))
+        .map(|(label, _)| label.text.as_str())
+        .collect();
+    (!texts.is_empty()).then(|| {
+        let told = format!(
+            "the leader line of {} crosses other lines, as there is no room for the label elsewhere; a larger figure \
+             may have it",
+            named(&texts)
+        );
+        Note::TakenAs(About::Leaders, told)
+    })
+}
+
+/// Tells of labels along an axis that stand beyond the lines, and of numbers whose unit stands with another one.
+pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
+    let those = |is: fn(&Placed) -> bool| -> Vec<&str> {
+        let of = wanted.iter().zip(results).filter(|(_, result)| result.as_ref().is_ok_and(is));
+        of.map(|(label, _)| label.text.as_str()).collect()
+    };
+    let tell = |texts: &[&str], what: &str| {
+        (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, format!("{what}: {}", named(texts))))
+    };
+    let in_margin = "labels along an axis stand in the margin beside the drawing, each in line with its place on the \
+                     axis, as there is no room at the axis";
+    let bare = "of numbers along an axis only one has the unit, as there is no room for it behind each";
+    let of_margin = tell(&those(|label| label.is_in_margin), in_margin);
+    of_margin.into_iter().chain(tell(&those(|label| label.is_bare), bare)).collect()
+}
+
+/// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
+pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
+    let mut notes: Vec<Note> = Vec::new();
+    let mut tell = |note: Option<Note>| {
+        if let Some(note) = note.filter(|note| !notes.contains(note)) {
+            notes.push(note);
+        }
+    };
+    let (mut abbreviated, mut refused) = (Vec::new(), Refused::default());
+    let mut thinned: BTreeMap<i64, Vec<String>> = BTreeMap::new();
+    let mut misleading = Vec::new();
+    let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for (Wanted { text, .. }, result) in wanted.iter().zip(results) {
+        match result {
+            Ok(label) => {
+                tell(unwritten::lacking(text, &label.lacking));
+                if let Some(short) = &label.abbreviation
+                    && !abbreviated.contains(&(short.clone(), text.clone()))
+                {
+                    abbreviated.push((short.clone(), text.clone()));
+                }
+            }
+            Err(Unplaced::Thinned(every)) => thinned.entry(*every).or_default().push(text.clone()),
+            Err(Unplaced::NoRoom) => no_room.push(text.clone()),
+            Err(Unplaced::TooMany) => too_many.push(text.clone()),
+            Err(Unplaced::TooLong) => too_long.push(text.clone()),
+            Err(Unplaced::Misleading(lacking)) => {
+                tell(unwritten::lacking(text, lacking));
+                misleading.push(text.clone());
+            }
+            Err(Unplaced::NoCells(lacking)) => {
+                tell(unwritten::lacking(text, lacking));
+                no_cells.push(text.clone());
+            }
+            Err(Unplaced::NotTranslated(why)) => refused.add(text, why.clone()),
+        }
+    }
+    notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
+    notes.extend(refused.notes());
+    let every = |(every, texts): (i64, Vec<String>)| {
+        let why = match every {
+            2 => EVERY_SECOND,
+            5 => EVERY_FIFTH,
+            _ => EVERY_TENTH,
+        };
+        left_out(texts, why)
+    };
+    notes.extend(thinned.into_iter().filter_map(every));
+    let missing = [
+        (no_cells, NO_CELLS),
+        (misleading, MISLEADING),
+        (no_room, NO_ROOM),
+        (too_many, TOO_MANY),
+        (too_long, TOO_LONG),
+    ];
+    notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
+    notes
+}
