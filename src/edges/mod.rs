@@ -153,15 +153,10 @@ impl<'a> Ridges<'a> {
         Some(Self { raster, kind, params, planes, strokes, points, chains, sides })
     }
 
-    /// Whether regions are looked for: not in a drawing, whose lines say enough.
-    pub fn has_regions(&self) -> bool {
-        !self.kind.is_drawing
-    }
-
-    /// The regions between all chains; none of a drawing.
+    /// The regions between all chains; none of a drawing, whose lines say enough.
     pub fn grouped(&self, detail: Detail) -> Option<Grouped> {
         let Self { raster, points, chains, sides, params, .. } = self;
-        self.has_regions().then(|| {
+        (!self.kind.is_drawing).then(|| {
             let strengths = strength::of_all(points, chains, sides, params);
             let tree = grouping::tree(raster, points, chains, &strengths, detail);
             Grouped { heights: Heights::of(&tree), strengths, tree }

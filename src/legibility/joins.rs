@@ -60,12 +60,13 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
         found
     };
     let found: Vec<Vec<Join>> = (0..ways.ways.len()).map(of).collect();
+    // two dots beside a line both touch it: they end on it, and do not wind round it
     let winds = |number: usize, join: &Join| {
         join.other as usize != number
             && found[number].iter().any(|other| {
                 let (from, to) = (join.arc.min(other.arc), join.arc.max(other.arc));
                 other.other == join.other
-                    && to - from > 1.0
+                    && to - from > touch.max(1.0)
                     && follows(ways, number, (from, to), join.other, index, least)
             })
     };

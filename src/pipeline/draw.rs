@@ -244,10 +244,12 @@ pub(super) fn edges_of(
             &own
         }
     };
+    let Some(detail) = regions.filter(|_| !kind.is_drawing) else {
+        return run(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
+    };
     let ridges = run(watch, Stage::Edges, || Ridges::of(raster, kind, params));
     let Some(ridges) = ridges else { return Edges::none(raster.size()) };
-    let detail = regions.filter(|_| ridges.has_regions());
-    let grouped = detail.and_then(|detail| run(watch, Stage::Regions, || ridges.grouped(detail)));
+    let grouped = run(watch, Stage::Regions, || ridges.grouped(detail));
     run(watch, Stage::Edges, || ridges.contours(grouped))
 }
 

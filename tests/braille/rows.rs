@@ -159,7 +159,7 @@ fn numbers_of_axes_in_a_grid_stand_in_the_margin() {
 /// are left out are told, all of them.
 #[test]
 fn numbers_without_room_are_thinned_evenly() {
-    let drawing = drawn(&grid(31), "swell-a4");
+    let drawing = drawn(&grid(41), "swell-a4");
     let written: Vec<i32> = labels_of(&drawing).iter().filter_map(|label| label.text.parse().ok()).collect();
     let every = [2, 5, 10].into_iter().rev().find(|every| written.iter().all(|value| value % every == 0));
     let every = every.expect("even steps");
@@ -172,7 +172,7 @@ fn numbers_without_room_are_thinned_evenly() {
         Note::LabelsLeftOut { texts, why: reason } if reason.contains(&why) => Some(texts.len()),
         _ => None,
     });
-    assert_eq!(written.len() + told.sum::<usize>(), 61, "{:?}", drawing.notes);
+    assert_eq!(written.len() + told.sum::<usize>(), 81, "{:?}", drawing.notes);
 }
 
 /// Twelve months under bars, with a legend right below them: all of them stay, in one form, and none has a leader line
