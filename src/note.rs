@@ -353,9 +353,8 @@ impl std::fmt::Display for Note {
             Self::TooDense { millimetres, percent, place, width } => write!(
                 f,
                 "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} \
-                 percent, had no room and were left out, most of them in the {place}; make the figure wider, spread it \
-                 over several sheets, draw only a part of it, or leave details out on purpose (lines.detail), so that \
-                 what is left is whole"
+                 percent, had no room and were left out, most of them in the {place}; spread it over several sheets, \
+                 or draw only a part of it, so that it is larger"
             ),
             Self::ShapesNotInOverview(count) => write!(
                 f,

@@ -143,3 +143,20 @@ fn curves_that_cross_and_connectors_that_end_at_24_degrees_are_whole() {
     let share = share_drawn(&points, page.figure.place, &page.figure.lines);
     assert!(share >= 0.995, "{share} of the lines is drawn");
 }
+
+/// The ticks of a number line are hardly longer than the least length, half of them on either side of it.
+#[test]
+fn ticks_across_an_axis_are_drawn() {
+    let mut drawn = String::from("<path d='M30 300H870' stroke='#000' stroke-width='4'/>");
+    let mut points = Vec::new();
+    for x in (60..=840_u16).step_by(78).map(f32::from) {
+        write!(drawn, "<path d='M{x} 276V324' stroke='#000' stroke-width='3'/>").expect("it is a string");
+        points.extend((0..=10).map(|i| (x, 276.0 + 4.8 * i as f32)));
+    }
+    for drawing in [page_of(&drawn), page_of_bitmap(&drawn)] {
+        let share = share_drawn(&points, drawing.page.figure.place, &drawing.page.figure.lines);
+        assert!(share >= 0.95, "{share} of the ticks is drawn");
+        assert_eq!(drawing.page.figure.lines.len(), 12, "the axis and eleven ticks");
+        assert!(!drawing.notes.iter().any(|note| note.id() == "too-dense"), "{:?}", drawing.notes);
+    }
+}

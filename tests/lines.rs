@@ -302,8 +302,7 @@ fn a_drawing_too_dense_for_its_size_is_told_with_what_to_do() {
     };
     let told = note(64, "swell-a4").expect("it is too dense");
     assert!(told.starts_with("the drawing is too dense for a figure of 120 mm: "), "{told}");
-    let remedies = "make the figure wider, spread it over several sheets, draw only a part of it, or leave details out on \
-                    purpose (lines.detail)";
+    let remedies = "spread it over several sheets, or draw only a part of it, so that it is larger";
     assert!(told.contains(remedies), "{told}");
     let told = note(64, "index-basic-d").expect("it is too dense");
     assert!(told.contains(remedies), "{told}");

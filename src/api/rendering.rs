@@ -97,7 +97,11 @@ fn rendered(
     let own_words = (!pipeline::is_made(&page)).then_some(page.description.as_str());
     drawing.page = drawing.page.called(None, own_words, Some(&page.language));
     drawing.key = in_language(drawing.key, &page);
-    notes.extend(in_other_cells(&page, &drawing.page));
+    // who asks for another code or grade wants other cells
+    let [before, after] = [&own, &plan].map(|plan| (plan.profile().braille.code, plan.profile().braille.grade));
+    if before == after {
+        notes.extend(in_other_cells(&page, &drawing.page));
+    }
     notes.append(&mut drawing.notes);
     Ok(Drawing { notes, ..drawing })
 }
@@ -114,7 +118,9 @@ fn in_other_cells(before: &Page, after: &Page) -> Option<Note> {
     let after = whole(after);
     let is_other = |text: &&BrailleText| {
         let same = |other: &&BrailleText| other.role == text.role && other.text == text.text;
-        after.iter().find(same).is_some_and(|other| cells(other) != cells(text))
+        // the unit of a number may stand with one of its axis only, and is no other table's
+        let is_part = |a: &str, b: &str| a.starts_with(b) || b.starts_with(a);
+        after.iter().find(same).is_some_and(|other| !is_part(&cells(other), &cells(text)))
     };
     let count = whole(before).iter().filter(is_other).count();
     let words = if count == 1 { "1 text is" } else { &format!("{count} texts are") };

@@ -299,7 +299,7 @@ fn remark(note: &Note) -> String {
             format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
-        Note::TooDense { .. } => format!("{note} (--width-mm 300, --sheets 2x2, --crop, --detail 0.3)"),
+        Note::TooDense { .. } => format!("{note} (--sheets 2x2, --crop)"),
         _ => note.to_string(),
     }
 }

@@ -109,6 +109,9 @@ fn contracted(
     let language = language_of_page(bytes).unwrap_or_default();
     if let Some(asked) = args.braille_table.as_deref() {
         let table = louis::wanted(Some(asked), profile, &language)?;
+        if other.is_none() {
+            tell("--braille-table counts for words that were changed on the page; the others keep their cells");
+        }
         return Ok((other, table));
     }
     let table = if is_contracted(profile) { louis::wanted(None, profile, &language) } else { Ok(None) };

@@ -39,8 +39,8 @@ const IN_LINE: f32 = 0.75;
 /// What runs no farther than this beside another contour, px, is in its place; what is no farther than that lies on it.
 const BESIDE: f32 = 1.5;
 const ON: f32 = 0.75;
-/// An end is cut off where it runs along another contour for more than this, px: one that meets it at the flattest angle
-/// (see `lines`) leaves it sooner.
+/// An end is cut off where it runs along another contour for more than this, px: one that meets it at the flattest
+/// angle (see `lines`) leaves it sooner.
 const ALONG: f32 = 5.0;
 
 /// An end of a contour with the line that it follows and the junction to which the line leads.
@@ -63,8 +63,8 @@ pub(super) fn extend(contours: &mut [Contour], size: Size) {
     }
 }
 
-/// Straightens contours beside the ends of others. Where a stroke meets a straight one at a small angle, the two are one
-/// thick spot, and the middle of that, through which both were found, lies between them.
+/// Straightens contours beside the ends of others. Where a stroke meets a straight one at a small angle, the two are
+/// one thick spot, and the middle of that, through which both were found, lies between them.
 pub(super) fn straighten(contours: &mut [Contour], size: Size) {
     let index = index_of(contours, size);
     let ends = contours.iter().enumerate().filter(|(_, contour)| !contour.closed).flat_map(|(number, contour)| {

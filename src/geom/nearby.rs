@@ -90,6 +90,7 @@ impl<T: Copy, U: Copy> Index<T, U> {
         for cell in self.used.drain(..) {
             self.cells[cell].clear();
         }
+        self.longest = 0.0;
     }
 
     /// Calls `visit` with the entries that may lie within `reach` of the box `low`-`high`; one entry can come several

@@ -112,7 +112,8 @@ pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Form
 fn says_something(character: char) -> bool {
     let is_sign = matches!(
         character,
-        '+' | '<' | '=' | '>' | '%' | '°' | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{22ff}'
+        '+' | '<' | '=' | '>' | '%' | '*' | '/' | '&' | '#' | '@' | '^' | '~' | '|' | '$' | '£' | '¥' | '¢' | '§'
+            | '°' | '±' | '×' | '÷' | '¬' | '\u{2030}'..='\u{2037}' | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{22ff}'
             | '\u{27c0}'..='\u{27ff}' | '\u{2900}'..='\u{2aff}'
     );
     is_sign || character.is_alphanumeric()

@@ -2,7 +2,7 @@
 //! of the months, which are known by their order, else the alphabet. Numbers of an axis whose unit stands with one of
 //! them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::forms::{Form, Forms, Kind};
 use super::groups::{Group, Lies};
@@ -29,6 +29,8 @@ pub(super) fn add(
         forms.iter().flat_map(|of| &of.forms).flat_map(|form| form.lines.clone()).collect::<Vec<_>>()
     };
     let mut taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
+    // a text has one letter on all of a page
+    let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
     for group in groups.iter_mut().filter(|group| !matches!(group.lies, Lies::Column(_)) && group.steps.is_none()) {
         let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
         let spelled = |letter: char| {
@@ -37,16 +39,19 @@ pub(super) fn add(
         };
         let months: Option<Vec<(String, Vec<u8>)>> =
             initials_of_months(&texts).and_then(|letters| letters.into_iter().map(spelled).collect());
-        group.is_of_months = months.is_some();
-        let letters = match months {
-            Some(months) => months,
-            None => ('a'..='z').filter_map(spelled).take(texts.len()).collect(),
+        group.is_of_months = initials_of_months(&texts).is_some() && (months.is_some() || given.contains_key(texts[0]));
+        let known: Option<Vec<(String, Vec<u8>)>> = texts.iter().map(|text| given.get(text).cloned()).collect();
+        let letters = match (known, months) {
+            (Some(known), _) => known,
+            (None, Some(months)) => months,
+            (None, None) => ('a'..='z').filter_map(spelled).take(texts.len()).collect(),
         };
         if letters.len() < texts.len() {
             continue;
         }
         for (&label, (letter, cells)) in group.members.iter().zip(letters) {
             taken.insert(cells.clone());
+            given.insert(&wanted[label].text, (letter.clone(), cells.clone()));
             if let Ok(of) = &mut forms[label] {
                 of.forms.push(Form {
                     lines: vec![cells],

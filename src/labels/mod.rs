@@ -25,6 +25,7 @@ pub use choose::{Choice, choose};
 pub use foretold::{Foretold, rows_beyond};
 pub use forms::LONGEST;
 pub use placed::{Params, Placed, Unplaced, Wanted};
+pub use scale::EVERY;
 
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;

@@ -140,12 +140,19 @@ fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Opti
         }
         _ => false,
     };
+    // the first number of a column, or the last of a row, that has a unit: zero may have none
+    let has_unit = |i: &usize| {
+        let forms = of.forms[group.members[*i]].as_ref();
+        forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == Kind::Bare))
+    };
+    let mut numbers = 0..group.members.len();
+    let with_unit =
+        if matches!(group.lies, Lies::Column(_)) { numbers.find(has_unit) } else { numbers.rev().find(has_unit) };
     let mut seen: Vec<(Way, Vec<usize>)> = Vec::new();
     for (way, level) in tried(group) {
         let number_of = |(i, &label): (usize, &usize)| {
-            let with_unit = if matches!(group.lies, Lies::Column(_)) { 0 } else { group.members.len() - 1 };
             // in two lines, if it has them
-            let level = if level == Level::UnitOnce && i == with_unit { Level::TwoLines } else { level };
+            let level = if level == Level::UnitOnce && Some(i) == with_unit { Level::TwoLines } else { level };
             of.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
         };
         let forms: Vec<usize> = group.members.iter().enumerate().map(number_of).collect();

@@ -12,7 +12,7 @@ const FEWEST: usize = 3;
 
 /// Every how many-th of the numbers along an axis is written where there is no room for all, the first that fits:
 /// steps that are counted easily, as on rulers.
-pub(super) const EVERY: [i64; 3] = [2, 5, 10];
+pub const EVERY: [i64; 3] = [2, 5, 10];
 
 /// Of numbers that stand in even steps along a line, how many steps each lies from zero, or from the first of them
 /// where zero is none of the steps; none where they do not.
@@ -70,13 +70,38 @@ fn value(text: &str) -> Option<(f64, &str)> {
         Some(rest) => (-1.0, rest),
         None => (1.0, text.strip_prefix('+').unwrap_or(text)),
     };
+    let grouped = groups_of_three(rest);
     let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | ',');
-    let end = rest.find(|sign| !is_of_number(sign)).unwrap_or(rest.len());
+    let end = grouped.unwrap_or_else(|| rest.find(|sign| !is_of_number(sign)).unwrap_or(rest.len()));
     let (digits, unit) = rest.split_at(end);
-    let number: f64 = digits.replace(',', ".").parse().ok()?;
+    let number: f64 = if grouped.is_some() {
+        digits.chars().filter(char::is_ascii_digit).collect::<String>().parse().ok()?
+    } else {
+        digits.replace(',', ".").parse().ok()?
+    };
     let unit = unit.trim();
     let is_unit = unit.chars().count() <= UNIT && !unit.contains(|sign: char| sign.is_ascii_digit());
     is_unit.then_some((sign * number, unit))
+}
+
+/// Where a number in groups of three digits ends, as 12 000 or 1,000 do; none of others. A zero in front is that of a
+/// decimal fraction.
+fn groups_of_three(text: &str) -> Option<usize> {
+    let is_between = |sign: char| matches!(sign, ',' | ' ' | '\'' | '\u{a0}' | '\u{2009}' | '\u{202f}');
+    let digits = |from: usize| text[from..].chars().take_while(char::is_ascii_digit).count();
+    let first = digits(0);
+    if !(1..=3).contains(&first) || text.starts_with('0') {
+        return None;
+    }
+    let mut end = first;
+    while let Some(between) = text[end..].chars().next().filter(|&sign| is_between(sign)) {
+        let from = end + between.len_utf8();
+        if digits(from) != 3 {
+            break;
+        }
+        end = from + 3;
+    }
+    (end > first).then_some(end)
 }
 
 #[cfg(test)]
@@ -96,6 +121,9 @@ mod tests {
         assert_eq!(of(&["0,5", "1,0", "1,5"]), Some(vec![1, 2, 3]));
         assert_eq!(of(&["1", "3", "5"]), Some(vec![0, 1, 2]), "zero is none of these steps");
         assert_eq!(of(&["1990", "1995", "2000"]), Some(vec![398, 399, 400]));
+        assert_eq!(of(&["500", "1,000", "1,500"]), Some(vec![1, 2, 3]));
+        assert_eq!(of(&["0 m", "1 000 m", "2 000 m"]), Some(vec![0, 1, 2]));
+        assert_eq!(of(&["0,125", "0,250", "0,375"]), Some(vec![1, 2, 3]), "no thousands");
         assert_eq!(of(&["1", "10", "100"]), None, "a scale of logarithms");
         assert_eq!(of(&["Jan", "Feb", "Mar"]), None);
         assert_eq!(of(&["1", "2", "2"]), None);

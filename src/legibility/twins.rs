@@ -16,15 +16,15 @@ pub(super) fn merged(page: Page, names: &Names) -> (Page, Names, Vec<Found>) {
         return (page, names.clone(), Vec::new());
     }
     let mut parts = Parts::clone(&page);
-    let mut names = names.clone();
+    let (own, mut names) = (names, names.clone());
     let mut found = Vec::new();
     one_of_each(&mut parts.figure.lines, &mut names.lines, &mut found);
     if let Some(overview) = &mut parts.overview {
         one_of_each(&mut overview.lines, &mut names.overview_lines, &mut found);
     }
     match Page::new(parts) {
-        Ok(one) if !found.is_empty() => (one, names, found),
-        _ => (page, names, found),
+        Ok(one) => (one, names, found),
+        Err(_) => (page, own.clone(), Vec::new()),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::finish::{finished, origin, title_of_overview};
 use super::kept_lines;
-use super::lost_signs::{extent, is_small_ring};
+use super::lost_signs::{extent, is_arrowhead, is_small_ring};
 use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
@@ -25,8 +25,9 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     let rings = drawn.lines.iter().zip(shares).filter(|(line, share)| *share < WHOLE && is_small_ring(line));
-    let signs: Vec<LostSign> =
-        rings.map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: false }).collect();
+    let signs: Vec<LostSign> = rings
+        .map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: is_arrowhead(line, &lines) })
+        .collect();
     let mut lost = drawn.lost.keeping(kept);
     lost.signs.extend(signs);
     Lines { lines, lost, beyond: drawn.beyond }

@@ -45,7 +45,7 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, wides
         };
         let is_narrow = ring.width().min(ring.height()) <= widest_stroke;
         // the line that an arrowhead ends is no centreline of it
-        let is_arrowhead = side(&ring) <= ARROWHEAD && is_triangle(&points, side(&ring)) && is_at_end(lines, ring);
+        let is_arrowhead = is_tip(&points, lines);
         let is_drawn = || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
         if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
             lost.push(LostSign { at: ring.center(), is_arrowhead });
@@ -58,6 +58,19 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, wides
 const ARROWHEAD: f32 = 7.0;
 /// How far a triangle may be off its three sides, as a share of its own size.
 const OFF_SIDES: f32 = 0.15;
+
+/// Whether a drawn ring is an arrowhead of one of the lines.
+pub(super) fn is_arrowhead(ring: &Line, lines: &[Line]) -> bool {
+    let points: Vec<MmPoint> = ring.runs.iter().flat_map(|run| run.points.iter().copied()).collect();
+    is_tip(&points, lines)
+}
+
+/// Whether a ring is a small triangle at the end of a line.
+fn is_tip(points: &[MmPoint], lines: &[Line]) -> bool {
+    let extent = MmRect::from_points(points);
+    let size = extent.width().max(extent.height());
+    size <= ARROWHEAD && is_triangle(points, size) && is_at_end(lines, extent)
+}
 
 /// Whether a ring of this size has three corners.
 fn is_triangle(ring: &[MmPoint], size: f32) -> bool {

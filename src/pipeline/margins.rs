@@ -21,7 +21,8 @@ const MOST: f32 = 0.25;
 /// Least distance of a heading to the middle of the print that it stands for, mm: print is set about as near to a line
 /// as braille, but half as high.
 const LOWER: f32 = 2.0;
-/// How often the room is computed: a smaller drawing has its words elsewhere. Three rounds leave less than 0.1 mm.
+/// How often the room is computed: a smaller drawing has its words elsewhere. After three of them less than 0.1 mm
+/// is lacking; in one more, room that nothing stands in falls away.
 const ROUNDS: usize = 4;
 /// How far lines may lie beside where they are foretold, mm: they are moved apart, and labels with them.
 const MOVED: f32 = 2.0;
@@ -62,7 +63,12 @@ pub(super) fn with_room(
     // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
     let most = [own.figure.width(), own.figure.height()].map(|side| MOST * side);
     let mut room = [0.0_f32; 4];
+    let mut is_settled = false;
     for round in 0..=ROUNDS {
+        // the last round is another one
+        if is_settled && round < ROUNDS {
+            continue;
+        }
         let px_per_mm = source.width as f32 / best.figure.width();
         let more = lacks(&best, most).map(|lack| lack * px_per_mm);
         let mut changes = false;
@@ -75,7 +81,8 @@ pub(super) fn with_room(
                 changes = true;
             }
         }
-        if !changes {
+        is_settled = !changes;
+        if is_settled {
             continue;
         }
         let whole = |px: f32| px.ceil() as u32;

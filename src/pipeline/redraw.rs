@@ -113,7 +113,9 @@ pub(super) fn marks(
     notes.extend(told_of_overview(&not_in_overview));
     notes.extend(dots_left_out(page));
     let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
-    notes.extend(classes.as_mut().and_then(|classes| blank_ground(classes, plan)));
+    // the ground of a page that has none already is another area
+    let has_ground = own.profile().figure.ground;
+    notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };

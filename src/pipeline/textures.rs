@@ -11,8 +11,8 @@ use crate::regions::Areas;
 use crate::units::{PxPoint, Size};
 use crate::{About, Note, textures};
 
-/// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on which
-/// things stand has a half or more, the bars of a chart that stand on its edge less than a quarter.
+/// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on
+/// which things stand has a half or more, the bars of a chart that stand on its edge less than a quarter.
 const GROUND: f32 = 1.0 / 3.0;
 /// Share of the figure without a texture for want of room from which the maker is told. Less is a few slivers.
 const BARE: f32 = 0.03;

@@ -16,9 +16,14 @@ pub(super) const NO_CODE_OF_WORDS: &str = "there is no braille code for the lang
 pub(super) const NOTHING_TO_TELL: &str =
     "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
 const NO_ROOM: &str = "there is no room for them";
-const EVERY_SECOND: &str = "there is room for every second number along an axis only";
-const EVERY_FIFTH: &str = "there is room for every fifth number along an axis only";
-const EVERY_TENTH: &str = "there is room for every tenth number along an axis only";
+/// ... of numbers along an axis of which every so many-th stands.
+const EVERY: [(i64, &str); 3] = [
+    (2, "there is room for every second number along an axis only"),
+    (5, "there is room for every fifth number along an axis only"),
+    (10, "there is room for every tenth number along an axis only"),
+];
+const _: () =
+    assert!(EVERY[0].0 == labels::EVERY[0] && EVERY[1].0 == labels::EVERY[1] && EVERY[2].0 == labels::EVERY[2]);
 const NO_CELLS: &str = "their code has no cells for them";
 const MISLEADING: &str = "without characters that their code has no cells for they would say something else";
 const TOO_MANY: &str = "a page takes 300 labels at most";
@@ -144,11 +149,7 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
     notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
     notes.extend(refused.notes());
     let every = |(every, texts): (i64, Vec<String>)| {
-        let why = match every {
-            2 => EVERY_SECOND,
-            5 => EVERY_FIFTH,
-            _ => EVERY_TENTH,
-        };
+        let why = EVERY.iter().find(|(count, _)| *count == every).map_or(NO_ROOM, |(_, why)| why);
         left_out(texts, why)
     };
     notes.extend(thinned.into_iter().filter_map(every));

@@ -21,8 +21,8 @@ pub struct Least {
 
 impl Least {
     /// So many rows: on embossers two rows of three, of which two dots are enough to show a direction. Each row more
-    /// asks for rows that are longer by two dots, as so many rows are wanted where those of lines are as near: three
-    /// rows of four.
+    /// asks for rows that are longer by two dots: where three rows are wanted, since a single row feels like a line,
+    /// short rows do so too.
     pub fn of_rows(rows: usize) -> Self {
         let rows = rows.max(2);
         let row = 2 * (rows - 1);

@@ -35,7 +35,13 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     let junctions = || passage.junctions.iter();
     let first = junctions().filter(|m| stub(m, 0.0, polyline.vertices.first())).max_by(|a, b| a.arc.total_cmp(&b.arc));
     let last = junctions().filter(|m| stub(m, total, polyline.vertices.last())).min_by(|a, b| a.arc.total_cmp(&b.arc));
-    if first.is_none() && last.is_none() {
+    let is_tick = match (first, last) {
+        (None, None) => return None,
+        (Some(first), Some(last)) => first.line == last.line && (first.arc - last.arc).abs() < TIP,
+        _ => false,
+    };
+    // a tick across an axis is nothing but two stubs, and in a drawing it is meant
+    if is_tick && drawn.params.of_drawing {
         return None;
     }
     let (from, to) = (first.map_or(-1.0, |junction| junction.arc), last.map_or(f32::MAX, |junction| junction.arc));
