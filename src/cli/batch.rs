@@ -288,6 +288,7 @@ fn explain(error: &Error) -> String {
             "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, or \
              {without:.1} mm with --no-overview, so take one of these or a larger sheet"
         ),
+        Error::TooWide { .. } => format!("{error}, or spread it over more sheets (--sheets 2x1)"),
         _ => error.to_string(),
     }
 }

@@ -194,7 +194,11 @@ impl<'a> Around<'a> {
         // a label without a leader line, and what lies no further from it than what it names
         let reach = 2.0 * NEAR + longest;
         let others = wanted.iter().enumerate().filter(|(other, _)| *other != number);
-        let others = others.map(|(_, other)| other.anchor.center()).filter(|other| (*other - at).length() < reach);
+        let near = |other: &MmPoint| (*other - at).length() < reach;
+        let mut others: Vec<MmPoint> = others.map(|(_, other)| other.anchor.center()).filter(near).collect();
+        // of labels of one place one is enough
+        others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        others.dedup();
         // a small ring around a point, such as a town on a map, is what it names
         let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
         Self {
@@ -204,7 +208,7 @@ impl<'a> Around<'a> {
             is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
             line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
             anchor: at,
-            others: others.collect(),
+            others,
         }
     }
 

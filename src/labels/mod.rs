@@ -27,6 +27,8 @@ pub use forms::LONGEST;
 pub use placed::{Params, Placed, Unplaced, Wanted};
 pub use scale::EVERY;
 
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
@@ -68,7 +70,7 @@ pub fn place(
         (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells),
         (None, Err(_)) => Vec::new(),
     };
-    let candidates: Vec<Vec<Candidate>> = in_rows.into_iter().enumerate().map(candidates_of).collect();
+    let candidates: Vec<Vec<Candidate>> = in_rows.into_par_iter().enumerate().map(candidates_of).collect();
     let (chosen, spacing) = chosen(&candidates, &forms, cells, params.leader_off);
     let chosen = chosen.into_iter().zip(candidates);
     let mut chosen: Vec<Option<Candidate>> =

@@ -18,7 +18,8 @@ pub(in crate::cli) struct Fitting {
     /// Width of the figure on the sheet, in millimetres
     ///
     /// The height follows. More than there is room for is refused, with what there is room for; but what is wider than
-    /// the sheet itself is spread over as few sheets as it takes, as with --sheets. Range: 3 to 1200.
+    /// the sheet itself is spread over as few sheets as it takes. A page of dots is spread only where --sheets is
+    /// given. Range: 3 to 1200.
     ///
     /// [default: as wide as the sheet has room for]
     #[arg(long, value_name = "MM", value_parser = width, allow_negative_numbers = true)]
