@@ -104,13 +104,22 @@ pub(super) fn blank(classes: &mut Classes, boxes: &[[f32; 4]]) {
 /// Leaves the cells at some places, in shares of the picture, without a colour.
 pub(super) fn blank_where(classes: &mut Classes, is_blank: impl Fn([f32; 2]) -> bool) {
     let [width, height] = [classes.size.width, classes.size.height].map(|side| side as usize);
+    blank_cells(classes, |cell, _| {
+        is_blank([((cell % width) as f32 + 0.5) / width as f32, ((cell / width) as f32 + 0.5) / height as f32])
+    });
+}
+
+/// Leaves cells without a colour, given by their number and that of their region. Returns how many.
+pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -> bool) -> usize {
+    let mut blank = 0;
     for (cell, region) in classes.region.iter_mut().enumerate() {
-        let at = [((cell % width) as f32 + 0.5) / width as f32, ((cell / width) as f32 + 0.5) / height as f32];
-        if let Some(number) = region.filter(|_| is_blank(at)) {
+        if let Some(number) = region.filter(|&number| is_blank(cell, number)) {
             classes.regions[number as usize].cells -= 1;
             *region = None;
+            blank += 1;
         }
     }
+    blank
 }
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.

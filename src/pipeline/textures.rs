@@ -1,6 +1,7 @@
 //! From sorted colours to the textures of the figure: which areas have one, and what the maker is told of the others.
 
 use super::dots;
+use super::given::blank_cells;
 use super::progress::{Event, Stage, Watch, run};
 use crate::classes::{self, Class, Classes};
 use crate::lines::Line;
@@ -63,14 +64,7 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
     }
     let mut is_ground = vec![false; classes.regions.len()];
     edge.iter().flatten().filter(|region| class_of(**region) == ground).for_each(|r| is_ground[*r as usize] = true);
-    let mut blank = 0;
-    for region in &mut classes.region {
-        if let Some(number) = region.filter(|&number| is_ground[number as usize]) {
-            classes.regions[number as usize].cells -= 1;
-            *region = None;
-            blank += 1;
-        }
-    }
+    let blank = blank_cells(classes, |_, number| is_ground[number as usize]);
     let (colour, percent) = (ground.name(), (100 * blank / classes.region.len().max(1)) as u32);
     let told = format!(
         "the texture of the ground ({colour}, {percent} percent of the figure), so that lines stand out; figure.ground \
