@@ -75,6 +75,15 @@ impl Contour {
         self.view().next(i, steps)
     }
 
+    /// Leads the end straight on to a place, with a point every pixel that is like the last one.
+    pub(super) fn lead_to(&mut self, place: PxPoint) {
+        if let Some(&last) = self.vertices.last() {
+            let steps = (place - last.at).length().ceil().max(1.0) as usize;
+            let at = |k: usize| ContourPoint { at: last.at.lerp(place, k as f32 / steps as f32), ..last };
+            self.vertices.extend((1..=steps).map(at));
+        }
+    }
+
     /// The line through the points at arc lengths between `from` and `to` from point `i`, directed away from it; none
     /// if they are fewer than three.
     pub(super) fn line_fit(&self, i: usize, forwards: bool, from: f32, to: f32) -> Option<LineFit> {

@@ -6,8 +6,10 @@ use std::collections::HashSet;
 use super::contour::{Contour, ContourPoint, crossing};
 use super::tips::Found;
 use crate::geom::first_eigenvector;
-use crate::geom::link::{End, Thread, link};
+use crate::geom::link::{End, Part, Thread, link};
+use crate::geom::nearby::Index;
 use crate::units::{Px, PxPoint, PxVector};
+use lyon::geom::euclid::Box2D;
 
 /// A dash is at most so many times as long as the shortest contour (2 mm on the page). Longer pieces are lines of their
 /// own.
@@ -40,6 +42,16 @@ struct Dash {
     width: f32,
 }
 
+/// Dashes that follow one another.
+struct Row<'a> {
+    dashes: Vec<&'a Dash>,
+    /// Both ends of each dash, in the order of the row.
+    ends: Vec<[PxPoint; 2]>,
+    /// Both ends of each gap.
+    gaps: Vec<[PxPoint; 2]>,
+    closed: bool,
+}
+
 /// Strings dashes in a row together to one stroke each; also returns how many such rows there are. `sigma` is the scale
 /// of the edge detector and `least` the length of the shortest contour, px.
 pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, usize) {
@@ -48,18 +60,51 @@ pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, 
         return (found, 0);
     }
     let ends: Vec<End<Px>> = (0..).zip(&dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
-    let rows: Vec<Thread> = link(dashes.len(), &ends, WIDEST_GAP * LONGEST * least, |a, b| cost(a, b, &dashes))
-        .into_iter()
-        .filter(|row| is_row(row, &dashes, &found))
+    let longest_gap = WIDEST_GAP * LONGEST * least;
+    let segments = Segments::of(&found, longest_gap);
+    let rows: Vec<Row> = link(dashes.len(), &ends, longest_gap, |a, b| cost(a, b, &dashes))
+        .iter()
+        .map(|thread| Row::of(thread, &dashes))
+        .filter(|row| row.is_even() && !row.is_hidden(&segments))
         .collect();
-    let mut left: Vec<Option<Found>> = found.into_iter().map(Some).collect();
-    let mut lines: Vec<Found> = rows.iter().map(|row| line(row, &dashes, &mut left)).collect();
-    let others: Vec<Found> = left.into_iter().flatten().collect();
+    let taken: HashSet<usize> = rows.iter().flat_map(Row::numbers).collect();
+    let mut lines: Vec<Found> = rows.iter().map(|row| row.line(&found)).collect();
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
-        lead_on(&mut line.contour, period(row, &dashes), &others);
+        lead_on(&mut line.contour, row.period(), &segments, &taken);
     }
     let count = lines.len();
-    (others.into_iter().chain(lines).collect(), count)
+    let others = (0..).zip(found).filter(|(number, _)| !taken.contains(number)).map(|(_, found)| found);
+    (others.chain(lines).collect(), count)
+}
+
+/// The segments of all contours by place, each with the number of its contour.
+struct Segments(Index<(usize, [PxPoint; 2]), Px>);
+
+impl Segments {
+    fn of(found: &[Found], cell: f32) -> Self {
+        let points = found.iter().flat_map(|found| &found.contour.vertices).map(|vertex| vertex.at);
+        let mut index = Index::new(Box2D::from_points(points), cell);
+        for (number, found) in found.iter().enumerate() {
+            for (a, b) in found.contour.segments() {
+                index.put_over(a.at.min(b.at), a.at.max(b.at), (number, [a.at, b.at]));
+            }
+        }
+        Self(index)
+    }
+
+    /// How far along a way it meets the first segment of a contour that counts, px.
+    fn first_met(&self, way @ [from, to]: [PxPoint; 2], counts: impl Fn(usize) -> bool) -> Option<f32> {
+        let mut nearest: Option<f32> = None;
+        self.0.around(from.min(to), from.max(to), ON, |&(number, segment)| {
+            if counts(number)
+                && let Some(ahead) = ahead(way, segment)
+                && nearest.is_none_or(|least| ahead < least)
+            {
+                nearest = Some(ahead);
+            }
+        });
+        nearest
+    }
 }
 
 /// A contour as a dash, if it is one.
@@ -121,111 +166,104 @@ fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
     (a.direction.dot(way) >= AHEAD && -b.direction.dot(way) >= AHEAD).then_some(distance)
 }
 
-/// Whether dashes and gaps of a row are alike, and no more than half of the gaps have something between: the pieces of
-/// a grid line that bars hide are no dashes.
-fn is_row(row: &Thread, dashes: &[Dash], found: &[Found]) -> bool {
-    if row.parts.len() < FEWEST {
-        return false;
+impl<'a> Row<'a> {
+    fn of(thread: &Thread, dashes: &'a [Dash]) -> Self {
+        let ends = |part: &Part| {
+            let [start, last] = dashes[part.polyline].ends;
+            if part.reversed { [last, start] } else { [start, last] }
+        };
+        let ends: Vec<[PxPoint; 2]> = thread.parts.iter().map(ends).collect();
+        let mut gaps: Vec<[PxPoint; 2]> = ends.windows(2).map(|pair| [pair[0][1], pair[1][0]]).collect();
+        if thread.closed {
+            gaps.extend(ends.last().zip(ends.first()).map(|(last, first)| [last[1], first[0]]));
+        }
+        let dashes = thread.parts.iter().map(|part| &dashes[part.polyline]).collect();
+        Self { dashes, ends, gaps, closed: thread.closed }
     }
-    let alike = |lengths: &[f32]| {
-        let (least, most) = lengths.iter().fold((f32::MAX, 0.0_f32), |(low, high), &v| (low.min(v), high.max(v)));
-        lengths.is_empty() || most <= ALIKE * least + ROUNDING
-    };
-    let lengths: Vec<f32> = row.parts.iter().map(|part| dashes[part.polyline].length).collect();
-    let inner = if row.closed { &lengths[..] } else { &lengths[1..lengths.len() - 1] };
-    let longest = inner.iter().fold(0.0_f32, |longest, &length| longest.max(length));
-    let gaps = gaps(row, dashes);
-    let gap_lengths: Vec<f32> = gaps.iter().map(|(a, b)| (*b - *a).length()).collect();
-    let own: HashSet<usize> = row.parts.iter().map(|part| dashes[part.polyline].number).collect();
-    let is_filled = |gap: &&(PxPoint, PxPoint)| {
-        let others = (0..).zip(found).filter(|(number, _)| !own.contains(number));
-        others.flat_map(|(_, found)| found.contour.segments()).any(|(a, b)| ahead(**gap, (a.at, b.at)).is_some())
-    };
-    alike(inner)
-        && alike(&gap_lengths)
-        && lengths.iter().all(|&length| length <= ALIKE * longest + ROUNDING)
-        && 2 * gaps.iter().filter(is_filled).count() <= gaps.len()
-}
 
-/// The length of a dash and of a gap of a row, together, px: the mean.
-fn period(row: &Thread, dashes: &[Dash]) -> f32 {
-    let dash: f32 = row.parts.iter().map(|part| dashes[part.polyline].length).sum();
-    let gap: f32 = gaps(row, dashes).iter().map(|(a, b)| (*b - *a).length()).sum();
-    dash / row.parts.len() as f32 + gap / gaps(row, dashes).len().max(1) as f32
+    /// The numbers of its contours.
+    fn numbers(&self) -> impl Iterator<Item = usize> {
+        self.dashes.iter().map(|dash| dash.number)
+    }
+
+    fn gap_lengths(&self) -> impl Iterator<Item = f32> {
+        self.gaps.iter().map(|[a, b]| (*b - *a).length())
+    }
+
+    /// Whether they are enough, and dashes and gaps are alike.
+    fn is_even(&self) -> bool {
+        let alike = |lengths: &mut dyn Iterator<Item = f32>| {
+            let (least, most) = lengths.fold((f32::MAX, 0.0_f32), |(low, high), v| (low.min(v), high.max(v)));
+            most <= ALIKE * least + ROUNDING
+        };
+        let lengths = || self.dashes.iter().map(|dash| dash.length);
+        let cut = usize::from(!self.closed);
+        let inner = || lengths().take(self.dashes.len() - cut).skip(cut);
+        let longest = inner().fold(0.0_f32, f32::max);
+        self.dashes.len() >= FEWEST
+            && alike(&mut inner())
+            && alike(&mut self.gap_lengths())
+            && lengths().all(|length| length <= ALIKE * longest + ROUNDING)
+    }
+
+    /// Whether more than half of the gaps have something between: the pieces of a grid line that bars hide are no
+    /// dashes.
+    fn is_hidden(&self, segments: &Segments) -> bool {
+        let own: HashSet<usize> = self.numbers().collect();
+        let is_filled = |gap: &&[PxPoint; 2]| segments.first_met(**gap, |number| !own.contains(&number)).is_some();
+        2 * self.gaps.iter().filter(is_filled).count() > self.gaps.len()
+    }
+
+    /// The length of a dash and of a gap, together, px: the mean.
+    fn period(&self) -> f32 {
+        let dash: f32 = self.dashes.iter().map(|dash| dash.length).sum();
+        dash / self.dashes.len() as f32 + self.gap_lengths().sum::<f32>() / self.gaps.len().max(1) as f32
+    }
+
+    /// The line along the row; a point every pixel.
+    fn line(&self, found: &[Found]) -> Found {
+        let count = self.dashes.len() as f32;
+        let width = self.dashes.iter().map(|dash| dash.width / count).sum();
+        let contours = || self.numbers().map(|number| &found[number].contour);
+        let mean = |contour: &Contour| {
+            let sum: f32 = contour.vertices.iter().map(|vertex| vertex.strength).sum();
+            sum / contour.vertices.len().max(1) as f32
+        };
+        let strength = contours().map(|contour| mean(contour) / count).sum();
+        let sample = contours().find_map(|contour| contour.vertices.first().copied());
+        let point =
+            |at: &PxPoint| sample.map(|sample| ContourPoint { at: *at, strength, contrast: [0.0; 3], ..sample });
+        let mut contour =
+            Contour { vertices: self.ends.iter().flatten().filter_map(point).collect(), closed: self.closed };
+        contour.subdivide(1.0);
+        Found { whole: contour.length(), contour, stroke: Some(width) }
+    }
 }
 
 /// Leads the ends of a dashed line straight on to what they point at within one more gap and dash: a dash that touches
-/// another line has become a part of that.
-fn lead_on(line: &mut Contour, period: f32, others: &[Found]) {
+/// another line has become a part of that. What is `taken` is in rows.
+fn lead_on(line: &mut Contour, period: f32, segments: &Segments, taken: &HashSet<usize>) {
     for _ in 0..2 {
         line.reverse();
         let Some(&end) = line.vertices.last() else { return };
         let before = line.vertices[line.vertices.len().saturating_sub(period.ceil() as usize)];
         let Some(direction) = (end.at - before.at).try_normalize() else { continue };
-        let way = (end.at, end.at + direction * (period + ROUNDING));
-        let segments = others.iter().flat_map(|found| found.contour.segments());
-        let met = segments.filter_map(|(a, b)| ahead(way, (a.at, b.at)));
-        let nearest = met.fold(f32::MAX, f32::min);
-        if nearest < f32::MAX {
-            let steps = nearest.ceil().max(1.0) as usize;
-            let at = |step: usize| end.at + direction * (nearest * step as f32 / steps as f32);
-            line.vertices.extend((1..=steps).map(|step| ContourPoint { at: at(step), ..end }));
+        let way = [end.at, end.at + direction * (period + ROUNDING)];
+        if let Some(ahead) = segments.first_met(way, |number| !taken.contains(&number)) {
+            line.lead_to(end.at + direction * ahead);
         }
     }
 }
 
+/// How far beyond its ends a way or a segment still meets another, px.
+const ON: f32 = 1e-3;
+
 /// How far along a way it meets a segment, px, if it does; an end of the segment belongs to it.
-fn ahead((from, to): (PxPoint, PxPoint), (a, b): (PxPoint, PxPoint)) -> Option<f32> {
-    const ON: f32 = 1e-3;
+fn ahead([from, to]: [PxPoint; 2], [a, b]: [PxPoint; 2]) -> Option<f32> {
     let (way, segment) = (to - from, b - a);
     let (ahead, along) = crossing((from, way.try_normalize()?), (a, segment.try_normalize()?))?;
     let within = |at: f32, length: f32| (-ON..=length + ON).contains(&at);
     (within(ahead, way.length()) && within(along, segment.length())).then_some(ahead.max(0.0))
-}
-
-/// The ends of each gap of a row.
-fn gaps(row: &Thread, dashes: &[Dash]) -> Vec<(PxPoint, PxPoint)> {
-    let along: Vec<[PxPoint; 2]> = places(row, dashes);
-    let mut gaps: Vec<_> = along.windows(2).map(|pair| (pair[0][1], pair[1][0])).collect();
-    if row.closed {
-        gaps.extend(along.last().zip(along.first()).map(|(last, first)| (last[1], first[0])));
-    }
-    gaps
-}
-
-/// The ends of each dash of a row, in its order.
-fn places(row: &Thread, dashes: &[Dash]) -> Vec<[PxPoint; 2]> {
-    let ends = |[start, last]: [PxPoint; 2], reversed: bool| if reversed { [last, start] } else { [start, last] };
-    row.parts.iter().map(|part| ends(dashes[part.polyline].ends, part.reversed)).collect()
-}
-
-/// The line along a row of dashes, which are taken out of what was found; a point every pixel.
-fn line(row: &Thread, dashes: &[Dash], found: &mut [Option<Found>]) -> Found {
-    let (mut strength, mut width, mut sample) = (0.0, 0.0, None);
-    for part in &row.parts {
-        let dash = &dashes[part.polyline];
-        width += dash.width / row.parts.len() as f32;
-        if let Some(Found { contour, .. }) = found[dash.number].take() {
-            let count = (contour.vertices.len() * row.parts.len()).max(1) as f32;
-            strength += contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / count;
-            sample = sample.or(contour.vertices.first().copied());
-        }
-    }
-    let mut corners: Vec<PxPoint> = places(row, dashes).into_iter().flatten().collect();
-    if row.closed {
-        corners.extend(corners.first().copied());
-    }
-    let point = |at: PxPoint| sample.map(|sample| ContourPoint { at, strength, contrast: [0.0; 3], ..sample });
-    let mut vertices: Vec<ContourPoint> = Vec::new();
-    for pair in corners.windows(2) {
-        let steps = (pair[1] - pair[0]).length().ceil().max(1.0) as usize;
-        vertices.extend((0..steps).filter_map(|step| point(pair[0].lerp(pair[1], step as f32 / steps as f32))));
-    }
-    if !row.closed {
-        vertices.extend(corners.last().and_then(|&last| point(last)));
-    }
-    let contour = Contour { vertices, closed: row.closed };
-    Found { whole: contour.length(), contour, stroke: Some(width) }
 }
 
 #[cfg(test)]

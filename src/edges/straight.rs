@@ -7,7 +7,6 @@
 //! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the
 //! wall and the bars end on it.
 
-use super::contour::{Contour, ContourPoint};
 use super::tips::Found;
 use crate::geom::polyline::Polyline;
 use crate::units::{Px, PxVector};
@@ -40,86 +39,93 @@ struct Onward {
     cosine: f32,
 }
 
-/// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners;
-/// what is left of the contour ends there. `sigma` is the scale of the edge detector, `least` the length of
-/// the shortest contour, px.
+/// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners,
+/// and each side behind the last corner of an open one to the end that goes straight on in it; what is left of the
+/// contour ends there. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
 pub(super) fn give_back(found: Vec<Found>, sigma: f32, least: f32) -> Vec<Found> {
     let piece = |found: Found| Piece { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
+    give_sides(&mut pieces, least, |owner, pieces| {
+        let ends @ [a, b] = facing(owner, pieces, sigma)?;
+        let (side, rest) = between(&pieces[owner], a.corner, b.corner);
+        Some(Handover::of(owner, &ends, side, rest, pieces))
+    });
+    give_sides(&mut pieces, least, |owner, pieces| {
+        let end = straightest(owner, pieces, sigma)?;
+        let (side, rest) = behind(&pieces[owner], end);
+        Some(Handover::of(owner, &[end], side, vec![rest], pieces))
+    });
+    pieces.into_iter().map(|piece| piece.found).collect()
+}
+
+/// A side of a contour goes over to other pieces.
+struct Handover {
+    /// The pieces that are there no more: the contour, and those that get its side.
+    gone: Vec<usize>,
+    /// Those, as one line with the side.
+    joined: Piece,
+    /// What is left of the contour.
+    rest: Vec<Piece>,
+}
+
+/// Lets all pieces give sides away for as long as they have any to give; what is left of one, if it is at least `least`
+/// px long, has its turn once more.
+fn give_sides(pieces: &mut Vec<Piece>, least: f32, handover: impl Fn(usize, &[Piece]) -> Option<Handover>) {
     let mut owner = 0;
     while owner < pieces.len() {
-        let Some([a, b]) = facing(owner, &pieces, sigma) else {
+        let Some(Handover { mut gone, joined, rest }) = handover(owner, pieces) else {
             owner += 1;
             continue;
         };
-        let (side, rest) = divided(&pieces[owner], a.corner, b.corner);
-        let joined = joined(&pieces, [a, b], side);
-        let mut gone = vec![owner, a.piece, b.piece];
         gone.sort_unstable();
         gone.dedup();
         owner -= gone.iter().filter(|number| **number < owner).count();
         gone.iter().rev().for_each(|number| {
             pieces.remove(*number);
         });
-        // what is left has its turn once more
         pieces.push(joined);
         pieces.extend(rest.into_iter().filter(|piece| piece.found.contour.length() >= least));
     }
-    switch(&mut pieces, sigma, least);
-    pieces.into_iter().map(|piece| piece.found).collect()
 }
 
-/// Lets ends that go straight on in one side of a corner of an open contour have that side.
-fn switch(pieces: &mut Vec<Piece>, sigma: f32, least: f32) {
-    let mut owner = 0;
-    while owner < pieces.len() {
-        let Some(end) = (!pieces[owner].found.contour.closed).then(|| straightest(owner, pieces, sigma)).flatten()
-        else {
-            owner += 1;
-            continue;
-        };
-        let last = pieces[owner].found.contour.vertices.len() - 1;
-        let parts = |from, to| run(&pieces[owner].found.contour, from, to);
-        let [start_free, end_free] = pieces[owner].free;
-        let (mut side, rest, side_free, rest_free) = if end.forwards {
-            (parts(end.corner, last), parts(0, end.corner), end_free, [start_free, false])
-        } else {
-            (parts(0, end.corner), parts(end.corner, last), start_free, [false, end_free])
-        };
-        if !end.forwards {
-            side.reverse();
+impl Handover {
+    /// To the pieces of one or two ends. The side runs away from the first of them, and up to the second.
+    fn of(owner: usize, ends: &[Onward], side: Piece, rest: Vec<Piece>, pieces: &[Piece]) -> Self {
+        let gone = std::iter::once(owner).chain(ends.iter().map(|end| end.piece)).collect();
+        // the side is a part of what goes on in it
+        let stroke = ends.iter().find_map(|end| pieces[end.piece].found.stroke).or(side.found.stroke);
+        let mut side = Piece { found: Found { stroke, ..side.found }, ..side };
+        if stroke.is_some() {
+            // a stroke has no step
+            side.found.contour.vertices.iter_mut().for_each(|vertex| vertex.contrast = [0.0; 3]);
         }
-        let rest = Piece { found: Found { contour: rest, ..pieces[owner].found.clone() }, free: rest_free };
-        let taker = &pieces[end.piece];
-        let mut contour = taker.found.contour.clone();
-        if end.at_start {
-            contour.reverse();
+        let mut joined = pieces[ends[0].piece].clone();
+        if ends[0].at_start {
+            joined.reverse();
         }
-        let stroke = if contour.length() >= side.length() { taker } else { &pieces[owner] }.found.stroke;
-        contour.vertices.extend(side.vertices);
-        let free = [taker.free[usize::from(end.at_start)], side_free];
-        let joined = Piece { found: Found { whole: contour.length(), contour, stroke }, free };
-        let mut gone = [owner, end.piece];
-        gone.sort_unstable();
-        owner -= usize::from(end.piece < owner);
-        gone.iter().rev().for_each(|number| {
-            pieces.remove(*number);
-        });
-        pieces.push(joined);
-        if rest.found.contour.length() >= least {
-            pieces.push(rest);
+        joined.go_on_in(side);
+        match ends.get(1) {
+            Some(last) if last.piece == ends[0].piece => {
+                joined.found.contour.closed = true;
+                joined.free = [false; 2];
+            }
+            Some(last) => {
+                let mut after = pieces[last.piece].clone();
+                if !last.at_start {
+                    after.reverse();
+                }
+                joined.go_on_in(after);
+            }
+            None => {}
         }
+        Self { gone, joined, rest }
     }
 }
 
-/// A run of vertices of an open contour.
-fn run(contour: &Contour, from: usize, to: usize) -> Contour {
-    Polyline::open(contour.vertices[from..=to].to_vec())
-}
-
-/// Of the ends that go straight on in a side of a contour, the straightest.
+/// Of the ends that go straight on in a side of an open contour, the straightest.
 fn straightest(owner: usize, pieces: &[Piece], sigma: f32) -> Option<Onward> {
-    all_onward(owner, pieces, sigma)
+    let onward = if pieces[owner].found.contour.closed { Vec::new() } else { all_onward(owner, pieces, sigma) };
+    onward
         .into_iter()
         .max_by(|a, b| a.cosine.total_cmp(&b.cosine).then((b.piece, b.at_start).cmp(&(a.piece, a.at_start))))
 }
@@ -134,6 +140,7 @@ fn all_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Vec<Onward> {
 }
 
 /// A contour.
+#[derive(Debug, Clone)]
 struct Piece {
     found: Found,
     /// Whether its start and its end are those of a stroke and may go on. Those that were made by dividing may not, so
@@ -194,54 +201,56 @@ fn onward(
     (forwards || goes_on(before, after)).then_some(Onward { piece: number, at_start, corner, forwards, cosine })
 }
 
-/// The strokes of two ends, with the side of a contour between them: a ring, if they are those of one stroke.
-fn joined(pieces: &[Piece], [a, b]: [Onward; 2], side: Contour) -> Piece {
-    let [first, second] = [a, b].map(|end| &pieces[end.piece]);
-    let mut contour = first.found.contour.clone();
-    if a.at_start {
-        contour.reverse();
+impl Piece {
+    fn reverse(&mut self) {
+        self.found.contour.reverse();
+        self.free.reverse();
     }
-    // a stroke has no step
-    contour.vertices.extend(side.vertices.into_iter().map(|vertex| ContourPoint { contrast: [0.0; 3], ..vertex }));
-    let (mut stroke, mut free) = (first.found.stroke, [false; 2]);
-    if a.piece == b.piece {
-        contour.closed = true;
-    } else {
-        let mut after = second.found.contour.clone();
-        if !b.at_start {
-            after.reverse();
-        }
-        contour.vertices.extend(after.vertices);
-        let [before, after] = [first, second].map(|piece| piece.found.contour.length());
-        let mean = |(a, b): (f32, f32)| (a * before + b * after) / (before + after);
-        stroke = first.found.stroke.zip(second.found.stroke).map(mean);
-        // those of the other ends
-        free = [first.free[usize::from(a.at_start)], second.free[usize::from(b.at_start)]];
+
+    /// Goes on in another one.
+    fn go_on_in(&mut self, next: Self) {
+        self.found.go_on_in(next.found);
+        self.free[1] = next.free[1];
     }
-    Piece { found: Found { whole: contour.length(), contour, stroke }, free }
+
+    /// A run of its vertices, from one of them on; over the start, if it is a ring.
+    fn run(&self, from: usize, count: usize, free: [bool; 2]) -> Self {
+        let vertices = &self.found.contour.vertices;
+        let run = (from..from + count).map(|i| vertices[i % vertices.len()]).collect();
+        Self { found: Found { contour: Polyline::open(run), ..self.found.clone() }, free }
+    }
 }
 
 /// A contour divided at two of its vertices, both of which stay in all parts: the side between them, and what is left.
-fn divided(piece: &Piece, from: usize, to: usize) -> (Contour, Vec<Piece>) {
-    let contour = &piece.found.contour;
-    let n = contour.vertices.len();
-    let run =
-        |from: usize, count: usize| Polyline::open((from..from + count).map(|i| contour.vertices[i % n]).collect());
-    let rest = |from: usize, count: usize, free: [bool; 2]| Piece {
-        found: Found { contour: run(from, count), ..piece.found.clone() },
-        free,
-    };
-    if contour.closed {
-        let count = |from: usize, to: usize| (to + n - from) % n + 1;
-        (run(from, count(from, to)), vec![rest(to, count(to, from), [false; 2])])
+fn between(piece: &Piece, from: usize, to: usize) -> (Piece, Vec<Piece>) {
+    let count = piece.found.contour.vertices.len();
+    if piece.found.contour.closed {
+        let run = |from: usize, to: usize| piece.run(from, (to + count - from) % count + 1, [false; 2]);
+        (run(from, to), vec![run(to, from)])
     } else {
         let [start, end] = piece.free;
-        (run(from, to - from + 1), vec![rest(0, from + 1, [start, false]), rest(to, n - to, [false, end])])
+        let rest = vec![piece.run(0, from + 1, [start, false]), piece.run(to, count - to, [false, end])];
+        (piece.run(from, to - from + 1, [false; 2]), rest)
     }
+}
+
+/// An open contour divided at a corner: the side in which an end goes on, directed away from it, and what is left.
+fn behind(piece: &Piece, end: Onward) -> (Piece, Piece) {
+    let count = piece.found.contour.vertices.len();
+    let [start, last] = piece.free;
+    let before = piece.run(0, end.corner + 1, [start, false]);
+    let after = piece.run(end.corner, count - end.corner, [false, last]);
+    if end.forwards {
+        return (after, before);
+    }
+    let mut side = before;
+    side.reverse();
+    (side, after)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::contour::{Contour, ContourPoint};
     use super::*;
     use crate::units::PxPoint;
 
@@ -342,6 +351,7 @@ mod tests {
             assert_eq!(give_back(all.clone(), SIGMA, LEAST), all);
         }
     }
+
     #[test]
     fn of_two_ends_the_one_that_goes_straighter_on_has_the_side() {
         let corner = stroke(&[(50.0, 10.0), (50.0, 50.0), (98.0, 50.0)], false);

@@ -1,7 +1,7 @@
 //! Ends of strokes that belong together. Near its tip the two sides of a corner are one thick spot, so that a stroke
 //! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin.
 
-use super::contour::{Contour, ContourPoint, crossing};
+use super::contour::{Contour, crossing};
 use super::stroke::Stroke;
 use crate::geom::link::{End, Part, link};
 use crate::geom::walk::runs;
@@ -127,7 +127,7 @@ impl Found {
     }
 
     /// Goes on in another one, as a stroke if most of it is one.
-    fn go_on_in(&mut self, next: Self) {
+    pub(super) fn go_on_in(&mut self, next: Self) {
         let (before, after) = (self.contour.length(), next.contour.length());
         self.stroke = match (self.stroke, next.stroke) {
             (Some(width), Some(next_width)) => Some((width * before + next_width * after) / (before + after)),
@@ -166,11 +166,7 @@ impl Found {
         while vertices.len() > 2 && vertices.last().is_some_and(|last| (last.at - tip).length() < way) {
             vertices.pop();
         }
-        if let Some(&last) = vertices.last() {
-            let steps = (tip - last.at).length().ceil().max(1.0) as usize;
-            let at = |k: usize| ContourPoint { at: last.at.lerp(tip, k as f32 / steps as f32), ..last };
-            vertices.extend((1..=steps).map(at));
-        }
+        self.contour.lead_to(tip);
         if at_start {
             self.contour.reverse();
         }

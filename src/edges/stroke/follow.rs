@@ -5,6 +5,8 @@
 //! leads to another stroke, or to the other end of the same one. What leads nowhere else is left to the detector of
 //! edges.
 
+use std::collections::HashSet;
+
 use super::Stroke;
 use super::centre::{contrast_across, interpolated};
 use crate::edges::contour::{Contour, ContourPoint};
@@ -223,10 +225,8 @@ fn joined(strokes: Vec<Stroke>, met: &[[StrokeEnd; 2]]) -> Vec<Stroke> {
         End { polyline: number, at_start, at, direction: PxVector::zero(), contrast: [0.0; 3] }
     };
     let ends: Vec<End<Px>> = open.flat_map(|number| [end((number, true)), end((number, false))]).collect();
-    let is_pair = |a: &End<Px>, b: &End<Px>| {
-        let [a, b] = [a, b].map(|end| (end.polyline, end.at_start));
-        met.contains(&[a, b]) || met.contains(&[b, a])
-    };
+    let pairs: HashSet<[StrokeEnd; 2]> = met.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect();
+    let is_pair = |a: &End<Px>, b: &End<Px>| pairs.contains(&[a, b].map(|end| (end.polyline, end.at_start)));
     let reach = met.iter().map(|pair| (end(pair[0]).at - end(pair[1]).at).length()).fold(0.0, f32::max);
     let threads = link(strokes.len(), &ends, reach, |a, b| is_pair(a, b).then(|| (b.at - a.at).length()));
     let mut left: Vec<Option<Stroke>> = strokes.into_iter().map(Some).collect();
