@@ -15,9 +15,6 @@ use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
 
-/// Lines of a bitmap move apart only if that keeps at least this share more: a few pixels of an edge that is not quite
-/// right are no reason to.
-const MOVED_KEEPS: f32 = 0.02;
 /// All lines of a drawing are thinner only if that keeps at least this share more: thin lines are
 /// harder to feel.
 const THINNER_KEEPS: f32 = 0.03;
@@ -47,11 +44,10 @@ pub(super) fn cleared(
     // both sides of every bar
     let most = wanted(&of_wide);
     let thin = wide.thin();
-    let moved_keeps = if params.exact { 0.0 } else { MOVED_KEEPS };
     let others = [
-        (Some(&of_wide), wide, true, moved_keeps),
+        (Some(&of_wide), wide, true, 0.0),
         (Some(&of_merged), merged, false, 0.0),
-        (Some(&of_merged), merged, true, moved_keeps),
+        (Some(&of_merged), merged, true, 0.0),
         (None, thin, true, THINNER_KEEPS),
     ];
     let mut kept = best.kept(most);

@@ -67,9 +67,7 @@ pub fn draw_with(
     area: MmRect,
     params: &Params,
 ) -> Lines {
-    let of_drawing = edges.of_drawing();
-    let exact = of_drawing && edges.chains.iter().any(|chain| chain.kind.exact && !chain.kind.added);
-    let params = Params { of_drawing, exact, ..*params };
+    let params = Params { of_drawing: edges.of_drawing(), ..*params };
     let candidates = |params: &Params| Candidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     keep_few_others(&mut cleared, outlines);

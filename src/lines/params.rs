@@ -34,8 +34,6 @@ pub struct Params {
     pub whole_rings: bool,
     /// Whether they are those of a drawing.
     pub of_drawing: bool,
-    /// Whether they are the exact ones of a vector drawing.
-    pub exact: bool,
     /// Whether the sides of a bar that is a little too narrow for two lines are both drawn, and move apart.
     pub widen_bars: bool,
 }
@@ -68,7 +66,6 @@ impl Params {
         most_shapes: None,
         whole_rings: false,
         of_drawing: false,
-        exact: false,
         widen_bars: false,
     };
 

@@ -152,7 +152,6 @@ impl Plan {
             most_shapes: (lines.shapes > 0).then_some(lines.shapes),
             whole_rings: false,
             of_drawing: false,
-            exact: false,
             widen_bars: false,
         }
     }

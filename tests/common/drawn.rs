@@ -16,6 +16,5 @@ pub(crate) const LINES: lines::Params = lines::Params {
     most_shapes: None,
     whole_rings: false,
     of_drawing: false,
-    exact: false,
     widen_bars: false,
 };

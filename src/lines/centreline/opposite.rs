@@ -92,7 +92,7 @@ impl<'a> Sides<'a> {
         let tangent = polyline.tangent(i);
         let reach = self.params.widest_stroke();
         // the gap between two areas is no stroke where they can move apart
-        let widest_gap = if self.params.widen_bars || self.params.exact { self.params.widest_gap() } else { reach };
+        let widest_gap = if self.params.widen_bars { self.params.widest_gap() } else { reach };
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));

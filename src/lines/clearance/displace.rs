@@ -45,7 +45,7 @@ pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> 
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return Some(polyline);
         }
-        let shifts = shifts(&polyline, &pushes, &passage, drawn.params.exact);
+        let shifts = shifts(&polyline, &pushes, &passage, drawn.params.of_drawing);
         for ((vertex, moved), shift) in polyline.vertices.iter_mut().zip(&mut moved).zip(shifts) {
             vertex.at += shift;
             *moved += shift;

@@ -157,7 +157,7 @@ mod tests {
     use super::super::tests::polyline;
     use super::*;
 
-    const PARAMS: Params = Params { of_drawing: true, exact: true, ..Params::TEST };
+    const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
     fn area() -> MmRect {
         MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
