@@ -91,10 +91,11 @@
 //!
 //! # Wrapping it for other languages
 //!
-//! * What is given to [`Options::progress`], [`Options::translator`] and [`Options::text_reader`] is called while
-//!   [`convert`], [`convert_to_sheets`] or [`trace`] runs, progress also from threads of its own, one call at a time. A
-//!   caller that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before
-//!   it calls any of the three, or both wait for each other for ever. In a browser there are no threads, and a function
+//! * What is given to [`Options::progress`], [`Options::cancelled`], [`Options::translator`] and
+//!   [`Options::text_reader`] is called while [`convert`], [`convert_to_sheets`] or [`trace`] runs, and the translator
+//!   of [`render_with_translator`] while that runs; progress also from threads of its own, one call at a time. A caller
+//!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
+//!   any of the four, or both wait for each other for ever. In a browser there are no threads, and a function
 //!   of JavaScript needs a wrapper that promises so.
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
@@ -108,9 +109,9 @@
 //!
 //! # What grows
 //!
-//! Enums and structs that later releases add to are `#[non_exhaustive]`: errors, notes, events, formats, media and
-//! devices, and what functions give. The marks of a page are a closed set ([`marks::Shape`], [`marks::Pen`],
-//! [`marks::Sign`], [`Class`]), so that whoever draws them can see that none is missing.
+//! What is `#[non_exhaustive]` may get more cases or fields in a release that changes nothing else: errors, notes,
+//! events, formats of files, devices, and most of what functions give. What is not, is complete: so the marks of a page
+//! ([`marks::Shape`], [`marks::Pen`], [`marks::Sign`], [`Class`]), and whoever draws them can see that none is missing.
 //!
 //! # Points and units
 //!

@@ -38,7 +38,7 @@ mod words;
 pub use adapt::{Adapted, adapted};
 pub use drawn_areas::with_drawn as areas_of;
 pub use finish::{is_made, title_of_key, title_of_overview};
-pub use given::Given;
+pub use given::{Given, GivenLines};
 pub use hand_lines::HandLines;
 pub use kept_lines::LineName;
 pub use key::Key;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::Translate;
 use crate::page::{LANGUAGE, Page};
-use crate::pipeline::{self, Event, Fit, Given, HandLines, Key, Label, Position, TextReader, Words};
+use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, Key, Label, Position, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -203,11 +203,11 @@ impl Options {
     /// # Errors
     /// [`Error::NotAPage`] or [`Error::Undecodable`] if the SVG cannot be read.
     pub fn lines(mut self, lines: impl AsRef<[u8]>) -> Result<Self, Error> {
-        if reading::is_svg(lines.as_ref()) {
-            self.given.lines = Some(self.hand_lines(lines.as_ref())?);
+        self.given.lines = Some(if reading::is_svg(lines.as_ref()) {
+            GivenLines::Vectors(self.hand_lines(lines.as_ref())?)
         } else {
-            self.given.drawn_lines = Some(lines.as_ref().to_vec());
-        }
+            GivenLines::Picture(lines.as_ref().to_vec())
+        });
         self.profile.set("lines.detail", "1")?;
         self.profile.set("lines.shapes", "0")?;
         Ok(self)

@@ -40,8 +40,8 @@ struct Onward {
 }
 
 /// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners,
-/// and each side behind the last corner of an open one to the end that goes straight on in it; what is left of the
-/// contour ends there. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
+/// and all of an open one behind a corner to the end that goes straight on there; what is left of the contour ends at
+/// the corner. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
 pub(super) fn give_back(found: Vec<Found>, sigma: f32, least: f32) -> Vec<Found> {
     let piece = |found: Found| Piece { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
@@ -92,33 +92,23 @@ impl Handover {
     /// To the pieces of one or two ends. The side runs away from the first of them, and up to the second.
     fn of(owner: usize, ends: &[Onward], side: Piece, rest: Vec<Piece>, pieces: &[Piece]) -> Self {
         let gone = std::iter::once(owner).chain(ends.iter().map(|end| end.piece)).collect();
-        // the side is a part of what goes on in it
-        let stroke = ends.iter().find_map(|end| pieces[end.piece].found.stroke).or(side.found.stroke);
-        let mut side = Piece { found: Found { stroke, ..side.found }, ..side };
+        let (first, last) = (ends[0], ends.get(1));
+        let is_ring = last.is_some_and(|last| last.piece == first.piece);
+        let mut parts = vec![pieces[first.piece].directed(!first.at_start)];
+        parts.extend(last.filter(|_| !is_ring).map(|last| pieces[last.piece].directed(last.at_start)));
+        let stroke = width(parts.iter().map(|part| &part.found), &side.found);
+        let mut side = side;
         if stroke.is_some() {
             // a stroke has no step
             side.found.contour.vertices.iter_mut().for_each(|vertex| vertex.contrast = [0.0; 3]);
         }
-        let mut joined = pieces[ends[0].piece].clone();
-        if ends[0].at_start {
-            joined.reverse();
-        }
-        joined.go_on_in(side);
-        match ends.get(1) {
-            Some(last) if last.piece == ends[0].piece => {
-                joined.found.contour.closed = true;
-                joined.free = [false; 2];
-            }
-            Some(last) => {
-                let mut after = pieces[last.piece].clone();
-                if !last.at_start {
-                    after.reverse();
-                }
-                joined.go_on_in(after);
-            }
-            None => {}
-        }
-        Self { gone, joined, rest }
+        parts.insert(1, side);
+        let free = if is_ring { [false; 2] } else { [parts[0].free[0], parts[parts.len() - 1].free[1]] };
+        let whole = parts.iter().map(|part| part.found.whole).fold(0.0, f32::max);
+        let vertices = parts.into_iter().flat_map(|part| part.found.contour.vertices).collect();
+        let contour = Polyline { vertices, closed: is_ring };
+        let found = Found { whole: contour.length().max(whole), contour, stroke };
+        Self { gone, joined: Piece { found, free }, rest }
     }
 }
 
@@ -143,8 +133,8 @@ fn all_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Vec<Onward> {
 #[derive(Debug, Clone)]
 struct Piece {
     found: Found,
-    /// Whether its start and its end are those of a stroke and may go on. Those that were made by dividing may not, so
-    /// that dividing comes to an end: each takes two of them away.
+    /// Whether its start and its end are those with which it was found and may go on. Those that were made by dividing
+    /// may not, so that dividing comes to an end: each takes one or two away.
     free: [bool; 2],
 }
 
@@ -201,16 +191,33 @@ fn onward(
     (forwards || goes_on(before, after)).then_some(Onward { piece: number, at_start, corner, forwards, cosine })
 }
 
+/// The width of the line that the pieces of some ends make with a side: that of a stroke, if most of its length is one.
+/// The side is a part of what goes on in it.
+fn width<'a>(ends: impl Iterator<Item = &'a Found>, side: &Found) -> Option<f32> {
+    let (mut strokes, mut edges, mut sum) = (0.0, 0.0, 0.0);
+    for Found { contour, stroke, .. } in ends {
+        match stroke {
+            Some(width) => (strokes, sum) = (strokes + contour.length(), sum + width * contour.length()),
+            None => edges += contour.length(),
+        }
+    }
+    let width = if strokes > 0.0 { Some(sum / strokes) } else { side.stroke };
+    width.filter(|_| strokes + side.contour.length() >= edges)
+}
+
 impl Piece {
     fn reverse(&mut self) {
         self.found.contour.reverse();
         self.free.reverse();
     }
 
-    /// Goes on in another one.
-    fn go_on_in(&mut self, next: Self) {
-        self.found.go_on_in(next.found);
-        self.free[1] = next.free[1];
+    /// The same piece, forwards or backwards.
+    fn directed(&self, forwards: bool) -> Self {
+        let mut piece = self.clone();
+        if !forwards {
+            piece.reverse();
+        }
+        piece
     }
 
     /// A run of its vertices, from one of them on; over the start, if it is a ring.
@@ -243,9 +250,7 @@ fn behind(piece: &Piece, end: Onward) -> (Piece, Piece) {
     if end.forwards {
         return (after, before);
     }
-    let mut side = before;
-    side.reverse();
-    (side, after)
+    (before.directed(false), after)
 }
 
 #[cfg(test)]
@@ -306,6 +311,39 @@ mod tests {
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             assert!(matches!(lengths[..], [base, wall] if (base - 98.0).abs() < 1.0 && (wall - 140.0).abs() < 1.0));
+        }
+    }
+
+    #[test]
+    fn what_two_ends_make_with_a_side_does_not_depend_on_the_direction_of_any() {
+        let [left, right] = eaves(50.0);
+        let with = |of: &Found, stroke: Option<f32>| Found { stroke, ..of.clone() };
+        for widths in [[Some(2.0), Some(4.0)], [None, Some(2.0)], [None, None]] {
+            let mut seen: Vec<Option<f32>> = Vec::new();
+            for turned in 0..8 {
+                let mut all = [with(&left, widths[0]), with(&wall(), None), with(&right, widths[1])];
+                for (k, found) in all.iter_mut().enumerate() {
+                    if turned & (1 << k) != 0 {
+                        found.contour.reverse();
+                    }
+                }
+                let found = give_back(all.to_vec(), SIGMA, LEAST);
+                assert_eq!(found.len(), 2, "{turned:b} turned");
+                let base = found.iter().find(|found| is_near(&found.contour, 50.0, 50.0)).expect("it has the side");
+                let corners = [(20.0, 50.0), (80.0, 50.0), (15.0, 50.0), (85.0, 50.0)];
+                assert!(corners.iter().all(|&(x, y)| is_near(&base.contour, x, y)), "no vertex is lost");
+                seen.push(base.stroke);
+            }
+            let expected = match widths {
+                [Some(_), Some(_)] => Some((15.0 * 2.0 + 13.0 * 4.0) / 28.0),
+                [None, width] => width,
+                _ => unreachable!("not among them"),
+            };
+            let is_expected = |stroke: &Option<f32>| match (stroke, expected) {
+                (Some(stroke), Some(expected)) => (stroke - expected).abs() < 0.05,
+                (stroke, expected) => stroke.is_none() && expected.is_none(),
+            };
+            assert!(seen.iter().all(is_expected), "{seen:?}");
         }
     }
 

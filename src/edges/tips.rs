@@ -1,7 +1,7 @@
 //! Ends of strokes that belong together. Near its tip the two sides of a corner are one thick spot, so that a stroke
 //! ends before it; and an edge that meets a stroke ends where the sides of the stroke begin.
 
-use super::contour::{Contour, crossing};
+use super::contour::{Contour, ContourPoint, crossing};
 use super::stroke::Stroke;
 use crate::geom::link::{End, Part, link};
 use crate::geom::walk::runs;
@@ -47,6 +47,9 @@ const SEEN: f32 = 0.3;
 
 /// ... but for the last of it, px, where the tip is too thin to be seen.
 const POINTED: f32 = 4.0;
+
+/// Places nearer than this, px, are one: two ends that were led to one tip.
+const SAME: f32 = 1e-3;
 
 /// See [`meet`].
 pub(super) type IsSeen<'a> = dyn Fn(PxPoint, PxPoint, f32, f32) -> bool + 'a;
@@ -127,7 +130,7 @@ impl Found {
     }
 
     /// Goes on in another one, as a stroke if most of it is one.
-    pub(super) fn go_on_in(&mut self, next: Self) {
+    fn go_on_in(&mut self, next: Self) {
         let (before, after) = (self.contour.length(), next.contour.length());
         self.stroke = match (self.stroke, next.stroke) {
             (Some(width), Some(next_width)) => Some((width * before + next_width * after) / (before + after)),
@@ -140,8 +143,10 @@ impl Found {
             }
         };
         self.whole = self.whole.max(next.whole).max(before + after);
-        // the tip is there already
-        self.contour.vertices.extend(next.contour.vertices.into_iter().skip(1));
+        let last = self.contour.vertices.last().map(|vertex| vertex.at);
+        let is_there = |first: &ContourPoint| last.is_some_and(|last| (first.at - last).length() < SAME);
+        let tips = next.contour.vertices.first().map_or(0, |first| usize::from(is_there(first)));
+        self.contour.vertices.extend(next.contour.vertices.into_iter().skip(tips));
     }
 
     /// How far from one of its ends another may be that makes a corner with it, px.

@@ -44,21 +44,17 @@ pub(super) fn cleared(
     // both sides of every bar
     let most = wanted(&of_wide);
     let thin = wide.thin();
-    let others = [
-        (Some(&of_wide), wide, true, 0.0),
-        (Some(&of_merged), merged, false, 0.0),
-        (Some(&of_merged), merged, true, 0.0),
-        (None, thin, true, THINNER_KEEPS),
+    let of_thin = || Arc::new(candidates(&thin));
+    let tries: [&(dyn Fn() -> Attempt + Sync); 4] = [
+        &|| Attempt::of(&of_wide, area, wide, true),
+        &|| Attempt::of(&of_merged, area, merged, false),
+        &|| Attempt::of(&of_merged, area, merged, true),
+        &|| Attempt::of(&of_thin(), area, thin, true),
     ];
+    let attempts: Vec<Attempt> = tries.into_par_iter().map(|attempt| attempt()).collect();
     let mut kept = best.kept(most);
-    let attempts: Vec<(Attempt, f32)> = others
-        .into_par_iter()
-        .map(|(candidates_before, params, moves_apart, gain)| {
-            let candidates = candidates_before.cloned().unwrap_or_else(|| Arc::new(candidates(&params)));
-            (Attempt::of(&candidates, area, params, moves_apart), gain)
-        })
-        .collect();
-    for (this, gain) in attempts {
+    for this in attempts {
+        let gain = if this.params.width_max < wide.width_max { THINNER_KEEPS } else { 0.0 };
         if this.kept(most) > kept + gain {
             (kept, best) = (this.kept(most), this);
         }

@@ -89,12 +89,11 @@ impl Params {
 
     /// The widest stroke of which the centreline is drawn and not its two sides, mm.
     pub(super) fn widest_stroke(&self) -> f32 {
-        (self.max_spacing() - if self.widen_bars { RING_FARTHEST } else { 0.0 }).max(0.0)
+        if self.widen_bars { self.too_narrow() } else { self.max_spacing() }
     }
 
-    /// The widest gap between two areas of a drawing that is drawn as one line, mm: wider ones become as wide as
-    /// two lines need, as both sides move.
-    pub(super) fn widest_gap(&self) -> f32 {
+    /// The widest stroke, or gap between two areas, whose sides cannot move apart until there is room for both, mm.
+    pub(super) fn too_narrow(&self) -> f32 {
         (self.max_spacing() - RING_FARTHEST).max(0.0)
     }
 

@@ -1,7 +1,7 @@
 //! The stages in their order, up to all marks of a picture. A stage whose result the page does not need does not run.
 
 use super::dots;
-use super::given::{Given, blank, erase};
+use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::lost_signs;
 use super::outlines::outlines_of;
@@ -129,7 +129,11 @@ pub(super) fn draw(
 /// What the maker is told of lines that were given and are too short for this figure.
 fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
     let least = plan.profile().lines.min_length;
-    let short = given.lines.iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
+    let drawn = match &given.lines {
+        Some(GivenLines::Vectors(lines)) => Some(lines),
+        Some(GivenLines::Picture(_)) | None => None,
+    };
+    let short = drawn.into_iter().chain(&given.added).map(|lines| lines.shorter_than(least / layout.figure.width()));
     let short: usize = short.sum();
     let (noun, them) = if short == 1 { ("line", "it is") } else { ("lines", "they are") };
     let why = format!("{them} shorter than {least} mm (lines.min_length) in this figure");
@@ -150,10 +154,10 @@ pub(super) fn contours_of(
     find: impl FnOnce() -> Option<Edges>,
 ) -> Result<Option<Edges>, Error> {
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
-    let mut edges = match (&given.lines, &given.drawn_lines) {
-        (Some(lines), _) => Some(lines.edges(size)?),
-        (None, Some(bytes)) => Some(edges_of_drawn(bytes, size, request, px_per_mm)?),
-        (None, None) => find(),
+    let mut edges = match &given.lines {
+        Some(GivenLines::Vectors(lines)) => Some(lines.edges(size)?),
+        Some(GivenLines::Picture(bytes)) => Some(edges_of_drawn(bytes, size, request, px_per_mm)?),
+        None => find(),
     };
     if let Some(added) = &given.added {
         let edges = edges.get_or_insert_with(|| Edges::none(size));

@@ -14,9 +14,7 @@ use crate::{Error, Note};
 #[derive(Debug, Clone, Default)]
 pub struct Given {
     /// The lines of the figure; without them, contours are found in the picture.
-    pub lines: Option<HandLines>,
-    /// A picture of the lines of the figure, black on white, in their place.
-    pub drawn_lines: Option<Vec<u8>>,
+    pub lines: Option<GivenLines>,
     /// Lines beside those that are found, which make room for them.
     pub added: Option<HandLines>,
     /// The areas of textures; without them, colours of the picture are sorted.
@@ -33,6 +31,15 @@ pub struct Given {
     pub subjects: Vec<[Position; 2]>,
     /// Whether weak lines and textures around it are left out.
     pub calm_background: bool,
+}
+
+/// Lines in place of those that would be found.
+#[derive(Debug, Clone)]
+pub enum GivenLines {
+    /// Of a page, or of a layer of a drawing.
+    Vectors(HandLines),
+    /// A picture of them, black on white: the bytes of its file.
+    Picture(Vec<u8>),
 }
 
 impl Given {

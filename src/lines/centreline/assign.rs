@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::opposite::{Opposite, Opposites};
 use super::stretch::{MIN_STRETCH, Stretch};
 use crate::geom::polyline::Polyline;
-use crate::lines::params::{Params, RING_FARTHEST};
+use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::Vertex;
 use crate::units::MmVector;
@@ -74,7 +74,7 @@ fn things(
     params: &Params,
 ) -> Vec<bool> {
     let (mut sides, mut close) = (vec![0; polylines.len()], vec![false; polylines.len()]);
-    let nearest = params.max_spacing() - RING_FARTHEST;
+    let nearest = params.too_narrow();
     for stretch in stretches {
         sides[stretch.polyline] += stretch.count;
         let vertices = &polylines[stretch.polyline].vertices;

@@ -91,8 +91,6 @@ impl<'a> Sides<'a> {
         let here: &Vertex = &polyline.vertices[i];
         let tangent = polyline.tangent(i);
         let reach = self.params.widest_stroke();
-        // the gap between two areas is no stroke where they can move apart
-        let widest_gap = if self.params.widen_bars { self.params.widest_gap() } else { reach };
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
@@ -103,7 +101,6 @@ impl<'a> Sides<'a> {
                 let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
                 let distance = (at - here.at).length();
                 if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
-                    && (segment.line as usize == number || distance <= widest_gap)
                     && !self.is_same_side((number, i), segment, distance)
                     && self.steps_back(here, tangent, segment)
                     && !self.is_corner((number, i), segment, at)

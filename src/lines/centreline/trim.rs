@@ -7,7 +7,10 @@
 //!   `---------------------'
 //! ```
 
+use std::collections::HashSet;
+
 use super::assign::Assignment;
+use crate::geom::crossing;
 use crate::geom::polyline::{Polyline, smooth};
 use crate::geom::walk::runs;
 use crate::lines::junction;
@@ -18,6 +21,11 @@ use crate::units::{MmPoint, MmVector};
 const TRANSITION: f32 = 2.0;
 /// The longest blunt end, in clearances: the stroke's width and the two corners, whose vertices have no opposites.
 const BLUNT: f32 = 2.0;
+/// A gap between two stretches of a side is a corner if it is at most so many widths of the stroke long: at an angle of
+/// 60 degrees the outer side has none opposite for 3.5 widths.
+const CORNER: f32 = 4.0;
+/// ... and if the line turns there by at least 30 degrees: cosine.
+const TURN: f32 = 0.866;
 /// The direction of a centreline is taken over this much of it, mm.
 const HEADING: f32 = 3.0;
 
@@ -52,22 +60,84 @@ pub(super) fn trim(polyline: &Polyline<Vertex>, assignment: &Assignment, reach: 
     }
 }
 
-/// The vertices with these numbers, moved over smoothly.
+/// The vertices with these numbers, moved over smoothly, each at right angles to the line.
 fn shifted(polyline: &Polyline<Vertex>, assignment: &Assignment, indices: &[usize], closed: bool) -> Polyline<Vertex> {
     let mut part = Polyline { vertices: indices.iter().map(|&i| polyline.vertices[i]).collect(), closed };
     if indices.iter().all(|&i| assignment.offsets[i].is_none()) {
         return part;
     }
-    let shift = |k: usize| assignment.offsets[indices[k]].map_or([0.0, 0.0], |v| [v.x, v.y]);
-    let smoothed = smooth(&part.arc_lengths(), closed, TRANSITION, shift);
-    for ((vertex, [x, y]), &i) in part.vertices.iter_mut().zip(smoothed).zip(indices) {
-        vertex.at += MmVector::new(x, y);
+    let tangents = (0..indices.len()).map(|k| part.tangent(k));
+    let normals: Vec<MmVector> = tangents.map(|tangent| MmVector::new(-tangent.y, tangent.x)).collect();
+    let distance = |(&i, normal): (&usize, &MmVector)| {
+        assignment.offsets[i].map(|offset| offset.length().copysign(offset.dot(*normal)))
+    };
+    let mut distances: Vec<Option<f32>> = indices.iter().zip(&normals).map(distance).collect();
+    let arcs = part.arc_lengths();
+    let gaps = fill_corners(&mut distances, &normals, &arcs, closed);
+    let smoothed = smooth(&arcs, closed, TRANSITION, |k| [distances[k].unwrap_or(0.0)]);
+    for (((vertex, [distance]), normal), own) in part.vertices.iter_mut().zip(smoothed).zip(normals).zip(&distances) {
+        vertex.at += normal * distance;
         // The middle has the same colour on both sides, so it goes on from either side of the stroke.
-        if assignment.offsets[i].is_some() {
+        if own.is_some() {
             vertex.contrast = [0.0; 3];
         }
     }
-    part
+    let looped: HashSet<usize> = gaps.iter().flat_map(|gap| cut_loop(&mut part, gap)).collect();
+    let left = (0..).zip(&part.vertices).filter(|(k, _)| !looped.contains(k));
+    Polyline { vertices: left.map(|(_, vertex)| *vertex).collect(), closed }
+}
+
+/// A run of vertices at a corner, where the outer side of a stroke has no opposite, and so many before and after it.
+struct Gap {
+    run: Vec<usize>,
+    beside: usize,
+}
+
+/// Gives the vertices of a corner between two stretches the distance to the middle that lies between those of their
+/// neighbours: its outer side has no opposite, and the line would go out to its tip.
+fn fill_corners(distances: &mut [Option<f32>], normals: &[MmVector], arcs: &[f32], closed: bool) -> Vec<Gap> {
+    let total = arcs.last().copied().unwrap_or(0.0);
+    let runs = runs(distances.len(), closed, |a, b| distances[a].is_some() == distances[b].is_some());
+    let mut gaps = Vec::new();
+    for (place, run) in runs.iter().enumerate() {
+        let over_seam = |neighbour| if closed { neighbour } else { None };
+        let before = if place > 0 { runs.get(place - 1) } else { over_seam(runs.last()) };
+        let after = runs.get(place + 1).or(over_seam(runs.first()));
+        let (Some(before), Some(after)) = (before.and_then(|run| run.last().copied()), after.map(|run| run[0])) else {
+            continue;
+        };
+        let (None, Some(first), Some(last)) = (distances[run[0]], distances[before], distances[after]) else {
+            continue;
+        };
+        let way = |to: usize| (arcs[to] - arcs[before]).rem_euclid(total.max(f32::EPSILON));
+        let (length, width) = (way(after), first.abs() + last.abs());
+        let turns = normals[before].dot(normals[after]) <= TURN;
+        if turns && first.signum() == last.signum() && length <= CORNER * width {
+            for &k in run {
+                distances[k] = Some(first + (last - first) * way(k) / length);
+            }
+            let beside = (width * run.len() as f32 / length).ceil() as usize;
+            gaps.push(Gap { run: run.clone(), beside });
+        }
+    }
+    gaps
+}
+
+/// Cuts off the loop that a line makes on the inner side of a corner when both its legs move there: moves one of its
+/// vertices to where they cross, and returns those that go.
+fn cut_loop(part: &mut Polyline<Vertex>, Gap { run, beside }: &Gap) -> Vec<usize> {
+    let ahead = part.view();
+    let back = |steps: usize| ahead.next(run[0], -(steps as isize));
+    let Some(first) = (0..=*beside).rev().find_map(back) else { return Vec::new() };
+    let most = (run.len() + 2 * beside).min(part.vertices.len());
+    let these: Vec<usize> = (0..most as isize).map_while(|step| ahead.next(first, step)).collect();
+    let segment = |k: usize| (part.vertices[these[k]].at, part.vertices[these[k + 1]].at);
+    let last = these.len().saturating_sub(1);
+    let crossed = (0..last)
+        .find_map(|i| (i + 2..last).rev().find_map(|j| crossing(segment(i), segment(j)).map(|place| (i, j, place))));
+    let Some((i, j, place)) = crossed else { return Vec::new() };
+    part.vertices[these[i + 1]].at = place;
+    these[i + 2..=j].to_vec()
 }
 
 /// How many vertices, from a cut on, belong to the blunt end of the stroke that follows; 0 if none follows within
@@ -107,8 +177,11 @@ fn extend_to_the_end(vertices: &mut Vec<Vertex>, polyline: &Polyline<Vertex>, bl
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{bar, side};
+    use super::super::merge;
+    use super::super::testing::{area, bar, side};
     use super::*;
+    use crate::geom::nearest_on_segment;
+    use crate::lines::params::Params;
 
     /// What is left of a line without its vertices in a range of x.
     fn without(polyline: &Polyline<Vertex>, range: std::ops::Range<f32>) -> Vec<Polyline<Vertex>> {
@@ -130,6 +203,35 @@ mod tests {
             assert!(matches!(&left[..], [one] if !one.closed && (one.length() - 99.2).abs() < 0.1), "from {start}");
         }
         assert_eq!(without(&ring, 60.0..70.0), [ring]);
+    }
+
+    #[test]
+    fn the_centreline_of_a_frame_has_the_corners_of_its_middle_wherever_the_ring_begins() {
+        let (outer, width) = ([10.0, 10.0, 60.0, 40.0], 3.0);
+        let frame = |inset: f32, step: f32| {
+            let [left, top, right, bottom] = [outer[0] + inset, outer[1] + inset, outer[2] - inset, outer[3] - inset];
+            side(&[(left, top), (right, top), (right, bottom), (left, bottom)], true, step)
+        };
+        let count = frame(0.0, 60.0).vertices.len();
+        for start in (0..count).step_by(7) {
+            let mut sides = vec![frame(0.0, 60.0), frame(width, -60.0)];
+            sides[0].vertices.rotate_left(start);
+            let merged = merge(sides, area(), &Params::TEST);
+            let [ring] = &merged[..] else { panic!("{} lines", merged.len()) };
+            assert!(ring.closed);
+            let middle = frame(0.5 * width, 60.0);
+            for corner in [(11.5, 11.5), (58.5, 11.5), (58.5, 38.5), (11.5, 38.5)] {
+                let corner = MmPoint::new(corner.0, corner.1);
+                let away = ring.vertices.iter().map(|vertex| (vertex.at - corner).length()).fold(f32::MAX, f32::min);
+                assert!(away < 0.3, "{away} mm from {corner:?}, from vertex {start}");
+            }
+            let off = |at: MmPoint| {
+                middle.segments().map(|(a, b)| nearest_on_segment(at, a.at, b.at).0).fold(f32::MAX, f32::min)
+            };
+            let most = ring.vertices.iter().map(|vertex| off(vertex.at)).fold(0.0, f32::max);
+            assert!(most < 0.1, "{most} mm off, from vertex {start}");
+            assert!((ring.length() - middle.length()).abs() < 0.5, "no loop: {}", ring.length());
+        }
     }
 
     #[test]
