@@ -5,7 +5,7 @@
 # Inkscape is not among them: that of Debian 12 (1.2) traces bitmaps only in its window, by no command. What its window
 # runs is potrace, which is here.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../../../.."
 
 TOOLS=(djpeg cjpeg cwebp vips potrace convert-im6 python3)
 PACKAGES=(libjpeg-turbo-progs webp libvips-tools potrace imagemagick python3 python3-venv)
