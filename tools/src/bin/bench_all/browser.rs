@@ -23,8 +23,10 @@ pub(crate) fn job(name: &str, picture: &str, ours: &Ours, target: &Path) -> Opti
         return None;
     };
     let page = ours.page("browser.svg");
+    // it sees the file system from its root
+    let picture = std::fs::canonicalize(picture).map_err(|fault| eprintln!("{picture}: {fault}")).ok()?;
     let words = ["node".as_ref(), "--no-warnings".as_ref(), "tools/browser/run.mjs".as_ref(), program.as_os_str()];
-    Some(Job::new(name, words.into_iter().chain([picture.as_ref(), page.as_os_str()])).writes(&page))
+    Some(Job::new(name, words.into_iter().chain([picture.as_os_str(), page.as_os_str()])).writes(&page))
 }
 
 fn built(target: &Path) -> Option<PathBuf> {

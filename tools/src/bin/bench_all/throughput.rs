@@ -77,10 +77,7 @@ pub(crate) fn throughput(bench: &Bench<'_>) -> Table {
     let vtracer: Vec<Job> =
         bench.peers.vtracer(&picture, bench.ours).filter(|_| !bench.args.quick).into_iter().collect();
     rounds(&vtracer, bench.setting(true)).iter().for_each(|outcome| row(outcome, 1, 1, None));
-    let at_once = AT_ONCE.map(|count| {
-        let name = if count == 1 { "1 at once".into() } else { format!("{count} at once") };
-        Job::new(&name, crate::at_once::command(&picture, count))
-    });
+    let at_once = AT_ONCE.map(|count| Job::new(&format!("{count} at once"), crate::at_once::command(&picture, count)));
     for (outcome, count) in rounds(&at_once, bench.setting(false)).iter().zip(AT_ONCE) {
         row(outcome, all_cores.min(count), count * crate::at_once::EACH, None);
     }
