@@ -19,6 +19,7 @@ use hue::Membership;
 
 use crate::geom::polyline::Polyline;
 use crate::raster::Raster;
+use crate::raster::plane::Plane;
 use crate::units::{PxPoint, Size};
 
 pub use class::{Class, Classes, Params, Region};
@@ -31,6 +32,9 @@ pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) ->
     let cells = |pixels: u32| ((pixels as f32 / params.cell.max(1.0)).round() as u32).clamp(1, pixels);
     let from = raster.size();
     let size = Size::new(cells(from.width), cells(from.height));
+    if contours.is_empty() && size.len() > 1 && raster.is_flat() {
+        return of_one_colour(raster, size, params);
+    }
     let cells_per_px = (size.area() as f32 / from.area() as f32).sqrt();
     let grid = blur::average(raster, contours, size, params.blur * cells_per_px, params.beside);
     let colours: Vec<[f32; 3]> = (0..size.len()).map(|cell| grid.colour(cell)).collect();
@@ -52,4 +56,39 @@ pub fn sort(raster: &Raster, contours: &[Polyline<PxPoint>], params: &Params) ->
         false => Vec::new(),
     };
     Classes { size, region, regions, lightness, fringe }
+}
+
+/// A picture of one colour: as one cell has it, so have all.
+fn of_one_colour(raster: &Raster, size: Size, params: &Params) -> Classes {
+    let pixel = Raster::new(Size::new(1, 1), raster.planes().as_ref().map(|plane| vec![plane[0]]));
+    let of_pixel = sort(&pixel, &[], &Params { min_area: 0.0, ..*params });
+    let regions = of_pixel.regions.into_iter().map(|region| Region { cells: size.len() as u32, ..region });
+    Classes {
+        size,
+        region: vec![of_pixel.region[0]; size.len()],
+        regions: regions.collect(),
+        lightness: Plane::filled(size, of_pixel.lightness.values[0]),
+        fringe: of_pixel.fringe.first().map_or_else(Vec::new, |fringe| vec![*fringe; size.len()]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_of_one_colour_is_sorted_as_one_that_is_nearly_so() {
+        let size = Size::new(40, 30);
+        let params = Params { cell: 4.0, blur: 8.0, beside: 2.0, smoothing: 6.0, min_area: 100.0, ..Params::TEST };
+        for rgb in [[1.0, 1.0, 1.0], [0.02, 0.05, 0.6], [0.3, 0.3, 0.3]] {
+            let mut planes = rgb.map(|light: f32| vec![light; size.len()]);
+            let even = sort(&Raster::colour(size, planes.clone()), &[], &params);
+            planes[0][0] *= 1.0 - f32::EPSILON;
+            let nearly = sort(&Raster::colour(size, planes), &[], &params);
+            assert_eq!((&even.size, &even.region, &even.regions), (&nearly.size, &nearly.region, &nearly.regions));
+            assert_eq!((even.lightness.size, even.fringe), (nearly.lightness.size, nearly.fringe));
+            let mut both = even.lightness.values.iter().zip(&nearly.lightness.values);
+            assert!(both.all(|(a, b)| (a - b).abs() < 1e-5), "{rgb:?}");
+        }
+    }
 }

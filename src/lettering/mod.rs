@@ -60,12 +60,16 @@ impl Lettering {
         let mut all: Vec<TextLine> = Vec::new();
         for plane in &colours.planes {
             let levels = Levels::of(plane);
-            let look = |polarity| Look::new((plane, &levels), polarity, &colours, strict);
-            let looks: Vec<Look> = [Polarity::Below, Polarity::Above].into_iter().filter_map(look).collect();
-            let mut lines: Vec<(usize, TextLine)> = Vec::new();
-            for (of, look) in looks.iter().enumerate() {
-                lines.extend(look.lines(&colours).into_iter().map(|line| (of, line)));
-            }
+            let look = |polarity| {
+                let look = Look::new((plane, &levels), polarity, &colours, strict)?;
+                let lines = look.lines(&colours);
+                Some((look, lines))
+            };
+            let (below, above) = rayon::join(|| look(Polarity::Below), || look(Polarity::Above));
+            let (looks, found_by): (Vec<Look>, Vec<Vec<TextLine>>) = below.into_iter().chain(above).unzip();
+            let numbered = found_by.into_iter().enumerate();
+            let mut lines: Vec<(usize, TextLine)> =
+                numbered.flat_map(|(of, lines)| lines.into_iter().map(move |line| (of, line))).collect();
             lines.sort_by(|a, b| b.1.score.total_cmp(&a.1.score));
             for _ in 0..=ROUNDS {
                 let before = all.len();

@@ -9,6 +9,8 @@ pub(super) struct Members {
     place: Vec<u32>,
     /// The places of each region.
     range: Vec<std::ops::Range<u32>>,
+    /// The places of both ends of each arc, close together: an outline looks at all of them.
+    ends: Vec<[u32; 2]>,
 }
 
 impl Members {
@@ -35,7 +37,8 @@ impl Members {
                 Some([a, b]) => todo.extend([(node, true), (a, false), (b, false)]),
             }
         }
-        Self { place, range }
+        let ends = tree.arcs.iter().map(|arc| arc.ends.map(|basin| place[basin as usize])).collect();
+        Self { place, range, ends }
     }
 
     /// Whether a basin is in a region.
@@ -46,10 +49,11 @@ impl Members {
     /// The cracks around a region.
     pub(super) fn outline(&self, tree: &Tree, node: u32) -> Vec<Crack> {
         let range = &self.range[node as usize];
-        let is_in = |basin: u32| range.contains(&self.place[basin as usize]);
         let mut outline = Vec::new();
-        for arc in tree.arcs.iter().filter(|arc| is_in(arc.ends[0]) != is_in(arc.ends[1])) {
-            outline.extend_from_slice(&tree.cracks[arc.cracks.clone()]);
+        for (arc, ends) in tree.arcs.iter().zip(&self.ends) {
+            if range.contains(&ends[0]) != range.contains(&ends[1]) {
+                outline.extend_from_slice(&tree.cracks[arc.cracks.clone()]);
+            }
         }
         outline
     }

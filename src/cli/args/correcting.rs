@@ -88,6 +88,11 @@ impl Correcting {
 }
 
 impl Corrections {
+    /// Whether there is a file among them.
+    pub(in crate::cli) fn has_files(&self) -> bool {
+        !self.0.is_empty()
+    }
+
     /// Puts them into the options of the library.
     ///
     /// # Errors

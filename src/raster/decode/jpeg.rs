@@ -11,6 +11,7 @@ use super::colour::{Kind, one_line};
 use super::job::{Job, Options, Picture, ends_early, undecodable};
 use super::light::Layout;
 use super::rows::{Extents, Samples};
+use super::scans;
 use crate::Error;
 use crate::raster::shrink::Extent;
 use crate::units::Size;
@@ -24,7 +25,7 @@ const LONGEST_SIDE: u32 = 65_500;
 pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
     let head = Head::read(bytes);
     let at_end = Cell::new(false);
-    let mut decoder = Decoder::new(Bytes { rest: bytes, fill: head.fill(), at_end: &at_end });
+    let mut decoder = Decoder::new(Bytes::new(vec![bytes], &head, &at_end));
     let fault = |fault| fault_in(fault, at_end.get());
     decoder.read_info().map_err(fault)?;
     let info = decoder.info().ok_or_else(|| ends_early(FORMAT))?;
@@ -32,11 +33,16 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let orientation = decoder.exif_data().and_then(Orientation::from_exif_chunk).unwrap_or(Orientation::NoTransforms);
     let mut job = Job::begin(FORMAT, size, orientation, options)?;
     let kind = kind(&info, size)?;
+    let eighths = eighths(job.part.size, job.stored_target());
+    if head.progressive && eighths == 1 {
+        // most of the time is for scans that say nothing of the means of blocks
+        decoder = Decoder::new(Bytes::new(scans::of_means(bytes), &head, &at_end));
+        decoder.read_info().map_err(fault)?;
+    }
     if kind == Kind::Rgb && head.is_adobe_rgb() {
         decoder.set_color_transform(ColorTransform::RGB);
     }
 
-    let eighths = eighths(job.part.size, job.stored_target());
     let scaled = Size::new((size.width * eighths).div_ceil(8), (size.height * eighths).div_ceil(8));
     let layout = Layout::plain(kind);
     job.check_memory(memory(layout, size, scaled, head.progressive))?;
@@ -212,12 +218,24 @@ impl Head {
 /// The file's bytes and then the fill; `at_end` becomes true when the file is used up.
 struct Bytes<'a> {
     rest: &'a [u8],
+    /// What follows, the next one last.
+    parts: Vec<&'a [u8]>,
     fill: &'static [u8],
     at_end: &'a Cell<bool>,
 }
 
+impl<'a> Bytes<'a> {
+    fn new(mut parts: Vec<&'a [u8]>, head: &Head, at_end: &'a Cell<bool>) -> Self {
+        parts.reverse();
+        Self { rest: parts.pop().unwrap_or_default(), parts, fill: head.fill(), at_end }
+    }
+}
+
 impl Read for Bytes<'_> {
     fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        while self.rest.is_empty() && !self.parts.is_empty() {
+            self.rest = self.parts.pop().unwrap_or_default();
+        }
         if self.rest.is_empty() && !out.is_empty() {
             self.at_end.set(true);
             self.rest = std::mem::take(&mut self.fill);

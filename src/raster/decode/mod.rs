@@ -20,6 +20,7 @@ mod pdf;
 mod pixels;
 mod png;
 mod rows;
+mod scans;
 mod sniff;
 mod texts;
 

@@ -18,10 +18,13 @@
 //!
 //! The pictures (`photo.rs`) lie under target/bench/inputs and are made once. `measured.rs` runs one program once,
 //! `rounds.rs` several in turn, `targets.rs` holds what is promised, `stages.rs` looks into our own stages (`plot.rs` draws
-//! them), `work.rs` at drawings, PDF and pages, `throughput.rs` at many photographs in one call.
+//! them), `work.rs` at drawings, PDF and pages, `browser.rs` at the library as WebAssembly, `throughput.rs` at many photographs in
+//! one call (`at_once.rs`: at their memory).
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this is a program")]
 
 mod args;
+mod at_once;
+mod browser;
 mod floor;
 mod inputs;
 mod measured;
@@ -38,6 +41,7 @@ mod usage;
 mod work;
 mod written;
 
+use std::ffi::OsString;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -55,6 +59,7 @@ fn main() -> ExitCode {
     match words.next() {
         Some(word) if word == measured::MODE => return measured::report(words),
         Some(word) if word == floor::MODE => return told(decode(words.next().as_deref().map(Path::new))),
+        Some(word) if word == at_once::MODE => return told(several(words)),
         _ => {}
     }
     told(measure())
@@ -75,6 +80,11 @@ fn decode(picture: Option<&Path>) -> Result<(), String> {
     floor::decode(picture).map_err(|fault| format!("{}: {fault}", picture.display()))
 }
 
+fn several(mut words: impl Iterator<Item = OsString>) -> Result<(), String> {
+    let count = words.next().and_then(|word| word.to_str()?.parse().ok()).ok_or("how many at once?")?;
+    at_once::convert(Path::new(&words.next().ok_or("no picture was named")?), count)
+}
+
 fn measure() -> Result<(), String> {
     let args = Args::read(Words::of_program("tools/src/bin/bench_all/main.rs"))?;
     std::env::set_current_dir(tactograph_tools::ROOT).map_err(|fault| fault.to_string())?;
@@ -88,7 +98,7 @@ fn measure() -> Result<(), String> {
     for line in &peers.missing {
         eprintln!("{line}; run tools/src/bin/bench_all/peers.sh");
     }
-    let bench = Bench { args: &args, ours: &ours, peers: &peers, inputs: &inputs };
+    let bench = Bench { args: &args, ours: &ours, peers: &peers, inputs: &inputs, target };
 
     let beside = targets::measure(&bench, false);
     let one_core = targets::measure(&bench, true);

@@ -5,10 +5,10 @@
 # Inkscape is not among them: that of Debian 12 (1.2) traces bitmaps only in its window, by no command. What its window
 # runs is potrace, which is here.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../../../.."
 
-TOOLS=(djpeg cjpeg cwebp vips potrace convert-im6 python3)
-PACKAGES=(libjpeg-turbo-progs webp libvips-tools potrace imagemagick python3 python3-venv)
+TOOLS=(djpeg cjpeg cwebp vips potrace convert-im6 python3 node)
+PACKAGES=(libjpeg-turbo-progs webp libvips-tools potrace imagemagick python3 nodejs)
 
 missing=()
 for i in "${!TOOLS[@]}"; do
@@ -29,3 +29,6 @@ if ! "$venv/bin/python" -c 'import cv2, vtracer' 2>/dev/null; then
   { python3 -m venv "$venv" && "$venv/bin/pip" install --quiet opencv-python-headless vtracer; } ||
     echo "missing: OpenCV and vtracer could not be installed with pip" >&2
 fi
+
+# the library as a browser runs it
+rustup target add wasm32-wasip1 || echo "missing: Rust's target wasm32-wasip1 could not be installed" >&2

@@ -13,6 +13,8 @@ pub(crate) struct Bench<'a> {
     pub(crate) ours: &'a Ours,
     pub(crate) peers: &'a Peers,
     pub(crate) inputs: &'a Inputs,
+    /// Where builds and pictures lie.
+    pub(crate) target: &'a std::path::Path,
 }
 
 impl Bench<'_> {

@@ -3,14 +3,16 @@
 use std::ffi::OsString;
 
 use crate::measured::{Job, run};
+use crate::ours::stage;
 use crate::rounds::rounds;
 use crate::table::{Table, number};
 use crate::targets::Bench;
 
 /// Everything that the program does beside photographs, as whole processes.
 pub(crate) fn others(bench: &Bench<'_>) -> Table {
-    let about = "Whole processes. Pages that are checked or written again are those of samples/coffee.png on swell-a4.";
-    let mut table = Table::new("Other work", about, &["work", "ms", "CPU ms", "MB"]);
+    let about = "Whole processes. Pages that are checked or written again are those of samples/coffee.png on swell-a4. As \
+                 WebAssembly, the process makes nine pages; *alone* is the median page of them, without the engine's start.";
+    let mut table = Table::new("Other work", about, &["work", "ms", "CPU ms", "MB", "alone, ms"]);
     let ours = bench.ours;
     let page = ours.page("checked.svg");
     let made = ours.job("a page", "samples/coffee.png".as_ref(), "checked.svg", &[]);
@@ -29,7 +31,7 @@ pub(crate) fn others(bench: &Bench<'_>) -> Table {
             None => job,
         }
     };
-    let jobs: Vec<Job> = vec![
+    let mut jobs: Vec<Job> = vec![
         convert("vector drawing, samples/chart.svg", "samples/chart.svg", &[]),
         convert("vector drawing, samples/map.svg", "samples/map.svg", &[]),
         convert("vector drawing, dense, samples/portrait.svg", "samples/portrait.svg", &[]),
@@ -40,9 +42,16 @@ pub(crate) fn others(bench: &Bench<'_>) -> Table {
         of_page("render a page as PNG", &["render"], Some("rendered.png")),
         of_page("render a page as PDF", &["render"], Some("rendered.pdf")),
     ];
+    jobs.extend(crate::browser::job(
+        "nine pages as WebAssembly in Node.js, samples/coffee.png",
+        "samples/coffee.png",
+        ours,
+        bench.target,
+    ));
     table.rows.extend(rounds(&jobs, bench.setting(false)).iter().map(|outcome| {
         let mut cells = vec![outcome.name.clone()];
-        cells.extend([outcome.wall(), outcome.cpu(), outcome.peak()].map(number));
+        let alone = outcome.median(|run| stage(run, "alone"));
+        cells.extend([outcome.wall(), outcome.cpu(), outcome.peak(), alone].map(number));
         cells
     }));
     table
