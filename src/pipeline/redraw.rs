@@ -100,8 +100,10 @@ pub(super) fn marks(
         edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
-    let (mut drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
-    let (overview, not_in_overview) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
+    // the lines of a page stay lines of their own
+    let (mut drawn, _, _) = draw_lines(Some(&edges), false, &layout, plan, watch);
+    let edges_of_overview = of_overview.as_ref().or(Some(&edges));
+    let (overview, not_in_overview, _) = draw_overview(edges_of_overview, false, &layout, plan, watch);
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
