@@ -17,6 +17,7 @@ mod joined_bars;
 mod kept_lines;
 mod key;
 mod label;
+mod lost_marks;
 mod lost_signs;
 mod margins;
 mod outlines;

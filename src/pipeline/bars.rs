@@ -16,6 +16,8 @@ const STRAIGHT: f32 = 1.5;
 const LEAST: usize = 4;
 /// Share of a bar's side that a contour covers at least: a curve may run before it.
 const COVERED: f32 = 0.7;
+/// ... which ends so far below its top at most, px: in a bitmap corners are round.
+const BELOW_TOP: f32 = 8.0;
 /// Widths of bars differ by this factor at most from their median: a frame around all of them is no bar.
 const ALIKE: f32 = 2.0;
 /// A level with straight lines over this share of a chart's width is one of its gridlines.
@@ -24,6 +26,8 @@ const GRIDLINE: f32 = 0.2;
 const MOST: usize = 4000;
 /// Of a short path at most this share may be missing.
 const MOST_MISSING: f32 = 0.5;
+/// ... and of one that may as well not be drawn at all.
+const MOST_OF_NONE: f32 = 0.2;
 /// What of a path is missing at least where it is not drawn at all: its ends may lie on another line.
 const NONE: f32 = 0.8;
 /// Distance of the places at which is looked, mm.
@@ -128,7 +132,7 @@ impl Chart {
             .map(|side| (side.from.max(self.base), side.to.min(top)))
             .collect();
         here.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if !here.iter().any(|(_, to)| *to >= top - SAME) {
+        if !here.iter().any(|(_, to)| *to >= top - BELOW_TOP) {
             return false;
         }
         let (mut covered, mut until) = (0.0, f32::MIN);
@@ -266,6 +270,8 @@ pub(super) struct Wanted {
     pub(super) reach: f32,
     /// Whether it may as well not be drawn at all.
     pub(super) or_none: bool,
+    /// What it counts for, in its lengths.
+    pub(super) weight: f32,
 }
 
 /// How much of some paths is not drawn, mm, and the length of all. What is missing of a path less than `least` is
@@ -278,7 +284,7 @@ pub(super) fn missing(wanted: &[Wanted], lines: &[Line], transform: &PageTransfo
         })
     };
     let (mut missing, mut all) = (0.0, 0.0);
-    for Wanted { path, reach, or_none } in wanted {
+    for Wanted { path, reach, or_none, weight } in wanted {
         let (mut undrawn, mut length) = (0.0, 0.0);
         for pair in path.windows(2) {
             let (a, b) = (transform.to_mm(pair[0]), transform.to_mm(pair[1]));
@@ -288,9 +294,10 @@ pub(super) fn missing(wanted: &[Wanted], lines: &[Line], transform: &PageTransfo
             undrawn += (b - a).length() * count as f32 / steps as f32;
             length += (b - a).length();
         }
-        all += length;
+        all += weight * length;
         let is_none = *or_none && undrawn >= NONE * length;
-        missing += if undrawn > least.min(MOST_MISSING * length) && !is_none { undrawn } else { 0.0 };
+        let most = if *or_none { MOST_OF_NONE } else { MOST_MISSING };
+        missing += if undrawn > least.min(most * length) && !is_none { weight * undrawn } else { 0.0 };
     }
     (missing, all)
 }

@@ -4,6 +4,7 @@ use super::dots;
 use super::given::{Given, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 use super::joined_bars::{self, Instead, Room};
+use super::lost_marks;
 use super::lost_signs;
 use super::outlines::outlines_of;
 use super::overview::{draw_overview, told_of_overview};
@@ -104,6 +105,7 @@ pub(super) fn draw(
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend(lost_marks::told(&drawn.lost.marks, plan));
     notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
@@ -121,10 +123,10 @@ pub(super) fn draw(
     notes.extend(joined_bars::told(instead, in_overview));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let lines = drawn.lines;
-    drop(edges);
+    let of_drawing = edges.is_some_and(|edges| edges.of_drawing());
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
-    notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
+    notes.extend(told_bare(classes.as_ref(), &textures, &layout, of_drawing, plan));
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, layout, is_flat, left_out, lost_signs: drawn.lost.signs, texts, notes })
@@ -298,6 +300,7 @@ pub(super) fn draw_lines(
                     if plan.lines().most_shapes.is_none() {
                         let widest = plan.lines().max_spacing();
                         drawn.lost.signs = lost_signs::of(edges, &drawn.lines, transform, widest);
+                        drawn.lost.marks = lost_marks::of(edges, &drawn.lines, transform, plan.lines().min_length);
                     }
                     if matches!(layout.medium, Medium::Dots(_)) {
                         drawn.lines = by_hand_first(drawn.lines, edges, transform);
@@ -324,13 +327,15 @@ pub(super) fn draw_lines(
 fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
     let most = plan.lines().most_shapes?;
     let shapes = beyond.shapes + areas.map_or(0, Areas::beyond);
-    (shapes + beyond.lines > 0).then_some(Note::Simplified { shapes, lines: beyond.lines, most })
+    Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
 pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
-    let &Lost { wanted, lost, .. } = &drawn.lost;
-    let share = drawn.lost.share();
+    // marks that are too short are told by themselves, and no room would help them
+    let Lost { wanted, lost, marks, .. } = drawn.lost;
+    let lost = (lost - marks.length).max(0.0);
+    let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
     let least = match layout.medium {
         Medium::Print(_) => LEAST_TOLD,
         Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),

@@ -74,6 +74,14 @@ impl Room {
 
 /// A bar of which a contour of this length, mm, is not drawn is torn, on paper.
 const TORN: f32 = 3.0;
+/// The middle of a top, and how near a line lies to it, as a share of the bar's width: nearer than its sides.
+const MIDDLE: [f32; 2] = [0.4, 0.6];
+const NEAR_TOP: f32 = 0.38;
+/// The same of a low bar and its base.
+const NEAR_LOW: f32 = 0.4;
+/// Bars that touch are as wide as the distance from one to the next, of which this share is nearer to one line than to
+/// the next.
+const NEARER_OF_TOUCHING: f32 = 0.45;
 /// A side that is not drawn is seen by what is nearer to it than to the next line, as a share of their distance.
 const NEARER: f32 = 0.6;
 
@@ -176,15 +184,24 @@ impl Chart {
         for bar in &self.bars {
             let height = (bar.top - self.base) * transform.mm_per_px();
             let is_low = height < room.low;
-            let reach = if is_low { 0.5 * height } else { room.reach };
-            wanted.push(Wanted { path: self.outline(bar), reach, or_none: is_low });
-            // a side is not the axis beside it
+            // nearer to it than the other side of the bar, or the line in the middle of a narrow one
+            let width = (bar.to - bar.from) * transform.mm_per_px();
+            let reach = if is_low { NEAR_LOW * height } else { room.reach.min((NEARER * width).max(1.0)) };
+            wanted.push(Wanted { path: self.outline(bar), reach, or_none: is_low, weight: 1.0 });
+            // the middle of a top is as near to its sides as they are to one another
+            let [a, b] = MIDDLE.map(|share| self.way.point((bar.from + share * (bar.to - bar.from), bar.top)));
+            let reach = room.reach.min(NEAR_TOP * width);
+            let weight = 1.0 / (MIDDLE[1] - MIDDLE[0]);
+            wanted.extend((!is_low).then(|| Wanted { path: vec![a, b], reach, or_none: false, weight }));
+            // a side is not the axis beside it, and may have moved away from that
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
                 let End { at, is_axis } = self.end(bar, gap, is_last);
                 if is_axis {
-                    let path = [self.base, bar.top].map(|along| self.way.point((own, along))).to_vec();
-                    let apart = NEARER * (at - own).abs() * transform.mm_per_px();
-                    wanted.push(Wanted { path, reach: apart.min(room.reach), or_none: false });
+                    let inwards = 0.5 * room.reach / transform.mm_per_px();
+                    let across = own + if is_last { -inwards } else { inwards };
+                    let path = [self.base, bar.top].map(|along| self.way.point((across, along))).to_vec();
+                    let reach = 0.5 * room.reach + NEARER * (at - own).abs() * transform.mm_per_px();
+                    wanted.push(Wanted { path, reach, or_none: false, weight: 1.0 });
                 }
             }
         }
@@ -214,14 +231,16 @@ impl Chart {
             return None;
         }
         let mut others = Edges { dashed: edges.dashed, erased: edges.erased.clone(), ..Edges::none(edges.size) };
-        let (mut sum, mut count, mut kind) = (0.0, 0, None);
+        let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
             if !has_grid && self.is_gridline(edges, chain) {
                 continue;
             }
             let view = edges.chain(chain);
             let is_out = |i: usize| self.is_replaced(view.vertices[i].at, view.tangent(i), &rows, &low);
-            let kept = kept(edges, chain, is_out);
+            let is_level = |i: usize| self.way.of(view.tangent(i).to_point()).0.abs() >= ALONG;
+            let is_of_base = |i: usize| self.is_base(view.vertices[i].at) && is_level(i);
+            let kept = kept(edges, chain, is_out, is_of_base);
             let dropped = view.vertices.len() - kept.iter().map(Vec::len).sum::<usize>();
             if dropped > 0 {
                 sum += view.vertices.iter().map(|edgel| edgel.strength).sum::<f32>();
@@ -229,6 +248,9 @@ impl Chart {
                 kind.get_or_insert(chain.kind);
             }
             for run in kept {
+                let on_base = |edgel: &Edgel| self.is_base(edgel.at).then(|| self.way.of(edgel.at).0);
+                let pairs = run.windows(2).filter_map(|pair| Some((on_base(&pair[0])?, on_base(&pair[1])?)));
+                ground.extend(pairs.map(|(a, b)| (a.min(b), a.max(b))));
                 others.push_as(chain.kind, run.into_iter(), chain.closed && dropped == 0);
             }
         }
@@ -236,15 +258,17 @@ impl Chart {
         if let Some(kind) = kind {
             // like the middle of a stroke, which has no other side
             let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
-            for path in &paths {
+            for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
                 let edgel = |at: PxPoint| Edgel { at, strength: sum / count as f32, contrast: [0.0; 3] };
                 others.push_as(kind, along(path).into_iter().map(edgel), false);
             }
         }
         let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
-        let unchanged = apart.iter().flat_map(|row| &row.bars).map(|bar| self.outline(bar));
-        let wanted = paths.into_iter().chain(unchanged);
-        let wanted = wanted.map(|path| Wanted { path, reach: room.reach, or_none: false }).collect();
+        let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
+        let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
+        let reach = room.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
+        let paths = paths.into_iter().map(|path| Wanted { path, reach, or_none: false, weight: 1.0 });
+        let wanted = paths.chain(unchanged.wanted(room, transform)).collect();
         Some((others, wanted, instead))
     }
 
@@ -256,6 +280,27 @@ impl Chart {
         let axis = self.sides.iter().map(|side| side.at).filter(|&at| is_axis(at));
         let axis = axis.min_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
         End { at: axis.unwrap_or(own), is_axis: axis.is_some() }
+    }
+
+    /// Whether a place is on the base.
+    fn is_base(&self, at: PxPoint) -> bool {
+        (self.way.of(at).1 - self.base).abs() <= SAME
+    }
+
+    /// The base of rows where nothing of what is left runs along it: what bars stood on was theirs, too.
+    fn gaps_of_base(&self, rows: &[Row], mut ground: Vec<(f32, f32)>) -> Vec<Vec<PxPoint>> {
+        ground.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut gaps = Vec::new();
+        for Row { ends: [first, last], .. } in rows {
+            let mut until = first.at;
+            for &(from, to) in ground.iter().chain([&(last.at, last.at)]) {
+                if from - until > SAME && until < last.at {
+                    gaps.push(vec![self.way.point((until, self.base)), self.way.point((from.min(last.at), self.base))]);
+                }
+                until = until.max(to);
+            }
+        }
+        gaps
     }
 
     /// Whether a place of a contour, which runs in a direction there, is a side or a top of a bar of these rows or of one
@@ -313,7 +358,12 @@ impl Chart {
 }
 
 /// What of a chain is not taken out, in runs.
-fn kept(edges: &Edges, chain: &ChainRange, is_out: impl Fn(usize) -> bool) -> Vec<Vec<Edgel>> {
+fn kept(
+    edges: &Edges,
+    chain: &ChainRange,
+    is_out: impl Fn(usize) -> bool,
+    is_of_base: impl Fn(usize) -> bool,
+) -> Vec<Vec<Edgel>> {
     let edgels = &edges.edgels[chain.edgels.clone()];
     let count = edgels.len();
     let mut out: Vec<bool> = (0..count).map(is_out).collect();
@@ -325,7 +375,8 @@ fn kept(edges: &Edges, chain: &ChainRange, is_out: impl Fn(usize) -> bool) -> Ve
         let is_end = |i: usize| !chain.closed && (i == 0 || i + 1 == of_all.len());
         // what crosses a bar goes on; what is left of one goes
         for (i, run) in of_all.iter().enumerate().filter(|(_, run)| length(run) < CROSSES) {
-            if !(out[run[0]] && is_end(i)) {
+            let is_base = !out[run[0]] && run.iter().all(|&at| is_of_base(at));
+            if !(out[run[0]] && is_end(i)) && !is_base {
                 run.iter().for_each(|&at| out[at] = !out[at]);
             }
         }

@@ -119,7 +119,7 @@ pub(super) fn marks(
     let has_ground = own.profile().figure.ground;
     notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
+    notes.extend(told_bare(classes.as_ref(), &textures, &layout, false, plan));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, lost_signs, texts: Vec::new(), notes })
