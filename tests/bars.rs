@@ -86,7 +86,7 @@ fn an_overview_has_all_bars_and_no_scraps() {
         assert_eq!(tops_drawn(&chart, overview.place, &overview.lines), count, "{count} bars");
         // the two ends of the axis
         assert!(loose_ends(&overview.lines) <= 2, "{count} bars: {} loose ends", loose_ends(&overview.lines));
-        assert!(told(&drawing).contains("in the overview the bars of the chart"), "{}", told(&drawing));
+        assert!(told(&drawing).contains("the bars of the chart"), "{}", told(&drawing));
     }
 }
 

@@ -22,6 +22,8 @@ const BELOW_TOP: f32 = 8.0;
 const ALIKE: f32 = 2.0;
 /// A level with straight lines over this share of a chart's width is one of its gridlines.
 const GRIDLINE: f32 = 0.2;
+/// Lines run along this share of a base at least: the lower sides of bars, or an axis.
+const GROUND: f32 = 0.4;
 /// More straight pieces are no chart, but squared paper or a plan.
 const MOST: usize = 4000;
 /// Of a short path at most this share may be missing.
@@ -109,8 +111,8 @@ impl Chart {
                 levels.push(Span { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) });
             }
         }
-        let base = base(&sides)?;
         let levels = joined(levels);
+        let base = base(&sides, &levels)?;
         let mut chart = Self { way, base, bars: Vec::new(), sides, grid: Vec::new() };
         chart.bars = chart.bars_below(&levels);
         let tops = || chart.bars.iter().map(|bar| bar.top);
@@ -239,14 +241,20 @@ fn straight(edges: &Edges, chain: &ChainRange) -> Vec<(PxPoint, PxPoint)> {
     pieces
 }
 
-/// Where most of the sides of bars begin; none if too few do.
-fn base(sides: &[Span]) -> Option<f32> {
+/// Where most of the sides of bars begin, on straight lines across; none if too few do.
+fn base(sides: &[Span], levels: &[Span]) -> Option<f32> {
     let mut from: Vec<f32> = sides.iter().map(|side| side.from).collect();
     from.sort_by(f32::total_cmp);
     let until = |i: usize| from.partition_point(|at| *at <= from[i] + SAME);
-    let (count, first) =
-        (0..from.len()).map(|i| (until(i) - i, i)).max_by_key(|(count, i)| (*count, from.len() - i))?;
-    (count > LEAST).then(|| from[first + count / 2])
+    let is_ground = |at: f32| {
+        let here = sides.iter().filter(|side| (side.from - at).abs() <= SAME).map(|side| side.at);
+        let (first, last) = here.fold((f32::MAX, f32::MIN), |(a, b), at| (a.min(at), b.max(at)));
+        let along = levels.iter().filter(|level| (level.at - at).abs() <= SAME);
+        along.map(|level| (level.to.min(last) - level.from.max(first)).max(0.0)).sum::<f32>() >= GROUND * (last - first)
+    };
+    let candidates = (0..from.len()).map(|i| (until(i) - i, i)).filter(|(count, _)| *count > LEAST);
+    let grounds = candidates.map(|(count, i)| (count, from[i + count / 2])).filter(|(_, at)| is_ground(*at));
+    grounds.max_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1))).map(|(_, at)| at)
 }
 
 /// Levels that continue one another as one.

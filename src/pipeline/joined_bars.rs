@@ -233,16 +233,18 @@ impl Chart {
         let mut others = Edges { dashed: edges.dashed, erased: edges.erased.clone(), ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
-            if !has_grid && self.is_gridline(edges, chain) {
-                continue;
-            }
+            let is_grid = !has_grid && self.is_gridline(edges, chain);
             let view = edges.chain(chain);
-            let is_out = |i: usize| self.is_replaced(view.vertices[i].at, view.tangent(i), &rows, &low);
+            // a bar may end on a gridline
+            let is_out = |i: usize| {
+                let at = view.vertices[i].at;
+                is_grid && !self.is_top(at) || self.is_replaced(at, view.tangent(i), &rows, &low)
+            };
             let is_level = |i: usize| self.way.of(view.tangent(i).to_point()).0.abs() >= ALONG;
             let is_of_base = |i: usize| self.is_base(view.vertices[i].at) && is_level(i);
             let kept = kept(edges, chain, is_out, is_of_base);
             let dropped = view.vertices.len() - kept.iter().map(Vec::len).sum::<usize>();
-            if dropped > 0 {
+            if dropped > 0 && !is_grid {
                 sum += view.vertices.iter().map(|edgel| edgel.strength).sum::<f32>();
                 count += view.vertices.len();
                 kind.get_or_insert(chain.kind);
@@ -276,10 +278,19 @@ impl Chart {
     fn end(&self, bar: &Bar, gap: f32, is_last: bool) -> End {
         let (own, outwards) = if is_last { (bar.to, 1.0) } else { (bar.from, -1.0) };
         let beyond = |at: f32| (at - own) * outwards;
-        let is_axis = |at: f32| beyond(at) > SAME && beyond(at) <= gap && self.has_side(at, bar.top);
+        let is_of_bar =
+            |at: f32| self.bars.iter().any(|bar| (at - bar.from).abs() <= SAME || (at - bar.to).abs() <= SAME);
+        let is_axis = |at: f32| beyond(at) > SAME && beyond(at) <= gap && self.has_side(at, bar.top) && !is_of_bar(at);
         let axis = self.sides.iter().map(|side| side.at).filter(|&at| is_axis(at));
         let axis = axis.min_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
         End { at: axis.unwrap_or(own), is_axis: axis.is_some() }
+    }
+
+    /// Whether a place is on the top of a bar.
+    fn is_top(&self, at: PxPoint) -> bool {
+        let (across, along) = self.way.of(at);
+        let is_of = |bar: &Bar| (bar.from - SAME..=bar.to + SAME).contains(&across) && (bar.top - along).abs() <= SAME;
+        self.bars.iter().any(is_of)
     }
 
     /// Whether a place is on the base.

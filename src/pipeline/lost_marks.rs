@@ -78,7 +78,8 @@ fn kind(points: &[MmPoint], length: f32, ends: [bool; 2]) -> Option<Kind> {
     let line = PolylineRef { vertices: points, closed: false };
     let is_between = ends == [true, true];
     if simplify(line, STRAIGHT * length).len() == 2 {
-        return ends.contains(&true).then_some(Kind::Tick);
+        // what lies between two lines is a piece of a longer one, such as a gridline
+        return (ends[0] != ends[1]).then_some(Kind::Tick);
     }
     let corners = simplify(line, OFF_CORNER * length);
     let is_right = match corners[..] {
@@ -132,6 +133,7 @@ mod tests {
         };
         assert_eq!(is(&line(&[(0.0, 0.0), (4.0, 0.0)]), [true, false]), Some(Kind::Tick));
         assert_eq!(is(&line(&[(0.0, 0.0), (4.0, 0.0)]), [false, false]), None, "a dash");
+        assert_eq!(is(&line(&[(0.0, 0.0), (4.0, 0.0)]), [true, true]), None, "a piece of a gridline");
         assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), [true, true]), Some(Kind::Corner));
         assert_eq!(is(&arc(60.0), [true, true]), Some(Kind::Arc));
         assert_eq!(is(&arc(120.0), [true, true]), Some(Kind::Arc));
