@@ -314,8 +314,8 @@ impl Chart {
         gaps
     }
 
-    /// Whether a place of a contour, which runs in a direction there, is a side or a top of a bar of these rows or of one
-    /// that is too low, or what is between two of one row.
+    /// Whether a place of a contour, which runs in a direction there, is a side or a top of a bar of these rows or of
+    /// one that is too low, or what is between two of one row.
     fn is_replaced(&self, at: PxPoint, direction: PxVector, rows: &[Row], low: &[Bar]) -> bool {
         let (across, along) = self.way.of(at);
         if along <= self.base + SAME {
@@ -387,7 +387,7 @@ fn kept(
         // what crosses a bar goes on; what is left of one goes
         for (i, run) in of_all.iter().enumerate().filter(|(_, run)| length(run) < CROSSES) {
             let is_base = !out[run[0]] && run.iter().all(|&at| is_of_base(at));
-            if !(out[run[0]] && is_end(i)) && !is_base {
+            if !(is_base || out[run[0]] && is_end(i)) {
                 run.iter().for_each(|&at| out[at] = !out[at]);
             }
         }

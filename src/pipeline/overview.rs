@@ -32,7 +32,7 @@ pub(super) fn draw_overview(
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Option<(MmRect, Vec<Line>)>, Lost, Option<Instead>) {
+) -> (Option<Drawn>, Lost, Option<Instead>) {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
@@ -60,6 +60,9 @@ pub(super) fn draw_overview(
     watch(Event::Skip(Stage::Overview, reason));
     (None, Lost::default(), None)
 }
+
+/// An overview on the page: its place and its lines.
+type Drawn = (MmRect, Vec<Line>);
 
 /// An overview: its place, its lines, and what is not drawn.
 type Overview = (MmRect, Vec<Line>, Lost);

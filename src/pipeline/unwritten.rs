@@ -36,8 +36,8 @@ impl Lacks {
         let more = characters.len().saturating_sub(MOST);
         let more = if more > 0 { format!(" and {more} more") } else { String::new() };
         let told = format!(
-            "characters of the braille of {}, as its code has no cells for them: {}{more}; write them in words, or take \
-             a table of liblouis that has them (--braille-table TABLE)",
+            "characters of the braille of {}, as its code has no cells for them: {}{more}; write them in words, or \
+             take a table of liblouis that has them (--braille-table TABLE)",
             named(&texts),
             shown.join(", ")
         );
@@ -74,5 +74,29 @@ impl Refused {
 
     pub(super) fn notes(self) -> impl Iterator<Item = Note> {
         self.0.into_iter().map(|(why, texts)| Note::NotTranslated { texts, why })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_several_texts_lack_is_told_once() {
+        let lacking = |character: char| [Lacking { character, at: 1 }];
+        let mut lacks = Lacks::default();
+        lacks.add("α = 39", &lacking('α'));
+        lacks.add("α = 39", &lacking('α'));
+        assert!(matches!(lacks.note(), Some(Note::NotInBraille { .. })), "one text");
+        let mut lacks = Lacks::default();
+        for (text, character) in [("α = 39", 'α'), ("β", 'β'), ("2α", 'α')] {
+            lacks.add(text, &lacking(character));
+        }
+        lacks.add("apple", &[]);
+        let told = lacks.note().expect("a note").to_string();
+        let wanted = "left out of the page: characters of the braille of \"α = 39\", \"β\", \"2α\", as its code has no \
+                      cells for them: 'α', 'β'; write them in words";
+        assert!(told.starts_with(wanted), "{told}");
+        assert_eq!(Lacks::default().note(), None);
     }
 }
