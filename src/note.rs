@@ -123,8 +123,8 @@ pub enum Note {
         millimetres: u32,
         /// Percent of the length of all contours.
         percent: u32,
-        /// Where in the figure most of them are, in words.
-        place: &'static str,
+        /// Where in the figure most of them are, in words; none if they are all over it.
+        place: Option<&'static str>,
     },
     /// A drawing has so many lines for its size that at least a fifth of them has no room.
     TooDense {
@@ -132,8 +132,8 @@ pub enum Note {
         millimetres: u32,
         /// Percent of the length of all.
         percent: u32,
-        /// Where in the figure most of them are, in words.
-        place: &'static str,
+        /// Where in the figure most of them are, in words; none if they are all over it.
+        place: Option<&'static str>,
         /// Width of the figure, mm.
         width: u32,
     },
@@ -143,12 +143,12 @@ pub enum Note {
     LinesNotInOverview {
         /// Share of their length, percent.
         percent: u32,
-        /// Where in the overview most of it would be, in words.
-        place: &'static str,
+        /// Where in the overview most of it would be, in words; none if it is all over it.
+        place: Option<&'static str>,
     },
     /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
     MixedAreas(usize),
-    /// What was left out as the maker of the page wants few shapes.
+    /// What was left out as the maker of the page wants few shapes; perhaps nothing.
     Simplified {
         /// Shapes that were left out.
         shapes: usize,
@@ -309,6 +309,11 @@ impl std::fmt::Display for Note {
                 "the subject at {x} %, {y} % is {width} mm wide and {height} mm high in the figure, and outlined \
                  first; if that is not the whole of it, name another place on it as well"
             ),
+            Self::NoSubject([x, y]) if !(0..=100).contains(x) || !(0..=100).contains(y) => write!(
+                f,
+                "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from \
+                 0 to 100 percent or within its pixels, from the left and from the top"
+            ),
             Self::NoSubject([x, y]) => write!(
                 f,
                 "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a \
@@ -346,15 +351,17 @@ impl std::fmt::Display for Note {
             ),
             Self::LinesLeftOut { millimetres, percent, place } => write!(
                 f,
-                "{millimetres} mm of contours, {percent} percent, were left out, most of them in the {place}: they lie \
-                 too close to others for fingers, or are too short; a larger figure, on larger paper if there is any, \
-                 or only a part of the picture keeps more of them"
+                "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for \
+                 fingers, or are too short; a larger figure, on larger paper if there is any, or only a part of the \
+                 picture keeps more of them",
+                most_in(*place, "figure")
             ),
             Self::TooDense { millimetres, percent, place, width } => write!(
                 f,
                 "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} \
-                 percent, had no room and were left out, most of them in the {place}; spread it over several sheets, \
-                 or draw only a part of it, so that it is larger"
+                 percent, had no room and were left out, {}; spread it over several sheets, or draw only a part of it, \
+                 so that it is larger",
+                most_in(*place, "figure")
             ),
             Self::ShapesNotInOverview(count) => write!(
                 f,
@@ -364,8 +371,14 @@ impl std::fmt::Display for Note {
             ),
             Self::LinesNotInOverview { percent, place } => write!(
                 f,
-                "the overview lacks {percent} percent of the drawing's lines, most of them in the {place}, as they \
-                 have no room in it; do without it (--no-overview), or spread the figure over several sheets"
+                "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do \
+                 without it (--no-overview), or spread the figure over several sheets",
+                most_in(*place, "overview")
+            ),
+            Self::Simplified { shapes: 0, lines: 0, most } => write!(
+                f,
+                "nothing is left out for few shapes (lines.shapes = {most}), as there are no more; ask for fewer to \
+                 have less"
             ),
             Self::Simplified { shapes, lines, most } => {
                 let counted = [(*shapes, "shape"), (*lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
@@ -397,6 +410,11 @@ impl std::fmt::Display for Note {
             ),
         }
     }
+}
+
+/// Where most of something is, within a sentence.
+fn most_in(place: Option<&str>, whole: &str) -> String {
+    place.map_or_else(|| format!("all over the {whole}"), |place| format!("most of them in the {place}"))
 }
 
 /// Most texts that a note shows; it is read aloud.

@@ -4,6 +4,7 @@
 
 mod adapt;
 mod areas;
+mod bars;
 pub mod colours;
 mod dots;
 mod draw;
@@ -12,9 +13,11 @@ mod finish;
 mod give_way;
 mod given;
 mod hand_lines;
+mod joined_bars;
 mod kept_lines;
 mod key;
 mod label;
+mod lost_marks;
 mod lost_signs;
 mod margins;
 mod outlines;

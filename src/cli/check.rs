@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use anyhow::bail;
 use tactograph::{Checked, Profile, check_marked, rules};
 
 use super::args::{Check, CheckFormat};
@@ -11,7 +12,7 @@ use super::{input, output, places, settings};
 /// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
 const MOST_BYTES: u64 = 100_000_000;
 
-/// Checks one page, or lists the rules.
+/// Checks pages, or lists the rules.
 pub(super) fn run(args: &Check) -> Exit {
     let report = Report::plain();
     let profile = match args.profile.as_deref().map(|name| settings::profile(name, &[])).transpose() {
@@ -21,7 +22,27 @@ pub(super) fn run(args: &Check) -> Exit {
             return Exit::Usage;
         }
     };
-    let Some(page) = &args.page else { return list(profile, &report) };
+    let several = args.pages.len() > 1;
+    let [page] = &args.pages[..] else {
+        let one_only = match args.format {
+            _ if args.mark.is_some() => Some("--mark"),
+            CheckFormat::Json => Some("--format json"),
+            CheckFormat::Sarif => Some("--format sarif"),
+            CheckFormat::Text => None,
+        };
+        return match one_only.filter(|_| several) {
+            Some(option) => {
+                report.usage(&format!("{option} takes one page; check them one by one"));
+                Exit::Usage
+            }
+            None if several => args
+                .pages
+                .iter()
+                .map(|page| one(args, page, profile.as_ref(), &report))
+                .fold(Exit::Done, |worst, exit| if matches!(exit, Exit::Done) { worst } else { exit }),
+            None => list(profile, &report),
+        };
+    };
     if let Some(path) = &args.mark {
         let is_svg = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"));
         if !is_svg || places::is_std(path) || path == page {
@@ -29,9 +50,14 @@ pub(super) fn run(args: &Check) -> Exit {
             return Exit::Usage;
         }
     }
+    one(args, page, profile.as_ref(), &report)
+}
+
+/// Checks one of the pages.
+fn one(args: &Check, page: &Path, profile: Option<&Profile>, report: &Report) -> Exit {
     let name = places::picture_name(page);
-    match checked(page, profile.as_ref()) {
-        Ok((checked, marked)) => tell(args, &name, &checked, &marked, &report),
+    match checked(page, profile) {
+        Ok((checked, marked)) => tell(args, &name, &checked, &marked, report),
         Err(error) => {
             report.error(&name, &format!("{error:#}"));
             Exit::Failed
@@ -53,12 +79,16 @@ fn list(profile: Option<Profile>, report: &Report) -> Exit {
 fn checked(page: &Path, profile: Option<&Profile>) -> anyhow::Result<(Checked, String)> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(page, MOST_BYTES, &too_long)?;
-    Ok(check_marked(bytes, profile)?)
+    match (check_marked(bytes, profile), input::other_than_svg(page, "check")) {
+        (Err(_), Some(why)) => bail!("{why}"),
+        (checked, _) => Ok(checked?),
+    }
 }
 
 fn tell(args: &Check, name: &str, checked: &Checked, marked: &str, report: &Report) -> Exit {
     checked.notes.iter().for_each(|note| report.note(name, &note.to_string()));
     let text = match args.format {
+        CheckFormat::Text if args.pages.len() > 1 => format!("{name}:\n{checked}\n"),
         CheckFormat::Text => checked.to_string(),
         CheckFormat::Json => checked.to_json(),
         CheckFormat::Sarif => checked.to_sarif(name),

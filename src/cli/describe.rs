@@ -31,6 +31,10 @@ pub(super) fn run(args: &Describe) -> Exit {
 fn described(args: &Describe) -> anyhow::Result<String> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
-    let description = tactograph::describe(bytes, None, args.lang.as_deref())?;
+    let other = input::other_than_svg(&args.page, "describe");
+    let description = match (tactograph::describe(bytes, None, args.lang.as_deref()), other) {
+        (Err(error), Some(why)) if !matches!(error, tactograph::Error::NoSentences { .. }) => anyhow::bail!("{why}"),
+        (description, _) => description?,
+    };
     Ok(if args.json { description.to_json() } else { description.to_string() })
 }

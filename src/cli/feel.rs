@@ -1,9 +1,6 @@
 //! `tactograph feel`: a page in, what a fingertip feels of it out.
 
-use std::path::Path;
-
 use anyhow::bail;
-use tactograph::{DotFormat, Format};
 
 use super::args::Feel;
 use super::report::{Exit, Report};
@@ -49,25 +46,12 @@ pub(super) fn run(args: &Feel) -> Exit {
     }
 }
 
-/// The format of dots that a file's name ends in.
-fn format_of(page: &Path) -> Option<DotFormat> {
-    match Format::of_extension(page.extension()?.to_str()?)? {
-        Format::Dots(format) => Some(format),
-        Format::Drawing(_) => None,
-    }
-}
-
 /// The report, and the map if it is wanted.
 fn feel(args: &Feel) -> anyhow::Result<(String, Option<Vec<u8>>)> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
     let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
-    let felt = match (tactograph::feel(bytes, args.finger), format_of(&args.page)) {
-        (Err(_), Some(format)) => bail!(
-            "this is a page as {}, which holds dots only, and feel reads the SVG of a page; write it with the same \
-             profile and -o {}, and feel that",
-            format.name().to_uppercase(),
-            args.page.with_extension("svg").display()
-        ),
+    let felt = match (tactograph::feel(bytes, args.finger), input::other_than_svg(&args.page, "feel")) {
+        (Err(_), Some(why)) => bail!("{why}"),
         (felt, _) => felt?,
     };
     let map = args.output.as_ref().map(|_| felt.to_png()).transpose()?;

@@ -5,6 +5,7 @@ use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use anyhow::{anyhow, bail};
+use tactograph::Format;
 
 /// The file at `path`, or standard input for `-`.
 ///
@@ -42,6 +43,17 @@ pub(super) fn check(path: &Path) -> anyhow::Result<()> {
         return Err(explain(&ErrorKind::IsADirectory.into()));
     }
     Ok(())
+}
+
+/// What is said of a page that is a file of dots, by its name, to a command that reads the SVG of one.
+pub(super) fn other_than_svg(page: &Path, command: &str) -> Option<String> {
+    let Format::Dots(format) = Format::of_extension(page.extension()?.to_str()?)? else { return None };
+    Some(format!(
+        "this is a page as {}, which holds dots only, and {command} reads the SVG of a page; write it with the same \
+         profile and -o {}, and {command} that",
+        format.name().to_uppercase(),
+        page.with_extension("svg").display()
+    ))
 }
 
 /// Reads one byte more than allowed, to tell "just fits" from "too long".

@@ -15,6 +15,12 @@ pub const NAMES: [&str; 9] = [
     "lower right",
 ];
 
+/// The part with at least half of what all have, if there is one.
+pub fn most_of(parts: [f32; 9]) -> Option<usize> {
+    let half = 0.5 * parts.iter().sum::<f32>();
+    (0..9).find(|&part| half > 0.0 && parts[part] >= half)
+}
+
 /// The part of `area` in which a point lies, row by row from the top left; of points outside the nearest.
 pub fn ninth<U>(at: Point2D<f32, U>, area: Box2D<f32, U>) -> usize {
     let third = |at: f32, from: f32, length: f32| {

@@ -65,6 +65,8 @@ const ON_THE_LEFT: f32 = 3.0;
 const ABOVE_OR_BELOW: f32 = 4.0;
 /// Blank between a label and the leader line of another, mm, beside what that lies off its straight way.
 const TO_LEADER: f32 = 3.5;
+/// What rounding may add to a distance, mm.
+const HAIR: f32 = 0.01;
 /// What a leader line costs: the millimetres that another place may lie further away.
 const LEADER: f32 = 10.0;
 /// What a leader line across other lines costs: more than an abbreviation.
@@ -151,12 +153,26 @@ impl Candidate {
         !(self.is_in_row && other.is_in_row) && self.is_too_near(other, spacing, off)
     }
 
+    /// The box around it and its leader line.
+    fn extent(&self) -> MmRect {
+        self.leader.map_or(self.place, |[a, b]| MmRect::from_points([self.place.min, self.place.max, a, b]))
+    }
+
     /// Whether labels or their leader lines have less blank between them than this.
     pub(super) fn is_too_near(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
         let Spacing { aside, above } = spacing;
+        // nearly all pairs are far apart, and their distances need not be known
+        let far = aside.max(above).max(TO_LEADER + off).max(BEFORE_LEADER) + HAIR;
+        if !self.extent().inflate(far, far).intersects(&other.extent()) {
+            return false;
+        }
         let near = self.place.inflate(aside, above).intersects(&other.place);
         let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
             leader.is_some_and(|[a, b]| {
+                let far = TO_LEADER + off + HAIR;
+                if !MmRect::from_points([a, b]).inflate(far, far).intersects(&place) {
+                    return false;
+                }
                 let corners = corners(place);
                 let to_side = |i: usize| segment_distance((a, b), (corners[i], corners[(i + 1) % 4]));
                 place.contains(a) || place.contains(b) || (0..4).any(|side| to_side(side) < TO_LEADER + off)

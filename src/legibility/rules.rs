@@ -210,7 +210,8 @@ pub(super) const LEFT_OUT: Rule = Rule {
     asks: "No strong outline of the picture is left out of the page.",
     severity: Severity::Warning,
     source: "convert, which writes into the page what it had no room for",
-    remedy: "take larger paper or a part of the picture, or draw by hand what matters",
+    remedy: "make the figure larger, on larger paper if there is any, take a part of the picture, or draw by hand \
+             what matters",
     number: none,
 };
 pub(super) const OVERVIEW: Rule = Rule {

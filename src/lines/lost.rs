@@ -1,7 +1,7 @@
 //! What of the contours is not drawn: how much, and where most of it is.
 
 use super::vertex::Vertex;
-use crate::geom::ninths::{NAMES, ninth};
+use crate::geom::ninths::{NAMES, most_of, ninth};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
 
@@ -18,6 +18,23 @@ pub struct Lost {
     pub rings: usize,
     /// Small rings that are not drawn, or that a device has not all dots for.
     pub signs: Vec<LostSign>,
+    /// Marks too short for a line.
+    pub marks: LostMarks,
+}
+
+/// Marks of a drawing that are too short for a line.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LostMarks {
+    /// Ticks: straight ones on a line.
+    pub ticks: usize,
+    /// Arcs between two lines.
+    pub arcs: usize,
+    /// Corners between two lines, which mark right angles.
+    pub corners: usize,
+    /// Length of all, mm.
+    pub length: f32,
+    /// Where the first of them is.
+    pub first: Option<MmPoint>,
 }
 
 /// A small ring that is not drawn, such as a town on a map.
@@ -35,9 +52,9 @@ impl Lost {
         if self.wanted > 0.0 { (self.lost / self.wanted).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// Where most of it is, in words.
-    pub fn place_name(&self) -> &'static str {
-        NAMES[(0..9).fold(0, |best, i| if self.by_place[i] > self.by_place[best] { i } else { best })]
+    /// Where most of it is, in words; none if less than half of it is in any place.
+    pub fn place_name(&self) -> Option<&'static str> {
+        most_of(self.by_place).map(|ninth| NAMES[ninth])
     }
 
     /// The same if of what is drawn only a share is kept after all.
@@ -96,7 +113,7 @@ impl Tally {
         let kept_rings = kept.rings;
         let (wanted, kept) = (self.length(), kept.length());
         let rings = self.rings.saturating_sub(kept_rings);
-        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, signs: Vec::new() }
+        Lost { wanted, lost: (wanted - kept).max(0.0), by_place, rings, ..Lost::default() }
     }
 }
 
@@ -128,7 +145,9 @@ mod tests {
         kept.add(&line((12.0, 12.0), (32.0, 12.0)));
         let lost = wanted.lost(&kept);
         assert!((lost.lost - 15.0).abs() < 1e-3 && (lost.share() - 15.0 / 35.0).abs() < 1e-3, "{lost:?}");
-        assert_eq!(lost.place_name(), "middle right");
+        assert_eq!(lost.place_name(), Some("middle right"));
+        let even = Lost { by_place: [2.0, 3.0, 3.0, 1.0, 0.0, 2.0, 1.0, 0.0, 1.0], ..lost.clone() };
+        assert_eq!(even.place_name(), None);
         assert!((lost.keeping(0.5).lost - 25.0).abs() < 1e-3);
     }
 }

@@ -36,7 +36,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
-pub use lost::{Lost, LostSign};
+pub use lost::{Lost, LostMarks, LostSign};
 pub use outlines::Outlines;
 pub use params::Params;
 

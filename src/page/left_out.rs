@@ -2,6 +2,7 @@
 //! page later can tell.
 
 use super::parts::Page;
+use crate::geom::ninths::most_of;
 
 const CONTOURS: &str = "contours left out in mm";
 const PLACES: &str = "contours left out in mm by ninths";
@@ -53,9 +54,8 @@ impl LeftOut {
         if self.of > 0 { (self.millimetres as f32 / self.of as f32).min(1.0) } else { 0.0 }
     }
 
-    /// The ninth of the figure in which most of it is, if that is known.
+    /// The ninth of the figure in which most of it is, if there is one and that is known.
     pub fn most_in(&self) -> Option<usize> {
-        let places = self.by_place?;
-        Some((0..9).fold(0, |best, i| if places[i] > places[best] { i } else { best }))
+        most_of(self.by_place?.map(|mm| mm as f32))
     }
 }

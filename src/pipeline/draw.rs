@@ -3,6 +3,8 @@
 use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
+use super::joined_bars::{self, Instead, Room};
+use super::lost_marks;
 use super::lost_signs;
 use super::outlines::outlines_of;
 use super::overview::{draw_overview, told_of_overview};
@@ -90,17 +92,20 @@ pub(super) fn draw(
     notes.extend(told);
     request.go_on()?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
-    let ((drawn, areas), ((overview, not_in_overview), mut classes)) = in_parallel(
+    // lines that a person gave stay as they are
+    let may_join = given.lines.is_none();
+    let ((drawn, areas, instead), ((overview, not_in_overview, in_overview), mut classes)) = in_parallel(
         has_lines,
         watch,
-        |watch| draw_lines(edges.as_ref(), &layout, plan, watch),
+        |watch| draw_lines(edges.as_ref(), may_join, &layout, plan, watch),
         |watch| {
-            let overview = draw_overview(edges.as_ref(), &layout, plan, watch);
+            let overview = draw_overview(edges.as_ref(), may_join, &layout, plan, watch);
             (overview, areas_of_colours(given, &picture.raster, edges.as_ref(), &layout, plan, watch))
         },
     );
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend(lost_marks::told(&drawn.lost.marks, plan));
     notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
@@ -115,12 +120,13 @@ pub(super) fn draw(
     }
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
     notes.extend(told_of_overview(&not_in_overview));
+    notes.extend(joined_bars::told(instead, in_overview));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let lines = drawn.lines;
-    drop(edges);
+    let of_drawing = edges.is_some_and(|edges| edges.of_drawing());
     drop(picture.raster);
     let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
-    notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
+    notes.extend(told_bare(classes.as_ref(), &textures, &layout, of_drawing, plan));
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, layout, is_flat, left_out, lost_signs: drawn.lost.signs, texts, notes })
@@ -277,48 +283,63 @@ pub(super) fn find_edges(
     None
 }
 
-/// The lines of the figure, and the areas that the outlines of regions among them surround.
+/// The lines of the figure, the areas that the outlines of regions among them surround, and how the bars of a chart
+/// are drawn that have no room as they are, if they may be drawn otherwise.
 pub(super) fn draw_lines(
     edges: Option<&Edges>,
+    may_join: bool,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Lines, Option<Areas>) {
+) -> (Lines, Option<Areas>, Option<Instead>) {
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
             let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
                 let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
-                let mut drawn = lines::draw_with(edges, &outlines, &transform, layout.figure, &plan.lines());
-                // those beyond as many shapes as are asked for are left out on purpose
-                if plan.lines().most_shapes.is_none() {
-                    let widest = plan.lines().max_spacing();
-                    drawn.lost.signs = lost_signs::of(edges, &drawn.lines, &transform, widest);
+                let draw = |edges: &Edges, transform: &PageTransform| {
+                    let mut drawn = lines::draw_with(edges, &outlines, transform, layout.figure, &plan.lines());
+                    // those beyond as many shapes as are asked for are left out on purpose
+                    if plan.lines().most_shapes.is_none() {
+                        let widest = plan.lines().max_spacing();
+                        drawn.lost.signs = lost_signs::of(edges, &drawn.lines, transform, widest);
+                        drawn.lost.marks = lost_marks::of(edges, &drawn.lines, transform, plan.lines().min_length);
+                    }
+                    if matches!(layout.medium, Medium::Dots(_)) {
+                        drawn.lines = by_hand_first(drawn.lines, edges, transform);
+                    }
+                    dots::pressed(drawn, layout.figure, layout, plan)
+                };
+                let drawn = draw(edges, &transform);
+                if !may_join || plan.lines().most_shapes.is_some() {
+                    return (drawn, areas, None);
                 }
-                if matches!(layout.medium, Medium::Dots(_)) {
-                    drawn.lines = by_hand_first(drawn.lines, edges, &transform);
-                }
-                (dots::pressed(drawn, layout.figure, layout, plan), areas)
+                let room = Room::of(layout, plan);
+                let (drawn, instead) =
+                    joined_bars::whole(edges, (drawn, transform), &[transform], room, &draw, &|drawn| &drawn.lines);
+                (drawn, areas, instead)
             });
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Lines, reason));
-    (Lines::default(), None)
+    (Lines::default(), None, None)
 }
 
 /// What the maker is told of lines that are left out as there are to be few.
 fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
     let most = plan.lines().most_shapes?;
     let shapes = beyond.shapes + areas.map_or(0, Areas::beyond);
-    (shapes + beyond.lines > 0).then_some(Note::Simplified { shapes, lines: beyond.lines, most })
+    Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
 pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
-    let &Lost { wanted, lost, .. } = &drawn.lost;
-    let share = drawn.lost.share();
+    // marks that are too short are told by themselves, and no room would help them
+    let Lost { wanted, lost, marks, .. } = drawn.lost;
+    let lost = (lost - marks.length).max(0.0);
+    let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
     let least = match layout.medium {
         Medium::Print(_) => LEAST_TOLD,
         Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),

@@ -3,7 +3,7 @@
 
 use super::label::Label;
 use super::texts::Text;
-use super::told_labels::named;
+use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
 use crate::geom::polyline::PolylineRef;

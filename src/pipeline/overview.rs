@@ -1,6 +1,7 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
 use super::dots;
+use super::joined_bars::{self, Instead, Room};
 use super::outlines::outlines_of;
 use super::progress::{Event, Stage, Watch, run};
 use crate::Note;
@@ -23,17 +24,19 @@ const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
 /// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; also returns what of a drawing is not drawn.
+/// larger, as far as the sheet has room below the figure; also returns what of a drawing is not drawn, and how the
+/// bars of a chart are drawn that have no room as they are.
 pub(super) fn draw_overview(
     edges: Option<&Edges>,
+    may_join: bool,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Option<(MmRect, Vec<Line>)>, Lost) {
+) -> (Option<Drawn>, Lost, Option<Instead>) {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
-            let (place, lines, lost) = run(watch, Stage::Overview, || {
+            let ((place, lines, lost), instead) = run(watch, Stage::Overview, || {
                 let mut best = draw_overview_at(place, edges, layout, plan);
                 for place in larger_overviews(edges, layout, plan) {
                     if is_enough(&best.2) || best.2.share() > TOO_SMALL {
@@ -44,15 +47,46 @@ pub(super) fn draw_overview(
                         best = larger;
                     }
                 }
-                best
+                match may_join {
+                    true => with_whole_bars(best, place, edges, layout, plan),
+                    false => (best, None),
+                }
             });
             let lost = if edges.of_drawing() { lost } else { Lost::default() };
-            return ((!lines.is_empty()).then_some((place, lines)), lost);
+            return ((!lines.is_empty()).then_some((place, lines)), lost, instead);
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Overview, reason));
-    (None, Lost::default())
+    (None, Lost::default(), None)
+}
+
+/// An overview on the page: its place and its lines.
+type Drawn = (MmRect, Vec<Line>);
+
+/// An overview: its place, its lines, and what is not drawn.
+type Overview = (MmRect, Vec<Line>, Lost);
+
+/// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger one.
+fn with_whole_bars(
+    drawn: Overview,
+    place: MmRect,
+    edges: &Edges,
+    layout: &Layout,
+    plan: &Plan,
+) -> (Overview, Option<Instead>) {
+    if plan.lines().most_shapes.is_some() {
+        return (drawn, None);
+    }
+    let places: Vec<MmRect> = std::iter::once(place).chain(larger_overviews(edges, layout, plan)).collect();
+    let transform = |place: &MmRect| PageTransform::new(edges.size, *place);
+    let transforms: Vec<PageTransform> = places.iter().map(transform).collect();
+    let draw = |edges: &Edges, at: &PageTransform| {
+        let place = transforms.iter().zip(&places).find(|(transform, _)| *transform == at).map_or(place, |(_, of)| *of);
+        draw_overview_at(place, edges, layout, plan)
+    };
+    let first = transform(&drawn.0);
+    joined_bars::whole(edges, (drawn, first), &transforms, Room::of(layout, plan), &draw, &|drawn| &drawn.1)
 }
 
 /// The overview's lines in this place, and what is not drawn.

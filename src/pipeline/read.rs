@@ -9,7 +9,7 @@ use crate::raster::Raster;
 use crate::raster::decode::{self, Options, Source};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
-use crate::{Error, Note};
+use crate::{About, Error, Note};
 
 /// Letters of a drawing are looked for in a picture so many times as fine as the working picture, where there is one:
 /// at 4 px a millimetre, a letter of 2 mm is too small to be told from its neighbours.
@@ -70,6 +70,7 @@ fn without_text(
         let why = |why| notes.push(Note::TextsNotRead(why));
         reader.words(&found, raster).map_err(why).ok()
     });
+    notes.extend(words.as_deref().and_then(told_read));
     let word = |at: usize| words.as_mut().map_or_else(String::new, |words| std::mem::take(&mut words[at]));
     let new = found.lines.iter().zip((0..).map(word)).map(|(line, string)| text(line, string, scale));
     let texts = decoded.texts.into_iter().chain(new).collect();
@@ -78,6 +79,19 @@ fn without_text(
     // without its letters it may be of another kind
     let is_flat = raster.is_flat();
     Read { picture: decode::Picture { raster, texts, notes, ..decoded }, is_flat, kind: None }
+}
+
+/// What the maker is told of texts in pixels that somebody has read: a word that was read wrongly is found by reading
+/// the list, and nowhere else.
+fn told_read(words: &[String]) -> Option<Note> {
+    let read: Vec<String> = words.iter().filter(|text| !text.is_empty()).map(|text| format!("\"{text}\"")).collect();
+    let unread = match words.len() - read.len() {
+        0 => String::new(),
+        1 => "; 1 text could not be read".to_owned(),
+        count => format!("; {count} texts could not be read"),
+    };
+    let told = format!("read from the pixels, and to be looked through: {}{unread}", read.join(", "));
+    (!read.is_empty()).then_some(Note::TakenAs(About::Texts, told))
 }
 
 /// The picture once more, finer than the working picture; none if there is no finer one, or it is over a limit.

@@ -100,8 +100,10 @@ pub(super) fn marks(
         edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
-    let (mut drawn, _) = draw_lines(Some(&edges), &layout, plan, watch);
-    let (overview, not_in_overview) = draw_overview(of_overview.as_ref().or(Some(&edges)), &layout, plan, watch);
+    // the lines of a page stay lines of their own
+    let (mut drawn, _, _) = draw_lines(Some(&edges), false, &layout, plan, watch);
+    let edges_of_overview = of_overview.as_ref().or(Some(&edges));
+    let (overview, not_in_overview, _) = draw_overview(edges_of_overview, false, &layout, plan, watch);
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
@@ -117,7 +119,7 @@ pub(super) fn marks(
     let has_ground = own.profile().figure.ground;
     notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(told_bare(classes.as_ref(), &textures, &layout, plan));
+    notes.extend(told_bare(classes.as_ref(), &textures, &layout, false, plan));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
     Ok(Marks { figure, overview, layout, is_flat: false, left_out, lost_signs, texts: Vec::new(), notes })

@@ -4,12 +4,13 @@ use super::dots;
 use super::given::blank_cells;
 use super::progress::{Event, Stage, Watch, run};
 use crate::classes::{self, Class, Classes};
+use crate::geom::distance::distances;
 use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Texture};
 use crate::profile::Plan;
 use crate::regions::Areas;
-use crate::units::{PxPoint, Size};
+use crate::units::{MmVector, PxPoint, Size};
 use crate::{About, Note, textures};
 
 /// Share of the picture's edge that one colour has at least where it is the ground of it. Chosen by us: a table on
@@ -73,9 +74,67 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
     Some(Note::NotOnPage(About::Areas, told))
 }
 
-/// What the maker is told of areas that have a colour and no room for its texture, on a page of dots.
-pub(super) fn told_bare(classes: Option<&Classes>, textures: &[Texture], layout: &Layout, plan: &Plan) -> Option<Note> {
-    let (classes, Medium::Dots(_)) = (classes?, &layout.medium) else { return None };
+/// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
+const BROAD: f32 = 1.5;
+
+/// What the maker is told of the areas of a drawing that have a colour and no sign of its texture, on paper.
+fn told_bare_areas(classes: &Classes, textures: &[Texture], layout: &Layout) -> Option<Note> {
+    let (size, place) = (classes.size, layout.figure);
+    let (width, height) = (size.width as usize, size.height as usize);
+    let mm_per_cell = place.width() / size.width as f32;
+    let region = |x: usize, y: usize| classes.region[y * width + x];
+    let is_border = |cell: usize| {
+        let (x, y) = (cell % width, cell / width);
+        let inside = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
+        let own = region(x, y);
+        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| region(x, y) != own)
+    };
+    let borders: Vec<bool> = (0..size.len()).map(is_border).collect();
+    let mut broadest = vec![(0.0_f32, 0_usize); classes.regions.len()];
+    for (cell, depth) in distances(&borders, size).into_iter().enumerate() {
+        if let Some(region) = classes.region[cell]
+            && (depth + 0.5) * mm_per_cell > broadest[region as usize].0
+        {
+            broadest[region as usize] = ((depth + 0.5) * mm_per_cell, cell);
+        }
+    }
+    let mut is_bare: Vec<bool> = broadest.iter().map(|(radius, _)| *radius >= BROAD).collect();
+    for glyph in textures.iter().flat_map(|texture| &texture.glyphs) {
+        let share = (glyph.at - place.min).component_div(place.size().to_vector());
+        let x = ((share.x * size.width as f32) as usize).min(width - 1);
+        let y = ((share.y * size.height as f32) as usize).min(height - 1);
+        if let Some(region) = region(x, y) {
+            is_bare[region as usize] = false;
+        }
+    }
+    let bare: Vec<usize> =
+        (0..is_bare.len()).filter(|&region| is_bare[region]).map(|region| broadest[region].1).collect();
+    let first = *bare.first()?;
+    let at = place.min + MmVector::new((first % width) as f32, (first / width) as f32) * mm_per_cell;
+    let at = format!("at {:.0}, {:.0} mm", at.x, at.y);
+    let (areas, they_are) = match bare.len() {
+        1 => (format!("the texture of 1 area ({at})"), "it is"),
+        count => (format!("the textures of {count} areas (the first {at})"), "they are"),
+    };
+    let told = format!(
+        "{areas}, as {they_are} too small or too narrow for its signs clear of lines; say in labels what matters of \
+         the colours, or make the figure larger"
+    );
+    Some(Note::NotOnPage(About::Areas, told))
+}
+
+/// What the maker is told of areas that have a colour and no room for its texture.
+pub(super) fn told_bare(
+    classes: Option<&Classes>,
+    textures: &[Texture],
+    layout: &Layout,
+    of_drawing: bool,
+    plan: &Plan,
+) -> Option<Note> {
+    let classes = classes?;
+    if matches!(layout.medium, Medium::Print(_)) {
+        return of_drawing.then(|| told_bare_areas(classes, textures, layout)).flatten();
+    }
     let coloured: u32 = classes.regions.iter().map(|region| region.cells).sum();
     let figure = layout.figure.area();
     let drawn: f32 = textures.iter().map(|texture| texture.area).sum::<f32>() / figure;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::unwritten::{self, Refused};
+use super::unwritten::{Lacks, Refused, named};
 use crate::labels::{self, NEAR, Placed, Unplaced, Wanted};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
@@ -32,13 +32,6 @@ const _: () = assert!(labels::MOST == 300 && labels::LONGEST == 1000);
 
 pub(super) fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
     (!texts.is_empty()).then_some(Note::LabelsLeftOut { texts, why })
-}
-
-/// Names texts: all of up to five.
-pub(super) fn named(texts: &[&str]) -> String {
-    let named: Vec<String> = texts.iter().take(5).map(|text| format!("\"{text}\"")).collect();
-    let more = if texts.len() > 5 { format!(" and {} more", texts.len() - 5) } else { String::new() };
-    format!("{}{more}", named.join(", "))
 }
 
 /// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
@@ -73,6 +66,46 @@ fn is_met(mut points: impl Iterator<Item = MmPoint>, place: MmRect) -> bool {
         (0..=steps as u32).any(|step| place.contains(from.lerp(at, step as f32 / steps)))
     })
 }
+
+/// Tells of labels that have moved and now stand nearer to what another one names.
+pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
+    let far = |anchor: &MmRect, place: &MmRect| {
+        let dx = (anchor.min.x - place.max.x).max(place.min.x - anchor.max.x).max(0.0);
+        let dy = (anchor.min.y - place.max.y).max(place.min.y - anchor.max.y).max(0.0);
+        dx.hypot(dy)
+    };
+    let names_of = |number: usize, placed: &Placed| {
+        let own = far(&wanted[number].anchor, &placed.place);
+        // a leader line says what it names, and a part of a fingertip is no difference
+        let is_nearer =
+            |other: &&Wanted| other.text != wanted[number].text && far(&other.anchor, &placed.place) + NEARER < own;
+        let other = wanted
+            .iter()
+            .filter(is_nearer)
+            .min_by(|a, b| far(&a.anchor, &placed.place).total_cmp(&far(&b.anchor, &placed.place)));
+        other.filter(|_| placed.leader.is_none() && !placed.is_in_margin).map(|other| other.text.as_str())
+    };
+    let all = wanted.iter().zip(results).enumerate();
+    let moved: Vec<String> = all
+        .filter_map(|(number, (label, result))| Some((label, names_of(number, result.as_ref().ok()?)?)))
+        .map(|(label, other)| format!("\"{}\" near \"{other}\"", label.text))
+        .collect();
+    (!moved.is_empty()).then(|| {
+        let shown = moved.len().min(MOST_MOVED);
+        let more = if moved.len() > shown { format!(" and {} more", moved.len() - shown) } else { String::new() };
+        let told = format!(
+            "for want of room labels stand nearer to what another one names than to their own: {}{more}; make the \
+             figure larger, or leave some out",
+            moved[..shown].join(", ")
+        );
+        Note::TakenAs(About::Braille, told)
+    })
+}
+
+/// How much nearer a label is to what another names, mm: half a fingertip.
+const NEARER: f32 = 4.0;
+/// Most of them that a note shows.
+const MOST_MOVED: usize = 5;
 
 /// Tells of leader lines that cross others.
 pub(super) fn across(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Option<Note> {
@@ -111,20 +144,14 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
 
 /// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
 pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
-    let mut notes: Vec<Note> = Vec::new();
-    let mut tell = |note: Option<Note>| {
-        if let Some(note) = note.filter(|note| !notes.contains(note)) {
-            notes.push(note);
-        }
-    };
-    let (mut abbreviated, mut refused) = (Vec::new(), Refused::default());
+    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), Refused::default(), Lacks::default());
     let mut thinned: BTreeMap<i64, Vec<String>> = BTreeMap::new();
     let mut misleading = Vec::new();
     let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (Wanted { text, .. }, result) in wanted.iter().zip(results) {
         match result {
             Ok(label) => {
-                tell(unwritten::lacking(text, &label.lacking));
+                lacks.add(text, &label.lacking);
                 if let Some(short) = &label.abbreviation
                     && !abbreviated.contains(&(short.clone(), text.clone()))
                 {
@@ -136,16 +163,17 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
             Err(Unplaced::TooMany) => too_many.push(text.clone()),
             Err(Unplaced::TooLong) => too_long.push(text.clone()),
             Err(Unplaced::Misleading(lacking)) => {
-                tell(unwritten::lacking(text, lacking));
+                lacks.add(text, lacking);
                 misleading.push(text.clone());
             }
             Err(Unplaced::NoCells(lacking)) => {
-                tell(unwritten::lacking(text, lacking));
+                lacks.add(text, lacking);
                 no_cells.push(text.clone());
             }
             Err(Unplaced::NotTranslated(why)) => refused.add(text, why.clone()),
         }
     }
+    let mut notes: Vec<Note> = lacks.note().into_iter().collect();
     notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
     notes.extend(refused.notes());
     let every = |(every, texts): (i64, Vec<String>)| {
@@ -162,4 +190,31 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
     ];
     notes.extend(missing.into_iter().filter_map(|(texts, why)| left_out(texts, why)));
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_that_stands_at_what_another_names_is_told() {
+        let place = |x: f32| MmRect::new(MmPoint::new(x, 10.0), MmPoint::new(x + 10.0, 16.0));
+        let wanted = |text: &str, x: f32| Wanted { text: text.to_owned(), anchor: place(x) };
+        let placed = |x: f32| {
+            Ok(Placed {
+                place: place(x),
+                lines: Vec::new(),
+                lacking: Vec::new(),
+                abbreviation: None,
+                leader: None,
+                crosses: false,
+                is_in_margin: false,
+                is_bare: false,
+            })
+        };
+        let all = [wanted("11", 20.0), wanted("6", 80.0)];
+        let told = nearer_to_others(&all, &[placed(60.0), placed(80.0)]).expect("a note").to_string();
+        assert!(told.contains("than to their own: \"11\" near \"6\"; make the figure larger"), "{told}");
+        assert_eq!(nearer_to_others(&all, &[placed(25.0), placed(80.0)]), None);
+    }
 }

@@ -7,7 +7,8 @@ use super::label::{CLEARANCE, Label};
 use super::request::Request;
 use super::texts::Text;
 use super::told_labels::{
-    NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, of_axes, of_nothing, told,
+    NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others, of_axes,
+    of_nothing, told,
 };
 use super::unwritten;
 use crate::braille::{Braille, CellSize, Code, Grade, Translate, Translator, unicode};
@@ -209,6 +210,7 @@ impl<'a> Written<'a> {
         let placed: Vec<&Placed> = results.iter().flatten().collect();
         notes.extend(of_nothing(&wanted, &results, figure));
         notes.extend(across(&wanted, &results));
+        notes.extend(nearer_to_others(&wanted, &results));
         notes.extend(of_axes(&wanted, &results));
         labels::make_room(figure, &placed, &params);
         notes.extend(told(&wanted, &results));

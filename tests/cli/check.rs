@@ -30,6 +30,27 @@ fn a_page_without_errors_ends_with_0_and_one_with_errors_with_1() {
 }
 
 #[test]
+fn several_pages_are_checked_one_after_another() {
+    let place = with_page();
+    let run = place.run(&["check", "page.svg", "near.svg", "page.svg"]);
+    assert_eq!((run.code, run.err.as_str()), (1, ""), "the worst of all counts");
+    let names: Vec<&str> = run.out.lines().filter(|line| line.ends_with(".svg:")).collect();
+    assert_eq!(names, ["page.svg:", "near.svg:", "page.svg:"], "{}", run.out);
+    assert_eq!(run.out.lines().filter(|line| line.starts_with("Verdict: ")).count(), 3);
+    let refused = place.run(&["check", "page.svg", "near.svg", "--format", "json"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.err.contains("--format json takes one page; check them one by one"), "{}", refused.err);
+    place.put("page.idx", b"dots");
+    let other = place.run(&["check", "page.idx"]);
+    assert_eq!((other.code, other.err.lines().count()), (1, 1), "{}", other.err);
+    assert!(
+        other.err.contains("this is a page as IDX, which holds dots only, and check reads the SVG"),
+        "{}",
+        other.err
+    );
+}
+
+#[test]
 fn findings_are_drawn_where_it_is_asked_for_and_a_page_comes_from_standard_input_too() {
     let place = with_page();
     let run = place.run(&["check", "near.svg", "--mark", "marked.svg", "--format", "json"]);

@@ -19,6 +19,8 @@ pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:
   tactograph check coffee.svg
         tells what is wrong with a page
+  tactograph check pages/*.svg
+        tells it of several pages
   tactograph check coffee.svg --mark faults.svg
         also draws a box around each fault, in a layer on top of the page
   tactograph check coffee.svg --profile swell-letter
@@ -32,15 +34,17 @@ Examples:
 
 Exit codes:
   0  there are no errors; with --strict no warnings either
-  1  there are errors, or the page could not be read
+  1  there are errors, or a page could not be read
   2  wrong usage: an option, a profile or a value is wrong";
 
 /// `tactograph check`.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Check {
-    /// Page to check, an SVG file; - for standard input
+    /// Pages to check, SVG files; - for standard input
+    ///
+    /// Of several the name of each stands before its findings. --format json and sarif, and --mark, take one page.
     #[arg(value_name = "PAGE.svg", required_unless_present = "rules")]
-    pub(in crate::cli) page: Option<PathBuf>,
+    pub(in crate::cli) pages: Vec<PathBuf>,
 
     /// Profile whose numbers count: a name from "tactograph profiles" or a .toml file of your own
     ///
@@ -63,7 +67,7 @@ pub(in crate::cli) struct Check {
     pub(in crate::cli) mark: Option<PathBuf>,
 
     /// Lists the rules: what each asks for, its number, and where that comes from
-    #[arg(long, conflicts_with_all = ["page", "mark", "strict"])]
+    #[arg(long, conflicts_with_all = ["pages", "mark", "strict"])]
     pub(in crate::cli) rules: bool,
 }
 

@@ -1,0 +1,407 @@
+//! Bars that have no room side by side: as transcribers do, gridlines are left out, or bars are drawn touching one
+//! another, and where a line between every two has no room either, as one common outline.
+
+use super::bars::{Bar, Chart, SAME, Wanted, missing};
+use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
+use crate::lines::Line;
+use crate::page::Medium;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::units::{PageTransform, PxPoint, PxVector};
+use crate::{About, Note};
+
+/// A contour that is interrupted over less than this, px, crosses a bar and is none of its sides.
+const CROSSES: f32 = 4.0 * SAME;
+/// What runs along a side or a top differs from its direction by at most 25 degrees (the cosine).
+const ALONG: f32 = 0.9;
+
+/// How bars that are torn are drawn instead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Instead {
+    bars: Bars,
+    has_grid: bool,
+    /// How many bars are too low for an outline.
+    low: usize,
+    /// Whether a bar beside an axis is drawn as standing at it.
+    is_at_axis: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Bars {
+    Apart,
+    /// A line between every two.
+    Touching,
+    /// None.
+    Outline,
+}
+
+/// What else is tried, with gridlines or without, in this order: what says most comes first. Where none has all bars
+/// whole, what lacks least is taken; what a way lacks by itself counts as such a share.
+const INSTEAD: [(Bars, bool, f32); 6] = [
+    (Bars::Apart, true, 0.0),
+    (Bars::Apart, false, 0.02),
+    (Bars::Touching, true, 0.03),
+    (Bars::Touching, false, 0.05),
+    (Bars::Outline, true, 0.15),
+    (Bars::Outline, false, 0.17),
+];
+
+/// How near lines may be, mm.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Room {
+    /// A gap between bars narrower than this is no gap for fingers.
+    spacing: f32,
+    /// A bar lower than this has no room for its outline beside its base.
+    low: f32,
+    /// A line stands for contours within this distance.
+    reach: f32,
+    /// A bar of which as much is missing is torn; less is missing where lines meet.
+    torn: f32,
+}
+
+impl Room {
+    /// Of a page. On a grid of dots lines are drawn on the rows of it beside them.
+    pub(super) fn of(layout: &Layout, plan: &Plan) -> Self {
+        let pitch = match &layout.medium {
+            Medium::Print(_) => 0.0,
+            Medium::Dots(dots) => dots.pitch,
+        };
+        let lines = plan.lines();
+        let reach = lines.farthest_moved().max(1.5 * pitch);
+        Self { spacing: lines.max_spacing() + pitch, low: lines.max_spacing(), reach, torn: TORN.max(3.0 * pitch) }
+    }
+}
+
+/// A bar of which a contour of this length, mm, is not drawn is torn, on paper.
+const TORN: f32 = 3.0;
+/// The middle of a top, and how near a line lies to it, as a share of the bar's width: nearer than its sides.
+const MIDDLE: [f32; 2] = [0.4, 0.6];
+const NEAR_TOP: f32 = 0.38;
+/// The same of a low bar and its base.
+const NEAR_LOW: f32 = 0.4;
+/// Bars that touch are as wide as the distance from one to the next, of which this share is nearer to one line than to
+/// the next.
+const NEARER_OF_TOUCHING: f32 = 0.45;
+/// A side that is not drawn is seen by what is nearer to it than to the next line, as a share of their distance.
+const NEARER: f32 = 0.6;
+
+/// Draws a drawing whose bars are torn as `first` in other ways, until they are whole: for each way and each
+/// transform. Gives what lacks least of them, and how it was drawn if it is not the first.
+pub(super) fn whole<T>(
+    edges: &Edges,
+    first: (T, PageTransform),
+    transforms: &[PageTransform],
+    room: Room,
+    draw: &dyn Fn(&Edges, &PageTransform) -> T,
+    lines: &dyn Fn(&T) -> &[Line],
+) -> (T, Option<Instead>) {
+    let (first, at) = first;
+    let Some(chart) = Chart::of(edges) else { return (first, None) };
+    let lacks = |wanted: &[Wanted], drawn: &T, at: &PageTransform| missing(wanted, lines(drawn), at, room.torn);
+    let (lost, all) = lacks(&chart.wanted(room, &at), &first, &at);
+    let mut least = lost / all.max(f32::MIN_POSITIVE);
+    let mut best = (first, None);
+    for (bars, has_grid, own) in INSTEAD.into_iter().filter(|(_, has_grid, _)| *has_grid || !chart.grid.is_empty()) {
+        for transform in transforms {
+            if least <= 0.0 {
+                return best;
+            }
+            let Some((others, wanted, instead)) = chart.drawn(edges, (bars, has_grid), room, transform) else {
+                continue;
+            };
+            let drawn = draw(&others, transform);
+            let (lost, all) = lacks(&wanted, &drawn, transform);
+            let share = if lost > 0.0 { own + lost / all.max(f32::MIN_POSITIVE) } else { 0.0 };
+            if share < least {
+                (least, best) = (share, (drawn, Some(instead)));
+            }
+        }
+    }
+    best
+}
+
+/// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
+pub(super) fn told(in_figure: Option<Instead>, in_overview: Option<Instead>) -> Vec<Note> {
+    // as in the figure is no news
+    let in_overview = in_overview.filter(|_| in_overview != in_figure);
+    let of_figure = in_figure.iter().flat_map(|instead| instead.told(false));
+    of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(true))).collect()
+}
+
+impl Instead {
+    fn told(self, of_overview: bool) -> Vec<Note> {
+        let (about, place) = if of_overview { (About::Overview, "in the overview ") } else { (About::Lines, "") };
+        let bars = match self.bars {
+            Bars::Apart => None,
+            Bars::Touching => Some("touch one another, without gaps"),
+            Bars::Outline => Some("are drawn as one common outline, without lines between them"),
+        };
+        let joined = bars.map(|how| {
+            let why = "as there is no room for more; their heights are right";
+            let what_to_do = if of_overview { "" } else { "; a larger figure, or one on several sheets, has more" };
+            Note::TakenAs(about, format!("{place}the bars of the chart {how}, {why}{what_to_do}"))
+        });
+        let low = (self.low > 0).then(|| {
+            let bars = if self.low == 1 { "1 bar" } else { &format!("{} bars", self.low) };
+            let what =
+                format!("{place}{bars} of the chart, too low for an outline that fingers can tell from the base");
+            Note::NotOnPage(about, what)
+        });
+        let at_axis = self.is_at_axis.then(|| {
+            let told = format!("{place}a bar beside an axis is drawn as standing at it, as there is no room between");
+            Note::TakenAs(about, told)
+        });
+        let grid = (!self.has_grid).then(|| {
+            let told = format!("the gridlines of the chart, {place}as a whole, so that its bars have room");
+            Note::NotOnPage(about, told)
+        });
+        joined.into_iter().chain(at_axis).chain(grid).chain(low).collect()
+    }
+}
+
+/// Bars side by side that have no gaps for fingers, and where their outline begins and ends across: at an axis that is
+/// as near, or at their own sides.
+struct Row {
+    bars: Vec<Bar>,
+    ends: [End; 2],
+}
+
+#[derive(Clone, Copy)]
+struct End {
+    at: f32,
+    /// Whether an axis is there.
+    is_axis: bool,
+}
+
+/// Contours in which bars are drawn otherwise, the paths along which there should be lines then, and how that is.
+type Redrawn = (Edges, Vec<Wanted>, Instead);
+
+impl Chart {
+    /// The paths along which there should be lines if all bars are drawn as they are.
+    fn wanted(&self, room: Room, transform: &PageTransform) -> Vec<Wanted> {
+        let gap = room.spacing / transform.mm_per_px();
+        let mut wanted = Vec::new();
+        for bar in &self.bars {
+            let height = (bar.top - self.base) * transform.mm_per_px();
+            let is_low = height < room.low;
+            // nearer to it than the other side of the bar, or the line in the middle of a narrow one
+            let width = (bar.to - bar.from) * transform.mm_per_px();
+            let reach = if is_low { NEAR_LOW * height } else { room.reach.min((NEARER * width).max(1.0)) };
+            wanted.push(Wanted { path: self.outline(bar), reach, or_none: is_low, weight: 1.0 });
+            // the middle of a top is as near to its sides as they are to one another
+            let [a, b] = MIDDLE.map(|share| self.way.point((bar.from + share * (bar.to - bar.from), bar.top)));
+            let reach = room.reach.min(NEAR_TOP * width);
+            let weight = 1.0 / (MIDDLE[1] - MIDDLE[0]);
+            wanted.extend((!is_low).then(|| Wanted { path: vec![a, b], reach, or_none: false, weight }));
+            // a side is not the axis beside it, and may have moved away from that
+            for (is_last, own) in [(false, bar.from), (true, bar.to)] {
+                let End { at, is_axis } = self.end(bar, gap, is_last);
+                if is_axis {
+                    let inwards = 0.5 * room.reach / transform.mm_per_px();
+                    let across = own + if is_last { -inwards } else { inwards };
+                    let path = [self.base, bar.top].map(|along| self.way.point((across, along))).to_vec();
+                    let reach = 0.5 * room.reach + NEARER * (at - own).abs() * transform.mm_per_px();
+                    wanted.push(Wanted { path, reach, or_none: false, weight: 1.0 });
+                }
+            }
+        }
+        wanted
+    }
+
+    /// What is drawn otherwise; none if nothing is.
+    fn drawn(
+        &self,
+        edges: &Edges,
+        (bars, has_grid): (Bars, bool),
+        room: Room,
+        transform: &PageTransform,
+    ) -> Option<Redrawn> {
+        let gap = room.spacing / transform.mm_per_px();
+        let (low, high): (Vec<Bar>, Vec<Bar>) =
+            self.bars.iter().partition(|bar| (bar.top - self.base) * transform.mm_per_px() < room.low);
+        let joins = bars != Bars::Apart;
+        let row = |bars: &[Bar]| {
+            let ends = [self.end(&bars[0], gap, false), self.end(&bars[bars.len() - 1], gap, true)];
+            Row { bars: bars.to_vec(), ends }
+        };
+        let mut rows: Vec<Row> = high.chunk_by(|a, b| joins && b.from - a.to <= gap).map(row).collect();
+        let is_at_axis = |row: &Row| row.ends.iter().any(|end| end.is_axis);
+        let apart: Vec<Row> = rows.extract_if(.., |row| !joins && !is_at_axis(row)).collect();
+        if rows.is_empty() && low.is_empty() && has_grid {
+            return None;
+        }
+        let mut others = Edges { dashed: edges.dashed, erased: edges.erased.clone(), ..Edges::none(edges.size) };
+        let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
+        for chain in &edges.chains {
+            let is_grid = !has_grid && self.is_gridline(edges, chain);
+            let view = edges.chain(chain);
+            // a bar may end on a gridline
+            let is_out = |i: usize| {
+                let at = view.vertices[i].at;
+                is_grid && !self.is_top(at) || self.is_replaced(at, view.tangent(i), &rows, &low)
+            };
+            let is_level = |i: usize| self.way.of(view.tangent(i).to_point()).0.abs() >= ALONG;
+            let is_of_base = |i: usize| self.is_base(view.vertices[i].at) && is_level(i);
+            let kept = kept(edges, chain, is_out, is_of_base);
+            let dropped = view.vertices.len() - kept.iter().map(Vec::len).sum::<usize>();
+            if dropped > 0 && !is_grid {
+                sum += view.vertices.iter().map(|edgel| edgel.strength).sum::<f32>();
+                count += view.vertices.len();
+                kind.get_or_insert(chain.kind);
+            }
+            for run in kept {
+                let on_base = |edgel: &Edgel| self.is_base(edgel.at).then(|| self.way.of(edgel.at).0);
+                let pairs = run.windows(2).filter_map(|pair| Some((on_base(&pair[0])?, on_base(&pair[1])?)));
+                ground.extend(pairs.map(|(a, b)| (a.min(b), a.max(b))));
+                others.push_as(chain.kind, run.into_iter(), chain.closed && dropped == 0);
+            }
+        }
+        let paths = self.paths(&rows, bars == Bars::Touching);
+        if let Some(kind) = kind {
+            // like the middle of a stroke, which has no other side
+            let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
+            for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
+                let edgel = |at: PxPoint| Edgel { at, strength: sum / count as f32, contrast: [0.0; 3] };
+                others.push_as(kind, along(path).into_iter().map(edgel), false);
+            }
+        }
+        let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
+        let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
+        let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
+        let reach = room.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
+        let paths = paths.into_iter().map(|path| Wanted { path, reach, or_none: false, weight: 1.0 });
+        let wanted = paths.chain(unchanged.wanted(room, transform)).collect();
+        Some((others, wanted, instead))
+    }
+
+    /// Where a row ends beside a bar.
+    fn end(&self, bar: &Bar, gap: f32, is_last: bool) -> End {
+        let (own, outwards) = if is_last { (bar.to, 1.0) } else { (bar.from, -1.0) };
+        let beyond = |at: f32| (at - own) * outwards;
+        let is_of_bar =
+            |at: f32| self.bars.iter().any(|bar| (at - bar.from).abs() <= SAME || (at - bar.to).abs() <= SAME);
+        let is_axis = |at: f32| beyond(at) > SAME && beyond(at) <= gap && self.has_side(at, bar.top) && !is_of_bar(at);
+        let axis = self.sides.iter().map(|side| side.at).filter(|&at| is_axis(at));
+        let axis = axis.min_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
+        End { at: axis.unwrap_or(own), is_axis: axis.is_some() }
+    }
+
+    /// Whether a place is on the top of a bar.
+    fn is_top(&self, at: PxPoint) -> bool {
+        let (across, along) = self.way.of(at);
+        let is_of = |bar: &Bar| (bar.from - SAME..=bar.to + SAME).contains(&across) && (bar.top - along).abs() <= SAME;
+        self.bars.iter().any(is_of)
+    }
+
+    /// Whether a place is on the base.
+    fn is_base(&self, at: PxPoint) -> bool {
+        (self.way.of(at).1 - self.base).abs() <= SAME
+    }
+
+    /// The base of rows where nothing of what is left runs along it: what bars stood on was theirs, too.
+    fn gaps_of_base(&self, rows: &[Row], mut ground: Vec<(f32, f32)>) -> Vec<Vec<PxPoint>> {
+        ground.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut gaps = Vec::new();
+        for Row { ends: [first, last], .. } in rows {
+            let mut until = first.at;
+            for &(from, to) in ground.iter().chain([&(last.at, last.at)]) {
+                if from - until > SAME && until < last.at {
+                    gaps.push(vec![self.way.point((until, self.base)), self.way.point((from.min(last.at), self.base))]);
+                }
+                until = until.max(to);
+            }
+        }
+        gaps
+    }
+
+    /// Whether a place of a contour, which runs in a direction there, is a side or a top of a bar of these rows or of
+    /// one that is too low, or what is between two of one row.
+    fn is_replaced(&self, at: PxPoint, direction: PxVector, rows: &[Row], low: &[Bar]) -> bool {
+        let (across, along) = self.way.of(at);
+        if along <= self.base + SAME {
+            return false;
+        }
+        let (to_side, to_level) = self.way.of(direction.to_point());
+        let (is_level, is_side) = (to_side.abs() >= ALONG, to_level.abs() >= ALONG);
+        let near = |a: f32, b: f32| (a - b).abs() <= SAME;
+        let of_bar = |bar: &Bar| {
+            let is_on = |across: f32| across >= bar.from - SAME && across <= bar.to + SAME;
+            let beside = near(across, bar.from) || near(across, bar.to);
+            let is_top = near(along, bar.top) && is_on(across);
+            is_side && beside && along <= bar.top + SAME
+                || is_level && is_top
+                // the direction at a corner is that of neither
+                || is_top && beside
+        };
+        let between = |row: &Row| {
+            let inside = across > row.ends[0].at + SAME && across < row.ends[1].at - SAME;
+            let nearest = |bar: &&Bar| (across - bar.from).abs().min((across - bar.to).abs());
+            let in_bar = row.bars.iter().any(|bar| across > bar.from && across < bar.to);
+            let highest = row.bars.iter().min_by(|a, b| nearest(a).total_cmp(&nearest(b)));
+            inside && !in_bar && is_level && highest.is_some_and(|bar| along <= bar.top + SAME)
+        };
+        low.iter().any(of_bar) || rows.iter().any(|row| row.bars.iter().any(of_bar) || between(row))
+    }
+
+    /// Where lines are: the outline of each row, and between every two of its bars if they are `touching`.
+    fn paths(&self, rows: &[Row], touching: bool) -> Vec<Vec<PxPoint>> {
+        let mut paths = Vec::new();
+        for Row { bars, ends: [first, last] } in rows {
+            let mut outline = vec![(first.at, bars[0].top)];
+            if !first.is_axis {
+                outline.insert(0, (first.at, self.base));
+            }
+            for pair in bars.windows(2) {
+                let middle = 0.5 * (pair[0].to + pair[1].from);
+                outline.extend([(middle, pair[0].top), (middle, pair[1].top)]);
+                if touching {
+                    paths.push(vec![(middle, self.base), (middle, pair[0].top.min(pair[1].top))]);
+                }
+            }
+            outline.push((last.at, bars[bars.len() - 1].top));
+            if !last.is_axis {
+                outline.push((last.at, self.base));
+            }
+            paths.push(outline);
+        }
+        paths.into_iter().map(|path| path.into_iter().map(|at| self.way.point(at)).collect()).collect()
+    }
+}
+
+/// What of a chain is not taken out, in runs.
+fn kept(
+    edges: &Edges,
+    chain: &ChainRange,
+    is_out: impl Fn(usize) -> bool,
+    is_of_base: impl Fn(usize) -> bool,
+) -> Vec<Vec<Edgel>> {
+    let edgels = &edges.edgels[chain.edgels.clone()];
+    let count = edgels.len();
+    let mut out: Vec<bool> = (0..count).map(is_out).collect();
+    let length =
+        |run: &[usize]| run.windows(2).map(|pair| (edgels[pair[1]].at - edgels[pair[0]].at).length()).sum::<f32>();
+    let runs = |out: &[bool]| crate::geom::walk::runs(count, chain.closed, |a, b| out[a] == out[b]);
+    let of_all = runs(&out);
+    if of_all.len() > 1 {
+        let is_end = |i: usize| !chain.closed && (i == 0 || i + 1 == of_all.len());
+        // what crosses a bar goes on; what is left of one goes
+        for (i, run) in of_all.iter().enumerate().filter(|(_, run)| length(run) < CROSSES) {
+            let is_base = !out[run[0]] && run.iter().all(|&at| is_of_base(at));
+            if !(is_base || out[run[0]] && is_end(i)) {
+                run.iter().for_each(|&at| out[at] = !out[at]);
+            }
+        }
+    }
+    let all = runs(&out);
+    all.iter().filter(|run| !out[run[0]]).map(|run| run.iter().map(|&at| edgels[at]).collect()).collect()
+}
+
+/// Points a pixel apart along a path.
+fn along(path: &[PxPoint]) -> Vec<PxPoint> {
+    let mut points: Vec<PxPoint> = path.first().copied().into_iter().collect();
+    for pair in path.windows(2) {
+        let steps = (pair[1] - pair[0]).length().ceil() as u32;
+        points.extend((1..=steps).map(|step| pair[0].lerp(pair[1], step as f32 / steps as f32)));
+    }
+    points
+}

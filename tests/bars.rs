@@ -1,0 +1,123 @@
+//! Charts whose bars have no room side by side: they are drawn touching, or as one outline, and never torn.
+
+use std::fmt::Write;
+
+use tactograph::internals::geom::nearest_on_segment;
+use tactograph::marks::Line;
+use tactograph::{Drawing, MmPoint, MmRect, Options, Profile};
+
+const WIDTH: f32 = 900.0;
+const HEIGHT: f32 = 600.0;
+const BASE: f32 = 520.0;
+/// A line is at a place if it is so near, mm.
+const NEAR: f32 = 1.6;
+
+/// A chart, and of each bar the middle of its top.
+struct Chart {
+    svg: String,
+    tops: Vec<(f32, f32)>,
+}
+
+/// So many bars from `first` px beside the axis on, which take this share of their distance.
+fn chart(count: usize, first: f32, share: f32, has_grid: bool) -> Chart {
+    const HEIGHTS: [f32; 6] = [205.0, 400.0, 330.0, 440.0, 150.0, 275.0];
+    let step = (750.0 - first) / count as f32;
+    let mut svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}'>\
+         <rect width='{WIDTH}' height='{HEIGHT}' fill='#fff'/>"
+    );
+    for level in (1..6).filter(|_| has_grid) {
+        write!(svg, "<path d='M90 {}H860' stroke='#bbb'/>", BASE - 90.0 * level as f32).expect("it is a string");
+    }
+    let mut tops = Vec::new();
+    for k in 0..count {
+        let (x, width, height) = (90.0 + first + k as f32 * step, share * step, HEIGHTS[k % 6]);
+        write!(svg, "<rect x='{x}' y='{}' width='{width}' height='{height}' fill='#4c72b0'/>", BASE - height)
+            .expect("it is a string");
+        tops.push((x + 0.5 * width, BASE - height));
+    }
+    svg += "<path d='M90 40V520H860' fill='none' stroke='#000' stroke-width='3'/></svg>";
+    Chart { svg, tops }
+}
+
+fn converted(chart: &Chart, profile: &str) -> Drawing {
+    let profile = Profile::named(profile).expect("it is built in");
+    tactograph::convert(chart.svg.as_bytes(), &Options::new(profile)).expect("a page")
+}
+
+fn told(drawing: &Drawing) -> String {
+    drawing.notes.iter().map(|note| format!("{note}\n")).collect()
+}
+
+/// Distance from a place to the nearest of the lines but one, mm.
+fn far(at: MmPoint, lines: &[Line], but: Option<usize>) -> f32 {
+    let others = lines.iter().enumerate().filter(|(number, _)| Some(*number) != but);
+    let runs = others.flat_map(|(_, line)| &line.runs);
+    runs.flat_map(|run| run.points.windows(2))
+        .map(|pair| nearest_on_segment(at, pair[0], pair[1]).0)
+        .fold(f32::INFINITY, f32::min)
+}
+
+/// How many ends of lines lie on no other line.
+fn loose_ends(lines: &[Line]) -> usize {
+    let ends = lines.iter().enumerate().flat_map(|(number, line)| {
+        let is_ring = line.runs.iter().any(|run| run.closed);
+        let first = line.runs.first().and_then(|run| run.points.first());
+        let last = line.runs.last().and_then(|run| run.points.last());
+        [first, last].into_iter().flatten().filter(move |_| !is_ring).map(move |end| (number, *end))
+    });
+    ends.filter(|&(number, end)| far(end, lines, Some(number)) > NEAR).count()
+}
+
+/// How many tops of bars are drawn where they are.
+fn tops_drawn(chart: &Chart, place: MmRect, lines: &[Line]) -> usize {
+    let on_page = |&(x, y): &(f32, f32)| {
+        place.min + MmPoint::new(x / WIDTH * place.width(), y / HEIGHT * place.height()).to_vector()
+    };
+    chart.tops.iter().filter(|top| far(on_page(top), lines, None) <= NEAR).count()
+}
+
+#[test]
+fn an_overview_has_all_bars_and_no_scraps() {
+    for count in [12, 14, 16] {
+        let chart = chart(count, 20.0, 0.7, false);
+        let drawing = converted(&chart, "swell-a4");
+        let overview = drawing.page.overview.as_ref().expect("it has one");
+        assert_eq!(tops_drawn(&chart, overview.place, &overview.lines), count, "{count} bars");
+        // the two ends of the axis
+        assert!(loose_ends(&overview.lines) <= 2, "{count} bars: {} loose ends", loose_ends(&overview.lines));
+        assert!(told(&drawing).contains("the bars of the chart"), "{}", told(&drawing));
+    }
+}
+
+#[test]
+fn a_figure_with_gridlines_has_bars_of_their_own_height() {
+    let chart = chart(12, 6.0, 0.7, true);
+    let drawing = converted(&chart, "swell-a4");
+    let figure = &drawing.page.figure;
+    assert_eq!(tops_drawn(&chart, figure.place, &figure.lines), 12);
+    assert!(told(&drawing).contains("the bars of the chart touch one another, without gaps"), "{}", told(&drawing));
+    // above the lowest bars there is nothing up to the next gridline
+    let above = |&(x, y): &(f32, f32)| (x, y - 25.0);
+    let lowest: Vec<(f32, f32)> = chart.tops.iter().filter(|(_, y)| *y == BASE - 205.0).map(above).collect();
+    let open = Chart { tops: lowest, svg: String::new() };
+    assert_eq!(tops_drawn(&open, figure.place, &figure.lines), 0);
+}
+
+#[test]
+fn what_has_room_stays_as_it_is() {
+    let chart = chart(5, 40.0, 0.6, false);
+    let drawing = converted(&chart, "swell-a4");
+    assert!(!told(&drawing).contains("the bars of the chart"), "{}", told(&drawing));
+    assert_eq!(drawing.page.figure.lines.len(), 6, "five bars and an axis");
+}
+
+#[test]
+fn on_an_embosser_bars_touch_and_are_told() {
+    let chart = chart(14, 20.0, 0.7, false);
+    let drawing = converted(&chart, "index-basic-d");
+    let figure = &drawing.page.figure;
+    assert!(told(&drawing).contains("the bars of the chart touch one another"), "{}", told(&drawing));
+    let points = |line: &Line| line.runs.iter().map(|run| run.points.len()).sum::<usize>();
+    assert!(figure.lines.iter().all(|line| points(line) > 2), "no scraps");
+}
