@@ -340,7 +340,7 @@ impl std::fmt::Display for Note {
             }
             Self::NoLines => f.write_str(
                 "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
-                 and edges.low, or give a brighter picture or one with less around it",
+                 and edges.low, or give a brighter picture, one with less around it, or one with larger parts",
             ),
             Self::NoContours => f.write_str(
                 "nothing to trace: no contour is strong and long enough; lower the thresholds, or give a brighter \
@@ -405,8 +405,9 @@ impl std::fmt::Display for Note {
                  every third row, so shapes are felt less well than from an embosser that has a profile of its own",
             ),
             Self::EmptyPage => f.write_str(
-                "the page is empty: the picture is white, or what is on it is too pale or too thin; lower edges.high \
-                 and edges.low to get more",
+                "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for \
+                 fingers; lower edges.high and edges.low to get more, or draw only a part of it, so that it is larger \
+                 (--crop)",
             ),
         }
     }

@@ -7,9 +7,9 @@
 use crate::classes::{Classes, Region};
 use crate::geom::crossing;
 use crate::geom::nearby::{Index, Nearby, Segment};
-use crate::page::{Page, Texture};
+use crate::page::{Line, Page, Texture};
 use crate::raster::plane::Plane;
-use crate::units::{Mm, MmPoint, Size};
+use crate::units::{Mm, MmPoint, MmRect, Size};
 
 /// Side of a cell, mm, as that in which colours are sorted.
 const CELL: f32 = 1.0;
@@ -37,7 +37,7 @@ pub(super) fn of_page(page: &Page) -> Classes {
     for (region, texture) in (0..).zip(textures) {
         texture.glyphs.iter().for_each(|glyph| signs.put_at(glyph.at, (region, glyph.at)));
     }
-    let lines = lines(page);
+    let lines = index_of(&page.figure.lines, page.figure.place, REACH);
     let mut near: Vec<Cells> = vec![Vec::new(); textures.len()];
     for cell in 0..size.area() as usize {
         let at = middle(cell);
@@ -74,15 +74,15 @@ pub(super) fn of_page(page: &Page) -> Classes {
 /// How many signs are looked at from a cell: behind a line there are others.
 const MOST_TRIED: usize = 12;
 
-/// The lines of the figure, to be found by their places.
-fn lines(page: &Page) -> Nearby {
-    let mut lines = Nearby::new(page.figure.place, REACH);
-    for (line, run) in (0..).zip(page.figure.lines.iter().flat_map(|line| &line.runs)) {
-        for (index, (&a, &b)) in (0..).zip(run.polyline().segments()) {
-            lines.insert(Segment { a, b, half_width: 0.5 * run.width, line, index, arc: 0.0 });
+/// Lines in an area, to be found by their places; mostly within `reach`, mm.
+pub(super) fn index_of(lines: &[Line], area: MmRect, reach: f32) -> Nearby {
+    let mut index = Nearby::new(area, reach);
+    for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
+        for (number, (&a, &b)) in (0..).zip(run.polyline().segments()) {
+            index.insert(Segment { a, b, half_width: 0.5 * run.width, line, index: number, arc: 0.0 });
         }
     }
-    lines
+    index
 }
 
 /// Whether a line lies between two places.

@@ -298,26 +298,29 @@ pub(super) fn draw_lines(
             let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
                 let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
-                let draw = |edges: &Edges, transform: &PageTransform| {
-                    let mut drawn = lines::draw_with(edges, &outlines, transform, layout.figure, &plan.lines());
+                let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
+                    let params = lines::Params { detail, ..plan.lines() };
+                    let mut drawn = lines::draw_with(edges, &outlines, transform, layout.figure, &params);
                     // those beyond as many shapes as are asked for are left out on purpose
                     if plan.lines().most_shapes.is_none() {
                         let widest = plan.lines().max_spacing();
                         drawn.lost.signs = lost_signs::of(edges, &drawn.lines, transform, widest);
-                        drawn.lost.marks = lost_marks::of(edges, &drawn.lines, transform, plan.lines().min_length);
+                        drawn.lost.marks =
+                            lost_marks::of(edges, &drawn.lines, layout.figure, transform, plan.lines().min_length);
                     }
                     if matches!(layout.medium, Medium::Dots(_)) {
                         drawn.lines = by_hand_first(drawn.lines, edges, transform);
                     }
                     dots::pressed(drawn, layout.figure, layout, plan)
                 };
-                let drawn = draw(edges, &transform);
+                let detail = plan.lines().detail;
+                let drawn = draw(edges, &transform, detail);
                 if !may_join || plan.lines().most_shapes.is_some() {
                     return (drawn, areas, None);
                 }
-                let room = Room::of(layout, plan);
+                let (at, room) = ([transform], (Room::of(layout, plan), detail));
                 let (drawn, instead) =
-                    joined_bars::whole(edges, (drawn, transform), &[transform], room, &draw, &|drawn| &drawn.lines);
+                    joined_bars::whole(edges, (drawn, transform), &at, room, &draw, &|drawn| &drawn.lines);
                 (drawn, areas, instead)
             });
         }

@@ -85,39 +85,48 @@ const NEARER_OF_TOUCHING: f32 = 0.45;
 /// A side that is not drawn is seen by what is nearer to it than to the next line, as a share of their distance.
 const NEARER: f32 = 0.6;
 
-/// Draws a drawing whose bars are torn as `first` in other ways, until they are whole: for each way and each
-/// transform. Gives what lacks least of them, and how it was drawn if it is not the first.
+/// All lines that have room (`lines.detail`).
+const ALL: f32 = 1.0;
+
+/// Draws a drawing whose bars are torn as `first`, which has this `detail`, in other ways, until they are whole: for
+/// each way and each transform. Gives what lacks least of them, and how it was drawn if it is not the first.
 pub(super) fn whole<T>(
     edges: &Edges,
     first: (T, PageTransform),
     transforms: &[PageTransform],
-    room: Room,
-    draw: &dyn Fn(&Edges, &PageTransform) -> T,
+    (room, detail): (Room, f32),
+    draw: &dyn Fn(&Edges, &PageTransform, f32) -> T,
     lines: &dyn Fn(&T) -> &[Line],
 ) -> (T, Option<Instead>) {
     let (first, at) = first;
     let Some(chart) = Chart::of(edges) else { return (first, None) };
     let lacks = |wanted: &[Wanted], drawn: &T, at: &PageTransform| missing(wanted, lines(drawn), at, room.torn);
-    let (lost, all) = lacks(&chart.wanted(room, &at), &first, &at);
+    // judged by all lines whatever the detail, so that less of it is a part of more
+    let all_lines = (detail < ALL).then(|| draw(edges, &at, ALL));
+    let (lost, all) = lacks(&chart.wanted(room, &at), all_lines.as_ref().unwrap_or(&first), &at);
     let mut least = lost / all.max(f32::MIN_POSITIVE);
-    let mut best = (first, None);
-    for (bars, has_grid, own) in INSTEAD.into_iter().filter(|(_, has_grid, _)| *has_grid || !chart.grid.is_empty()) {
-        for transform in transforms {
+    let mut best = None;
+    'ways: for (bars, has_grid, own) in INSTEAD {
+        for transform in transforms.iter().filter(|_| has_grid || !chart.grid.is_empty()) {
             if least <= 0.0 {
-                return best;
+                break 'ways;
             }
             let Some((others, wanted, instead)) = chart.drawn(edges, (bars, has_grid), room, transform) else {
                 continue;
             };
-            let drawn = draw(&others, transform);
+            let drawn = draw(&others, transform, ALL);
             let (lost, all) = lacks(&wanted, &drawn, transform);
             let share = if lost > 0.0 { own + lost / all.max(f32::MIN_POSITIVE) } else { 0.0 };
             if share < least {
-                (least, best) = (share, (drawn, Some(instead)));
+                (least, best) = (share, Some((drawn, others, transform, instead)));
             }
         }
     }
-    best
+    match best {
+        None => (first, None),
+        Some((drawn, .., instead)) if detail >= ALL => (drawn, Some(instead)),
+        Some((_, others, transform, instead)) => (draw(&others, transform, detail), Some(instead)),
+    }
 }
 
 /// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.

@@ -1,13 +1,14 @@
 //! Ticks and marks of angles that are too short for a line and not on the page. A reader who expects them is misled,
 //! and a larger figure is the only way to have them, so they are told by what they are.
 
+use super::areas::index_of;
 use crate::edges::{ChainRange, Edges};
-use crate::geom::nearest_on_segment;
+use crate::geom::nearby::Segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::{Line, LostMarks};
 use crate::profile::Plan;
-use crate::units::{MmPoint, PageTransform};
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
 
 /// A mark ends on a line that is so near to its end, mm: lines are moved apart by less.
@@ -25,6 +26,10 @@ const STRAIGHT: f32 = 0.05;
 const OFF_CORNER: f32 = 0.08;
 /// ... and its corner has at most this cosine (70 to 110 degrees).
 const RIGHT: f32 = 0.35;
+/// The legs of an angle differ in their direction by at least 10 degrees: the sine.
+const LEG: f32 = 0.17;
+/// A tick stands on a line if its ends are at distances from it that differ by this share of its length.
+const STANDS: f32 = 0.5;
 
 /// What a mark is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,19 +39,19 @@ enum Kind {
     Corner,
 }
 
-/// The marks of a drawing that are shorter than `least`, mm, and not among its lines.
-pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, least: f32) -> LostMarks {
+/// An end of a mark on a line: how far it is from that, mm, and the direction of the line there.
+type OnLine = (f32, MmVector);
+
+/// The marks of a drawing that are shorter than `least`, mm, and not among its lines, which lie in `area`.
+pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTransform, least: f32) -> LostMarks {
     let mut marks = LostMarks::default();
     if !edges.of_drawing() {
         return marks;
     }
-    let far = |at: MmPoint| {
-        let runs = lines.iter().flat_map(|line| &line.runs);
-        let to_run = |run: &crate::lines::Run| {
-            let path = || run.path();
-            path().zip(path().skip(1)).map(|(a, b)| nearest_on_segment(at, a, b).0).fold(f32::INFINITY, f32::min)
-        };
-        runs.map(to_run).fold(f32::INFINITY, f32::min)
+    let index = index_of(lines, area, ENDS_ON);
+    let line_at = |at: MmPoint, reach: f32| -> Option<OnLine> {
+        let (distance, _, Segment { a, b, .. }) = index.nearest(at, reach, |_| true)?;
+        Some((distance, (b - a).try_normalize().unwrap_or_default()))
     };
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
@@ -56,11 +61,11 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, least
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
         let looked = (0..PLACES).map(|i| points[i * (points.len() - 1) / (PLACES - 1)]);
-        let drawn = looked.filter(|at| far(*at) <= DRAWN).count();
+        let drawn = looked.filter(|at| line_at(*at, DRAWN).is_some()).count();
         if drawn as f32 >= MOSTLY * PLACES as f32 {
             continue;
         }
-        let ends = [first, last].map(|end| far(end) <= ENDS_ON);
+        let ends = [first, last].map(|end| line_at(end, ENDS_ON));
         let Some(kind) = kind(&points, length, ends) else { continue };
         match kind {
             Kind::Tick => marks.ticks += 1,
@@ -74,12 +79,19 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, least
 }
 
 /// What a mark of this length is of which these ends are on lines.
-fn kind(points: &[MmPoint], length: f32, ends: [bool; 2]) -> Option<Kind> {
+fn kind(points: &[MmPoint], length: f32, ends: [Option<OnLine>; 2]) -> Option<Kind> {
     let line = PolylineRef { vertices: points, closed: false };
-    let is_between = ends == [true, true];
-    if simplify(line, STRAIGHT * length).len() == 2 {
+    let is_straight = simplify(line, STRAIGHT * length).len() == 2;
+    let ([Some((from, one)), Some((to, other))], true) = (ends, points.len() > 1) else {
+        return (is_straight && ends.iter().any(Option::is_some)).then_some(Kind::Tick);
+    };
+    if one.cross(other).abs() < LEG {
+        // so short that both its ends are near the one line that it stands on; a bitmap may bend it there
+        return ((from - to).abs() >= STANDS * length).then_some(Kind::Tick);
+    }
+    if is_straight {
         // what lies between two lines is a piece of a longer one, such as a gridline
-        return (ends[0] != ends[1]).then_some(Kind::Tick);
+        return None;
     }
     let corners = simplify(line, OFF_CORNER * length);
     let is_right = match corners[..] {
@@ -89,7 +101,7 @@ fn kind(points: &[MmPoint], length: f32, ends: [bool; 2]) -> Option<Kind> {
         }
         _ => false,
     };
-    is_between.then_some(if is_right { Kind::Corner } else { Kind::Arc })
+    Some(if is_right { Kind::Corner } else { Kind::Arc })
 }
 
 /// What the maker is told of them.
@@ -128,16 +140,23 @@ mod tests {
             let at = |i: usize| MmPoint::from(corners[i]);
             (1..corners.len()).flat_map(|i| (0..=8).map(move |k| at(i - 1).lerp(at(i), k as f32 / 8.0))).collect()
         };
-        let is = |points: &[MmPoint], ends: [bool; 2]| {
+        let is = |points: &[MmPoint], ends: [Option<OnLine>; 2]| {
             kind(points, PolylineRef { vertices: points, closed: false }.length(), ends)
         };
-        assert_eq!(is(&line(&[(0.0, 0.0), (4.0, 0.0)]), [true, false]), Some(Kind::Tick));
-        assert_eq!(is(&line(&[(0.0, 0.0), (4.0, 0.0)]), [false, false]), None, "a dash");
-        assert_eq!(is(&line(&[(0.0, 0.0), (4.0, 0.0)]), [true, true]), None, "a piece of a gridline");
-        assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), [true, true]), Some(Kind::Corner));
-        assert_eq!(is(&arc(60.0), [true, true]), Some(Kind::Arc));
-        assert_eq!(is(&arc(120.0), [true, true]), Some(Kind::Arc));
-        assert_eq!(is(&arc(60.0), [true, false]), None, "a hook");
+        let (level, upright) = (MmVector::new(1.0, 0.0), MmVector::new(0.0, 1.0));
+        let legs = [Some((0.2, level)), Some((0.2, upright))];
+        let straight = line(&[(0.0, 0.0), (4.0, 0.0)]);
+        assert_eq!(is(&straight, [Some((0.2, upright)), None]), Some(Kind::Tick));
+        assert_eq!(is(&straight, [None, None]), None, "a dash");
+        assert_eq!(is(&straight, [Some((0.2, upright)), Some((0.2, upright))]), None, "a piece of a gridline");
+        assert_eq!(is(&straight, legs), None, "a piece of a slanting line");
+        assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(Kind::Corner));
+        assert_eq!(is(&arc(60.0), legs), Some(Kind::Arc));
+        assert_eq!(is(&arc(120.0), legs), Some(Kind::Arc));
+        assert_eq!(is(&arc(60.0), [legs[0], None]), None, "a hook");
+        let bent = line(&[(0.0, 0.0), (2.0, 0.0), (2.4, 0.4)]);
+        assert_eq!(is(&bent, [Some((2.4, upright)), Some((0.0, upright))]), Some(Kind::Tick), "bent at its axis");
+        assert_eq!(is(&arc(60.0), [Some((1.0, level)), Some((0.8, level))]), None, "a crumb beside a line");
     }
 
     #[test]

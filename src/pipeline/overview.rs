@@ -37,12 +37,13 @@ pub(super) fn draw_overview(
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
             let ((place, lines, lost), instead) = run(watch, Stage::Overview, || {
-                let mut best = draw_overview_at(place, edges, layout, plan);
+                let detail = plan.lines().detail;
+                let mut best = draw_overview_at(place, edges, layout, plan, detail);
                 for place in larger_overviews(edges, layout, plan) {
                     if is_enough(&best.2) || best.2.share() > TOO_SMALL {
                         break;
                     }
-                    let larger = draw_overview_at(place, edges, layout, plan);
+                    let larger = draw_overview_at(place, edges, layout, plan, detail);
                     if (larger.2.rings, larger.2.share()) < (best.2.rings, best.2.share()) {
                         best = larger;
                     }
@@ -81,18 +82,20 @@ fn with_whole_bars(
     let places: Vec<MmRect> = std::iter::once(place).chain(larger_overviews(edges, layout, plan)).collect();
     let transform = |place: &MmRect| PageTransform::new(edges.size, *place);
     let transforms: Vec<PageTransform> = places.iter().map(transform).collect();
-    let draw = |edges: &Edges, at: &PageTransform| {
+    let draw = |edges: &Edges, at: &PageTransform, detail: f32| {
         let place = transforms.iter().zip(&places).find(|(transform, _)| *transform == at).map_or(place, |(_, of)| *of);
-        draw_overview_at(place, edges, layout, plan)
+        draw_overview_at(place, edges, layout, plan, detail)
     };
     let first = transform(&drawn.0);
-    joined_bars::whole(edges, (drawn, first), &transforms, Room::of(layout, plan), &draw, &|drawn| &drawn.1)
+    let room = (Room::of(layout, plan), plan.lines().detail);
+    joined_bars::whole(edges, (drawn, first), &transforms, room, &draw, &|drawn| &drawn.1)
 }
 
 /// The overview's lines in this place, and what is not drawn.
-fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan) -> (MmRect, Vec<Line>, Lost) {
+fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan, detail: f32) -> Overview {
     let transform = PageTransform::new(edges.size, place);
-    let params = if edges.of_drawing() { plan.lines().of_overview() } else { plan.lines() };
+    let all = lines::Params { detail, ..plan.lines() };
+    let params = if edges.of_drawing() { all.of_overview() } else { all };
     let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
     let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
     (place, dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
