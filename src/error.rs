@@ -216,7 +216,7 @@ pub enum Error {
     #[error(transparent)]
     NotFelt(#[from] touch::Error),
     /// What is to be read as a page is none.
-    #[error("this is no page of tactograph: {0}; give the SVG of a page, as convert makes it")]
+    #[error("this cannot be read as a page: {0}; give the SVG of a page, as convert makes it")]
     NotAPage(&'static str),
     /// What is to be converted is a page already.
     #[error(

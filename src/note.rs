@@ -369,6 +369,9 @@ impl std::fmt::Display for Note {
                 if *count == 1 { "shape" } else { "shapes" },
                 if *count == 1 { "it" } else { "them" },
             ),
+            Self::LinesNotInOverview { percent: 100, .. } => f.write_str(
+                "there is no overview, as no line of the drawing has room in it; spread the figure over several sheets",
+            ),
             Self::LinesNotInOverview { percent, place } => write!(
                 f,
                 "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do \

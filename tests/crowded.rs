@@ -160,3 +160,21 @@ fn ticks_across_an_axis_are_drawn() {
         assert!(!drawing.notes.iter().any(|note| note.id() == "too-dense"), "{:?}", drawing.notes);
     }
 }
+
+#[test]
+fn two_circles_that_cross_have_an_overview_also_as_a_bitmap() {
+    let circle = |x: f32, fill: &str| {
+        format!("<circle cx='{x}' cy='300' r='190' fill='{fill}' fill-opacity='0.5' stroke='#000' stroke-width='3'/>")
+    };
+    let drawn = circle(350.0, "#e07b39") + &circle(550.0, "#4c72b0");
+    let points = |x: f32| {
+        let at = move |k: u16| f32::from(k).to_radians().sin_cos();
+        (0..360).step_by(5).map(at).map(move |(sine, cosine)| (x + 190.0 * cosine, 300.0 + 190.0 * sine))
+    };
+    let points: Vec<(f32, f32)> = points(350.0).chain(points(550.0)).collect();
+    for page in [page_of(&drawn).page, page_of_bitmap(&drawn).page] {
+        let overview = page.overview.as_ref().expect("an overview");
+        let share = share_drawn(&points, overview.place, &overview.lines);
+        assert!(share > 0.8, "{share}");
+    }
+}

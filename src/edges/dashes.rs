@@ -70,7 +70,7 @@ pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, 
     let taken: HashSet<usize> = rows.iter().flat_map(Row::numbers).collect();
     let mut lines: Vec<Found> = rows.iter().map(|row| row.line(&found)).collect();
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
-        lead_on(&mut line.contour, row.period(), &segments, &taken);
+        extend_ends(&mut line.contour, row.period(), &segments, &taken);
     }
     let count = lines.len();
     let others = (0..).zip(found).filter(|(number, _)| !taken.contains(number)).map(|(_, found)| found);
@@ -240,9 +240,9 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Leads the ends of a dashed line straight on to what they point at within one more gap and dash: a dash that touches
+/// Extends the ends of a dashed line straight to what they point at within one more gap and dash: a dash that touches
 /// another line has become a part of that. What is `taken` is in rows.
-fn lead_on(line: &mut Contour, period: f32, segments: &Segments, taken: &HashSet<usize>) {
+fn extend_ends(line: &mut Contour, period: f32, segments: &Segments, taken: &HashSet<usize>) {
     for _ in 0..2 {
         line.reverse();
         let Some(&end) = line.vertices.last() else { return };

@@ -11,7 +11,15 @@
 //!
 //! All colour planes exist for a few rows only. From `maxima` on there are points, and the time grows with their
 //! number. Bitmaps that are drawings are also searched for strokes (`stroke`), with whole planes: each gives a contour
-//! along its middle, and the points at its sides are taken out.
+//! along its middle, and the points at its sides are taken out. Then what belongs together is put together, in this
+//! order, as each step needs what the one before has made:
+//!
+//! ```text
+//! strokes, edges -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
+//!                -> tips (ends that make a corner or go on in one another meet)
+//!                -> straight (what goes straight on through a corner gets the side behind it, with its final ends)
+//!                -> rings (those that touch are parted) -> junction (ends reach the contours before them)
+//! ```
 //!
 //! **Strength is the height of the colour step** in units of lightness, with double weight for the chroma axes of
 //! CIELAB (`lab`), whatever the working resolution and the blur of the edge. Black against white is 100, a step that

@@ -20,7 +20,9 @@ pub struct Params {
     pub side_cell: f32,
     /// Distance from the edge at which the two sides are compared, px.
     pub side_offset: f32,
-    /// The widest stroke of a vector drawing that has one contour, along its middle, px; a wider one has two.
+    /// The widest stroke of a vector drawing that has one contour, along its middle, px; a wider one has two. Of a
+    /// bitmap only strokes of up to 0.55 of it are looked for (`stroke::centre`): the sides of wider ones are found
+    /// well by themselves, and become one line later where they have no room (`lines::centreline`).
     pub widest_stroke: f32,
 }
 

@@ -17,8 +17,8 @@ use crate::{About, Note};
 /// Longest side of a ring that is felt as one sign, such as a town on a map, mm: two fingertips. Larger ones are
 /// followed, and where they are cut is felt.
 const SIGN: f32 = 25.0;
-/// A ring is drawn if one of about its size lies so near, mm: lines are moved apart by less, and two contours around
-/// one stroke are drawn as one line.
+/// A ring is drawn if one of about its size lies so near, mm: lines are seldom moved by more (see
+/// `lines::Params::farthest_moved`), and two contours around one stroke are drawn as one line.
 const MOVED: f32 = 3.0;
 
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no

@@ -97,7 +97,11 @@ fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan, 
     let all = lines::Params { detail, ..plan.lines() };
     let params = if edges.of_drawing() { all.of_overview() } else { all };
     let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
-    let drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+    let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+    if drawn.lines.is_empty() {
+        // parts of rings say more than nothing
+        drawn = lines::draw_with(edges, &outlines, &transform, place, &lines::Params { whole_rings: false, ..params });
+    }
     (place, dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
 }
 

@@ -135,8 +135,8 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
     let tell = |texts: &[&str], what: &str| {
         (!texts.is_empty()).then(|| Note::TakenAs(About::Braille, format!("{what}: {}", named(texts))))
     };
-    let in_margin = "labels along an axis stand in the margin beside the drawing, each in line with its place on the \
-                     axis, as there is no room at the axis";
+    let in_margin = "labels of a row or column stand in the margin beside the drawing, each in line with its place, as \
+                     there is no room for them there";
     let bare = "of numbers along an axis only one has the unit, as there is no room for it behind each";
     let of_margin = tell(&those(|label| label.is_in_margin), in_margin);
     of_margin.into_iter().chain(tell(&those(|label| label.is_bare), bare)).collect()

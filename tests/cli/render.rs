@@ -114,7 +114,7 @@ fn a_page_is_no_picture() {
     );
     place.put("plain.svg", DRAWING.as_bytes());
     let run = place.run(&["render", "plain.svg", "-o", "x.pdf"]);
-    assert!(run.code == 1 && run.err.contains("plain.svg: this is no page of tactograph"), "{}", run.err);
+    assert!(run.code == 1 && run.err.contains("plain.svg: this cannot be read as a page"), "{}", run.err);
     assert_eq!(place.run(&["render", "cup.svg"]).code, 2);
 }
 
@@ -450,7 +450,7 @@ fn lines_of_another_shape_and_files_that_are_none_are_refused() {
     assert!(run.code == 1 && run.err.contains("times as wide as high"), "{}", run.err);
     place.put("no.svg", b"<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>");
     let run = place.run(&["convert", "cup.png", "--lines", "no.svg", "-o", "x.svg"]);
-    assert!(run.code == 2 && run.err.contains("no.svg: this is no page"), "{}", run.err);
+    assert!(run.code == 2 && run.err.contains("no.svg: this cannot be read as a page"), "{}", run.err);
     let run = place.run(&["convert", "cup.png", "tall.png", "--lines", "cup.svg"]);
     assert!(run.code == 2 && run.err.contains("--lines: this is of one picture"), "{}", run.err);
 }

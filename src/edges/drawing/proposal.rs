@@ -52,7 +52,7 @@ pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<Stretch> {
         match found.last_mut() {
             Some(stretch) if here && before => stretch.count += 1,
             _ if here => found.push(Stretch { first: k, count: 1, whole_ring: false }),
-            _ => {}
+            Some(_) | None => {}
         }
         before = here;
     }

@@ -11,7 +11,8 @@ use crate::targets::Bench;
 
 /// Where the drawing of the stages lies, and what it shows.
 const PLOT: &str = "docs/speed/stages.svg";
-const PLOT_SAYS: &str = "A bar for each kind of picture in the table above, made of the time of each stage.";
+const PLOT_SAYS: &str =
+    "A bar for each kind of picture in the table above, made of the time of each stage; bars are cut at 250 ms.";
 
 /// Every kind of picture, stage by stage.
 pub(crate) fn kinds(bench: &Bench<'_>) -> Table {
