@@ -1,11 +1,11 @@
 //! Bars of a chart among the contours of a drawing: where they stand, and whether the lines on a page have them whole.
 
+use super::areas::index_of;
 use crate::edges::{ChainRange, Edges};
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::Line;
-use crate::units::{MmPoint, PageTransform, PxPoint};
+use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 
 /// Two coordinates nearer than this, px of the working picture, are one: the sides of a stroke, and what rounds its
 /// corners.
@@ -288,12 +288,9 @@ pub(super) struct Wanted {
 /// How much of some paths is not drawn, mm, and the length of all. What is missing of a path less than `least` is
 /// where lines join.
 pub(super) fn missing(wanted: &[Wanted], lines: &[Line], transform: &PageTransform, least: f32) -> (f32, f32) {
-    let is_drawn = |at: MmPoint, reach: f32| {
-        lines.iter().flat_map(|line| &line.runs).any(|run| {
-            let path = || run.path();
-            path().zip(path().skip(1)).any(|(a, b)| nearest_on_segment(at, a, b).0 <= reach)
-        })
-    };
+    let area = MmRect::from_points(wanted.iter().flat_map(|wanted| &wanted.path).map(|&at| transform.to_mm(at)));
+    let index = index_of(lines, area, wanted.iter().map(|wanted| wanted.reach).fold(0.0, f32::max));
+    let is_drawn = |at: MmPoint, reach: f32| index.nearest(at, reach, |_| true).is_some();
     let (mut missing, mut all) = (0.0, 0.0);
     for Wanted { path, reach, or_none, weight } in wanted {
         let (mut undrawn, mut length) = (0.0, 0.0);

@@ -3,6 +3,7 @@
 
 use super::bars::{Bar, Chart, SAME, Wanted, missing};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
+use crate::geom::polyline::Polyline;
 use crate::lines::Line;
 use crate::page::Medium;
 use crate::page::layout::Layout;
@@ -271,7 +272,10 @@ impl Chart {
             let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
             for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
                 let edgel = |at: PxPoint| Edgel { at, strength: sum / count as f32, contrast: [0.0; 3] };
-                others.push_as(kind, along(path).into_iter().map(edgel), false);
+                let mut path = Polyline::open(path.clone());
+                path.vertices.dedup();
+                path.subdivide(1.0);
+                others.push_as(kind, path.vertices.into_iter().map(edgel), false);
             }
         }
         let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
@@ -403,14 +407,4 @@ fn kept(
     }
     let all = runs(&out);
     all.iter().filter(|run| !out[run[0]]).map(|run| run.iter().map(|&at| edgels[at]).collect()).collect()
-}
-
-/// Points a pixel apart along a path.
-fn along(path: &[PxPoint]) -> Vec<PxPoint> {
-    let mut points: Vec<PxPoint> = path.first().copied().into_iter().collect();
-    for pair in path.windows(2) {
-        let steps = (pair[1] - pair[0]).length().ceil() as u32;
-        points.extend((1..=steps).map(|step| pair[0].lerp(pair[1], step as f32 / steps as f32)));
-    }
-    points
 }
