@@ -2,7 +2,7 @@
 //! (the caller knows it).
 
 use crate::profile::Fault;
-use crate::touch;
+use crate::touch::FINGERS;
 use crate::units::Size;
 
 /// Why no page could be made.
@@ -169,9 +169,9 @@ pub enum Error {
         /// The sheet's size.
         sheet: String,
     },
-    /// The device cannot press what is asked for.
-    #[error("{0}")]
-    CannotPress(String),
+    /// The device cannot press what is asked for; every reason is listed.
+    #[error("{}", .0.join("; "))]
+    CannotPress(Vec<String>),
     /// More pixels than a picture of the page may have.
     #[error(
         "at {dpi} dots per inch the page would have {size} pixels, over the limit of {limit_megapixels} megapixels; \
@@ -212,16 +212,53 @@ pub enum Error {
     /// The text says no grid of sheets.
     #[error("give how many sheets across and down, from 1x2 to 9x9, such as 2x2")]
     NotASheetGrid,
-    /// The page cannot be felt.
-    #[error(transparent)]
-    NotFelt(#[from] touch::Error),
+    /// The text says no place along a side of a picture.
+    #[error("give a number of pixels, such as 412.5, or a percentage, such as 30%")]
+    NotAPosition,
+    /// A list of labels has rows that are none; every fault is listed, each with its line.
+    #[error("{}", .0.join("; "))]
+    NotLabels(Vec<String>),
+    /// The page to be felt is no SVG that can be drawn.
+    #[error("this is not an SVG page that can be read: {0}; give a page that tactograph made")]
+    NotASvgPage(String),
+    /// The page to be felt is plainly something else than SVG.
+    #[error(
+        "this is {0}, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"
+    )]
+    OtherFormat(&'static str),
+    /// The page to be felt has none of the ids of a page.
+    #[error(
+        "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
+         -grey); give a page that tactograph made"
+    )]
+    NoFigure,
+    /// The page is larger than can be felt.
+    #[error(
+        "the figure is {width} x {height} mm, and at most {longest} x {longest} mm can be felt; \
+         check the page's size in mm"
+    )]
+    TooLargeToFeel {
+        /// Width of all that is drawn, mm.
+        width: f32,
+        /// Its height, mm.
+        height: f32,
+        /// The limit, mm.
+        longest: f32,
+    },
+    /// There is no such fingertip, mm.
+    #[error(
+        "a fingertip of {0} mm is not known; give one from {low} to {high} mm",
+        low = FINGERS.start(),
+        high = FINGERS.end()
+    )]
+    NoSuchFinger(f32),
     /// What is to be read as a page is none.
-    #[error("this cannot be read as a page: {0}; give the SVG of a page, as convert makes it")]
+    #[error("this cannot be read as a page: {0}; give the SVG of a page")]
     NotAPage(&'static str),
     /// What is to be converted is a page already.
     #[error(
-        "this is a page that tactograph made, and no picture; write it in another format or for another device with \
-         tactograph render"
+        "this is a page that tactograph made, and no picture; render it, which writes it in another format or for \
+         another device"
     )]
     IsAPage,
     /// A language in which nothing is said of pages.
@@ -285,7 +322,13 @@ impl Error {
             Self::NoSuchDpi { .. } => "no-such-dpi",
             Self::NotACrop => "not-a-crop",
             Self::NotASheetGrid => "not-a-sheet-grid",
-            Self::NotFelt(..) => "not-felt",
+            Self::NotAPosition => "not-a-position",
+            Self::NotLabels(..) => "not-labels",
+            Self::NotASvgPage(..) => "not-a-svg-page",
+            Self::OtherFormat(..) => "other-format",
+            Self::NoFigure => "no-figure",
+            Self::TooLargeToFeel { .. } => "too-large-to-feel",
+            Self::NoSuchFinger(..) => "no-such-finger",
             Self::NotAPage(..) => "not-a-page",
             Self::IsAPage => "is-a-page",
             Self::NoSentences { .. } => "no-sentences",

@@ -92,8 +92,8 @@
 //! # Wrapping it for other languages
 //!
 //! * What is given to [`Options::progress`], [`Options::cancelled`], [`Options::translator`] and
-//!   [`Options::text_reader`] is called while [`convert`], [`convert_to_sheets`] or [`trace`] runs, and the translator
-//!   of [`render_with_translator`] while that runs; progress also from threads of its own, one call at a time. A caller
+//!   [`Options::text_reader`] is called while [`convert`], [`convert_to_sheets`] or [`trace`] runs, and what is given
+//!   to [`RenderOptions`] while [`render`] runs; progress also from threads of its own, one call at a time. A caller
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
 //!   any of the four, or both wait for each other for ever. In a browser there are no threads, and a function
 //!   of JavaScript needs a wrapper that promises so.
@@ -101,7 +101,7 @@
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
 //!   What is known to panic is refused before.
-//! * [`Options::cancelled`] ends work that is no longer wanted: a button, a closed window, a signal.
+//! * [`Options::cancelled`] and [`RenderOptions::cancelled`] end work that is no longer wanted: a button, a closed window, a signal.
 //! * Profiles, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`], [`Profile::keys`] with
 //!   [what each takes](Key::choices), [`Rule::all`], [`Description::languages`]. A [`Fault`] names the keys that it is
 //!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
@@ -151,8 +151,8 @@ mod wording;
 
 // Functions, and what they take.
 pub use api::{
-    Calibration, FeelError, Felt, Fonts, Options, calibrate, check, check_marked, convert, convert_to_sheets, describe,
-    feel, language_of_page, profile_of_page, render, render_with_key, render_with_translator, rules, trace, write_pdf,
+    Calibration, Felt, Fonts, Options, RenderOptions, calibrate, check, check_marked, convert, convert_to_sheets,
+    describe, feel, language_of_page, profile_of_page, render, rules, trace, write_pdf,
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};

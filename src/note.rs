@@ -30,30 +30,45 @@ pub enum About {
     Overview,
 }
 
-/// One remark about a page that was made all the same.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// One remark about a page that was made all the same. It says itself in one line, and is an error only in that it can
+/// be handed on as one, to a log of warnings say.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Note {
     /// The picture's colour profile could not be used, so its numbers were taken as sRGB.
+    #[error("the picture's colour profile could not be used, colours were taken as sRGB: {0}")]
     ColourProfileIgnored(String),
     /// Something in the picture is left out of the page (say a text without a font, or a linked file).
+    #[error("left out of the page: {0}")]
     LeftOut(String),
     /// Something that a person gave, or that was on a page that was read, is left out; says what, where and why.
+    #[error("left out of the page: {1}")]
     NotOnPage(About, String),
     /// Something on the page is not in its PNG; says what, why and what to do.
+    #[error("not in the PNG: {0}")]
     NotInPng(&'static str),
     /// Something on a page is taken otherwise than it looks; says what, where and as what.
+    #[error("{1}")]
     TakenAs(About, String),
     /// Something on the page is as it was given and breaks a rule of legibility; says what, where and what to do.
+    #[error("{1}")]
     Faulty(About, String),
     /// Of a document only the first page was taken, as no page was asked for.
+    #[error("this is page 1 of {pages}; ask for another by its number")]
     FirstPageOnly {
         /// How many pages it has.
         pages: usize,
     },
     /// Texts of a drawing are left out, as letters are no lines that fingers can read; all of them.
+    #[error("{} left out, as fingers cannot read letters: {}", counted(.0.len(), "text"), listed(.0))]
     TextsLeftOut(Vec<String>),
     /// Text in the pixels of the picture is left out; what it says is not known.
+    #[error(
+        "{} left out, {}in the {place}, as fingers cannot read letters; keep the text to draw {}",
+        counted(*.texts, "text"),
+        if *.texts == 1 { "" } else { "the largest " },
+        it_or_them(*.texts)
+    )]
     LetteringLeftOut {
         /// How many lines of text there are.
         texts: usize,
@@ -61,17 +76,57 @@ pub enum Note {
         place: &'static str,
     },
     /// Text in the pixels of the picture is not read, though it should have been: why, in the words of the reader.
+    #[error("the texts in the pixels are not read: {0}")]
     TextsNotRead(String),
     /// There is no braille code for the language of the words, so they are not written on the page.
+    #[error(
+        "nothing is written in braille, as there is no code for the language \"{}\"; there are {}; choose one \
+         (braille.code), or leave braille out (braille.on = false)",
+        short(.0),
+        Code::all().iter().map(|code| code.language).collect::<Vec<_>>().join(", ")
+    )]
     NoBrailleCode(String),
     /// The braille code lacks characters of a text, so they are left out of its braille.
+    #[error(
+        "left out of the braille of \"{}\", as its code has no cells for {}: {}; write {} in words, or take a table of \
+         braille that has {}",
+        short(.text),
+        it_or_them(.lacking.len()),
+        first_few(.lacking, |(character, at)| format!("{character:?} (character {at})")),
+        it_or_them(.lacking.len()),
+        it_or_them(.lacking.len())
+    )]
     NotInBraille {
         /// The text.
         text: String,
         /// Each character, and which of the text's it is, from 1.
         lacking: Vec<(char, usize)>,
     },
+    /// The braille code lacks characters of several texts, so they are left out of their braille.
+    #[error(
+        "left out of the braille of {}, as its code has no cells for {}: {}; write {} in words, or take a table of \
+         braille that has {}",
+        listed(.texts),
+        it_or_them(.lacking.len()),
+        first_few(.lacking, |character| format!("{character:?}")),
+        it_or_them(.lacking.len()),
+        it_or_them(.lacking.len())
+    )]
+    NotInBrailleOfTexts {
+        /// The texts.
+        texts: Vec<String>,
+        /// The characters, each once.
+        lacking: Vec<char>,
+    },
+    /// So many texts of a page that was read stand in other cells of braille than before, which another table wrote.
+    #[error(
+        "{} {} written in other cells of braille than on the page, which another table wrote; write them with that table",
+        counted(*.0, "text"),
+        if *.0 == 1 { "is" } else { "are" }
+    )]
+    InOtherCells(usize),
     /// Texts that the translator that was given could not write, so they are left out.
+    #[error("{} {} not written in braille: {why}", listed(.texts), if .texts.len() == 1 { "is" } else { "are" })]
     NotTranslated {
         /// The texts.
         texts: Vec<String>,
@@ -79,15 +134,32 @@ pub enum Note {
         why: String,
     },
     /// Contracted braille is asked for, and nothing that writes it is given; the words are uncontracted.
+    #[error(
+        "braille is uncontracted although braille.grade is 2: contracted braille is written by a translator, such as an \
+         installed liblouis, and none was given"
+    )]
     NotContracted,
     /// The title is not written in braille, as there is no room for it above the figure.
+    #[error(
+        "the title is not written in braille: its {cells} cells have no room above the figure, where three lines may \
+         take a fifth of the sheet; give a shorter one, or a larger sheet"
+    )]
     NoRoomForTitle {
         /// How many cells it has.
         cells: usize,
     },
     /// The page number is not written in braille, as there is no room for it above the figure.
+    #[error(
+        "the page number is not written in braille, as it has no room above the figure; take a larger sheet, or leave \
+         the number out"
+    )]
     NoRoomForNumber,
     /// What was found at the place that was named as the subject.
+    #[error(
+        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure, and outlined first; if that is not the \
+         whole of it, name another place on it as well",
+        .at[0], .at[1], .mm[0], .mm[1]
+    )]
     Subject {
         /// The place, percent from the left and from the top.
         at: [i32; 2],
@@ -95,16 +167,31 @@ pub enum Note {
         mm: [u32; 2],
     },
     /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
+    #[error("{}", no_subject(*.0))]
     NoSubject([i32; 2]),
     /// Weak lines and textures around the subject are left out, as was asked: how much of lines, mm on the sheet.
+    #[error(
+        "around the subject {0} mm of weak lines, the outlines of other regions and all textures are left out, as was \
+         asked"
+    )]
     BackgroundCalmed(u32),
     /// Labels that are abbreviated on the page, as there is no room for more: the abbreviation and the text of each.
+    #[error(
+        "abbreviated for want of room: {}",
+        .0.iter().map(|(short_form, text)| format!("{short_form} = {}", short(text))).collect::<Vec<_>>().join(", ")
+    )]
     Abbreviated(Vec<(String, String)>),
     /// A key is asked for, and there is none; says why.
+    #[error("there is no key, as {0}")]
     NoKey(&'static str),
     /// The texts of the picture were to be labels, and it has none.
+    #[error(
+        "there are no texts for labels: none was found in this picture, or its letters are pixels that nobody has read; \
+         write a list of labels"
+    )]
     NoTexts,
     /// Labels that are not on the page.
+    #[error("{} left out, as {why}: {}", counted(.texts.len(), "label"), listed(.texts))]
     LabelsLeftOut {
         /// What they say.
         texts: Vec<String>,
@@ -112,12 +199,24 @@ pub enum Note {
         why: &'static str,
     },
     /// No contour was found that is strong and long enough.
+    #[error(
+        "no contour is strong and long enough for a line, so there is no overview either; lower edges.high and \
+         edges.low, or give a brighter picture, one with less around it, or one with larger parts"
+    )]
     NoLines,
     /// Nothing was found to trace.
+    #[error("nothing to trace: no contour is strong and long enough; lower the thresholds, or give a brighter picture")]
     NoContours,
     /// The lines of a page were to be traced, and the profile draws none.
+    #[error("nothing to trace: the profile draws no lines, as figure.lines is off; turn it on, or trace contours")]
     LinesOff,
     /// Contours are not drawn, as they lie too close to others for fingers, or are too short in a drawing.
+    #[error(
+        "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for fingers, or \
+         are too short; a larger figure, on larger paper if there is any, or only a part of the picture keeps more of \
+         them",
+        most_in(*.place, "figure")
+    )]
     LinesLeftOut {
         /// Their length on the sheet, mm.
         millimetres: u32,
@@ -127,6 +226,11 @@ pub enum Note {
         place: Option<&'static str>,
     },
     /// A drawing has so many lines for its size that at least a fifth of them has no room.
+    #[error(
+        "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} percent, had no \
+         room and were left out, {}; spread it over several sheets, or draw only a part of it, so that it is larger",
+        most_in(*.place, "figure")
+    )]
     TooDense {
         /// Length of those that are not drawn, on the sheet, mm.
         millimetres: u32,
@@ -138,8 +242,14 @@ pub enum Note {
         width: u32,
     },
     /// So many closed shapes of a drawing are not in its overview, as they have no room there as a whole.
+    #[error(
+        "the overview leaves out {}, as there is no room in it to draw {} whole",
+        counted(*.0, "closed shape"),
+        it_or_them(*.0)
+    )]
     ShapesNotInOverview(usize),
     /// Much of a drawing's lines is not in its overview, for want of room.
+    #[error("{}", not_in_overview(*.percent, *.place))]
     LinesNotInOverview {
         /// Share of their length, percent.
         percent: u32,
@@ -147,8 +257,16 @@ pub enum Note {
         place: Option<&'static str>,
     },
     /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
+    #[error(
+        "{} {} the textures of several colours{}, as none of them fills two thirds{}",
+        counted(*.0, "outlined area"),
+        if *.0 == 1 { "has" } else { "have" },
+        if *.0 == 1 { "" } else { " each" },
+        if *.0 == 1 { " of it" } else { "" }
+    )]
     MixedAreas(usize),
     /// What was left out as the maker of the page wants few shapes; perhaps nothing.
+    #[error("{}", simplified(*.shapes, *.lines, *.most))]
     Simplified {
         /// Shapes that were left out.
         shapes: usize,
@@ -158,10 +276,23 @@ pub enum Note {
         most: usize,
     },
     /// There is nothing on the page but its frame.
+    #[error(
+        "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for fingers; lower \
+         edges.high and edges.low to get more, or draw only a part of it, so that it is larger"
+    )]
     EmptyPage,
     /// The dots of the page are those of text cells, which stand apart.
+    #[error(
+        "the dots of braille cells are no even grid: there is a wider step after every second column and every third \
+         row, so shapes are felt less well than from an embosser that has a profile of its own"
+    )]
     UnevenDots,
     /// More of the figure is black than the profile allows.
+    #[error(
+        "{percent} percent of the figure is black, and over {most} percent swell paper may rise too much and curl; make \
+         marks smaller or set them further apart (textures.dot_pitch, textures.along, lines.width_max), or raise \
+         print.max_black if your paper takes it"
+    )]
     TooBlack {
         /// Percent of the figure that are black.
         percent: u32,
@@ -194,6 +325,8 @@ impl Note {
             Self::TextsNotRead(..) => "texts-not-read",
             Self::NoBrailleCode(..) => "no-braille-code",
             Self::NotInBraille { .. } => "not-in-braille",
+            Self::NotInBrailleOfTexts { .. } => "not-in-braille-of-texts",
+            Self::InOtherCells(..) => "in-other-cells",
             Self::NotTranslated { .. } => "not-translated",
             Self::NotContracted => "not-contracted",
             Self::NoRoomForTitle { .. } => "no-room-for-title",
@@ -240,182 +373,6 @@ impl About {
     }
 }
 
-impl std::fmt::Display for Note {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::ColourProfileIgnored(why) => {
-                write!(f, "the picture's colour profile could not be used, colours were taken as sRGB: {why}")
-            }
-            Self::LeftOut(what) | Self::NotOnPage(_, what) => write!(f, "left out of the page: {what}"),
-            Self::NotInPng(what) => write!(f, "not in the PNG: {what}"),
-            Self::TakenAs(_, what) | Self::Faulty(_, what) => f.write_str(what),
-            Self::FirstPageOnly { pages } => {
-                write!(f, "this is page 1 of {pages}; ask for another by its number")
-            }
-            Self::TextsLeftOut(texts) => {
-                let (count, noun) = (texts.len(), if texts.len() == 1 { "text" } else { "texts" });
-                write!(f, "{count} {noun} left out, as fingers cannot read letters: {}", listed(texts))
-            }
-            Self::LetteringLeftOut { texts: 1, place } => {
-                write!(f, "1 text left out, in the {place}, as fingers cannot read letters; keep the text to draw it")
-            }
-            Self::LetteringLeftOut { texts, place } => write!(
-                f,
-                "{texts} texts left out, the largest in the {place}, as fingers cannot read letters; keep the text to \
-                 draw them"
-            ),
-            Self::TextsNotRead(why) => write!(f, "the texts in the pixels are not read: {why}"),
-            Self::NoBrailleCode(language) => {
-                let codes: Vec<&str> = Code::all().iter().map(|code| code.language).collect();
-                write!(
-                    f,
-                    "nothing is written in braille, as there is no code for the language \"{}\"; there are {}; \
-                     choose one (braille.code), or leave braille out (braille.on = false)",
-                    short(language),
-                    codes.join(", ")
-                )
-            }
-            Self::NotInBraille { text, lacking } => {
-                write!(f, "left out of the braille of \"{}\", as its code has no cells for it: ", short(text))?;
-                let shown = lacking.len().min(MOST_TEXTS);
-                for (i, (character, at)) in lacking[..shown].iter().enumerate() {
-                    write!(f, "{}{character:?} (character {at})", if i > 0 { ", " } else { "" })?;
-                }
-                let more = lacking.len() - shown;
-                if more > 0 {
-                    write!(f, " and {more} more")?;
-                }
-                f.write_str("; write it in words, or take a table of liblouis that has it (--braille-table TABLE)")
-            }
-            Self::NotTranslated { texts, why } => {
-                let verb = if texts.len() == 1 { "is" } else { "are" };
-                write!(f, "{} {verb} not written in braille: {why}", listed(texts))
-            }
-            Self::NotContracted => f.write_str(
-                "braille is uncontracted although braille.grade is 2: contracted braille is written by a translator, \
-                 such as an installed liblouis, and none was given",
-            ),
-            Self::NoRoomForTitle { cells } => write!(
-                f,
-                "the title is not written in braille: its {cells} cells have no room above the figure, where three \
-                 lines may take a fifth of the sheet; give a shorter one, or a larger sheet"
-            ),
-            Self::NoRoomForNumber => f.write_str(
-                "the page number is not written in braille, as it has no room above the figure; take a larger sheet, \
-                 or leave the number out",
-            ),
-            Self::Subject { at: [x, y], mm: [width, height] } => write!(
-                f,
-                "the subject at {x} %, {y} % is {width} mm wide and {height} mm high in the figure, and outlined \
-                 first; if that is not the whole of it, name another place on it as well"
-            ),
-            Self::NoSubject([x, y]) if !(0..=100).contains(x) || !(0..=100).contains(y) => write!(
-                f,
-                "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from \
-                 0 to 100 percent or within its pixels, from the left and from the top"
-            ),
-            Self::NoSubject([x, y]) => write!(
-                f,
-                "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a \
-                 place in the middle of a thing that stands out from what is around it"
-            ),
-            Self::BackgroundCalmed(millimetres) => write!(
-                f,
-                "around the subject {millimetres} mm of weak lines, the outlines of other regions and all textures are \
-                 left out, as was asked"
-            ),
-            Self::Abbreviated(labels) => {
-                let all: Vec<String> =
-                    labels.iter().map(|(abbreviation, text)| format!("{abbreviation} = {}", short(text))).collect();
-                write!(f, "abbreviated for want of room: {}", all.join(", "))
-            }
-            Self::NoKey(why) => write!(f, "there is no key, as {why}"),
-            Self::NoTexts => f.write_str(
-                "there are no texts for labels: none was found in this picture, or its letters are pixels that \
-                 nobody has read; write a list of labels",
-            ),
-            Self::LabelsLeftOut { texts, why } => {
-                let (count, noun) = (texts.len(), if texts.len() == 1 { "label" } else { "labels" });
-                write!(f, "{count} {noun} left out, as {why}: {}", listed(texts))
-            }
-            Self::NoLines => f.write_str(
-                "no contour is strong and long enough for a line, so there is no overview either; lower edges.high \
-                 and edges.low, or give a brighter picture, one with less around it, or one with larger parts",
-            ),
-            Self::NoContours => f.write_str(
-                "nothing to trace: no contour is strong and long enough; lower the thresholds, or give a brighter \
-                 picture",
-            ),
-            Self::LinesOff => f.write_str(
-                "nothing to trace: the profile draws no lines, as figure.lines is off; turn it on, or trace contours",
-            ),
-            Self::LinesLeftOut { millimetres, percent, place } => write!(
-                f,
-                "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for \
-                 fingers, or are too short; a larger figure, on larger paper if there is any, or only a part of the \
-                 picture keeps more of them",
-                most_in(*place, "figure")
-            ),
-            Self::TooDense { millimetres, percent, place, width } => write!(
-                f,
-                "the drawing is too dense for a figure of {width} mm: {millimetres} mm of its lines, {percent} \
-                 percent, had no room and were left out, {}; spread it over several sheets, or draw only a part of it, \
-                 so that it is larger",
-                most_in(*place, "figure")
-            ),
-            Self::ShapesNotInOverview(count) => write!(
-                f,
-                "the overview leaves out {count} closed {}, as there is no room in it to draw {} whole",
-                if *count == 1 { "shape" } else { "shapes" },
-                if *count == 1 { "it" } else { "them" },
-            ),
-            Self::LinesNotInOverview { percent: 100, .. } => f.write_str(
-                "there is no overview, as no line of the drawing has room in it; spread the figure over several sheets",
-            ),
-            Self::LinesNotInOverview { percent, place } => write!(
-                f,
-                "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do \
-                 without it (--no-overview), or spread the figure over several sheets",
-                most_in(*place, "overview")
-            ),
-            Self::Simplified { shapes: 0, lines: 0, most } => write!(
-                f,
-                "nothing is left out for few shapes (lines.shapes = {most}), as there are no more; ask for fewer to \
-                 have less"
-            ),
-            Self::Simplified { shapes, lines, most } => {
-                let counted = [(*shapes, "shape"), (*lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
-                let counted: Vec<String> = counted
-                    .map(|(count, noun)| format!("{count} {noun}{}", if count == 1 { "" } else { "s" }))
-                    .collect();
-                write!(f, "left out, as few shapes are asked for (lines.shapes = {most}): {}", counted.join(" and "))
-            }
-            Self::MixedAreas(1) => f.write_str(
-                "1 outlined area has the textures of several colours, as none of them fills two thirds of it",
-            ),
-            Self::MixedAreas(count) => write!(
-                f,
-                "{count} outlined areas have the textures of several colours each, as none of them fills two thirds"
-            ),
-            Self::TooBlack { percent, most } => write!(
-                f,
-                "{percent} percent of the figure is black, and over {most} percent swell paper may rise too much and \
-                 curl; make marks smaller or set them further apart (textures.dot_pitch, textures.along, \
-                 lines.width_max), or raise print.max_black if your paper takes it"
-            ),
-            Self::UnevenDots => f.write_str(
-                "the dots of braille cells are no even grid: there is a wider step after every second column and \
-                 every third row, so shapes are felt less well than from an embosser that has a profile of its own",
-            ),
-            Self::EmptyPage => f.write_str(
-                "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for \
-                 fingers; lower edges.high and edges.low to get more, or draw only a part of it, so that it is larger \
-                 (--crop)",
-            ),
-        }
-    }
-}
-
 /// Where most of something is, within a sentence.
 fn most_in(place: Option<&str>, whole: &str) -> String {
     place.map_or_else(|| format!("all over the {whole}"), |place| format!("most of them in the {place}"))
@@ -426,10 +383,60 @@ const MOST_TEXTS: usize = 12;
 
 /// Texts in quotation marks, as many as a note shows.
 fn listed(texts: &[String]) -> String {
-    let shown = texts.len().min(MOST_TEXTS);
-    let quoted: Vec<String> = texts[..shown].iter().map(|text| format!("\"{}\"", short(text))).collect();
-    let more = texts.len() - shown;
-    if more > 0 { format!("{} and {more} more", quoted.join(", ")) } else { quoted.join(", ") }
+    first_few(texts, |text| format!("\"{}\"", short(text)))
+}
+
+/// As many as a note shows, and how many more there are.
+fn first_few<T>(all: &[T], said: impl Fn(&T) -> String) -> String {
+    let shown: Vec<String> = all.iter().take(MOST_TEXTS).map(said).collect();
+    let more = all.len() - shown.len();
+    if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+fn it_or_them(count: usize) -> &'static str {
+    if count == 1 { "it" } else { "them" }
+}
+
+fn no_subject([x, y]: [i32; 2]) -> String {
+    if (0..=100).contains(&x) && (0..=100).contains(&y) {
+        format!(
+            "at {x} %, {y} % there is nothing with a clear outline, so that nothing comes first there; name a place in \
+             the middle of a thing that stands out from what is around it"
+        )
+    } else {
+        format!(
+            "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from 0 to \
+             100 percent or within its pixels, from the left and from the top"
+        )
+    }
+}
+
+fn not_in_overview(percent: u32, place: Option<&str>) -> String {
+    match percent {
+        100 => "there is no overview, as no line of the drawing has room in it; spread the figure over several sheets"
+            .to_owned(),
+        _ => format!(
+            "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do without \
+             it, or spread the figure over several sheets",
+            most_in(place, "overview")
+        ),
+    }
+}
+
+fn simplified(shapes: usize, lines: usize, most: usize) -> String {
+    let all = [(shapes, "shape"), (lines, "other line")].into_iter().filter(|(count, _)| *count > 0);
+    let all: Vec<String> = all.map(|(count, noun)| counted(count, noun)).collect();
+    if all.is_empty() {
+        return format!(
+            "nothing is left out for few shapes (lines.shapes = {most}), as there are no more; ask for fewer to have \
+             less"
+        );
+    }
+    format!("left out, as few shapes are asked for (lines.shapes = {most}): {}", all.join(" and "))
 }
 
 /// The beginning of a text.

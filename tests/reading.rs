@@ -7,7 +7,7 @@ use tactograph::internals::profile::Profile;
 use tactograph::internals::reading::{Reading, read};
 use tactograph::internals::units::MmPoint;
 use tactograph::medium::Medium;
-use tactograph::{Error, Label, Note, Options};
+use tactograph::{Error, Label, Note, Options, RenderOptions};
 
 fn reading(svg: &str) -> Reading {
     read(svg.as_bytes()).expect("it is a page")
@@ -298,11 +298,13 @@ fn sheets_beyond_all_paper_are_refused() {
 fn a_description_that_was_made_follows_what_was_changed() {
     let svg = coffee();
     let less = svg.replacen("id=\"line-1\"", "id=\"line-1\" display=\"none\"", 1);
-    let unchanged = tactograph::render(&svg, None).expect("it is a page").page;
+    let unchanged = tactograph::render(&svg, &RenderOptions::new()).expect("it is a page").page;
     assert_eq!(unchanged.description, reading(&svg).page.description);
     let count = reading(&svg).page.figure.lines.len();
-    let rendered = tactograph::render(&less, None).expect("it is a page").page;
+    let rendered = tactograph::render(&less, &RenderOptions::new()).expect("it is a page").page;
     assert!(rendered.description.contains(&format!("{} lines", count - 1)), "{}", rendered.description);
     let own = less.replacen(">A sheet upright,", ">My cup,", 1);
-    assert!(tactograph::render(&own, None).expect("it is a page").page.description.starts_with("My cup,"));
+    assert!(
+        tactograph::render(&own, &RenderOptions::new()).expect("it is a page").page.description.starts_with("My cup,")
+    );
 }

@@ -6,7 +6,9 @@ use tactograph::internals::pipeline::sheets::Sheets;
 use tactograph::internals::units::MmVector;
 use tactograph::marks::{Run, TextRole};
 use tactograph::medium::{DotArea, Medium};
-use tactograph::{KeySheets, Label, MmPoint, Note, Options, Position, Profile, Severity, convert_to_sheets};
+use tactograph::{
+    KeySheets, Label, MmPoint, Note, Options, Position, Profile, RenderOptions, Severity, convert_to_sheets,
+};
 
 fn profile(name: &str, settings: &[(&str, &str)]) -> Profile {
     let mut profile = Profile::named(name).expect("built in");
@@ -99,7 +101,7 @@ fn sheets_of_dots_pass_the_check() {
                 .map(|finding| finding.to_string())
                 .collect();
             assert!(errors.is_empty(), "{device}, {}: {errors:#?}", page.title);
-            let again = tactograph::render(&svg, None).expect("a page").page.to_svg();
+            let again = tactograph::render(&svg, &RenderOptions::new()).expect("a page").page.to_svg();
             assert!(again == svg, "{device}, {}: it is not read as it was written", page.title);
         }
     }

@@ -6,8 +6,9 @@ use std::sync::{Arc, Mutex};
 use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
-    Class, Crop, DotFormat, Drawing, Embossing, Error, Event, Felt, Fonts, Limits, MmPoint, MmRect, Note, Options,
-    Page, Picture, Position, Profile, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
+    Calibration, Checked, Class, Crop, Description, DotFormat, Drawing, Embossing, Error, Event, Felt, Fonts, Label,
+    Limits, MmPoint, MmRect, Note, Options, Page, Picture, Position, Profile, RenderOptions, Sheets, Size, Stage,
+    Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -17,7 +18,9 @@ fn can_be_wrapped<T: Send + Sync + 'static>() {}
 #[test]
 fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<Options>();
+    can_be_wrapped::<RenderOptions>();
     can_be_wrapped::<Profile>();
+    can_be_wrapped::<Label>();
     can_be_wrapped::<Drawing>();
     can_be_wrapped::<Sheets>();
     can_be_wrapped::<Page>();
@@ -25,6 +28,9 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<Trace>();
     can_be_wrapped::<Felt>();
     can_be_wrapped::<felt::Report>();
+    can_be_wrapped::<Checked>();
+    can_be_wrapped::<Description>();
+    can_be_wrapped::<Calibration>();
     can_be_wrapped::<Fonts>();
     can_be_wrapped::<Note>();
     can_be_wrapped::<Error>();
@@ -104,6 +110,16 @@ fn question_marks_work_from_a_name_to_a_page() {
     }
     let told = boxed().expect_err("there is no such profile").to_string();
     assert!(told.contains("swell-a4"), "{told}");
+    fn labels() -> Result<Vec<Label>, Error> {
+        let x: Position = "30%".parse()?;
+        let mut labels = Label::from_csv("10%,20%,apple")?;
+        labels.push(Label { x, y: "12.5".parse()?, text: "pear".into() });
+        Ok(labels)
+    }
+    assert_eq!(labels().map(|labels| labels.len()), Ok(2));
+    assert_eq!("here".parse::<Position>(), Err(Error::NotAPosition));
+    let no_finger = tactograph::feel(tactograph::convert(&png(), &options()).expect("a page").page.to_svg(), 9.0);
+    assert_eq!(no_finger.err().map(|error| error.id()), Some("no-such-finger"));
     let refused = tactograph::convert(b"", &options()).expect_err("an empty file");
     assert_eq!(
         (refused.id(), Error::NotACrop.id(), Error::Profile(Vec::new()).id()),
@@ -308,4 +324,21 @@ fn work_that_is_cancelled_ends_between_stages() {
             assert!(!begun.contains(&Stage::Lines), "{begun:?}");
         }
     }
+}
+
+#[test]
+fn an_embosser_says_all_that_it_refuses() {
+    let device = Device::named("index-basic-d").expect("in the table");
+    assert_eq!(Embossing::default().check(device, A4, 2.0), Ok(()));
+    let refused = Embossing { copies: 0, impact: 9 }.check(device, A4, 2.0);
+    assert!(matches!(&refused, Err(Error::CannotPress(why)) if why.len() == 2), "{refused:?}");
+}
+
+#[test]
+fn rendering_can_be_cancelled() {
+    let svg = tactograph::convert(&png(), &options()).expect("a page").page.to_svg();
+    let embosser = Profile::named("index-basic-d").expect("it is built in");
+    let rendering = RenderOptions::new().profile(embosser).cancelled(|| true);
+    assert_eq!(tactograph::render(&svg, &rendering).err(), Some(Error::Cancelled));
+    assert!(tactograph::render(&svg, &rendering.cancelled(|| false)).is_ok());
 }

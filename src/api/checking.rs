@@ -2,7 +2,6 @@
 
 use usvg::{ImageHrefResolver, Tree};
 
-use super::FeelError;
 use super::feeling::feel;
 use crate::Error;
 use crate::legibility::{self, Checked, Drawn, Fingertip};
@@ -76,7 +75,7 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
             let felt = feel(bytes, FINGER);
             let fingertip = match &felt {
                 Ok(felt) => Fingertip::Felt(felt.report()),
-                Err(Error::NotFelt(FeelError::TooLarge { .. })) => Fingertip::TooLarge,
+                Err(Error::TooLargeToFeel { .. }) => Fingertip::TooLarge,
                 // a page whose layers have labels and no ids of ours
                 Err(_) => Fingertip::NotAsked,
             };

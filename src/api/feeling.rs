@@ -31,7 +31,8 @@ pub struct Felt {
 /// ```
 ///
 /// # Errors
-/// [`Error::NotFelt`] if it is no such page, is larger than can be felt, or there is no such fingertip.
+/// [`Error::OtherFormat`], [`Error::NotASvgPage`] or [`Error::NoFigure`] if it is no such page,
+/// [`Error::TooLargeToFeel`], or [`Error::NoSuchFinger`].
 pub fn feel(page: impl AsRef<[u8]>, finger: f32) -> Result<Felt, Error> {
     let ink = Ink::of(svg_text(page.as_ref())?)?;
     let felt = ink.felt(finger)?;
@@ -56,7 +57,7 @@ impl Felt {
 }
 
 /// The text of an SVG; what is plainly something else is called by its name.
-fn svg_text(page: &[u8]) -> Result<&str, touch::Error> {
+fn svg_text(page: &[u8]) -> Result<&str, Error> {
     const OTHERS: [(&[u8], &str); 6] = [
         (b"%PDF-", "a PDF"),
         (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
@@ -66,13 +67,13 @@ fn svg_text(page: &[u8]) -> Result<&str, touch::Error> {
         (b"\x1f\x8b", "a file compressed with gzip"),
     ];
     if let Some((_, what)) = OTHERS.iter().find(|(magic, _)| page.starts_with(magic)) {
-        return Err(touch::Error::OtherFormat(what));
+        return Err(Error::OtherFormat(what));
     }
-    let text = std::str::from_utf8(page).map_err(|_| touch::Error::OtherFormat("no text in UTF-8"))?;
+    let text = std::str::from_utf8(page).map_err(|_| Error::OtherFormat("no text in UTF-8"))?;
     if text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
         Ok(text)
     } else {
-        Err(touch::Error::OtherFormat("no drawing in SVG"))
+        Err(Error::OtherFormat("no drawing in SVG"))
     }
 }
 

@@ -15,10 +15,8 @@ pub use describing::describe;
 pub use feeling::{Felt, feel};
 pub use fonts::Fonts;
 pub use options::Options;
-pub use rendering::{language_of_page, profile_of_page, render, render_with_key, render_with_translator};
+pub use rendering::{RenderOptions, language_of_page, profile_of_page, render};
 pub use writing::write_pdf;
-
-pub use crate::touch::Error as FeelError;
 
 use crate::page::Page;
 use crate::page::spread::Grid;

@@ -50,7 +50,8 @@ pub struct Options {
 }
 
 type Progress = dyn Fn(Event) + Send + Sync;
-type Cancelled = dyn Fn() -> bool + Send + Sync;
+/// Whether work is no longer wanted.
+pub(super) type Cancelled = dyn Fn() -> bool + Send + Sync;
 
 /// What a picture without a name and a title is called.
 const NAMELESS: &str = "picture";

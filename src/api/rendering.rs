@@ -1,7 +1,9 @@
 //! Pages in: read, and made ready for their own device or another one.
 
+use std::fmt;
 use std::sync::Arc;
 
+use super::options::Cancelled;
 use crate::braille::Translate;
 use crate::page::{BrailleText, Page};
 use crate::pipeline::{self, Adapted, Drawing, Fit, Key as KeySheets, Request};
@@ -10,66 +12,99 @@ use crate::raster::decode::Limits;
 use crate::reading;
 use crate::{About, Error, Note};
 
+/// How a page is rendered. A builder, owned and cheap to clone as [`Options`](crate::Options); what is not set has a
+/// default.
+#[derive(Clone, Default)]
+#[non_exhaustive]
+#[must_use]
+pub struct RenderOptions {
+    profile: Option<Profile>,
+    key: KeySheets,
+    translate: Option<Arc<Translate>>,
+    cancelled: Option<Arc<Cancelled>>,
+}
+
+impl RenderOptions {
+    /// The page on its own paper or device, with a key only where words are abbreviated that were not before.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Lays the page out anew for another paper or device. Default: its own.
+    pub fn profile(mut self, profile: Profile) -> Self {
+        self.profile = Some(profile);
+        self
+    }
+
+    /// When there is a key. Default: where words are abbreviated that were not before, or that another profile asks
+    /// for.
+    pub fn key(mut self, key: KeySheets) -> Self {
+        self.key = key;
+        self
+    }
+
+    /// Writes words anew in the cells that it gives, as [`Options::translator`](crate::Options::translator) does: for
+    /// pages in contracted braille. Default: the table of the page's language.
+    pub fn translator(mut self, translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static) -> Self {
+        self.translate = Some(Arc::new(translate));
+        self
+    }
+
+    /// Is asked between stages whether the result is still wanted, as
+    /// [`Options::cancelled`](crate::Options::cancelled) is. Default: it is always wanted.
+    pub fn cancelled(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.cancelled = Some(Arc::new(asked));
+        self
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.cancelled.as_ref().is_some_and(|asked| asked())
+    }
+}
+
+impl fmt::Debug for RenderOptions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let profile = self.profile.as_ref().map(|profile| &profile.name);
+        f.debug_struct("RenderOptions").field("profile", &profile).field("key", &self.key).finish_non_exhaustive()
+    }
+}
+
 /// Reads a page from its SVG, as [`Page::to_svg`](crate::Page::to_svg) wrote it and somebody may have changed it, so
 /// that it can be written in any format.
 ///
-/// Without `profile` it stays on its paper or device: what lies in its layers is taken as it is, only widths of lines
-/// are brought into the range of its profile, and signs of textures give way to lines that were drawn. With `profile`
-/// it is laid out anew for that: lines and areas keep their places in the figure, and textures, overview, frame and
+/// Without a [profile](RenderOptions::profile) it stays on its paper or device: what lies in its layers is taken as it
+/// is, only widths of lines are brought into the range of its profile, and signs of textures give way to lines that
+/// were drawn. With a profile it is laid out anew for that: lines and areas keep their places in the figure, and textures, overview, frame and
 /// braille are made for the new paper or device. What was taken otherwise than it looks, or left out, is in
 /// [`Drawing::notes`].
 ///
 /// ```
-/// use tactograph::{DotFormat, Options, Profile};
+/// use tactograph::{DotFormat, Options, Profile, RenderOptions};
 ///
 /// let options = Options::new(Profile::named("swell-a4")?);
 /// let svg = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page.to_svg();
 /// // ... somebody corrects the page in an editor ...
-/// let pdf = tactograph::render(&svg, None)?.page.to_pdf();
-/// let dots = tactograph::render(&svg, Some(&Profile::named("index-basic-d")?))?.page.to_dots(DotFormat::Idx)?;
+/// let pdf = tactograph::render(&svg, &RenderOptions::new())?.page.to_pdf();
+/// let embosser = RenderOptions::new().profile(Profile::named("index-basic-d")?);
+/// let dots = tactograph::render(&svg, &embosser)?.page.to_dots(DotFormat::Idx)?;
 /// # let _ = (pdf, dots);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; faults of the profile.
-pub fn render(svg: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result<Drawing, Error> {
-    render_with_key(svg, profile, KeySheets::Auto)
+/// [`Error::NotAPage`] if it is none; [`Error::Undecodable`] if it is broken or over a limit; faults of the profile;
+/// [`Error::Cancelled`].
+pub fn render(svg: impl AsRef<[u8]>, options: &RenderOptions) -> Result<Drawing, Error> {
+    rendered(svg.as_ref(), options)
 }
 
-/// As [`render`], with a key when it is asked for. [`render`] makes one where words are abbreviated that were not
-/// before, or that another profile asks for.
-///
-/// # Errors
-/// As [`render`].
-pub fn render_with_key(svg: impl AsRef<[u8]>, profile: Option<&Profile>, key: KeySheets) -> Result<Drawing, Error> {
-    rendered(svg.as_ref(), profile, key, None)
-}
-
-/// As [`render_with_key`], with words that are written anew in the cells that `translate` gives, as by
-/// [`Options::translator`](crate::Options::translator): for pages in contracted braille.
-///
-/// # Errors
-/// As [`render`].
-pub fn render_with_translator(
-    svg: impl AsRef<[u8]>,
-    profile: Option<&Profile>,
-    key: KeySheets,
-    translate: impl Fn(&str) -> Result<Vec<u8>, String> + Send + Sync + 'static,
-) -> Result<Drawing, Error> {
-    rendered(svg.as_ref(), profile, key, Some(&translate))
-}
-
-fn rendered(
-    svg: &[u8],
-    profile: Option<&Profile>,
-    key: KeySheets,
-    translate: Option<&Translate>,
-) -> Result<Drawing, Error> {
+fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
+    let (key, translate) = (options.key, options.translate.as_deref());
     let mut read = reading::read(svg)?;
     let mut notes = std::mem::take(&mut read.notes);
     let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
     let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
+    let cancelled = || options.is_cancelled();
     let request = |plan, mirrored| Request {
         plan,
         limits: Limits::default(),
@@ -77,9 +112,9 @@ fn rendered(
         title: &page.title,
         language: &page.description_language,
         fit: Fit { mirrored, ..Fit::default() },
-        cancelled: &|| false,
+        cancelled: &cancelled,
     };
-    let Some(profile) = profile else {
+    let Some(profile) = &options.profile else {
         notes.extend(more.into_iter().chain(of_places));
         // the abbreviations that were there before have their key already
         let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
@@ -123,12 +158,7 @@ fn in_other_cells(before: &Page, after: &Page) -> Option<Note> {
         after.iter().find(same).is_some_and(|other| !is_part(&cells(other), &cells(text)))
     };
     let count = whole(before).iter().filter(is_other).count();
-    let words = if count == 1 { "1 text is" } else { &format!("{count} texts are") };
-    let told = format!(
-        "{words} written in other cells of braille than on the page, which another table wrote; give that table \
-         (--braille-table TABLE)"
-    );
-    (count > 0).then_some(Note::TakenAs(About::Braille, told))
+    (count > 0).then_some(Note::InOtherCells(count))
 }
 
 /// Sheets of a key, whose titles are in the language of the page's.

@@ -19,7 +19,7 @@ use super::settings::Change;
 use super::sheets::{self, Failure, Piece};
 use super::side_by_side::{self, Panicked};
 use super::timings::{Stopped, Timings};
-use super::{input, interrupt, output, panics, settings};
+use super::{input, interrupt, output, panics, remedies, settings};
 
 /// What is asked for: the command line, as far as all commands on pictures have it.
 pub(super) struct Order<'a> {
@@ -215,12 +215,11 @@ fn work(
     input::check(&job.picture).map_err(|error| about_picture(format!("{error:#}")))?;
     let preview = order.preview.map(|format| Product::Page(Format::Drawing(format)));
     let preview = preview.zip(job.preview.clone().map(Target::Derived));
-    for (product, target) in [(product, job.target.clone())].iter().chain(&preview) {
-        if let Some(path) = target.path() {
-            let about_target = |error| Failure { file: places::target_name(target), what: format!("{error:#}") };
-            output::check(path, *product, target.existing(&made_up)).map_err(about_target)?;
-        }
-    }
+    [(product, job.target.clone())].iter().chain(&preview).try_for_each(|(product, target)| {
+        let Some(path) = target.path() else { return Ok(()) };
+        output::check(path, *product, target.existing(&made_up))
+            .map_err(|error| Failure { file: places::target_name(target), what: format!("{error:#}") })
+    })?;
     let memory_mb = shared.limits().memory_mb;
     let too_long = format!("the file is longer than the memory limit of {memory_mb} MB; raise it with --max-memory");
     let bytes = timings
@@ -231,18 +230,14 @@ fn work(
     let options = job.page.into_iter().fold(options, Options::page);
     let Made { files, previews, sheets, notes, checked, description } =
         make(&Input { job, bytes: &bytes, options: &options, timings: &timings })
-            .map_err(|error| about_picture(explain(&error)))?;
+            .map_err(|error| about_picture(remedies::of_error(&error)))?;
     let pages = sheets::pieces(product, &job.target, &files, &made_up)?;
     let previews = match &preview {
         Some((product, target)) => sheets::pieces(*product, target, &previews, &made_up)?,
         None => Vec::new(),
     };
-    let left_out = |note: &Note| match note {
-        Note::LabelsLeftOut { texts, why } => Some((texts.clone(), *why)),
-        _ => None,
-    };
-    let labels_left_out = notes.iter().filter_map(left_out).collect();
-    let mut notes: Vec<String> = notes.iter().map(remark).collect();
+    let labels_left_out = notes.iter().filter_map(labels_left_out).collect();
+    let mut notes: Vec<String> = notes.iter().map(remedies::of_note).collect();
     let (wrote, page_names) = (wrote(&pages, &previews, &sheets), names_of(&pages));
     let preview_names = names_of(&previews);
     let all: Vec<Piece<'_>> = pages.into_iter().chain(previews).collect();
@@ -252,16 +247,15 @@ fn work(
         notes.extend(other.map(|other| format!("{} was made of {} before", path.display(), other.display())));
     }
     let timings = timings.stop();
-    Ok(Done {
-        wrote,
-        pages: page_names,
-        previews: preview_names,
-        checked,
-        notes,
-        labels_left_out,
-        description,
-        timings,
-    })
+    let (pages, previews) = (page_names, preview_names);
+    Ok(Done { wrote, pages, previews, checked, notes, labels_left_out, description, timings })
+}
+
+fn labels_left_out(note: &Note) -> Option<(Vec<String>, &'static str)> {
+    match note {
+        Note::LabelsLeftOut { texts, why } => Some((texts.clone(), *why)),
+        _ => None,
+    }
 }
 
 fn names_of(pieces: &[Piece<'_>]) -> Vec<String> {
@@ -275,33 +269,6 @@ fn wrote(pages: &[Piece<'_>], previews: &[Piece<'_>], sheets: &[String]) -> Stri
         ([], _) => page,
         (_, 0 | 1) => format!("{page} and {}", sheets::names(previews)),
         _ => format!("{page}, and {}", sheets::names(previews)),
-    }
-}
-
-/// The library does not know the options of this program: where it says that a limit can be raised, say with which.
-fn explain(error: &Error) -> String {
-    match error {
-        Error::TooManyPixels { .. } => format!("{error} with --max-megapixels"),
-        Error::TooMuchMemory { .. } | Error::UnpacksTooFar { .. } => format!("{error} with --max-memory"),
-        Error::TooFine { .. } => format!("{error} with --dpi"),
-        Error::TooWide { wanted, most, without_overview: Some(without) } => format!(
-            "a figure {wanted} mm wide does not fit; {most:.1} mm is the most for this picture on this sheet, or \
-             {without:.1} mm with --no-overview, so take one of these or a larger sheet"
-        ),
-        Error::TooWide { .. } => format!("{error}, or spread it over more sheets (--sheets 2x1)"),
-        _ => error.to_string(),
-    }
-}
-
-/// What is remarked, with the option that helps.
-fn remark(note: &Note) -> String {
-    match note {
-        Note::FirstPageOnly { pages } => {
-            format!("this is page 1 of {pages}; take another with --page 2, or all with --page 1-{pages}")
-        }
-        Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
-        Note::TooDense { .. } => format!("{note} (--sheets 2x2, --crop)"),
-        _ => note.to_string(),
     }
 }
 

@@ -7,7 +7,7 @@ use tactograph::{Checked, Profile, check_marked, rules};
 
 use super::args::{Check, CheckFormat};
 use super::report::{Exit, Report};
-use super::{input, output, places, settings};
+use super::{input, output, places, remedies, settings};
 
 /// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
 const MOST_BYTES: u64 = 100_000_000;
@@ -86,7 +86,7 @@ fn checked(page: &Path, profile: Option<&Profile>) -> anyhow::Result<(Checked, S
 }
 
 fn tell(args: &Check, name: &str, checked: &Checked, marked: &str, report: &Report) -> Exit {
-    checked.notes.iter().for_each(|note| report.note(name, &note.to_string()));
+    checked.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note)));
     let text = match args.format {
         CheckFormat::Text if args.pages.len() > 1 => format!("{name}:\n{checked}\n"),
         CheckFormat::Text => checked.to_string(),

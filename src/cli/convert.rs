@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use tactograph::{
-    Drawing, Error, Note, Options, Page, Profile, convert, convert_to_sheets, profile_of_page, render_with_key,
+    Drawing, Error, Note, Options, Page, Profile, RenderOptions, convert, convert_to_sheets, profile_of_page, render,
 };
 
 use super::args::{Chosen, Convert, Corrections, GivenLabels};
@@ -174,8 +174,12 @@ impl Drawn {
             // a page that is saved into a watched directory was changed by somebody
             Err(Error::IsAPage) if session.is_some() => {
                 let own = profile_of_page(bytes)?;
-                let other = Some(options.profile()).filter(|profile| profile.name != own.name);
-                let drawing = render_with_key(bytes, other, given.labels.key())?;
+                let rendering = RenderOptions::new().key(given.labels.key());
+                let drawing = if options.profile().name == own.name {
+                    render(bytes, &rendering)?
+                } else {
+                    render(bytes, &rendering.profile(options.profile().clone()))?
+                };
                 title = drawing.page.title.clone();
                 notes_and_pages(drawing)
             }

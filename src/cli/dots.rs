@@ -1,6 +1,6 @@
 //! Which format of dots goes with which profile.
 
-use tactograph::{DotFormat, Embossing as Numbers, Format, Profile};
+use tactograph::{DotFormat, Embossing as Numbers, Error, Format, Profile};
 
 use super::args::Embossing;
 
@@ -34,7 +34,11 @@ pub(super) fn faults(format: Format, profile: &Profile, embossing: &Embossing) -
                 let page = &profile.page;
                 // as the device has it; profiles may be a hundredth off
                 let pitch = device.pitches().find(profile.dots.pitch).unwrap_or(profile.dots.pitch);
-                faults.extend(embossing.numbers().faults(device, [page.width, page.height], pitch));
+                match embossing.numbers().check(device, [page.width, page.height], pitch) {
+                    Ok(()) => {}
+                    Err(Error::CannotPress(why)) => faults.extend(why),
+                    Err(other) => faults.push(other.to_string()),
+                }
             }
             None => {}
         },

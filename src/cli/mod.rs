@@ -18,6 +18,7 @@ mod places;
 mod product;
 mod profiles;
 mod record;
+mod remedies;
 mod render;
 mod report;
 mod session;

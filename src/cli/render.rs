@@ -1,6 +1,6 @@
 //! `tactograph render`: a page in, edited or not, the same page in any format out.
 
-use tactograph::{Page, Profile, Value, language_of_page, profile_of_page, render_with_key, render_with_translator};
+use tactograph::{Page, Profile, RenderOptions, Value, language_of_page, profile_of_page};
 
 use super::args::Render;
 use super::dots;
@@ -8,7 +8,7 @@ use super::product::{Format, Product};
 use super::report::{Exit, Report};
 use super::settings::Change;
 use super::sheets::Failure;
-use super::{input, louis, places, settings, sheets};
+use super::{input, louis, places, remedies, settings, sheets};
 
 /// Longest page that is read, bytes.
 const MOST_BYTES: u64 = 100_000_000;
@@ -41,7 +41,7 @@ pub(super) fn run(args: &Render) -> Exit {
         }
     };
     let formats = [Some(chosen.format), chosen.preview.map(Format::Drawing)];
-    sheets::not_in(&pages, formats).into_iter().for_each(|note| report.note(&page, &note.to_string()));
+    sheets::not_in(&pages, formats).into_iter().for_each(|note| report.note(&page, &remedies::of_note(&note)));
     match sheets::write_pages((&title, &pages), (chosen, args.embossing.numbers()), &args.output, args.force) {
         Ok(names) => {
             names.iter().for_each(|name| report.done(&format!("wrote {name}")));
@@ -74,13 +74,13 @@ fn read(
     }
     let (other, table) = contracted(&bytes, &own, other, args, |why| report.note(name, why))
         .map_err(|what| (Exit::Usage, vec![what]))?;
-    let (other, key) = (other.as_ref(), args.key.sheets());
-    let drawing = match table {
-        Some(table) => render_with_translator(&bytes, other, key, move |text| louis::translate(&table, text)),
-        None => render_with_key(&bytes, other, key),
+    let options = other.into_iter().fold(RenderOptions::new().key(args.key.sheets()), RenderOptions::profile);
+    let options = match table {
+        Some(table) => options.translator(move |text| louis::translate(&table, text)),
+        None => options,
     };
-    let drawing = drawing.map_err(|error| failed(error.to_string()))?;
-    drawing.notes.iter().for_each(|note| report.note(name, &note.to_string()));
+    let drawing = tactograph::render(&bytes, &options).map_err(|error| failed(remedies::of_error(&error)))?;
+    drawing.notes.iter().for_each(|note| report.note(name, &remedies::of_note(note)));
     let title = drawing.page.title.clone();
     Ok(([drawing.page].into_iter().chain(drawing.overview).chain(drawing.key).collect(), title))
 }

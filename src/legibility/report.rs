@@ -138,7 +138,7 @@ impl Finding {
     fn remedy(&self) -> String {
         match self.mended {
             Some(mended) => {
-                format!("print what `tactograph render` makes of the page, as it {mended}; or {}", self.rule.remedy)
+                format!("print what render makes of the page, as it {mended}; or {}", self.rule.remedy)
             }
             None => self.rule.remedy.to_owned(),
         }

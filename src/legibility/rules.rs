@@ -251,7 +251,7 @@ pub(super) const LETTERS: Rule = Rule {
     asks: "There are no letters on the page.",
     severity: Severity::Error,
     source: "fingers do not read letters; transcribers write braille",
-    remedy: "delete them, and write them as a label in braille (--labels)",
+    remedy: "delete them, and write them as a label in braille",
     number: none,
 };
 pub(super) const FILLED: Rule = Rule {

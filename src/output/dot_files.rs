@@ -23,10 +23,17 @@ impl Default for Embossing {
 }
 
 impl Embossing {
-    /// Everything for which an Index embosser refuses a sheet of this width and length, mm, dots this far apart, mm,
-    /// or these numbers.
-    pub fn faults(&self, device: &Device, sheet: [f32; 2], pitch: f32) -> Vec<String> {
-        index::Params::new(device, sheet, pitch, self.copies, self.impact).err().unwrap_or_default()
+    /// Whether an Index embosser takes a sheet of this width and length, mm, with dots this far apart, mm, and these
+    /// numbers.
+    ///
+    /// # Errors
+    /// [`Error::CannotPress`] with everything for which it refuses.
+    pub fn check(&self, device: &Device, sheet: [f32; 2], pitch: f32) -> Result<(), Error> {
+        self.params(device, sheet, pitch).map(drop)
+    }
+
+    fn params(&self, device: &Device, sheet: [f32; 2], pitch: f32) -> Result<index::Params, Error> {
+        index::Params::new(device, sheet, pitch, self.copies, self.impact).map_err(Error::CannotPress)
     }
 }
 
@@ -54,9 +61,7 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
         }
         DotFormat::Txt => one(text::write(&matrices()?)),
         DotFormat::Idx => {
-            let Embossing { copies, impact } = embossing;
-            let params = index::Params::new(medium.device, first.sheet, medium.pitch, copies, impact);
-            let params = params.map_err(|faults| Error::CannotPress(faults.join("; ")))?;
+            let params = embossing.params(medium.device, first.sheet, medium.pitch)?;
             Ok(vec![index::write(&matrices()?, &params)])
         }
         DotFormat::Gcode => pages.iter().map(|(page, medium)| gcode_of(page, medium)).collect(),
@@ -69,16 +74,20 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
     }
 }
 
+fn cannot_press(why: String) -> Error {
+    Error::CannotPress(vec![why])
+}
+
 /// The dots of a page whose device takes the format.
 fn medium_of(page: &Page, format: DotFormat) -> Result<&DotMedium, Error> {
     match &page.medium {
-        Medium::Print(_) => Err(Error::CannotPress(format!(
+        Medium::Print(_) => Err(cannot_press(format!(
             "{} holds dots, and the page is for printing; take a profile for dots, such as {}",
             format.name().to_uppercase(),
             format.example_profile()
         ))),
         Medium::Dots(medium) => match format.refusal(medium.device) {
-            Some(why) => Err(Error::CannotPress(why)),
+            Some(why) => Err(cannot_press(why)),
             None => Ok(medium),
         },
     }
@@ -118,14 +127,14 @@ fn different(first: &DotMedium, other: &DotMedium) -> Error {
     } else {
         format!("the pages are for different devices, {} and {}", first.device.name, other.device.name)
     };
-    Error::CannotPress(format!("{what}; write each in a file of its own"))
+    cannot_press(format!("{what}; write each in a file of its own"))
 }
 
 /// The dots of a page on the grid of its device.
 fn matrix_of(page: &Page, medium: &DotMedium) -> Result<DotMatrix, Error> {
     DotMatrix::of(page).ok_or_else(|| {
         let name = medium.device.name;
-        Error::CannotPress(format!("the page for {name} has no grid of dots that this format could hold"))
+        cannot_press(format!("the page for {name} has no grid of dots that this format could hold"))
     })
 }
 
@@ -133,7 +142,7 @@ fn matrix_of(page: &Page, medium: &DotMedium) -> Result<DotMatrix, Error> {
 fn gcode_of(page: &Page, medium: &DotMedium) -> Result<Vec<u8>, Error> {
     let DotArea::Free(reach) = medium.area else {
         let name = medium.device.name;
-        return Err(Error::CannotPress(format!(
+        return Err(cannot_press(format!(
             "the dots of this page lie on a grid, which {name} does not have; lay the page out for its device"
         )));
     };
@@ -146,5 +155,5 @@ fn gcode_of(page: &Page, medium: &DotMedium) -> Result<Vec<u8>, Error> {
     };
     let at: Vec<_> = dots(page).into_iter().map(|(at, _)| at).collect();
     let written = gcode::write(&at, &params).map(String::into_bytes);
-    written.map_err(|refused| Error::CannotPress(refused.to_string()))
+    written.map_err(|refused| cannot_press(refused.to_string()))
 }

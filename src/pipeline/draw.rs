@@ -94,29 +94,27 @@ pub(super) fn draw(
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     // lines that a person gave stay as they are
     let may_join = given.lines.is_none();
-    let ((drawn, areas, instead), ((overview, not_in_overview, in_overview), mut classes)) = in_parallel(
-        has_lines,
-        watch,
-        |watch| draw_lines(edges.as_ref(), may_join, &layout, plan, watch),
-        |watch| {
-            let overview = draw_overview(edges.as_ref(), may_join, &layout, plan, watch);
-            (overview, areas_of_colours(given, &picture.raster, edges.as_ref(), &layout, plan, watch))
-        },
-    );
+    let ((drawn, areas, instead), ((overview, not_in_overview, in_overview), mut classes)) = {
+        let (edges, layout) = (edges.as_ref(), &layout);
+        let lines = |watch: &mut Watch<'_>| draw_lines(edges, may_join, layout, plan, watch);
+        in_parallel(has_lines, watch, lines, |watch| {
+            let overview = draw_overview(edges, may_join, layout, plan, watch);
+            (overview, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
+        })
+    };
     request.go_on()?;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
     notes.extend(lost_marks::told(&drawn.lost.marks, plan));
     notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
-        let outlined = areas.as_ref().filter(|_| given.areas.is_none());
+        // which areas a person gave have a texture is theirs to say
+        let of_picture = given.areas.is_none();
+        let outlined = areas.as_ref().filter(|_| of_picture);
         notes.extend(outlined.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
         blank(classes, &erased);
-        // which areas a person gave have a texture is theirs to say
-        notes.extend(if given.areas.is_none() { blank_ground(classes, plan) } else { None });
-        if let Some(subject) = &calmed_around {
-            subject::blank_around(classes, subject, size);
-        }
+        notes.extend(of_picture.then(|| blank_ground(classes, plan)).flatten());
+        calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
     }
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
     notes.extend(told_of_overview(&not_in_overview));
@@ -360,7 +358,7 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
 /// What the maker is told of a figure that is narrower than asked for.
 fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     let (wanted, width) = (fit.width?, layout.figure.width());
-    let why = "the room beside it is for the drawing's own words; give the words with --labels FILE, or ask for more";
+    let why = "the room beside it is for the drawing's own words; give the words as labels, or ask for more";
     let told = format!("the figure is {width:.0} mm wide and not {wanted:.0}, as {why}");
     (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
 }

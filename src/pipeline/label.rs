@@ -1,5 +1,8 @@
 //! Labels as the maker of a page gives them: where on the picture, and what they say.
 
+use std::str::FromStr;
+
+use crate::Error;
 use crate::units::{MmPoint, MmRect, Size};
 
 /// Blank between labels and lines or textures, mm: as other programs leave around braille on graphics.
@@ -25,16 +28,24 @@ pub enum Position {
     Pixels(f32),
 }
 
-impl Position {
-    /// From "30%" or "412.5"; none if it is no number.
-    pub fn of(text: &str) -> Option<Self> {
+impl FromStr for Position {
+    type Err = Error;
+
+    /// From "30%" or "412.5".
+    ///
+    /// # Errors
+    /// [`Error::NotAPosition`] if it is no number.
+    fn from_str(text: &str) -> Result<Self, Error> {
         let (number, position): (&str, fn(f32) -> Self) = match text.strip_suffix('%') {
             Some(number) => (number.trim_end(), Self::Percent),
             None => (text, Self::Pixels),
         };
-        number.parse().ok().filter(|number: &f32| number.is_finite()).map(position)
+        let number = number.parse().ok().filter(|number: &f32| number.is_finite());
+        number.map(position).ok_or(Error::NotAPosition)
     }
+}
 
+impl Position {
     /// Share of the side, 0 to 1 within the picture.
     pub(super) fn share(self, pixels: u32) -> f32 {
         match self {
@@ -54,7 +65,7 @@ impl Label {
     ///
     /// # Errors
     /// Everything that is wrong, each with its line.
-    pub fn from_csv(text: &str) -> Result<Vec<Self>, Vec<String>> {
+    pub fn from_csv(text: &str) -> Result<Vec<Self>, Error> {
         let (mut labels, mut faults) = (Vec::new(), Vec::new());
         let rows = (1..).zip(text.trim_start_matches('\u{feff}').lines()).filter(|(_, row)| !row.trim().is_empty());
         for (i, (line, row)) in rows.enumerate() {
@@ -65,7 +76,7 @@ impl Label {
                 Err(what) => faults.push(format!("line {line}: {what}")),
             }
         }
-        if faults.is_empty() { Ok(labels) } else { Err(faults) }
+        if faults.is_empty() { Ok(labels) } else { Err(Error::NotLabels(faults)) }
     }
 
     /// A row is parted by the first letter that can part it. Where that gives no numbers, it may have been a decimal
@@ -84,7 +95,7 @@ impl Label {
         };
         let position = |text: &str, name: char| {
             let number = text.trim_matches('"').replace(',', ".");
-            Position::of(&number).ok_or_else(|| {
+            number.parse().map_err(|_| {
                 let text: String = text.chars().take(20).collect();
                 format!("{name} must be a number of pixels or a percentage such as 30%, not \"{text}\"")
             })
@@ -137,7 +148,8 @@ mod tests {
 
     #[test]
     fn every_fault_has_its_line() {
-        let faults = Label::from_csv("10%,20%,a\nx,2,b\n1,2\n1,NaN,c\n1,2, \n").expect_err("faults");
+        let refused = Label::from_csv("10%,20%,a\nx,2,b\n1,2\n1,NaN,c\n1,2, \n");
+        let Err(Error::NotLabels(faults)) = refused else { panic!("{refused:?}") };
         let at_line: Vec<&str> = faults.iter().filter_map(|fault| fault.split(':').next()).collect();
         assert_eq!(at_line, ["line 2", "line 3", "line 4", "line 5"], "{faults:?}");
         assert_eq!(faults[0], "line 2: x must be a number of pixels or a percentage such as 30%, not \"x\"");

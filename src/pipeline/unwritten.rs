@@ -1,7 +1,7 @@
 //! What is told of words that cannot be written in braille.
 
+use crate::Note;
 use crate::braille::Lacking;
-use crate::{About, Note};
 
 /// What is told of characters that the code has no cells for.
 pub(super) fn lacking(text: &str, lacking: &[Lacking]) -> Option<Note> {
@@ -24,7 +24,6 @@ impl Lacks {
         if self.0.len() < 2 {
             return self.0.into_iter().map(|(.., note)| note).next();
         }
-        let texts: Vec<&str> = self.0.iter().map(|(text, ..)| text.as_str()).collect();
         let mut characters: Vec<char> = Vec::new();
         let all = self.0.iter().flat_map(|(_, characters, _)| characters);
         all.for_each(|character| {
@@ -32,21 +31,10 @@ impl Lacks {
                 characters.push(*character);
             }
         });
-        let shown: Vec<String> = characters.iter().take(MOST).map(|character| format!("{character:?}")).collect();
-        let more = characters.len().saturating_sub(MOST);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        let told = format!(
-            "characters of the braille of {}, as its code has no cells for them: {}{more}; write them in words, or \
-             take a table of liblouis that has them (--braille-table TABLE)",
-            named(&texts),
-            shown.join(", ")
-        );
-        Some(Note::NotOnPage(About::Braille, told))
+        let texts = self.0.into_iter().map(|(text, ..)| text).collect();
+        Some(Note::NotInBrailleOfTexts { texts, lacking: characters })
     }
 }
-
-/// Most characters that a note shows.
-const MOST: usize = 12;
 
 /// Names texts: all of up to five.
 pub(super) fn named(texts: &[&str]) -> String {

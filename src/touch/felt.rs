@@ -1,8 +1,9 @@
 //! A page as a fingertip feels it: which class is meant and which is felt, cell by cell.
 
-use super::ink::{Error, Ink};
+use super::ink::Ink;
 use super::measure::{self, CELLS_PER_MM, FINGERS, Feel};
 use super::signs::Signs;
+use crate::Error;
 use crate::geom::distance::distances;
 use crate::page::Class;
 use crate::raster::plane::Plane;
@@ -58,7 +59,7 @@ pub fn feel(svg: &str, finger: f32) -> Result<Felt, Error> {
 }
 
 fn check(finger: f32) -> Result<(), Error> {
-    if FINGERS.contains(&finger) { Ok(()) } else { Err(Error::Finger(finger)) }
+    if FINGERS.contains(&finger) { Ok(()) } else { Err(Error::NoSuchFinger(finger)) }
 }
 
 impl Ink {

@@ -7,8 +7,9 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use usvg::roxmltree::{Document, Node};
 use usvg::{ImageHrefResolver, Tree};
 
-use super::measure::{FINGERS, PX_PER_MM};
+use super::measure::PX_PER_MM;
 use super::signs::Signs;
+use crate::Error;
 use crate::page::{Class, Sign};
 use crate::raster::decode::checked_document;
 use crate::raster::plane::Plane;
@@ -32,46 +33,6 @@ const LONGEST: f32 = 700.0;
 const RESOURCES: &[&str] =
     &["defs", "style", "clipPath", "mask", "linearGradient", "radialGradient", "pattern", "symbol", "marker", "filter"];
 
-/// Why a page cannot be felt.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Error {
-    /// The text is no SVG that can be drawn.
-    #[error("this is not an SVG page that can be read: {0}; give a page that tactograph made")]
-    NotSvg(String),
-    /// The bytes are plainly something else than SVG.
-    #[error(
-        "this is {0}, and a page is felt from its SVG; give the SVG of the page, or convert the picture to a page.svg"
-    )]
-    OtherFormat(&'static str),
-    /// None of the ids of a page is there.
-    #[error(
-        "this is no page of tactograph: it has no group with the id figure or texture-blue (-green, -yellow, -red, \
-         -grey); give a page that tactograph made"
-    )]
-    NotAPage,
-    /// More than there is room for.
-    #[error(
-        "the figure is {width} x {height} mm, and at most {longest} x {longest} mm can be felt; \
-         check the page's size in mm"
-    )]
-    TooLarge {
-        /// Width of all that is drawn, mm.
-        width: f32,
-        /// Its height, mm.
-        height: f32,
-        /// The limit, mm.
-        longest: f32,
-    },
-    /// There is no such fingertip.
-    #[error(
-        "a fingertip of {0} mm is not known; give one from {low} to {high} mm",
-        low = FINGERS.start(),
-        high = FINGERS.end()
-    )]
-    Finger(f32),
-}
-
 /// The ink of a page's figure.
 #[derive(Debug, Clone)]
 pub struct Ink {
@@ -91,13 +52,13 @@ impl Ink {
     /// # Errors
     /// If the text is no SVG, or has no group with the id of a figure or a texture, or is too large.
     pub fn of(svg: &str) -> Result<Self, Error> {
-        let document = checked_document(svg).map_err(Error::NotSvg)?;
+        let document = checked_document(svg).map_err(Error::NotASvgPage)?;
         let names: Vec<(Class, String)> = Class::ALL.map(|class| (class, format!("texture-{}", class.name()))).into();
         let group = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
         let present: Vec<(&(Class, String), Node<'_, '_>)> =
             names.iter().filter_map(|name| Some((name, group(&name.1)?))).collect();
         if present.is_empty() && group(FIGURE).is_none() {
-            return Err(Error::NotAPage);
+            return Err(Error::NoFigure);
         }
         let stated = |layer: &Node<'_, '_>| layer.attribute(SIGN).and_then(Sign::named);
         let signs: Vec<(Class, Option<Sign>)> = present.iter().map(|(name, layer)| (name.0, stated(layer))).collect();
@@ -153,7 +114,7 @@ fn only(svg: &str, document: &Document<'_>, id: &str) -> String {
 fn tree(svg: &str) -> Result<Tree, Error> {
     let nothing = ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = usvg::Options { image_href_resolver: nothing, ..usvg::Options::default() };
-    Tree::from_str(svg, &options).map_err(|fault| Error::NotSvg(fault.to_string().replace(['\n', '\r'], " ")))
+    Tree::from_str(svg, &options).map_err(|fault| Error::NotASvgPage(fault.to_string().replace(['\n', '\r'], " ")))
 }
 
 /// All ink of the trees with blank around it; the sheet where there is none.
@@ -172,7 +133,7 @@ fn area<'a>(trees: impl Iterator<Item = &'a Tree>) -> Result<MmRect, Error> {
     let area = all.map_or(sheet, |all| all.inflate(MARGIN, MARGIN).round_out());
     let sides = [area.width().ceil().max(1.0), area.height().ceil().max(1.0)];
     if sides.iter().any(|side| !(side.is_finite() && *side <= LONGEST)) {
-        return Err(Error::TooLarge { width: sides[0], height: sides[1], longest: LONGEST });
+        return Err(Error::TooLargeToFeel { width: sides[0], height: sides[1], longest: LONGEST });
     }
     Ok(MmRect::new(area.min, area.min + crate::units::MmVector::new(sides[0], sides[1])))
 }
@@ -185,7 +146,7 @@ fn draw(tree: &Tree, area: MmRect) -> Result<Plane, Error> {
     if !tree.root().has_children() {
         return Ok(plane);
     }
-    let too_large = || Error::TooLarge { width: area.width(), height: area.height(), longest: LONGEST };
+    let too_large = || Error::TooLargeToFeel { width: area.width(), height: area.height(), longest: LONGEST };
     let mut canvas = Pixmap::new(size.width, size.height).ok_or_else(too_large)?;
     canvas.fill(Color::WHITE);
     let per_px = PX_PER_MM as f32 * MM_PER_PX;

@@ -21,7 +21,7 @@ pub mod report;
 mod signs;
 
 pub use felt::{Cell, Felt, JUDGED_FROM, feel};
-pub use ink::{Error, Ink};
+pub use ink::Ink;
 pub use measure::{CELLS_PER_MM, FINGERS, Feel};
 pub use report::{FeltAs, Report, report};
 pub use signs::Signs;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use tactograph::{KeySheets, Label, Options};
+use tactograph::{Error, KeySheets, Label, Options};
 
 use crate::cli::input;
 
@@ -123,8 +123,11 @@ impl Labels {
                     .map_err(|error| of_file(format!("{error:#}")))?;
                 let text = String::from_utf8(bytes)
                     .map_err(|_| of_file("this is not text in UTF-8; save it as CSV in UTF-8".to_owned()))?;
-                let labels = Label::from_csv(&text).map_err(|faults| {
-                    faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect::<Vec<_>>()
+                let labels = Label::from_csv(&text).map_err(|error| match error {
+                    Error::NotLabels(faults) => {
+                        faults.into_iter().map(|fault| format!("--labels {path}, {fault}")).collect()
+                    }
+                    other => of_file(other.to_string()),
                 })?;
                 if labels.is_empty() {
                     return Err(of_file("this has no labels; write one a line, as x, y and text".to_owned()));

@@ -44,7 +44,7 @@ impl Subject {
 
 fn place(text: &str) -> Result<Place, String> {
     let within = |text: &str| {
-        let position = Position::of(text.trim())?;
+        let position = text.trim().parse().ok()?;
         let is_within = match position {
             Position::Percent(percent) => (0.0..=100.0).contains(&percent),
             Position::Pixels(at) => at >= 0.0,

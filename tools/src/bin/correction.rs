@@ -11,7 +11,7 @@ use std::path::Path;
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
-use tactograph::{Profile, render};
+use tactograph::{Profile, RenderOptions, render};
 use tactograph_tools::{ROOT, correction};
 
 const PX_PER_MM: f32 = 2.4;
@@ -33,8 +33,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let last = &stages[stages.len() - 1].svg;
-    let printed = render(last, None)?.page;
-    let pressed = render(last, Some(&Profile::named("index-basic-d")?))?.page;
+    let printed = render(last, &RenderOptions::new())?.page;
+    let pressed = render(last, &RenderOptions::new().profile(Profile::named("index-basic-d")?))?.page;
     let mut pictures: Vec<Pixmap> = Vec::new();
     for stage in &stages[1..] {
         pictures.push(picture(&stage.svg, PART)?);

@@ -1,7 +1,7 @@
 //! Pages, layers and lists that somebody else wrote, and files of dots.
 
 use tactograph::internals::output::dots::{DotMatrix, Words, brf, pef, text, ubrl};
-use tactograph::{Format, Label, Options, Picture, Profile};
+use tactograph::{Error, Format, Label, Options, Picture, Profile, RenderOptions};
 
 use super::is_clear;
 use crate::dot_reading as reading;
@@ -20,10 +20,11 @@ fn options() -> Options {
 
 /// A page is read, and what is written of it is read again; what its file says of itself, too.
 pub(super) fn page(bytes: &[u8]) {
-    match tactograph::render(bytes, None) {
+    match tactograph::render(bytes, &RenderOptions::new()) {
         Ok(drawing) => {
             let svg = drawing.page.to_svg();
-            let again = tactograph::render(&svg, None).unwrap_or_else(|fault| panic!("what is written: {fault}"));
+            let again = tactograph::render(&svg, &RenderOptions::new())
+                .unwrap_or_else(|fault| panic!("what is written: {fault}"));
             assert!(again.page.to_svg() == svg, "a page changes when it is rendered twice");
             assert!(!drawing.page.to_pdf().is_empty());
             if let Err(fault) = tactograph::describe(bytes, None, None) {
@@ -81,7 +82,10 @@ pub(super) fn labels(bytes: &[u8]) {
                 is_clear(&fault);
             }
         }
-        Err(faults) => assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.contains('\n')), "{faults:?}"),
+        Err(Error::NotLabels(faults)) => {
+            assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.contains('\n')), "{faults:?}")
+        }
+        Err(other) => panic!("{other:?}"),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Settings of every kind, and pictures with them.
 
-use tactograph::{Key, Options, Picture, Profile};
+use tactograph::{Key, Options, Picture, Profile, RenderOptions};
 
 use super::is_clear;
 
@@ -102,7 +102,7 @@ pub(super) fn convert(bytes: &[u8]) {
     };
     for page in std::iter::once(&drawing.page).chain(&drawing.overview).chain(&drawing.key) {
         let svg = page.to_svg();
-        match tactograph::render(&svg, None) {
+        match tactograph::render(&svg, &RenderOptions::new()) {
             Ok(read) => {
                 let again = read.page.to_svg();
                 let other = svg.lines().zip(again.lines()).find(|(written, read)| written != read);

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-use tactograph::{Error, Fonts, Label, Options, Profile};
+use tactograph::{Error, Fonts, Label, Options, Profile, RenderOptions};
 use tactograph_tools::fuzz::LONGEST_LINE;
 
 use crate::Fault;
@@ -84,7 +84,7 @@ impl With {
         match input {
             Input::Picture => convert(bytes, &self.options),
             Input::Page => {
-                let drawing = tactograph::render(bytes, None).map_err(said)?;
+                let drawing = tactograph::render(bytes, &RenderOptions::new()).map_err(said)?;
                 std::hint::black_box(drawing.page.to_pdf());
                 std::hint::black_box(tactograph::check(bytes, None).map_err(said)?);
                 std::hint::black_box(tactograph::describe(bytes, None, None).map_err(said)?);
@@ -93,7 +93,7 @@ impl With {
             Input::Lines => convert(&self.picture, &self.options.clone().lines(bytes).map_err(said)?),
             Input::Areas => convert(&self.picture, &self.options.clone().areas(bytes).map_err(said)?),
             Input::Labels => {
-                let labels = Label::from_csv(text()?).map_err(|faults| faults.join("\n"))?;
+                let labels = Label::from_csv(text()?).map_err(said)?;
                 convert(&self.picture, &self.options.clone().labels(labels))
             }
             Input::Profile => {
