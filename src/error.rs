@@ -257,7 +257,7 @@ pub enum Error {
     NotAPage(&'static str),
     /// What is to be converted is a page already.
     #[error(
-        "this is a page that tactograph made, and no picture; render it, which writes it in another format or for \
+        "this is a page that tactograph made, and no picture; render it to write it in another format or for \
          another device"
     )]
     IsAPage,

@@ -328,7 +328,7 @@ fn work_that_is_cancelled_ends_between_stages() {
 
 #[test]
 fn an_embosser_says_all_that_it_refuses() {
-    let device = Device::named("index-basic-d").expect("in the table");
+    let device = Device::named("index-basic-d-v4").expect("in the table");
     assert_eq!(Embossing::default().check(device, A4, 2.0), Ok(()));
     let refused = Embossing { copies: 0, impact: 9 }.check(device, A4, 2.0);
     assert!(matches!(&refused, Err(Error::CannotPress(why)) if why.len() == 2), "{refused:?}");

@@ -102,6 +102,9 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     let (key, translate) = (options.key, options.translate.as_deref());
     let mut read = reading::read(svg)?;
     let mut notes = std::mem::take(&mut read.notes);
+    if options.is_cancelled() {
+        return Err(Error::Cancelled);
+    }
     let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
     let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
     let cancelled = || options.is_cancelled();

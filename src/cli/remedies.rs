@@ -13,7 +13,7 @@ pub(super) fn of_error(error: &Error) -> String {
              {without:.1} mm with --no-overview, so take one of these or a larger sheet"
         ),
         Error::TooWide { .. } => format!("{error}, or spread it over more sheets (--sheets 2x1)"),
-        Error::IsAPage => format!("{error}: tactograph render"),
+        Error::IsAPage => format!("{error} (tactograph render)"),
         _ => error.to_string(),
     }
 }

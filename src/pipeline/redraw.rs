@@ -78,7 +78,7 @@ pub fn key_of_page(
 /// are called, of which those that a person drew come first; `own` is its profile.
 ///
 /// # Errors
-/// If the figure has no area.
+/// If the figure has no area, or the page is no longer wanted.
 pub(super) fn marks(
     (page, lines): (&Page, &[LineName]),
     own: &Plan,
@@ -100,6 +100,7 @@ pub(super) fn marks(
         edges.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.min(most));
     }
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
+    request.go_on()?;
     // the lines of a page stay lines of their own
     let (mut drawn, _, _) = draw_lines(Some(&edges), false, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().or(Some(&edges));
@@ -118,6 +119,7 @@ pub(super) fn marks(
     // the ground of a page that has none already is another area
     let has_ground = own.profile().figure.ground;
     notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
+    request.go_on()?;
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     notes.extend(told_bare(classes.as_ref(), &textures, &layout, false, plan));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };

@@ -82,7 +82,7 @@ mod tests {
         }
         lacks.add("apple", &[]);
         let told = lacks.note().expect("a note").to_string();
-        let wanted = "left out of the page: characters of the braille of \"α = 39\", \"β\", \"2α\", as its code has no \
+        let wanted = "left out of the braille of \"α = 39\", \"β\", \"2α\", as its code has no \
                       cells for them: 'α', 'β'; write them in words";
         assert!(told.starts_with(wanted), "{told}");
         assert_eq!(Lacks::default().note(), None);

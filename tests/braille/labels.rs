@@ -300,10 +300,10 @@ fn labels_that_are_not_there_are_told() {
     let no_cells = told("\u{65e5}\u{672c}", "their code has no cells for them");
     assert_eq!(left_out(&drawing), [no_cells, told(&labels[1].text, misleading)]);
     let told: Vec<String> =
-        drawing.notes.iter().map(Note::to_string).filter(|note| note.contains("characters of the braille")).collect();
+        drawing.notes.iter().map(Note::to_string).filter(|note| note.contains("left out of the braille")).collect();
     let [told] = &told[..] else { panic!("one note for all: {told:?}") };
     let names = |what: &str| assert!(told.contains(what), "{what}: {told}");
-    ["'\u{65e5}'", "'\u{672c}'"].into_iter().chain(labels.iter().map(|label| &label.text[..])).for_each(names);
+    ["'\u{65e5}'", "'\u{672c}'", &labels[0].text, "\"long\u{65e5}long\u{65e5}"].into_iter().for_each(names);
     // an ornament is told, and the rest says what it said
     let labels = vec![at(50.0, 50.0, "sun \u{2600}")];
     let drawing = convert(&picture, &options("swell-a4").labels(labels)).expect("a page");

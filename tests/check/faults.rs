@@ -113,7 +113,7 @@ fn what_render_mends_is_a_warning() {
     let thin = "<path d=\"M60,250 L120,250\" stroke-width=\"0.2\"/>";
     let checked = changed("bars.svg", |svg| with_lines(svg, thin));
     assert!(mended(&checked, "line-width", "0.20 mm wide"), "{checked}");
-    assert!(mended(&checked, "line-width", "`tactograph render` makes of the page, as it gives it the least width"));
+    assert!(mended(&checked, "line-width", "what render makes of the page, as it gives it the least width"));
     assert!(!checked.to_string().contains("error line-width"), "{checked}");
     // by the numbers of another profile, render would have to be asked for that
     let svg = with_lines(page::of_sample("bars.svg", "swell-a4").page.to_svg(), thin);

@@ -124,8 +124,8 @@ fn a_table_is_kept_when_it_is_named_to_render() {
     let render = ["render", "page.svg", "--profile", "swell-a3", "-o", "large.svg"];
     let run = place.run(&render);
     assert_eq!(run.code, 0, "{}", run.err);
-    let told =
-        "1 text is written in other cells of braille than on the page, which another table wrote; give that table";
+    let told = "1 text is written in other cells of braille than on the page, which another table wrote; write them with \
+         that table (--braille-table TABLE)";
     assert!(run.err.contains(told), "{}", run.err);
     let run = place.run(&[&render[..], &["--braille-table", "en-ueb-g2.ctb"]].concat());
     assert_eq!(run.code, 0, "{}", run.err);

@@ -109,8 +109,8 @@ fn a_page_is_no_picture() {
     place.refuses(
         &["convert", "cup.svg", "-o", "x.pdf"],
         1,
-        &["cup.svg: this is a page that tactograph made, and no picture; write it in another format or for \
-           another device with tactograph render"],
+        &["cup.svg: this is a page that tactograph made, and no picture; render it to write it in another format or \
+          for another device (tactograph render)"],
     );
     place.put("plain.svg", DRAWING.as_bytes());
     let run = place.run(&["render", "plain.svg", "-o", "x.pdf"]);
