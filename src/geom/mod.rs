@@ -44,8 +44,8 @@ pub fn segment_distance<U>(
     distance(a, c, d).min(distance(b, c, d)).min(distance(c, a, b)).min(distance(d, a, b))
 }
 
-/// The circle that lies nearest to some places, by least squares (Kasa 1976): its middle and its radius; none if they lie
-/// on a line.
+/// The circle that lies nearest to some places, by least squares (Kasa 1976): its middle and its radius; none if they
+/// lie on a line.
 pub fn circle<U>(places: impl Iterator<Item = Point2D<f32, U>> + Clone) -> Option<(Point2D<f32, U>, f32)> {
     let count = places.clone().count() as f32;
     let mean = (places.clone().fold(Vector2D::zero(), |sum, at| sum + at.to_vector()) / count).to_point();
