@@ -24,6 +24,7 @@ mod metamorphic;
 mod pdf;
 mod plans;
 mod png;
+mod points;
 mod profiles;
 mod reading;
 mod reference;

@@ -18,7 +18,8 @@
 //! strokes, edges -> dashes (rows of short pieces are one line, before any end of them is taken for that of a line)
 //!                -> tips (ends that make a corner or go on in one another meet)
 //!                -> straight (what goes straight on through a corner gets the side behind it, with its final ends)
-//!                -> rings (those that touch are parted) -> junction (ends reach the contours before them)
+//!                -> rings (those that touch are parted) -> discs (small ones, and the lines that end at them)
+//!                -> junction (ends reach the contours before them)
 //! ```
 //!
 //! **Strength is the height of the colour step** in units of lightness, with double weight for the chroma axes of
@@ -32,6 +33,7 @@ mod chain;
 mod contour;
 mod corner;
 mod dashes;
+mod discs;
 mod drawing;
 mod edge_stopping;
 mod edgel;
@@ -56,6 +58,7 @@ use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 
 use chain::Chain;
 use contour::ContourPoint;
+use discs::Disc;
 pub use drawing::find_drawn;
 pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
 use hysteresis::Selection;
@@ -126,6 +129,7 @@ pub struct Ridges<'a> {
     points: Vec<RidgePoint>,
     chains: Vec<Chain>,
     sides: SideStatistics,
+    discs: Vec<Disc>,
 }
 
 /// The regions between all chains, and what follows for those.
@@ -147,6 +151,7 @@ impl<'a> Ridges<'a> {
         if drawn {
             points.retain(|point| !is_border(point, size));
         }
+        let discs = if drawn { discs::find(&points, size, &params) } else { Vec::new() };
         if !strokes.is_empty() {
             // their sides are no contours
             let taken = stroke::Taken::by(&strokes, size, params.sigma);
@@ -158,7 +163,7 @@ impl<'a> Ridges<'a> {
         let chains = chain::link(&points, size, params.min_length);
         step_height::average(&mut points, &chains, params.strength_window.round() as usize, params.sigma);
         let sides = sides.finish(&points, &chains, noise.height_sigma(params.sigma));
-        Some(Self { raster, kind, params, planes, strokes, points, chains, sides })
+        Some(Self { raster, kind, params, planes, strokes, points, chains, sides, discs })
     }
 
     /// The regions between all chains; none of a drawing, whose lines say enough.
@@ -173,7 +178,7 @@ impl<'a> Ridges<'a> {
 
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
-        let Self { raster, kind, params, planes, strokes, points, chains, sides } = self;
+        let Self { raster, kind, params, planes, strokes, points, chains, sides, discs } = self;
         let (size, params, drawn) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
@@ -194,7 +199,7 @@ impl<'a> Ridges<'a> {
             };
             let met = tips::meet(found, params.sigma, &is_seen);
             let given_back = straight::give_back(met, params.sigma, params.min_length);
-            found = rings::parted(given_back, params.min_length);
+            found = discs::parted(rings::parted(given_back, params.min_length), &discs, params);
         }
         let (mut contours, widths): (Vec<_>, Vec<_>) =
             found.into_iter().map(|found| (found.contour, found.stroke)).unzip();

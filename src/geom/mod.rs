@@ -44,6 +44,30 @@ pub fn segment_distance<U>(
     distance(a, c, d).min(distance(b, c, d)).min(distance(c, a, b)).min(distance(d, a, b))
 }
 
+/// The circle that lies nearest to some places, by least squares (Kasa 1976): its middle and its radius; none if they
+/// lie on a line.
+pub fn circle<U>(places: impl Iterator<Item = Point2D<f32, U>> + Clone) -> Option<(Point2D<f32, U>, f32)> {
+    let count = places.clone().count() as f32;
+    let mean = (places.clone().fold(Vector2D::zero(), |sum, at| sum + at.to_vector()) / count).to_point();
+    let (mut xx, mut xy, mut yy, mut xz, mut yz, mut z) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    for at in places {
+        let from: Vector2D<f32, U> = at - mean;
+        let square = from.square_length();
+        xx += from.x * from.x;
+        xy += from.x * from.y;
+        yy += from.y * from.y;
+        xz += from.x * square;
+        yz += from.y * square;
+        z += square;
+    }
+    let determinant = xx * yy - xy * xy;
+    if determinant <= f32::EPSILON * (xx + yy) * (xx + yy) {
+        return None;
+    }
+    let middle = Vector2D::new(xz * yy - yz * xy, yz * xx - xz * xy) / (2.0 * determinant);
+    Some((mean + middle, (middle.square_length() + z / count).sqrt()))
+}
+
 /// Where two segments cross, if they do, in a point inside both.
 pub fn crossing<U>(
     (a, b): (Point2D<f32, U>, Point2D<f32, U>),

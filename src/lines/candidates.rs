@@ -7,10 +7,10 @@ use super::clearance::Cleared;
 use super::lost::{Lost, Tally};
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
-use super::vertex::Vertex;
-use super::{centreline, join, junction, saliency, weight};
+use super::points::{self, Point};
+use super::vertex::{Vertex, nearby};
+use super::{centreline, join, junction, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
-use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
 
@@ -28,6 +28,8 @@ pub(super) struct Candidates {
     contours: usize,
     /// What is too short for a line.
     pub(super) short: Tally,
+    /// Points on lines.
+    pub(super) points: Vec<Point>,
 }
 
 impl Candidates {
@@ -38,7 +40,14 @@ impl Candidates {
         area: MmRect,
         params: &Params,
     ) -> Self {
-        let mut polylines = join::join(on_the_sheet(edges, transform, params), params.join_gap);
+        let mut polylines = on_the_sheet(edges, transform, params);
+        let marks_points = params.of_drawing && params.marks_points;
+        let points = if marks_points { points::take(&mut polylines, params) } else { Vec::new() };
+        let mut polylines = join::join(polylines, params.join_gap);
+        // an overview is felt for its shapes
+        if params.of_drawing && !params.whole_rings {
+            ticks::lengthen(&mut polylines, area, params);
+        }
         let mut short = Tally::new(area);
         let is_crumb =
             |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
@@ -67,7 +76,7 @@ impl Candidates {
         };
         let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
         let saliencies = saliency::saliencies(&polylines, params);
-        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short }
+        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short, points }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
@@ -88,17 +97,6 @@ impl Candidates {
         }
         wanted.lost(&kept)
     }
-}
-
-/// The segments of lines, to be found by their places.
-pub(super) fn nearby<'a>(lines: impl Iterator<Item = &'a Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
-    let mut segments = Nearby::new(area, params.max_spacing());
-    for (line, polyline) in (0..).zip(lines) {
-        for (index, (a, b)) in (0..).zip(polyline.segments()) {
-            segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
-        }
-    }
-    segments
 }
 
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found

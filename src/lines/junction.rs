@@ -58,11 +58,7 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
             // its other end was extended to this one
             continue;
         }
-        if at_start {
-            polyline.vertices.splice(0..0, path.into_iter().rev());
-        } else {
-            polyline.vertices.extend(path);
-        }
+        add(polyline, at_start, path);
         // an end that was extended to the other end of its line has closed it
         if let [first, .., last] = &polyline.vertices[..]
             && (last.at - first.at).length() < SPACING
@@ -124,6 +120,23 @@ pub(super) fn straight(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
     let steps = ((to - tip.at).length() / SPACING).ceil().max(1.0) as usize;
     let at = |k: usize| if k == steps { to } else { tip.at.lerp(to, k as f32 / steps as f32) };
     (1..=steps).map(|k| Vertex { at: at(k), ..*tip }).collect()
+}
+
+/// Leads an end of a line straight on to a place.
+pub(super) fn lead_on(line: &mut Polyline<Vertex>, at_start: bool, to: MmPoint) {
+    let tip = if at_start { line.vertices.first() } else { line.vertices.last() };
+    if let Some(path) = tip.map(|tip| straight(tip, to)) {
+        add(line, at_start, path);
+    }
+}
+
+/// Adds a path that leads on from an end of a line.
+fn add(line: &mut Polyline<Vertex>, at_start: bool, path: Vec<Vertex>) {
+    if at_start {
+        line.vertices.splice(0..0, path.into_iter().rev());
+    } else {
+        line.vertices.extend(path);
+    }
 }
 
 #[cfg(test)]

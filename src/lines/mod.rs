@@ -22,17 +22,20 @@ mod line;
 mod lost;
 mod outlines;
 mod params;
+mod points;
 mod saliency;
+mod ticks;
 mod vertex;
 mod weight;
 
 #[cfg(test)]
 mod tests;
 
-use candidates::{Candidates, nearby};
+use candidates::Candidates;
 use clearance::Cleared;
 use outlines::Rank;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use vertex::{Vertex, nearby};
 
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
@@ -41,12 +44,13 @@ pub use outlines::Outlines;
 pub use params::Params;
 
 use crate::edges::Edges;
+use crate::geom::polyline::Polyline;
 use crate::units::{MmRect, PageTransform};
 
 /// The lines of a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Lines {
-    /// The weightiest line comes first.
+    /// The rings of hollow points on lines, then all others, the weightiest first.
     pub lines: Vec<Line>,
     /// What is not drawn for want of room.
     pub lost: Lost,
@@ -74,7 +78,7 @@ pub fn draw_with(
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
     let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
-    let lost = candidates.lost(&drawn, least, area, &params);
+    let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.
     let beyond = match params.most_shapes {
         Some(most) if params.of_drawing => {
@@ -84,8 +88,22 @@ pub fn draw_with(
         Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
         None => Beyond::default(),
     };
-    let finish = |line: &Cleared| weight::finish(&line.polyline, &line.anchored, &params);
-    Lines { lines: drawn.into_par_iter().filter_map(finish).collect(), lost, beyond }
+    // A page of few shapes has no points.
+    let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
+    let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
+    let points = points::draw(points, &polylines, area, &params);
+    lost.rings += points.lost;
+    let finish = |(number, line): (usize, &Cleared)| -> Vec<Line> {
+        let parts = points.parts(number, &line.polyline, &line.anchored, &params);
+        parts.iter().filter_map(|(part, anchored)| weight::finish(part, anchored, &params)).collect()
+    };
+    let finish_ring = |ring: &Polyline<Vertex>| weight::finish(ring, &vec![false; ring.vertices.len()], &params);
+    // on a grid of dots the first lines get the dots that they need
+    let mut lines: Vec<Line> = points.rings.iter().filter_map(finish_ring).collect();
+    let others: Vec<Line> =
+        drawn.into_par_iter().enumerate().flat_map_iter(|(number, line)| finish((number, line))).collect();
+    lines.extend(others);
+    Lines { lines, lost, beyond }
 }
 
 /// Leaves out the lines beyond as many beside outlines as there are to be, and those that are too short beside them.

@@ -1,10 +1,11 @@
 //! Lines in the making: polylines on the sheet, before it is known what of them is drawn.
 
+use super::params::Params;
 use crate::edges::{ChainKind, Edgel};
-use crate::geom::nearby::Nearby;
+use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
-use crate::units::{Mm, MmPoint, PageTransform};
+use crate::units::{Mm, MmPoint, MmRect, PageTransform};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
 pub(super) const SPACING: f32 = 0.4;
@@ -212,6 +213,17 @@ impl Polyline<Vertex> {
         };
         Self { vertices: self.vertices.iter().zip(smooth).map(vertex).collect(), closed: self.closed }
     }
+}
+
+/// The segments of lines, to be found by their places.
+pub(super) fn nearby<'a>(lines: impl Iterator<Item = &'a Polyline<Vertex>>, area: MmRect, params: &Params) -> Nearby {
+    let mut segments = Nearby::new(area, params.max_spacing());
+    for (line, polyline) in (0..).zip(lines) {
+        for (index, (a, b)) in (0..).zip(polyline.segments()) {
+            segments.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
+        }
+    }
+    segments
 }
 
 /// Scalar product of two colour steps.

@@ -2,6 +2,7 @@
 //! and a larger figure is the only way to have them, so they are told by what they are.
 
 use super::areas::index_of;
+use super::lost_signs::beads;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::Segment;
 use crate::geom::polyline::PolylineRef;
@@ -53,6 +54,8 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
         let (distance, _, Segment { a, b, .. }) = index.nearest(at, reach, |_| true)?;
         Some((distance, (b - a).try_normalize().unwrap_or_default()))
     };
+    // what a point on a line covers, as the tick behind it, is no mark
+    let beads: Vec<MmRect> = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN)).collect();
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
@@ -60,6 +63,9 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
         let points = points(chain);
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
+        if beads.iter().any(|bead| bead.contains(first.lerp(last, 0.5))) {
+            continue;
+        }
         let looked = (0..PLACES).map(|i| points[i * (points.len() - 1) / (PLACES - 1)]);
         let drawn = looked.filter(|at| line_at(*at, DRAWN).is_some()).count();
         if drawn as f32 >= MOSTLY * PLACES as f32 {

@@ -153,6 +153,7 @@ impl Plan {
             whole_rings: false,
             of_drawing: false,
             widen_bars: false,
+            marks_points: matches!(self.medium(), MediumParams::Print(_)),
         }
     }
 

@@ -1,0 +1,317 @@
+//! Small discs and rings on the lines of a bitmap, such as the points of a number line. What is found of one as strokes
+//! and edges is torn by the line that goes through it, and the line goes round it. Its edge is a circle all the same:
+//!
+//! ```text
+//! ridge points -> votes for a middle, along their normals (Hough) -> circle fit -> Disc
+//! contours that lead to its middle end at its side, and a ring takes the place of the others there
+//! ```
+
+use lyon::geom::euclid::Box2D;
+
+use super::contour::{Contour, ContourPoint};
+use super::params::Params;
+use super::ridge::RidgePoint;
+use super::tips::Found;
+use crate::geom::circle as circle_through;
+use crate::geom::nearby::Index;
+use crate::geom::polyline::Polyline;
+use crate::geom::walk::runs;
+use crate::units::{Px, PxPoint, PxVector, Size};
+
+/// The smallest radius, in scales of the edge detector: smaller discs are edges round nothing.
+const SMALLEST: f32 = 2.0;
+/// The largest, in widths of the widest stroke that is drawn as one line: larger discs have room as they are.
+const LARGEST: f32 = 0.65;
+/// A circle is seen if there are points in so many of [`PARTS`] parts of it: lines hide the others. Of a square, the
+/// middles of whose sides lie on a circle, ten are.
+const SEEN: usize = 14;
+const PARTS: usize = 24;
+/// ... and in so many pairs of parts that lie opposite: at the round end of a stroke there are three.
+const OPPOSITE: usize = 5;
+/// ... that lie no farther from it than this, px.
+const OFF: f32 = 0.9;
+/// ... and whose normals lead to its middle: the cosine (20 degrees).
+const RADIAL: f32 = 0.94;
+/// The edges of an outline are at least so far apart, px, and it leaves a hole of this share of the radius.
+const OUTLINE: f32 = 1.5;
+const HOLE: f32 = 0.3;
+/// Contours are bent so far from the side of a disc, in scales of the edge detector.
+const BENT: f32 = 1.2;
+/// The direction of an end is taken over this length, px.
+const HEADING: f32 = 10.0;
+/// An end leads to the middle if it does not pass it farther away than this share of the radius and this much more, px.
+const MIDDLE: f32 = 0.35;
+const MIDDLE_LEAST: f32 = 0.7;
+
+/// A disc, or a ring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Disc {
+    at: PxPoint,
+    radius: f32,
+    /// Width of its outline, px, if it is hollow.
+    outline: Option<f32>,
+    height: f32,
+}
+
+/// The contours of a drawing with each disc that lines lead to as a ring, at which they end.
+pub(super) fn parted(mut found: Vec<Found>, discs: &[Disc], params: &Params) -> Vec<Found> {
+    for disc in discs {
+        let reach = disc.radius + BENT * params.sigma;
+        let mut others: Vec<Found> = Vec::with_capacity(found.len() + 2);
+        let mut arms: Vec<Found> = Vec::new();
+        let mut leads = true;
+        for contour in &found {
+            if !contour.contour.vertices.iter().any(|vertex| (vertex.at - disc.at).length() < reach) {
+                others.push(contour.clone());
+                continue;
+            }
+            let outside = outside(contour, disc.at, reach);
+            leads &= outside.iter().all(|part| leads_to(&part.contour, disc, reach));
+            arms.extend(outside.into_iter().filter(|part| part.contour.length() >= params.min_length));
+        }
+        if leads && !arms.is_empty() {
+            others.extend(arms);
+            others.push(disc.ring());
+            found = others;
+        }
+    }
+    found
+}
+
+/// The parts of a contour that lie outside of a circle.
+fn outside(found: &Found, middle: PxPoint, radius: f32) -> Vec<Found> {
+    let vertices = &found.contour.vertices;
+    let is_outside: Vec<bool> = vertices.iter().map(|vertex| (vertex.at - middle).length() >= radius).collect();
+    let runs = runs(vertices.len(), found.contour.closed, |a, b| is_outside[a] == is_outside[b]).into_iter();
+    let part = |run: Vec<usize>| {
+        let contour = Polyline::open(run.iter().map(|&i| vertices[i]).collect());
+        Found { contour, ..found.clone() }
+    };
+    runs.filter(|run| is_outside[run[0]] && run.len() > 1).map(part).collect()
+}
+
+/// Whether those ends of a contour that lie at the side of a disc lead to its middle.
+fn leads_to(contour: &Contour, disc: &Disc, reach: f32) -> bool {
+    let ends = [(0, true), (contour.vertices.len() - 1, false)];
+    ends.into_iter().all(|(end, forwards)| {
+        let way = disc.at - contour.vertices[end].at;
+        let is_beside = way.length() <= reach + 2.0;
+        let leads = contour.heading(end, forwards, [0.0, HEADING]).is_some_and(|inwards| {
+            way.dot(inwards) < 0.0 && way.cross(inwards).abs() <= MIDDLE * disc.radius + MIDDLE_LEAST
+        });
+        !is_beside || leads
+    })
+}
+
+impl Disc {
+    /// Its contour: of a ring the middle of its outline, of a disc its side.
+    fn ring(&self) -> Found {
+        let radius = self.radius - 0.5 * self.outline.unwrap_or(0.0);
+        let count = (std::f32::consts::TAU * radius).ceil() as usize;
+        let vertex = |k: usize| {
+            let (y, x) = (k as f32 / count as f32 * std::f32::consts::TAU).sin_cos();
+            ContourPoint {
+                at: self.at + PxVector::new(x, y) * radius,
+                strength: self.height,
+                // a stroke has none
+                contrast: [if self.outline.is_some() { 0.0 } else { self.height }, 0.0, 0.0],
+                blur: 0.0,
+                position_sigma: 0.0,
+            }
+        };
+        let contour = Polyline { vertices: (0..count).map(vertex).collect(), closed: true };
+        Found { stroke: self.outline, ..Found::edge(contour) }
+    }
+}
+
+/// The discs in a picture, given by all its ridge points.
+pub(super) fn find(points: &[RidgePoint], size: Size, params: &Params) -> Vec<Disc> {
+    let [least, most] = [SMALLEST * params.sigma, LARGEST * params.widest_stroke];
+    let strong: Vec<&RidgePoint> = points.iter().filter(|point| point.height >= params.high).collect();
+    let (width, height) = (size.width as usize, size.height as usize);
+    let cell = |at: PxPoint| {
+        let is_inside = at.x >= 0.0 && at.y >= 0.0 && (at.x as usize) < width && (at.y as usize) < height;
+        is_inside.then(|| at.y as usize * width + at.x as usize)
+    };
+    let mut votes = vec![0_u16; width * height];
+    for point in &strong {
+        for side in [1.0, -1.0] {
+            let places = (0..).map(|k| least + k as f32).take_while(|radius| *radius <= most);
+            for place in places.filter_map(|radius| cell(point.at + point.normal * (side * radius))) {
+                votes[place] = votes[place].saturating_add(1);
+            }
+        }
+    }
+    let area = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
+    let mut index: Index<usize, Px> = Index::new(area, most);
+    strong.iter().enumerate().for_each(|(number, point)| index.put_at(point.at, number));
+    // the votes of a middle are spread over a cell and its neighbours
+    let around = |x: usize, y: usize| -> u32 {
+        let rows = y.saturating_sub(1)..(y + 2).min(height);
+        rows.map(|y| {
+            votes[y * width + x.saturating_sub(1)..y * width + (x + 2).min(width)]
+                .iter()
+                .map(|v| u32::from(*v))
+                .sum::<u32>()
+        })
+        .sum()
+    };
+    let enough = (SEEN as f32 / PARTS as f32 * std::f32::consts::TAU * least) as u32;
+    let mut middles: Vec<(u32, PxPoint)> = Vec::new();
+    for y in 0..height {
+        for x in 0..width {
+            // most cells have no votes at all
+            if votes[y * width + x] > 1 {
+                let sum = around(x, y);
+                if sum >= enough {
+                    middles.push((sum, PxPoint::new(x as f32 + 0.5, y as f32 + 0.5)));
+                }
+            }
+        }
+    }
+    middles.sort_by_key(|(sum, _)| std::cmp::Reverse(*sum));
+    let mut found: Vec<Disc> = Vec::new();
+    for (_, middle) in middles {
+        if found.iter().any(|disc| (disc.at - middle).length() < disc.radius + least) {
+            continue;
+        }
+        let mut near: Vec<&RidgePoint> = Vec::new();
+        index.around(middle, middle, most + OFF, |&number| near.push(strong[number]));
+        if let Some(disc) = disc_at(middle, &near, [least, most])
+            && !found.iter().any(|other| (other.at - disc.at).length() < other.radius + disc.radius)
+        {
+            found.push(disc);
+        }
+    }
+    found
+}
+
+/// The disc around a place, given the points there.
+fn disc_at(middle: PxPoint, points: &[&RidgePoint], [least, most]: [f32; 2]) -> Option<Disc> {
+    let (mut at, mut radius) = (middle, None);
+    // the second time from the middle of the circle
+    for _ in 0..2 {
+        let steps = (2.0 * (most - least)).max(0.0) as usize;
+        let radii = (0..=steps).map(|k| most - 0.5 * k as f32);
+        let seen = radii.map(|radius| (radius, on_circle(at, radius, points)));
+        let outermost = seen.filter(|(_, on)| is_seen(at, on)).max_by_key(|(_, on)| on.len())?;
+        let fit = circle_through(outermost.1.iter().map(|point| point.at))?;
+        (at, radius) = (fit.0, Some(fit.1));
+    }
+    let radius = radius.filter(|radius| (least..=most).contains(radius))?;
+    let on = on_circle(at, radius, points);
+    if !is_seen(at, &on) {
+        return None;
+    }
+    let height = on.iter().map(|point| point.height).sum::<f32>() / on.len() as f32;
+    // the other edge of an outline
+    let seen = |radius: &f32| is_seen(at, &on_circle(at, *radius, points));
+    let steps = |from: f32, to: f32| (0..).map(move |k| from + 0.5 * k as f32).take_while(move |at| *at <= to);
+    let inner = steps(HOLE * radius, radius - OUTLINE - OFF).filter(seen).last();
+    let outer = steps(radius + OUTLINE + OFF, most).find(seen);
+    let (radius, outline) = match (inner, outer) {
+        (Some(inner), _) => (radius, Some(radius - inner)),
+        (None, Some(outer)) => (outer, Some(outer - radius)),
+        (None, None) => (radius, None),
+    };
+    Some(Disc { at, radius, outline, height })
+}
+
+/// The points on a circle whose normals lead to its middle.
+fn on_circle<'a>(middle: PxPoint, radius: f32, points: &[&'a RidgePoint]) -> Vec<&'a RidgePoint> {
+    let is_on = |point: &&&RidgePoint| {
+        let way = point.at - middle;
+        let distance = way.length();
+        (distance - radius).abs() <= OFF && way.dot(point.normal).abs() >= RADIAL * distance
+    };
+    points.iter().filter(is_on).copied().collect()
+}
+
+/// In which parts of a circle points lie.
+fn parts(middle: PxPoint, points: &[&RidgePoint]) -> [bool; PARTS] {
+    let mut seen = [false; PARTS];
+    for point in points {
+        let turn = (point.at - middle).angle_from_x_axis().radians / std::f32::consts::TAU + 0.5;
+        seen[((turn * PARTS as f32) as usize).min(PARTS - 1)] = true;
+    }
+    seen
+}
+
+/// Whether points lie all round a circle.
+fn is_seen(middle: PxPoint, points: &[&RidgePoint]) -> bool {
+    let seen = parts(middle, points);
+    let (one, other) = seen.split_at(PARTS / 2);
+    let opposite = one.iter().zip(other).filter(|(one, other)| **one && **other).count();
+    seen.iter().filter(|seen| **seen).count() >= SEEN && opposite >= OPPOSITE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::contour::testing::polyline;
+    use super::*;
+    use crate::edges::ridge::EdgeProfile;
+
+    const SIZE: Size = Size::new(200, 100);
+
+    fn params() -> Params {
+        Params { sigma: 1.8, low: 3.0, high: 7.0, min_length: 8.0, widest_stroke: 19.0, ..Params::default() }
+    }
+
+    /// Ridge points on a circle but where a level line through it hides them, this far above and below its middle.
+    fn circle(middle: (f32, f32), radius: f32, hidden: f32) -> Vec<RidgePoint> {
+        let profile = EdgeProfile { maximum: 1.0, curvature: 0.3, pedestal: [0.0; 2], distance: 4.0 };
+        let count = (6.0 * radius) as u32;
+        let turn = |k: u32| k as f32 / count as f32 * std::f32::consts::TAU;
+        let normal = (0..count).map(turn).map(|turn| PxVector::new(turn.cos(), turn.sin()));
+        let point = |normal: PxVector| {
+            let at = PxPoint::new(middle.0, middle.1) + normal * radius;
+            RidgePoint { at, normal, profile, height: 60.0, blur: 1.8, column: at.x as u32, row: at.y as u32 }
+        };
+        normal.map(point).filter(|point| (point.at.y - middle.1).abs() >= hidden).collect()
+    }
+
+    fn discs(points: &[RidgePoint]) -> Vec<Disc> {
+        find(points, SIZE, &params())
+    }
+
+    fn stroke(points: &[(f32, f32)]) -> Found {
+        Found { stroke: Some(3.0), ..Found::edge(polyline(points)) }
+    }
+
+    #[test]
+    fn a_disc_on_a_line_is_a_ring_between_two_straight_ends() {
+        // the line was found round the upper half of the disc
+        let line = stroke(&[(10.0, 50.0), (90.0, 50.0), (100.0, 44.0), (110.0, 50.0), (190.0, 50.0)]);
+        let parts = parted(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)), &params());
+        let [before, after, ring] = &parts[..] else { panic!("{} contours", parts.len()) };
+        assert!(!before.contour.closed && !after.contour.closed && ring.contour.closed && ring.stroke.is_none());
+        let length = ring.contour.length();
+        assert!((length - std::f32::consts::TAU * 8.4).abs() < 2.0, "{length}");
+        assert!(before.contour.vertices.iter().all(|vertex| (vertex.at.y - 50.0).abs() < 0.1));
+    }
+
+    #[test]
+    fn a_ring_on_a_line_has_its_outline_for_a_stroke() {
+        let line = stroke(&[(10.0, 50.0), (190.0, 50.0)]);
+        let mut points = circle((100.0, 50.0), 9.0, 3.0);
+        points.extend(circle((100.0, 50.0), 5.5, 0.0));
+        let parts = parted(vec![line], &discs(&points), &params());
+        let ring = parts.iter().find(|part| part.contour.closed).expect("a ring");
+        assert!(ring.stroke.is_some_and(|width| (width - 3.5).abs() < 1.0), "{:?}", ring.stroke);
+    }
+
+    #[test]
+    fn the_round_end_of_a_stroke_is_no_disc() {
+        let mut cap = circle((100.0, 50.0), 5.0, 0.0);
+        cap.retain(|point| point.at.x >= 98.0);
+        assert_eq!(discs(&cap), []);
+    }
+
+    #[test]
+    fn what_no_line_leads_to_or_is_no_circle_stays() {
+        let beside = vec![stroke(&[(10.0, 57.0), (190.0, 57.0)])];
+        assert_eq!(parted(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0)), &params()), beside);
+        // more than half of the circle is hidden
+        assert_eq!(discs(&circle((100.0, 50.0), 8.0, 6.0)), []);
+    }
+}

@@ -1,0 +1,189 @@
+//! Ticks of a scale, as of an axis, a ruler or a clock, that are shorter than the least line. They are meant all
+//! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
+
+use super::junction::{heading, lead_on};
+use super::params::Params;
+use super::vertex::{Vertex, nearby};
+use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
+use crate::units::{MmPoint, MmRect};
+
+/// The shortest tick, mm: what is shorter may be a crumb. Half a millimetre is more than two pixels.
+const SHORTEST: f32 = 0.5;
+/// The end of a tick lies so near to the line that it stands on, mm: it ends at the side of a broad one.
+const STANDS: f32 = 1.5;
+/// A tick goes across a line that is so near to its middle, as a share of its length.
+const ACROSS: f32 = 0.15;
+/// A tick is straight: its chord is at least this share of it.
+const STRAIGHT: f32 = 0.98;
+/// ... and steep: the greatest cosine between it and its line (60 degrees between them).
+const STEEP: f32 = 0.5;
+/// A longer tick is longer by this than a line has to be, mm: its end is put on its line, which may be moved.
+const MARGIN: f32 = 0.2;
+/// So many ticks on a line are a scale.
+const SCALE: usize = 3;
+
+/// A tick that is too short.
+struct Tick {
+    /// Its line among all.
+    number: usize,
+    /// The line that it belongs to.
+    base: usize,
+    length: f32,
+    /// Of its first and its last end: how far it is from its line where it stands on that, mm; none of a free end.
+    stands: [Option<f32>; 2],
+}
+
+/// Makes the ticks of those scales longer that have room for it: all of a scale by the same length, so that longer ones
+/// stay longer, and the shortest is as long as a line has to be.
+pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
+    let mut ticks = ticks(polylines, area, params);
+    ticks.sort_by_key(|tick| tick.base);
+    for scale in ticks.chunk_by(|a, b| a.base == b.base).filter(|scale| scale.len() >= SCALE) {
+        let shortest = scale.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
+        let more = params.min_length + MARGIN - shortest;
+        let longer: Vec<Polyline<Vertex>> =
+            scale.iter().map(|tick| longer(&polylines[tick.number], tick, more)).collect();
+        if have_room(&longer, scale, polylines, area, params) {
+            for (tick, longer) in scale.iter().zip(longer) {
+                polylines[tick.number] = longer;
+            }
+        }
+    }
+}
+
+/// All ticks that are too short for a line.
+fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Tick> {
+    let is_tick = |line: &Polyline<Vertex>| {
+        let (Some(first), Some(last)) = (line.vertices.first(), line.vertices.last()) else { return false };
+        let length = line.length();
+        !line.closed
+            && (SHORTEST..params.min_length).contains(&length)
+            && (last.at - first.at).length() >= STRAIGHT * length
+    };
+    let short: Vec<usize> = (0..polylines.len()).filter(|&i| is_tick(&polylines[i])).collect();
+    if short.len() < SCALE {
+        return Vec::new();
+    }
+    let segments = nearby(polylines.iter(), area, params);
+    let is_long = |line: u32| polylines[line as usize].length() >= 2.0 * params.min_length;
+    let tick = |number: usize| -> Option<Tick> {
+        let line = &polylines[number];
+        let (first, last) = (line.vertices.first()?.at, line.vertices.last()?.at);
+        let along = (last - first).try_normalize()?;
+        let length = line.length();
+        let base = |at: MmPoint, reach: f32| -> Option<(f32, usize)> {
+            let (distance, _, segment) = segments.nearest(at, reach, |segment| is_long(segment.line))?;
+            let base = (segment.b - segment.a).try_normalize()?;
+            (base.dot(along).abs() <= STEEP).then_some((distance, segment.line as usize))
+        };
+        if let Some((_, base)) = base(first.lerp(last, 0.5), ACROSS * length) {
+            return Some(Tick { number, base, length, stands: [None, None] });
+        }
+        match (base(first, STANDS), base(last, STANDS)) {
+            (Some((gap, base)), None) => Some(Tick { number, base, length: length + gap, stands: [Some(gap), None] }),
+            (None, Some((gap, base))) => Some(Tick { number, base, length: length + gap, stands: [None, Some(gap)] }),
+            _ => None,
+        }
+    };
+    short.into_iter().filter_map(tick).collect()
+}
+
+/// A tick that is longer by so much, mm, at its free ends, and stands on its line.
+fn longer(line: &Polyline<Vertex>, tick: &Tick, more: f32) -> Polyline<Vertex> {
+    let mut line = line.clone();
+    let each = more / tick.stands.iter().filter(|gap| gap.is_none()).count().max(1) as f32;
+    for (at_start, gap) in [true, false].into_iter().zip(tick.stands) {
+        let tip = if at_start { line.vertices.first() } else { line.vertices.last() }.map(|tip| tip.at);
+        let (Some(tip), Some(heading)) = (tip, heading(&line, at_start, tick.length)) else { continue };
+        lead_on(&mut line, at_start, tip + heading * gap.unwrap_or(each));
+    }
+    line
+}
+
+/// Whether longer ticks are apart from one another and from all lines but their own.
+fn have_room(
+    longer: &[Polyline<Vertex>],
+    scale: &[Tick],
+    polylines: &[Polyline<Vertex>],
+    area: MmRect,
+    params: &Params,
+) -> bool {
+    let clearance = params.max_clearance();
+    let ticks = nearby(longer.iter(), area, params);
+    let is_apart = |(number, line): (usize, &Polyline<Vertex>)| {
+        line.vertices.iter().all(|vertex| {
+            ticks.nearest(vertex.at, clearance, |segment| segment.line as usize != number).is_none()
+                && area.contains(vertex.at)
+        })
+    };
+    if !longer.iter().enumerate().all(is_apart) {
+        return false;
+    }
+    let is_own = |line: usize| scale.iter().any(|tick| tick.number == line || tick.base == line);
+    // what crosses the scale, as its own axis, and crumbs that are not drawn
+    let others =
+        polylines.iter().enumerate().filter(|(line, other)| !is_own(*line) && other.length() >= params.min_length);
+    let others: Vec<&Polyline<Vertex>> = others.map(|(_, other)| other).collect();
+    let others = nearby(others.into_iter(), area, params);
+    longer.iter().flat_map(|line| &line.vertices).all(|vertex| {
+        let mut free = true;
+        others.around_point(vertex.at, clearance, |segment| {
+            free &= nearest_on_segment(vertex.at, segment.a, segment.b).0 >= clearance;
+        });
+        free
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::vertex::{SPACING, Source};
+
+    const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
+
+    fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
+        let vertex = |(x, y): (f32, f32)| Vertex {
+            at: MmPoint::new(x, y),
+            strength: 60.0,
+            contrast: [0.0; 3],
+            width: 0.0,
+            source: Source::Vector,
+        };
+        let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
+        line.subdivide(SPACING);
+        line
+    }
+
+    /// The lengths of ticks on an axis along y = 50, after they were made longer; `ticks` has their upper and lower
+    /// ends.
+    fn lengths(step: f32, ticks: &[(f32, f32)], more: Option<Polyline<Vertex>>) -> Vec<f32> {
+        let tick = |(k, &(from, to)): (usize, &(f32, f32))| {
+            let x = 20.0 + step * k as f32;
+            line((x, from), (x, to))
+        };
+        let mut lines: Vec<_> = ticks.iter().enumerate().map(tick).collect();
+        lines.push(line((10.0, 50.0), (90.0, 50.0)));
+        lines.extend(more);
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        lengthen(&mut lines, area, &PARAMS);
+        lines[..ticks.len()].iter().map(|line| (10.0 * line.length()).round() / 10.0).collect()
+    }
+
+    #[test]
+    fn ticks_across_a_line_and_on_it_are_longer_by_the_same() {
+        assert_eq!(lengths(10.0, &[(47.0, 53.0), (46.5, 53.5), (47.0, 53.0)], None), [8.2, 9.2, 8.2]);
+        // those that end at the side of a broad line are led on to its middle
+        assert_eq!(lengths(10.0, &[(45.0, 49.0), (43.0, 49.0), (45.0, 49.0)], None), [8.2, 10.2, 8.2]);
+    }
+
+    #[test]
+    fn all_of_a_scale_or_none() {
+        let ticks = [(47.0, 53.0); 3];
+        assert_eq!(lengths(4.0, &ticks, None), [6.0; 3], "too near to one another");
+        assert_eq!(lengths(10.0, &ticks[..2], None), [6.0; 2], "no scale");
+        let beside = line((35.0, 57.0), (60.0, 57.0));
+        assert_eq!(lengths(10.0, &ticks, Some(beside)), [6.0; 3], "one is in the way of a line");
+        assert_eq!(lengths(10.0, &[(60.0, 66.0); 3], None), [6.0; 3], "on no line");
+    }
+}
