@@ -140,7 +140,7 @@ pub fn redraw(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let labels = redraw::labels(page);
-    let words = Words { key, translate, ..redraw::words(page, &labels) };
+    let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels) };
     let written = Written::new(&words, request.plan);
     let layout = written.layout(redraw::shape(page), request)?;
     let marks = redraw::marks((page, lines), own, layout, request, watch)?;

@@ -381,6 +381,7 @@ impl Options {
             key: self.key,
             number: self.page_number,
             translate: self.translate.as_deref(),
+            before: None,
         }
     }
 }

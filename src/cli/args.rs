@@ -333,6 +333,13 @@ fn natural_mistake(args: &[OsString], kind: ErrorKind, told: &str) -> Option<Str
     if let (ErrorKind::UnknownArgument, Some(option)) = (kind, short_with_two_hyphens(args, told)) {
         return Some(format!("there is no option -{option}, did you mean {option}"));
     }
+    if kind == ErrorKind::UnknownArgument && told.contains("'--braille'") {
+        return Some(
+            "there is no option --braille: words are written in the braille of their language (--lang pl), or of a \
+             code that the profile names (--set braille.code=de); the measures of cells are --set braille.cell=uk"
+                .into(),
+        );
+    }
     match (kind, &*first, second) {
         // The usage, which is told after the error itself, names it always.
         (ErrorKind::MissingRequiredArgument, verb @ ("convert" | "trace"), _)

@@ -1,4 +1,6 @@
-//! `tactograph feel`: a page in, what a fingertip feels of it out.
+//! `tactograph feel`: pages in, what a fingertip feels of them out.
+
+use std::path::Path;
 
 use anyhow::bail;
 
@@ -9,7 +11,7 @@ use super::{input, output, places};
 /// Longest page that is read, bytes. The fullest page of the samples has a quarter of a megabyte.
 const MOST_BYTES: u64 = 100_000_000;
 
-/// Feels one page and tells what is felt.
+/// Feels pages and tells what is felt.
 pub(super) fn run(args: &Feel) -> Exit {
     let report = Report::plain();
     if let Some(path) = &args.output {
@@ -19,38 +21,48 @@ pub(super) fn run(args: &Feel) -> Exit {
             report.usage(&format!("{}: a map is written only to a .png file; name it {instead}", path.display()));
             return Exit::Usage;
         }
+        if args.pages.len() > 1 {
+            report.usage("-o takes one page; feel them one by one");
+            return Exit::Usage;
+        }
     }
-    let page = places::picture_name(&args.page);
-    match feel(args) {
-        Ok((text, map)) => {
-            if let Err(error) = output::to_stdout(text.as_bytes(), "report") {
-                report.error("standard output", &format!("{error:#}"));
-                return Exit::Failed;
-            }
-            let Some((path, map)) = args.output.as_ref().zip(map) else { return Exit::Done };
-            match output::to_file(path, &map, "map") {
-                Ok(()) => {
-                    report.done(&format!("{page}: wrote {}", path.display()));
-                    Exit::Done
-                }
-                Err(error) => {
-                    report.error(&path.display().to_string(), &format!("{error:#}"));
-                    Exit::Failed
-                }
-            }
+    let pages = args.pages.iter().map(|page| one(args, page, &report));
+    pages.fold(Exit::Done, |worst, exit| if matches!(exit, Exit::Done) { worst } else { exit })
+}
+
+/// Feels one of the pages.
+fn one(args: &Feel, page: &Path, report: &Report) -> Exit {
+    let name = places::picture_name(page);
+    let (text, map) = match feel(args, page) {
+        Ok(felt) => felt,
+        Err(error) => {
+            report.error(&name, &format!("{error:#}"));
+            return Exit::Failed;
+        }
+    };
+    let text = if args.pages.len() > 1 { format!("{name}:\n{text}\n") } else { text };
+    if let Err(error) = output::to_stdout(text.as_bytes(), "report") {
+        report.error("standard output", &format!("{error:#}"));
+        return Exit::Failed;
+    }
+    let Some((path, map)) = args.output.as_ref().zip(map) else { return Exit::Done };
+    match output::to_file(path, &map, "map") {
+        Ok(()) => {
+            report.done(&format!("{name}: wrote {}", path.display()));
+            Exit::Done
         }
         Err(error) => {
-            report.error(&page, &format!("{error:#}"));
+            report.error(&path.display().to_string(), &format!("{error:#}"));
             Exit::Failed
         }
     }
 }
 
 /// The report, and the map if it is wanted.
-fn feel(args: &Feel) -> anyhow::Result<(String, Option<Vec<u8>>)> {
+fn feel(args: &Feel, page: &Path) -> anyhow::Result<(String, Option<Vec<u8>>)> {
     let too_long = format!("the file is longer than {} MB, which is no page", MOST_BYTES / 1_000_000);
-    let bytes = input::read(&args.page, MOST_BYTES, &too_long)?;
-    let felt = match (tactograph::feel(bytes, args.finger), input::other_than_svg(&args.page, "feel")) {
+    let bytes = input::read(page, MOST_BYTES, &too_long)?;
+    let felt = match (tactograph::feel(bytes, args.finger), input::other_than_svg(page, "feel")) {
         (Err(_), Some(why)) => bail!("{why}"),
         (felt, _) => felt?,
     };

@@ -18,10 +18,20 @@ pub(super) struct Candidate {
     /// Whether that leads across other lines.
     pub(super) crosses: bool,
     pub(super) cost: f32,
-    /// Whether it was placed together with the labels of its row or column, which keep their own blank.
-    is_in_row: bool,
-    /// Whether that stands in the margin beyond all lines.
-    is_in_margin: bool,
+    pub(super) stands: Stands,
+}
+
+/// What a label stands with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stands {
+    /// By itself.
+    Alone,
+    /// In its row or column, which was placed as a whole and keeps its own blank.
+    InRow,
+    /// The same, in the margin beyond all lines.
+    InMargin,
+    /// As the title of an axis, at its row or column.
+    AsTitle,
 }
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
@@ -128,29 +138,18 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 
 impl Candidate {
     /// One that is placed together with its row.
-    pub(super) fn in_row(
-        form: usize,
-        place: MmRect,
-        leader: Option<[MmPoint; 2]>,
-        cost: f32,
-        is_in_margin: bool,
-    ) -> Self {
-        Self { form, place, leader, crosses: false, cost, is_in_row: true, is_in_margin }
-    }
-
-    /// Whether it stands in a row in the margin beyond all lines.
-    pub(super) fn is_in_margin(&self) -> bool {
-        self.is_in_margin
+    pub(super) fn of_row(form: usize, place: MmRect, leader: Option<[MmPoint; 2]>, cost: f32, stands: Stands) -> Self {
+        Self { form, place, leader, crosses: false, cost, stands }
     }
 
     /// Whether it stands in a row that is placed as a whole.
     pub(super) fn is_in_row(&self) -> bool {
-        self.is_in_row
+        self.stands != Stands::Alone
     }
 
     /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight way.
     pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
-        !(self.is_in_row && other.is_in_row) && self.is_too_near(other, spacing, off)
+        !(self.is_in_row() && other.is_in_row()) && self.is_too_near(other, spacing, off)
     }
 
     /// The box around it and its leader line.
@@ -354,7 +353,7 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         None => 0.0,
     };
     let cost = form.cost + distance + elsewhere + GLYPH * glyphs + leader_cost;
-    Some(Candidate { form: number, place, leader, crosses, cost, is_in_row: false, is_in_margin: false })
+    Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
 }
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands

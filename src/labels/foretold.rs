@@ -4,7 +4,7 @@
 use super::forms;
 use super::placed::{Params, Wanted};
 use super::room::Room;
-use super::{around, groups_of, rows};
+use super::{around, groups_of, rows, titles};
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
@@ -35,13 +35,16 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
     let groups = groups_of(wanted, &mut forms, &around, translator);
     let place = rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells };
     let placed = rows::placed(&groups, &place).placed;
-    placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {
-        let place = candidate.place;
-        [
-            left.max(within.min.x - place.min.x),
-            top.max(within.min.y - place.min.y),
-            right.max(place.max.x - within.max.x),
-            bottom.max(place.max.y - within.max.y),
-        ]
-    })
+    let [left, top, right, bottom] =
+        placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {
+            let place = candidate.place;
+            [
+                left.max(within.min.x - place.min.x),
+                top.max(within.min.y - place.min.y),
+                right.max(place.max.x - within.max.x),
+                bottom.max(place.max.y - within.max.y),
+            ]
+        });
+    let above_titles = titles::top_of_headings(&place, &placed).map_or(top, |above| within.min.y - above);
+    [left, top.max(above_titles), right, bottom]
 }

@@ -19,6 +19,8 @@ mod placed;
 mod room;
 mod rows;
 mod scale;
+mod ticks;
+mod titles;
 
 pub use candidates::NEAR;
 pub use choose::{Choice, choose};
@@ -32,7 +34,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
-use candidates::{Around, Candidate, Spacing, TIGHTEST};
+use candidates::{Around, Candidate, Spacing, Stands, TIGHTEST};
 use forms::{Form, Forms, Kind};
 use groups::Group;
 use room::Room;
@@ -201,7 +203,8 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         abbreviation,
         leader: candidate.leader,
         crosses: candidate.leader.is_some() && candidate.crosses,
-        is_in_margin: candidate.is_in_margin(),
+        is_in_margin: candidate.stands == Stands::InMargin,
+        is_title: candidate.stands == Stands::AsTitle,
         is_bare: kind == Kind::Bare,
     })
 }

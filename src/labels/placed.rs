@@ -56,6 +56,8 @@ pub struct Placed {
     pub crosses: bool,
     /// Whether it is a number of an axis that stands in the margin beyond all lines.
     pub is_in_margin: bool,
+    /// Whether it is the title of an axis, which stands above or below it.
+    pub is_title: bool,
     /// Whether it is such a number without its unit, which another has.
     pub is_bare: bool,
 }

@@ -112,6 +112,11 @@ impl Room {
         self.squares.area.contains_box(&place) && self.squares.sum(&self.taken, place) == 0
     }
 
+    /// Whether a line lies at a point.
+    pub(super) fn is_ink(&self, at: MmPoint) -> bool {
+        self.squares.index(at).is_some_and(|index| self.ink[index] > 0)
+    }
+
     /// How many glyphs lie in a box.
     pub(super) fn glyphs(&self, place: MmRect) -> u32 {
         self.squares.sum(&self.glyphs, place)
@@ -137,8 +142,7 @@ impl Room {
         // the ink of the squares of one line is not interrupted
         let steps = (2.0 * way.length() / SQUARE).ceil() as u32;
         let mut along = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|along| *along <= way.length());
-        let is_ink = |along: f32| self.squares.index(from + direction * along).is_some_and(|at| self.ink[at] > 0);
-        let last = along.rfind(|along| is_ink(*along))?;
+        let last = along.rfind(|along| self.is_ink(from + direction * *along))?;
         (last - begin <= broadest).then_some(begin)
     }
 
@@ -196,9 +200,7 @@ impl Room {
     fn first_ink(&self, at: MmPoint, direction: MmVector, reach: f32) -> Option<f32> {
         let steps = (2.0 * reach / SQUARE).ceil() as u32;
         let distances = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|distance| *distance <= reach);
-        let is_ink =
-            |distance: &f32| self.squares.index(at + direction * *distance).is_some_and(|index| self.ink[index] > 0);
-        distances.into_iter().find(is_ink)
+        distances.into_iter().find(|distance| self.is_ink(at + direction * *distance))
     }
 
     /// How much of a straight leader line lies near to other lines, mm, without the last `end` mm.

@@ -2,12 +2,12 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, TIGHTEST};
+use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, Stands, TIGHTEST};
 use super::forms::{Form, Forms, Kind};
 use super::groups::{Group, Lies};
 use super::placed::{Params, Unplaced, Wanted};
 use super::room::Room;
-use super::scale::EVERY;
+use super::{ticks, titles};
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -64,7 +64,7 @@ pub(super) struct Place<'a> {
 
 /// What becomes of labels that stand in rows and columns.
 pub(super) struct InRows {
-    /// The place of each that stands in one which has room as a whole.
+    /// The place of each that stands in one which has room as a whole, and of titles of axes.
     pub(super) placed: Vec<Option<Candidate>>,
     /// Of numbers along an axis that are left out as there is no room for all, every how many-th is written.
     pub(super) thinned: Vec<Option<i64>>,
@@ -75,10 +75,9 @@ pub(super) fn placed(groups: &[Group], of: &Place<'_>) -> InRows {
     let mut placed: Vec<Option<Candidate>> = vec![None; of.wanted.len()];
     let mut thinned = vec![None; of.wanted.len()];
     for group in groups {
-        // all of them, else every so many-th number
-        let some = EVERY.into_iter().filter(|_| group.steps.is_some()).map(|count| (group.every(count), count));
-        let mut tried = std::iter::once((group.clone(), 1)).chain(some).filter(|(some, _)| some.members.len() > 1);
-        let found = tried.find_map(|(some, count)| Some((of_group(&some, of, &placed)?, some, count)));
+        let mut tried = ticks::tried(group, of.wanted, of.room).into_iter();
+        let found =
+            tried.find_map(|ticks::Numbers { group, count }| Some((of_group(&group, of, &placed)?, group, count)));
         let Some((found, some, count)) = found else { continue };
         if count > 1 {
             group.members.iter().for_each(|&member| thinned[member] = Some(count));
@@ -88,6 +87,7 @@ pub(super) fn placed(groups: &[Group], of: &Place<'_>) -> InRows {
             thinned[member] = None;
         }
     }
+    titles::place(groups, of, &mut placed);
     InRows { placed, thinned }
 }
 
@@ -128,7 +128,7 @@ fn tried(group: &Group) -> Vec<(Way, Level)> {
 }
 
 /// From so many labels on a row without numbers is taken for that of an axis.
-const OF_AN_AXIS: usize = 5;
+pub(super) const OF_AN_AXIS: usize = 5;
 
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
 fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
@@ -205,6 +205,7 @@ fn in_rows(
     };
     let steps = |mm: f32| (mm / of.params.step).ceil() as i32;
     let (nearest, furthest) = if way == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
+    let stands = if way == At::Margin { Stands::InMargin } else { Stands::InRow };
     // below before above
     let offsets = both_ways(nearest, furthest);
     let at = |start: Option<f32>, offset: f32, moves: bool| -> Option<Vec<Candidate>> {
@@ -230,7 +231,7 @@ fn in_rows(
                 let place = of.cells.snapped(MmRect::new(corner, corner + size));
                 let cost = forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
                 let leader = (way == At::Led).then(|| leader(place, anchor.center()));
-                let candidate = Candidate::in_row(numbers[number], place, leader, cost, way == At::Margin);
+                let candidate = Candidate::of_row(numbers[number], place, leader, cost, stands);
                 let mut others = found.iter().chain(placed.iter().flatten());
                 let is_free = is_free(label, &candidate, of)
                     && others.all(|other| !candidate.is_too_near(other, JUST, of.params.leader_off));
@@ -297,7 +298,7 @@ fn is_free(label: usize, candidate: &Candidate, of: &Place<'_>) -> bool {
     let anchor = of.wanted[label].anchor.center();
     let nearest = anchor.clamp(place.min, place.max);
     let is_told = || match candidate.leader {
-        _ if candidate.is_in_margin() => true,
+        _ if candidate.stands == Stands::InMargin => true,
         Some([from, to]) => of.room.is_free_way(from, to, around.end) && around.leads_to_own(place, [from, to]),
         None => !of.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
     };
@@ -326,6 +327,7 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, of: &Place<'_>) -> Opti
     let area = of.params.area;
     let (low, high) = (of_point(area.min), of_point(area.max));
     let anchors: Vec<f32> = group.members.iter().map(|&label| of_point(of.wanted[label].anchor.center())).collect();
+    let pitch = ticks::pitch(group, of.wanted).unwrap_or(f32::INFINITY);
     let mut begins = vec![0.0; sizes.len()];
     for row in 0..rows {
         let members: Vec<usize> = (row..sizes.len()).step_by(rows).collect();
@@ -341,6 +343,8 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, of: &Place<'_>) -> Opti
         let moved = (begins[i] + 0.5 * of_size(sizes[i]) - anchors[i]).abs();
         let to = |other: Option<&f32>| other.map_or(f32::INFINITY, |other| (other - anchors[i]).abs());
         let next = to(anchors.get(i + 1)).min(to(i.checked_sub(1).and_then(|i| anchors.get(i))));
+        // the next tick may be nearer than the next number that is written
+        let next = next.min(pitch);
         // on a grid of dots a label is off by half a step anyhow
         let rest = (ALONG * next).max(0.5 * of.params.step) - moved;
         (rest >= 0.0).then_some((begins[i], rest))

@@ -70,6 +70,10 @@ fn value(text: &str) -> Option<(f64, &str)> {
         Some(rest) => (-1.0, rest),
         None => (1.0, text.strip_prefix('+').unwrap_or(text)),
     };
+    let part = |text: &str| text.trim().parse::<u16>().ok().map(f64::from);
+    if let Some((over, under)) = rest.split_once('/').and_then(|(over, under)| part(over).zip(part(under))) {
+        return (under > 0.0).then_some((sign * over / under, ""));
+    }
     let grouped = groups_of_three(rest);
     let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | ',');
     let end = grouped.unwrap_or_else(|| rest.find(|sign| !is_of_number(sign)).unwrap_or(rest.len()));
@@ -124,6 +128,9 @@ mod tests {
         assert_eq!(of(&["500", "1,000", "1,500"]), Some(vec![1, 2, 3]));
         assert_eq!(of(&["0 m", "1 000 m", "2 000 m"]), Some(vec![0, 1, 2]));
         assert_eq!(of(&["0,125", "0,250", "0,375"]), Some(vec![1, 2, 3]), "no thousands");
+        assert_eq!(of(&["0", "1/4", "1/2", "3/4", "1"]), Some(vec![0, 1, 2, 3, 4]));
+        assert_eq!(of(&["1/0", "1/2", "1"]), None);
+        assert_eq!(of(&["10 km/h", "20 km/h", "30 km/h"]), Some(vec![1, 2, 3]));
         assert_eq!(of(&["1", "10", "100"]), None, "a scale of logarithms");
         assert_eq!(of(&["Jan", "Feb", "Mar"]), None);
         assert_eq!(of(&["1", "2", "2"]), None);

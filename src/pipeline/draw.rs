@@ -15,6 +15,7 @@ use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use crate::classes::{self, Classes};
+use crate::devices::Family;
 use crate::edges::{self, Edges, PictureKind, Ridges};
 use crate::lines::{self, Beyond, Line, Lines, Lost, LostSign};
 use crate::page::layout::Layout;
@@ -337,9 +338,7 @@ fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
 pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
-    // marks that are too short are told by themselves, and no room would help them
-    let Lost { wanted, lost, marks, .. } = drawn.lost;
-    let lost = (lost - marks.length).max(0.0);
+    let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
     let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
     let least = match layout.medium {
         Medium::Print(_) => LEAST_TOLD,
@@ -348,7 +347,9 @@ pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layou
     let of_drawing = edges.is_some_and(Edges::of_drawing);
     let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
     let place = drawn.lost.place_name();
-    if of_drawing && lost >= least && share >= DENSE {
+    // a display has one sheet, so a figure is not spread over several
+    let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
+    if of_drawing && has_sheets && lost >= least && share >= DENSE {
         let width = layout.figure.width().round() as u32;
         return Some(Note::TooDense { millimetres, percent, place, width });
     }
@@ -378,7 +379,13 @@ fn told_dashed(edges: &Edges) -> Option<Note> {
 pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
     let whole = |mm: f32| mm.max(0.0).round() as u32;
     let by_place = Some(lost.by_place.map(whole));
-    LeftOut { millimetres: whole(lost.lost), of: whole(lost.wanted), by_place, shapes: shapes as u32 }
+    let millimetres = whole(of_lines(lost));
+    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes: shapes as u32 }
+}
+
+/// How much of lines is lost, mm: marks that are too short are told by themselves, and no room would help them.
+fn of_lines(lost: &Lost) -> f32 {
+    (lost.lost - lost.marks.length).max(0.0)
 }
 
 /// The areas that a person gave, or the colours of the picture.

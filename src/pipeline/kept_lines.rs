@@ -90,6 +90,8 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
     };
     let (by_hand, ours): (Vec<_>, Vec<_>) =
         shares.iter().zip(names).filter_map(told).partition(|(by_hand, _)| *by_hand);
+    // a number says nothing to those who have not opened the page
+    let numbered = if ours.is_empty() { "" } else { "; an editor lists them by these names in the page that was read" };
     let (count, most) = (by_hand.len() + ours.len(), MOST.max(by_hand.len().min(MOST_BY_HAND)));
     let named: Vec<String> = by_hand.into_iter().chain(ours).map(|(_, name)| name).take(most).collect();
     let (last, first) = named.split_last()?;
@@ -100,7 +102,7 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
         (false, _) => format!("{}, {last} and {more} more", first.join(", ")),
     };
     let why = |them: &str| {
-        format!("too short for this page or too near to others; move {them} apart, or take a larger sheet")
+        format!("too short for this page or too near to others; move {them} apart, or take a larger sheet{numbered}")
     };
     let told = match count {
         1 => format!("{named}, {}", why("the lines")),

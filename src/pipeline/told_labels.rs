@@ -24,6 +24,8 @@ const EVERY: [(i64, &str); 3] = [
 ];
 const _: () =
     assert!(EVERY[0].0 == labels::EVERY[0] && EVERY[1].0 == labels::EVERY[1] && EVERY[2].0 == labels::EVERY[2]);
+/// ... and of those of which only some have a tick on the page.
+const AT_TICKS: &str = "there is room for the numbers at the ticks of the page only";
 const NO_CELLS: &str = "their code has no cells for them";
 const MISLEADING: &str = "without characters that their code has no cells for they would say something else";
 const TOO_MANY: &str = "a page takes 300 labels at most";
@@ -35,13 +37,29 @@ pub(super) fn left_out(texts: Vec<String>, why: &'static str) -> Option<Note> {
 }
 
 /// Tells of labels that stand on the page though what they name does not: a label names what is nearer than that from
-/// which on it has a leader line.
-pub(super) fn of_nothing(wanted: &[Wanted], results: &[Result<Placed, Unplaced>], figure: &Figure) -> Option<Note> {
-    let is_there = |label: &Wanted| {
-        let place = label.anchor.inflate(NEAR, NEAR);
+/// which on it has a leader line. In the middle of a large shape nothing may be so near: where the figure is that of a
+/// page that is drawn anew, only what was near `before` is missing.
+pub(super) fn of_nothing(
+    wanted: &[Wanted],
+    results: &[Result<Placed, Unplaced>],
+    figure: &Figure,
+    before: Option<&Figure>,
+) -> Option<Note> {
+    let is_met_in = |figure: &Figure, at: MmPoint| {
+        let place = MmRect::new(at, at).inflate(NEAR, NEAR);
         let lines = figure.lines.iter().flat_map(|line| &line.runs).flat_map(|run| run.path());
         let mut points = figure.textures.iter().flat_map(|texture| &texture.glyphs);
         points.any(|glyph| place.contains(glyph.at)) || is_met(lines, place)
+    };
+    let was_there = |before: &Figure, at: MmPoint| {
+        let (from, to) = (figure.place, before.place);
+        let share = |at: f32, side: f32| if side > 0.0 { at / side } else { 0.0 };
+        let x = to.min.x + to.width() * share(at.x - from.min.x, from.width());
+        is_met_in(before, MmPoint::new(x, to.min.y + to.height() * share(at.y - from.min.y, from.height())))
+    };
+    let is_there = |label: &Wanted| {
+        let at = label.anchor.center();
+        is_met_in(figure, at) || before.is_some_and(|before| !was_there(before, at))
     };
     let placed = wanted.iter().zip(results).filter(|(_, result)| result.is_ok());
     let alone: Vec<&str> = placed
@@ -83,7 +101,9 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
             .iter()
             .filter(is_nearer)
             .min_by(|a, b| far(&a.anchor, &placed.place).total_cmp(&far(&b.anchor, &placed.place)));
-        other.filter(|_| placed.leader.is_none() && !placed.is_in_margin).map(|other| other.text.as_str())
+        other
+            .filter(|_| placed.leader.is_none() && !placed.is_in_margin && !placed.is_title)
+            .map(|other| other.text.as_str())
     };
     let all = wanted.iter().zip(results).enumerate();
     let moved: Vec<String> = all
@@ -177,7 +197,7 @@ pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> V
     notes.extend((!abbreviated.is_empty()).then_some(Note::Abbreviated(abbreviated)));
     notes.extend(refused.notes());
     let every = |(every, texts): (i64, Vec<String>)| {
-        let why = EVERY.iter().find(|(count, _)| *count == every).map_or(NO_ROOM, |(_, why)| why);
+        let why = EVERY.iter().find(|(count, _)| *count == every).map_or(AT_TICKS, |(_, why)| why);
         left_out(texts, why)
     };
     notes.extend(thinned.into_iter().filter_map(every));
@@ -209,6 +229,7 @@ mod tests {
                 leader: None,
                 crosses: false,
                 is_in_margin: false,
+                is_title: false,
                 is_bare: false,
             })
         };

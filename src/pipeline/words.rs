@@ -40,6 +40,8 @@ pub struct Words<'a> {
     pub number: Option<u32>,
     /// What writes the words, if not the table of their code.
     pub translate: Option<&'a Translate>,
+    /// Of a page that is drawn anew, the figure that it had.
+    pub before: Option<&'a Figure>,
 }
 
 impl Words<'_> {
@@ -208,7 +210,7 @@ impl<'a> Written<'a> {
         let params = params(layout, tiles, plan);
         let results = labels::place(&wanted, translator, figure, &cells, &params);
         let placed: Vec<&Placed> = results.iter().flatten().collect();
-        notes.extend(of_nothing(&wanted, &results, figure));
+        notes.extend(of_nothing(&wanted, &results, figure, words.before));
         notes.extend(across(&wanted, &results));
         notes.extend(nearer_to_others(&wanted, &results));
         notes.extend(of_axes(&wanted, &results));

@@ -244,3 +244,65 @@ fn leader_lines_end_at_the_outline_of_a_box() {
         }
     }
 }
+
+/// On a number line of which only every fifth tick is long enough for fingers, the numbers at these stay where there is
+/// no room for all, so that who counts ticks reads the right number.
+#[test]
+fn numbers_stand_at_the_ticks_that_are_on_the_page() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='1000' height='200' font-family='sans-serif' \
+        font-size='18'><rect width='1000' height='200' fill='#fff'/>\
+        <line x1='40' y1='100' x2='960' y2='100' stroke='#000' stroke-width='3'/>"
+        .to_owned();
+    for value in -10..=10 {
+        let (x, half) = (500 + 42 * value, if value % 5 == 0 { 20 } else { 12 });
+        write!(
+            svg,
+            "<line x1='{x}' x2='{x}' y1='{}' y2='{}' stroke='#000' stroke-width='2'/>\
+             <text x='{x}' y='145' text-anchor='middle'>{value}</text>",
+            100 - half,
+            100 + half
+        )
+        .expect("a string takes it");
+    }
+    let drawing = drawn(&(svg + "</svg>"), "swell-a4");
+    let written: Vec<(i32, MmRect)> =
+        labels_of(&drawing).iter().map(|label| (label.text.parse().expect("a number"), place(label))).collect();
+    assert_eq!(written.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [-10, -5, 0, 5, 10]);
+    let figure = drawing.page.figure.place;
+    for (value, at) in written {
+        let tick = across(figure, 0.5 + 0.042 * value as f32);
+        assert!((at.center().x - tick).abs() < 3.5, "{value} stands {} mm beside its tick", at.center().x - tick);
+    }
+}
+
+/// The title of an upright axis stands above its numbers, that of a level one below its own; neither covers another
+/// label, and neither is left out or abbreviated.
+#[test]
+fn titles_of_axes_stand_at_their_ends() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='640' height='480' font-family='sans-serif' \
+        font-size='18'><rect width='640' height='480' fill='#fff'/>\
+        <path d='M100 60V400H560' fill='none' stroke='#000' stroke-width='3'/>\
+        <path d='M100 380L260 250L420 120L500 100' fill='none' stroke='#c22' stroke-width='3'/>\
+        <text x='330' y='455' text-anchor='middle'>Time in hours</text>\
+        <text x='40' y='230' text-anchor='middle' transform='rotate(-90 40 230)'>Height in cm</text>"
+        .to_owned();
+    for i in 0..6 {
+        write!(svg, "<text x='{}' y='425' text-anchor='middle'>{i}</text>", 100 + 80 * i).expect("a string takes it");
+    }
+    for i in 1..5 {
+        write!(svg, "<text x='85' y='{}' text-anchor='end'>{}</text>", 406 - 80 * i, 10 * i)
+            .expect("a string takes it");
+    }
+    for profile in ["swell-a4", "index-basic-d", "viewplus-columbia"] {
+        let drawing = drawn(&(svg.clone() + "</svg>"), profile);
+        let labels = labels_of(&drawing);
+        assert!(labels.iter().all(|label| label.abbreviation.is_none()), "{profile}: {:?}", drawing.notes);
+        let of = |text: &str| {
+            let found = labels.iter().find(|label| label.text == text);
+            place(found.unwrap_or_else(|| panic!("{profile}: {text} is left out: {:?}", drawing.notes)))
+        };
+        let (upright, level, top, first) = (of("Height in cm"), of("Time in hours"), of("40"), of("0"));
+        assert!(upright.max.y < top.min.y && upright.min.x <= top.max.x, "{profile}: {upright:?} {top:?}");
+        assert!(level.min.y > first.max.y, "{profile}: {level:?} {first:?}");
+    }
+}

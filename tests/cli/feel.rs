@@ -35,6 +35,20 @@ fn a_page_comes_from_standard_input_too_and_the_fingertip_is_chosen() {
 }
 
 #[test]
+fn several_pages_are_felt_one_after_another() {
+    let place = Place::with_sea();
+    place.put("other.svg", place.text("page.svg").as_bytes());
+    let run = place.run(&["feel", "page.svg", "missing.svg", "other.svg"]);
+    assert_eq!(run.code, 1, "the worst of all counts");
+    assert_eq!(run.err.lines().count(), 1, "{}", run.err);
+    let names: Vec<&str> = run.out.lines().filter(|line| line.ends_with(".svg:")).collect();
+    assert_eq!(names, ["page.svg:", "other.svg:"], "{}", run.out);
+    assert_eq!(run.out.lines().filter(|line| line.starts_with("All textures: ")).count(), 2);
+    let line = "-o takes one page; feel them one by one";
+    place.refuses(&["feel", "page.svg", "other.svg", "-o", "felt.png"], 2, &[line]);
+}
+
+#[test]
 fn a_map_is_written_where_it_is_asked_for() {
     let place = Place::with_sea();
     let run = place.run(&["feel", "page.svg", "-o", "felt.png"]);

@@ -110,6 +110,7 @@ fn names_that_are_nearly_right_get_a_suggestion() {
             "cannot be index-basic-d-v6, did you mean \"index-basic-d-v3\", \"index-basic-d-v4\" or \"index-basic-d-v5\"?\n",
         ),
         (&["--set", "page.orientation=portrat"], "cannot be portrat, did you mean \"portrait\"?\n"),
+        (&["--braille", "uk"], "the measures of cells are --set braille.cell=uk; see tactograph convert --help\n"),
         (&["--o", "b.svg"], "tactograph: there is no option --o, did you mean -o; see tactograph convert --help\n"),
     ] {
         let run = place.run(&[&["convert", "a.png"], args].concat());

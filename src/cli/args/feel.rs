@@ -25,6 +25,8 @@ pub(super) const AFTER_LONG_HELP: &str = "\
 Examples:
   tactograph feel coffee.svg
         tells in some sentences what is felt
+  tactograph feel pages/*.svg
+        tells it of several pages
   tactograph feel coffee.svg --finger 1.5
         asks for a broader or less practised fingertip
   tactograph feel coffee.svg -o felt.png
@@ -43,9 +45,11 @@ Exit codes:
 /// `tactograph feel`.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Feel {
-    /// Page to feel, an SVG file that "tactograph convert" made; - for standard input
+    /// Pages to feel, SVG files that "tactograph convert" made; - for standard input
+    ///
+    /// Of several the name of each stands before what is felt. -o takes one page.
     #[arg(value_name = "PAGE.svg", required = true)]
-    pub(in crate::cli) page: PathBuf,
+    pub(in crate::cli) pages: Vec<PathBuf>,
 
     /// Size of the fingertip in mm: 0.5 fine, 1 usual, 1.5 coarse
     ///

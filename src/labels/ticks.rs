@@ -1,0 +1,155 @@
+//! Which numbers along an axis have a tick on the page: where only some have one, those are the numbers that stay, as
+//! readers count ticks.
+
+use super::groups::{Group, Lies};
+use super::placed::Wanted;
+use super::room::Room;
+use super::scale::EVERY;
+use crate::units::{MmPoint, MmVector};
+
+/// How far from the middle of a number its tick is looked for, mm: print stands within 4 mm of an axis, and ticks that
+/// are on a page are 8 mm long at most on one side of it.
+const REACH: f32 = 14.0;
+/// Shortest piece of a line across an axis that is a tick, mm: half of the widest line has no direction.
+const SHORTEST: f32 = 2.0;
+/// How far beside a tick there is nothing, as a share of the way to the next number.
+const BESIDE: f32 = 0.25;
+/// Step in which a tick is looked for, mm: a square of the room.
+const STEP: f32 = 0.5;
+
+/// Numbers of an axis of which every so many-th is written; `count` is that, 1 where all are.
+pub(super) struct Numbers {
+    pub(super) group: Group,
+    pub(super) count: i64,
+}
+
+/// All numbers of a group, then fewer of them in the order in which they are tried: first those that are the ones with
+/// a tick, where only some have one; then those that all have one.
+pub(super) fn tried(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<Numbers> {
+    let mut all = vec![Numbers { group: group.clone(), count: 1 }];
+    let Some(steps) = &group.steps else { return all };
+    let ticks: Vec<bool> = with_tick(group, wanted, room);
+    let mut fewer: Vec<(u8, i64)> = EVERY
+        .into_iter()
+        .chain(between_ticks(steps, &ticks))
+        .map(|every| {
+            let written = |step: i64| step % every == 0;
+            let agree = steps.iter().zip(&ticks).all(|(&step, &has)| written(step) == has);
+            let have = steps.iter().zip(&ticks).all(|(&step, &has)| has || !written(step));
+            (
+                if agree {
+                    0
+                } else if have {
+                    1
+                } else {
+                    2
+                },
+                every,
+            )
+        })
+        .collect();
+    fewer.sort_unstable();
+    fewer.dedup();
+    all.extend(fewer.into_iter().map(|(_, count)| Numbers { group: group.every(count), count }));
+    all.retain(|numbers| numbers.group.members.len() > 1);
+    all
+}
+
+/// How many steps ticks are apart, if those are even and go through the first of the steps that are counted from.
+fn between_ticks(steps: &[i64], ticks: &[bool]) -> Option<i64> {
+    let at: Vec<i64> = steps.iter().zip(ticks).filter(|(_, has)| **has).map(|(&step, _)| step).collect();
+    let apart = at.get(1)? - at.first()?;
+    let is_even = at.windows(2).all(|pair| pair[1] - pair[0] == apart) && at[0] % apart == 0;
+    (is_even && apart.abs() > 1).then_some(apart.abs())
+}
+
+/// How far numbers of an axis are apart on the page, mm, whether all of them are written or not.
+pub(super) fn pitch(group: &Group, wanted: &[Wanted]) -> Option<f32> {
+    let steps = group.steps.as_deref()?;
+    let at = |i: usize| along(group, wanted[group.members[i]].anchor.center());
+    let last = steps.len().checked_sub(1)?;
+    let apart = (steps[last] - steps[0]).abs();
+    (apart > 0).then(|| (at(last) - at(0)).abs() / apart as f32)
+}
+
+fn along(group: &Group, at: MmPoint) -> f32 {
+    if matches!(group.lies, Lies::Column(_)) { at.y } else { at.x }
+}
+
+/// Which numbers have a tick: a piece of a line across the axis at their place, with nothing on either side of it.
+fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
+    let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
+    let (across, beside) = match group.lies {
+        Lies::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
+        _ => (MmVector::new(0.0, 1.0), MmVector::new(BESIDE * pitch, 0.0)),
+    };
+    let has_tick = |&label: &usize| {
+        let place = wanted[label].anchor;
+        let reach = REACH + 0.5 * across.x * place.width();
+        let steps = (reach / STEP).ceil() as i32;
+        let is_stroke = |step: i32| {
+            let at = place.center() + across * (step as f32 * STEP);
+            // a line may be moved by a part of a millimetre
+            let is_there = [-1.0, 0.0, 1.0].iter().any(|&off| room.is_ink(at + beside.normalize() * off));
+            is_there && !room.is_ink(at - beside) && !room.is_ink(at + beside)
+        };
+        // a line that goes on, such as that of a grid, is followed and not counted
+        let strokes: Vec<bool> = (-steps..=steps).map(is_stroke).collect();
+        let mut pieces = strokes.split(|is_stroke| !is_stroke).enumerate();
+        let ends = [strokes.first(), strokes.last()].map(|end| end == Some(&true));
+        let count = strokes.iter().filter(|is_stroke| !**is_stroke).count();
+        pieces.any(|(number, piece)| {
+            let goes_on = number == 0 && ends[0] || number == count && ends[1];
+            !goes_on && piece.len() as f32 * STEP >= SHORTEST
+        })
+    };
+    group.members.iter().map(has_tick).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::{Line, Run};
+    use crate::units::MmRect;
+
+    /// Every how many-th number is tried from 0 to 10 at steps of 10 mm under an axis with ticks at some of them.
+    fn counts(ticks: &[usize]) -> Vec<i64> {
+        counts_of(ticks, (16.0, 24.0))
+    }
+
+    /// The same with ticks from one height to another.
+    fn counts_of(ticks: &[usize], (from, to): (f32, f32)) -> Vec<i64> {
+        let line = |from: (f32, f32), to: (f32, f32)| Line {
+            strength: 50.0,
+            runs: vec![Run::stroke(1.0, vec![MmPoint::from(from), MmPoint::from(to)])],
+        };
+        let at = |i: usize| 10.0 + 10.0 * i as f32;
+        let of_ticks = ticks.iter().map(|&i| line((at(i), from), (at(i), to)));
+        let lines: Vec<Line> = std::iter::once(line((5.0, 20.0), (118.0, 20.0))).chain(of_ticks).collect();
+        let room = Room::new(MmRect::new(MmPoint::new(0.0, -30.0), MmPoint::new(130.0, 60.0)), &lines, &[], 3.0);
+        let wanted: Vec<Wanted> = (0..=10)
+            .map(|i| Wanted {
+                text: i.to_string(),
+                anchor: MmRect::new(MmPoint::new(at(i) - 2.0, 27.0), MmPoint::new(at(i) + 2.0, 31.0)),
+            })
+            .collect();
+        let groups = super::super::groups::of(&wanted, |_| true, |_| false);
+        assert_eq!(groups.len(), 1);
+        tried(&groups[0], &wanted, &room).iter().map(|numbers| numbers.count).collect()
+    }
+
+    #[test]
+    fn numbers_that_have_a_tick_are_tried_first() {
+        let all: Vec<usize> = (0..=10).collect();
+        assert_eq!(counts(&all), [1, 2, 5, 10]);
+        assert_eq!(counts(&[]), [1, 2, 5, 10]);
+        assert_eq!(counts(&[0, 5, 10]), [1, 5, 10, 2]);
+        assert_eq!(counts(&[0, 3, 6, 9]), [1, 3, 2, 5, 10]);
+        assert_eq!(counts(&[0, 10]), [1, 10, 2, 5]);
+    }
+
+    #[test]
+    fn lines_of_a_grid_are_no_ticks() {
+        assert_eq!(counts_of(&[0, 5, 10], (-20.0, 20.0)), [1, 2, 5, 10]);
+    }
+}

@@ -1,0 +1,109 @@
+//! Titles of axes. Print is turned upright beside an axis; braille is not, so that the title of an upright axis stands
+//! above it, as transcribers set it, and that of a level one below its numbers or at their end.
+
+use super::candidates::{Candidate, JUST, Stands, TIGHTEST};
+use super::groups::{Group, Lies};
+use super::rows::{OF_AN_AXIS, Place};
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// How far from its numbers a title stands in print, mm, at most.
+const IN_PRINT: f32 = 30.0;
+/// How far a title may be moved, mm: along its axis to where it is free, and across.
+const AWAY: f32 = 15.0;
+const ASIDE: f32 = 30.0;
+/// A text is turned if its box is so many times as high as it is wide.
+const TURNED: f32 = 1.5;
+/// Fewest letters of a text that shows by its box that it is turned.
+const LETTERS: usize = 3;
+
+/// Finds places for titles of axes whose numbers or words have theirs.
+pub(super) fn place(groups: &[Group], of: &Place<'_>, placed: &mut [Option<Candidate>]) {
+    let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
+    for label in (0..of.wanted.len()).filter(|&label| is_alone(label) && of.forms[label].is_ok()) {
+        let beside = groups.iter().filter_map(|group| Some((gap(label, group, of)?, group)));
+        let Some((_, group)) = beside.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+        placed[label] = at_axis(label, group, of, placed);
+    }
+}
+
+/// How far a text is from the numbers or words of which it is the title, if it can be that.
+fn gap(label: usize, group: &Group, of: &Place<'_>) -> Option<f32> {
+    let text = of.wanted[label].anchor;
+    let all = extent(group.members.iter().map(|&member| of.wanted[member].anchor))?;
+    let is_turned = text.height() > TURNED * text.width() && of.wanted[label].text.trim().chars().count() >= LETTERS;
+    let (at, is_axis) = (text.center(), group.steps.is_some() || group.members.len() >= OF_AN_AXIS);
+    // what stands among lines is the name of one of them, or of a sample in a legend
+    let lines = of.room.bounds()?;
+    let gap = match group.lies {
+        Lies::Column(_)
+            if is_turned && (all.min.y..all.max.y).contains(&at.y) && !(lines.min.x..lines.max.x).contains(&at.x) =>
+        {
+            (all.min.x - at.x).max(at.x - all.max.x)
+        }
+        Lies::Row if !is_turned && !text.is_empty() && (all.min.x..all.max.x).contains(&at.x) && at.y > lines.max.y => {
+            at.y - all.max.y
+        }
+        _ => return None,
+    };
+    (is_axis && (0.0..IN_PRINT).contains(&gap)).then_some(gap)
+}
+
+fn extent(boxes: impl Iterator<Item = MmRect>) -> Option<MmRect> {
+    boxes.reduce(|a, b| MmRect::new(a.min.min(b.min), a.max.max(b.max)))
+}
+
+/// The nearest free place of a title in the first form that has one.
+fn at_axis(label: usize, group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<Candidate> {
+    let forms = &of.forms[label].as_ref().ok()?.forms;
+    let row = extent(group.members.iter().filter_map(|&member| Some(placed[member].as_ref()?.place)))?;
+    let in_print = extent(group.members.iter().map(|&member| of.wanted[member].anchor))?;
+    let text = of.wanted[label].anchor;
+    let in_form = |(number, form): (usize, &super::forms::Form)| {
+        let size = form.extent(of.cells);
+        // where it stands if it is free, and which way it goes where it is not
+        let (at, away) = match group.lies {
+            Lies::Column(_) => {
+                let is_left = text.center().x < in_print.min.x;
+                let x = if is_left { row.min.x } else { row.max.x - size.x };
+                (MmPoint::new(x, row.min.y - TIGHTEST.above() - size.y), -1.0)
+            }
+            _ => (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + TIGHTEST.above()), 1.0),
+        };
+        let at_end = MmPoint::new(row.max.x + TIGHTEST.aside(), row.max.y - size.y);
+        let free = |corner: MmPoint, cost: f32| {
+            let place = of.cells.snapped(MmRect::new(corner, corner + size));
+            let candidate = Candidate::of_row(number, place, None, form.cost + cost, Stands::AsTitle);
+            let mut others = placed.iter().flatten();
+            let is_free = of.params.holds(&place)
+                && of.room.is_free(place)
+                && others.all(|other| !candidate.is_too_near(other, JUST, of.params.leader_off));
+            is_free.then_some(candidate)
+        };
+        let step = of.params.step.max(1.0);
+        let steps = |reach: f32| (reach / step).floor() as i32;
+        let across = (0..=steps(ASIDE)).flat_map(|by| [by, -by].into_iter().take(if by == 0 { 1 } else { 2 }));
+        let ways = (0..=steps(AWAY)).flat_map(|by| across.clone().map(move |aside| (aside, by)));
+        let moved = ways.filter_map(|(aside, by)| {
+            let by = MmVector::new(aside as f32, away * by as f32) * step;
+            free(at + by, by.x.abs() + by.y.abs())
+        });
+        let nearest = moved.min_by(|a, b| a.cost.total_cmp(&b.cost));
+        nearest.or_else(|| free(at_end, AWAY).filter(|_| group.lies == Lies::Row))
+    };
+    forms.iter().enumerate().filter(|(_, form)| form.kind.is_of_one()).find_map(in_form)
+}
+
+/// How high above a title the highest of other texts reach that stand above all lines, as the heading of a chart does:
+/// the top of the box that they would need; none where there is no title above lines, or no such text.
+pub(super) fn top_of_headings(of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<f32> {
+    let lines = of.room.bounds()?;
+    let titles = placed.iter().flatten().filter(|candidate| candidate.stands == Stands::AsTitle);
+    let above = titles.map(|title| title.place.min.y).filter(|top| *top < lines.min.y);
+    let title = above.min_by(f32::total_cmp)?;
+    let is_heading = |label: &usize| placed[*label].is_none() && of.wanted[*label].anchor.center().y < lines.min.y;
+    let heights = (0..of.wanted.len()).filter(is_heading).filter_map(|label| {
+        let form = of.forms[label].as_ref().ok()?.forms.first()?;
+        Some(form.extent(of.cells).y)
+    });
+    heights.max_by(f32::total_cmp).map(|height| title - TIGHTEST.above() - height)
+}
