@@ -101,7 +101,8 @@
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
 //!   What is known to panic is refused before.
-//! * [`Options::cancelled`] and [`RenderOptions::cancelled`] end work that is no longer wanted: a button, a closed window, a signal.
+//! * [`Options::cancelled`] and [`RenderOptions::cancelled`] end work that is no longer wanted: a button, a closed
+//!   window, a signal.
 //! * Profiles, rules of [`check`] and languages can be listed for forms: [`Profile::built_in`], [`Profile::keys`] with
 //!   [what each takes](Key::choices), [`Rule::all`], [`Description::languages`]. A [`Fault`] names the keys that it is
 //!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
@@ -156,7 +157,7 @@ pub use api::{
 };
 pub use output::png::{Depth, Dpi};
 pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
-pub use page::spread::Grid as SheetGrid;
+pub use page::spread::SheetGrid;
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
 pub use pipeline::{Event, Key as KeySheets, Label, Position, Stage};

@@ -120,7 +120,8 @@ pub enum Note {
     },
     /// So many texts of a page that was read stand in other cells of braille than before, which another table wrote.
     #[error(
-        "{} {} written in other cells of braille than on the page, which another table wrote; write them with that table",
+        "{} {} written in other cells of braille than on the page, which another table wrote; write them with that \
+         table",
         counted(*.0, "text"),
         if *.0 == 1 { "is" } else { "are" }
     )]
@@ -135,8 +136,8 @@ pub enum Note {
     },
     /// Contracted braille is asked for, and nothing that writes it is given; the words are uncontracted.
     #[error(
-        "braille is uncontracted although braille.grade is 2: contracted braille is written by a translator, such as an \
-         installed liblouis, and none was given"
+        "braille is uncontracted although braille.grade is 2: contracted braille is written by a translator, such as \
+         an installed liblouis, and none was given"
     )]
     NotContracted,
     /// The title is not written in braille, as there is no room for it above the figure.
@@ -186,8 +187,8 @@ pub enum Note {
     NoKey(&'static str),
     /// The texts of the picture were to be labels, and it has none.
     #[error(
-        "there are no texts for labels: none was found in this picture, or its letters are pixels that nobody has read; \
-         write a list of labels"
+        "there are no texts for labels: none was found in this picture, or its letters are pixels that nobody has \
+         read; write a list of labels"
     )]
     NoTexts,
     /// Labels that are not on the page.
@@ -212,9 +213,9 @@ pub enum Note {
     LinesOff,
     /// Contours are not drawn, as they lie too close to others for fingers, or are too short in a drawing.
     #[error(
-        "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for fingers, or \
-         are too short; a larger figure, on larger paper if there is any, or only a part of the picture keeps more of \
-         them",
+        "{millimetres} mm of contours, {percent} percent, were left out, {}: they lie too close to others for \
+         fingers, or are too short; a larger figure, on larger paper if there is any, or only a part of the picture \
+         keeps more of them",
         most_in(*.place, "figure")
     )]
     LinesLeftOut {
@@ -277,8 +278,8 @@ pub enum Note {
     },
     /// There is nothing on the page but its frame.
     #[error(
-        "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for fingers; lower \
-         edges.high and edges.low to get more, or draw only a part of it, so that it is larger"
+        "the page is empty: the picture is white, or what is on it is too pale, too thin or too small for fingers; \
+         lower edges.high and edges.low to get more, or draw only a part of it, so that it is larger"
     )]
     EmptyPage,
     /// The dots of the page are those of text cells, which stand apart.
@@ -289,9 +290,9 @@ pub enum Note {
     UnevenDots,
     /// More of the figure is black than the profile allows.
     #[error(
-        "{percent} percent of the figure is black, and over {most} percent swell paper may rise too much and curl; make \
-         marks smaller or set them further apart (textures.dot_pitch, textures.along, lines.width_max), or raise \
-         print.max_black if your paper takes it"
+        "{percent} percent of the figure is black, and over {most} percent swell paper may rise too much and curl; \
+         make marks smaller or set them further apart (textures.dot_pitch, textures.along, lines.width_max), or \
+         raise print.max_black if your paper takes it"
     )]
     TooBlack {
         /// Percent of the figure that are black.

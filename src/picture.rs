@@ -17,11 +17,11 @@ use crate::units::Size;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
-pub struct Picture<'a>(pub(crate) Source<'a>);
+pub struct Picture<'a>(pub(crate) PixelSource<'a>);
 
 /// Where the pixels are.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Source<'a> {
+pub(crate) enum PixelSource<'a> {
     /// In a file of any format that is read here.
     File(&'a [u8]),
     /// Here: red, green, blue and opacity, a byte each, row by row; exactly as many as `size` says.
@@ -33,7 +33,7 @@ impl<'a> Picture<'a> {
     /// `pdf`, PDF (see [`Options::page`](crate::Options::page)). The format is told from the bytes. What they
     /// are worth is found out when they are decoded.
     pub fn file(bytes: &'a [u8]) -> Self {
-        Self(Source::File(bytes))
+        Self(PixelSource::File(bytes))
     }
 
     /// Pixels in sRGB, rows from the top, four bytes a pixel: red, green, blue and opacity (0 clear, 255 opaque; not
@@ -47,7 +47,7 @@ impl<'a> Picture<'a> {
         if !fits {
             return Err(Error::WrongPixels { size, bytes: pixels.len() });
         }
-        Ok(Self(Source::Rgba8 { size, pixels }))
+        Ok(Self(PixelSource::Rgba8 { size, pixels }))
     }
 }
 

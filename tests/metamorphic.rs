@@ -10,7 +10,7 @@ use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Options, Source, decode};
+use tactograph::internals::raster::decode::{Header, Options, decode};
 use tactograph::internals::regions;
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
@@ -78,7 +78,7 @@ fn pictures() -> Vec<(String, Raster)> {
     samples::samples()
         .iter()
         .map(|path| {
-            let working_size = |source: Source| -> Result<Size, Error> {
+            let working_size = |source: Header| -> Result<Size, Error> {
                 let scale = (LONGEST as f32 / source.size.width.max(source.size.height) as f32).min(1.0);
                 let side = |pixels: u32| (pixels as f32 * scale) as u32;
                 Ok(Size::new(side(source.size.width), side(source.size.height)))

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::samples;
 use tactograph::internals::geom::nearest_on_segment;
-use tactograph::internals::page::spread::Grid;
+use tactograph::internals::page::spread::SheetGrid;
 use tactograph::internals::page::{Page, Run};
 use tactograph::internals::pipeline::sheets::{Sheets, convert};
 use tactograph::internals::pipeline::{Event, Fit, Request, Stage, Watch};
@@ -37,7 +37,7 @@ fn sheets_of(
         fit,
         cancelled: &|| false,
     };
-    let grid: Option<Grid> = (grid != "fewest").then(|| grid.parse().expect("a grid"));
+    let grid: Option<SheetGrid> = (grid != "fewest").then(|| grid.parse().expect("a grid"));
     convert(&bytes, &Default::default(), &Default::default(), grid, &request, watch)
 }
 
@@ -51,7 +51,7 @@ fn a_width_larger_than_the_sheet_takes_the_fewest_sheets() {
     let (small, large) = (number(250.0), number(700.0));
     assert!((2..=4).contains(&small) && small < large, "{small} and {large} sheets");
     // with one sheet less in any arrangement there is no room
-    for grid in Grid::by_number().filter(|grid| grid.sheets().count() < large) {
+    for grid in SheetGrid::by_number().filter(|grid| grid.sheets().count() < large) {
         let refused = sheets_of("landscape.svg", &grid.to_string(), &no_overview, wide(700.0), &mut |_| ());
         assert!(matches!(refused, Err(Error::TooWide { .. } | Error::NoRoomOnSheets { .. })), "{grid} has room");
     }

@@ -12,11 +12,11 @@ use usvg::fontdb::{Database, Family, Query};
 pub struct Fonts(Option<Arc<Shared>>);
 
 struct Shared {
-    source: Source,
+    source: FontSource,
     loaded: OnceLock<Arc<Database>>,
 }
 
-enum Source {
+enum FontSource {
     Data(Vec<Vec<u8>>),
     #[cfg(feature = "system-fonts")]
     System,
@@ -30,7 +30,7 @@ impl Fonts {
 
     /// Fonts from the bytes of font files (TTF, OTF or collections of them). What is no font is passed over.
     pub fn from_data(files: Vec<Vec<u8>>) -> Self {
-        Self::of(Source::Data(files))
+        Self::of(FontSource::Data(files))
     }
 
     /// The fonts that are installed on this machine. Reading their list takes some tens of milliseconds, once.
@@ -38,10 +38,10 @@ impl Fonts {
     /// With the feature `system-fonts`, which the feature `cli` brings.
     #[cfg(feature = "system-fonts")]
     pub fn system() -> Self {
-        Self::of(Source::System)
+        Self::of(FontSource::System)
     }
 
-    fn of(source: Source) -> Self {
+    fn of(source: FontSource) -> Self {
         Self(Some(Arc::new(Shared { source, loaded: OnceLock::new() })))
     }
 
@@ -57,14 +57,14 @@ impl std::fmt::Debug for Fonts {
         let source = self.0.as_ref().map(|shared| &shared.source);
         f.write_str(match source {
             None => "Fonts::none()",
-            Some(Source::Data(_)) => "Fonts::from_data(..)",
+            Some(FontSource::Data(_)) => "Fonts::from_data(..)",
             #[cfg(feature = "system-fonts")]
-            Some(Source::System) => "Fonts::system()",
+            Some(FontSource::System) => "Fonts::system()",
         })
     }
 }
 
-impl Source {
+impl FontSource {
     fn load(&self) -> Database {
         let mut fonts = Database::new();
         match self {

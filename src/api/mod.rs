@@ -19,8 +19,8 @@ pub use rendering::{RenderOptions, language_of_page, profile_of_page, render};
 pub use writing::write_pdf;
 
 use crate::page::Page;
-use crate::page::spread::Grid;
-use crate::picture::{Picture, Source};
+use crate::page::spread::SheetGrid;
+use crate::picture::{Picture, PixelSource};
 use crate::pipeline::sheets::{self, Sheets};
 use crate::pipeline::trace::{self, Traced, Tracing};
 use crate::pipeline::{self, Drawing, Request};
@@ -67,7 +67,7 @@ pub fn convert<'p>(picture: impl Into<Picture<'p>>, options: &Options) -> Result
 /// As [`convert`]; and if the sheets have no room for the picture.
 pub fn convert_to_sheets<'p>(
     picture: impl Into<Picture<'p>>,
-    grid: Option<Grid>,
+    grid: Option<SheetGrid>,
     options: &Options,
 ) -> Result<Sheets, Error> {
     let picture = not_a_page(picture)?;
@@ -134,7 +134,7 @@ pub struct Calibration {
 fn not_a_page<'p>(picture: impl Into<Picture<'p>>) -> Result<Picture<'p>, Error> {
     let picture = picture.into();
     match picture.0 {
-        Source::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
+        PixelSource::File(bytes) if reading::is_page(bytes) => Err(Error::IsAPage),
         _ => Ok(picture),
     }
 }

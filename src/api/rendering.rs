@@ -74,9 +74,9 @@ impl fmt::Debug for RenderOptions {
 ///
 /// Without a [profile](RenderOptions::profile) it stays on its paper or device: what lies in its layers is taken as it
 /// is, only widths of lines are brought into the range of its profile, and signs of textures give way to lines that
-/// were drawn. With a profile it is laid out anew for that: lines and areas keep their places in the figure, and textures, overview, frame and
-/// braille are made for the new paper or device. What was taken otherwise than it looks, or left out, is in
-/// [`Drawing::notes`].
+/// were drawn. With a profile it is laid out anew for that: lines and areas keep their places in the figure, and
+/// textures, overview, frame and braille are made for the new paper or device. What was taken otherwise than it looks,
+/// or left out, is in [`Drawing::notes`].
 ///
 /// ```
 /// use tactograph::{DotFormat, Options, Profile, RenderOptions};

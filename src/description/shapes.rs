@@ -12,7 +12,7 @@ const ROUND: f32 = 0.88;
 /// ... and as wide as high, within this.
 const AS_WIDE: f32 = 0.8;
 /// An open line is straight if its ends are so far apart, of its length.
-const STRAIGHT: f32 = 0.97;
+const STRAIGHTNESS: f32 = 0.97;
 /// A straight line is level or upright within 10 degrees.
 const LEVEL: f32 = 0.985;
 /// A line is long from this share of the figure's side on.
@@ -128,7 +128,7 @@ impl Shape {
                 .say("shape-open", &[place, mm("width", width), mm("height", height), ("side", side.into())]);
         }
         let way: MmVector = self.path[self.path.len() - 1] - self.path[0];
-        let straight = way.length() >= STRAIGHT * self.length;
+        let straight = way.length() >= STRAIGHTNESS * self.length;
         let (dx, dy) =
             (way.x.abs() / way.length().max(f32::MIN_POSITIVE), way.y.abs() / way.length().max(f32::MIN_POSITIVE));
         let (form, across) = match (straight, dx, dy) {

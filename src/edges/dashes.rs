@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use super::contour::{Contour, ContourPoint, crossing};
-use super::tips::Found;
+use super::tips::FoundContour;
 use crate::geom::first_eigenvector;
 use crate::geom::link::{End, Part, Thread, link};
 use crate::geom::nearby::Index;
@@ -19,12 +19,12 @@ const BROADEST: f32 = 1.2;
 /// ... and at least so many times as long: a dot has no direction.
 const ELONGATED: f32 = 1.5;
 /// The ends of a dash are at least this share of its length apart: it may bend a little with the line.
-const STRAIGHT: f32 = 0.95;
+const STRAIGHTNESS: f32 = 0.95;
 /// The gap between two dashes is at most so many times as long as the shorter of them: the dash patterns of drawing
 /// programs have gaps from a third to the whole of a dash, and a stroke's end looks shorter by its blur.
 const WIDEST_GAP: f32 = 1.5;
 /// Cosine between the direction of a dash and the way to the next one (18 degrees).
-const AHEAD: f32 = 0.95;
+const AHEAD_COSINE: f32 = 0.95;
 /// Fewer than this are no row.
 const FEWEST: usize = 3;
 /// The longest gap is at most so many times as long as the shortest, and the longest dash as the shortest, but for the
@@ -54,7 +54,7 @@ struct Row<'a> {
 
 /// Strings dashes in a row together to one stroke each; also returns how many such rows there are. `sigma` is the scale
 /// of the edge detector and `least` the length of the shortest contour, px.
-pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, usize) {
+pub(super) fn united(found: Vec<FoundContour>, sigma: f32, least: f32) -> (Vec<FoundContour>, usize) {
     let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, found)| dash(number, found, sigma, least)).collect();
     if dashes.len() < FEWEST {
         return (found, 0);
@@ -68,7 +68,7 @@ pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, 
         .filter(|row| row.is_even() && !row.is_hidden(&segments))
         .collect();
     let taken: HashSet<usize> = rows.iter().flat_map(Row::numbers).collect();
-    let mut lines: Vec<Found> = rows.iter().map(|row| row.line(&found)).collect();
+    let mut lines: Vec<FoundContour> = rows.iter().map(|row| row.line(&found)).collect();
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
         extend_ends(&mut line.contour, row.period(), &segments, &taken);
     }
@@ -81,7 +81,7 @@ pub(super) fn united(found: Vec<Found>, sigma: f32, least: f32) -> (Vec<Found>, 
 struct Segments(Index<(usize, [PxPoint; 2]), Px>);
 
 impl Segments {
-    fn of(found: &[Found], cell: f32) -> Self {
+    fn of(found: &[FoundContour], cell: f32) -> Self {
         let points = found.iter().flat_map(|found| &found.contour.vertices).map(|vertex| vertex.at);
         let mut index = Index::new(Box2D::from_points(points), cell);
         for (number, found) in found.iter().enumerate() {
@@ -108,14 +108,14 @@ impl Segments {
 }
 
 /// A contour as a dash, if it is one.
-fn dash(number: usize, Found { contour, stroke, .. }: &Found, sigma: f32, least: f32) -> Option<Dash> {
+fn dash(number: usize, FoundContour { contour, stroke, .. }: &FoundContour, sigma: f32, least: f32) -> Option<Dash> {
     let (ends, width) = match (contour.closed, stroke) {
         (true, None) => around(contour, sigma, least)?,
         (false, Some(width)) => ([contour.vertices.first()?.at, contour.vertices.last()?.at], *width),
         _ => return None,
     };
     let length = (ends[1] - ends[0]).length();
-    let is_straight = contour.closed || length >= STRAIGHT * contour.length();
+    let is_straight = contour.closed || length >= STRAIGHTNESS * contour.length();
     (is_straight && length > 0.0 && length <= LONGEST * least).then_some(Dash { number, ends, length, width })
 }
 
@@ -163,7 +163,7 @@ fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
         return None;
     }
     let way = gap / distance;
-    (a.direction.dot(way) >= AHEAD && -b.direction.dot(way) >= AHEAD).then_some(distance)
+    (a.direction.dot(way) >= AHEAD_COSINE && -b.direction.dot(way) >= AHEAD_COSINE).then_some(distance)
 }
 
 impl<'a> Row<'a> {
@@ -221,7 +221,7 @@ impl<'a> Row<'a> {
     }
 
     /// The line along the row; a point every pixel.
-    fn line(&self, found: &[Found]) -> Found {
+    fn line(&self, found: &[FoundContour]) -> FoundContour {
         let count = self.dashes.len() as f32;
         let width = self.dashes.iter().map(|dash| dash.width / count).sum();
         let contours = || self.numbers().map(|number| &found[number].contour);
@@ -236,7 +236,7 @@ impl<'a> Row<'a> {
         let mut contour =
             Contour { vertices: self.ends.iter().flatten().filter_map(point).collect(), closed: self.closed };
         contour.subdivide(1.0);
-        Found { whole: contour.length(), contour, stroke: Some(width) }
+        FoundContour { whole: contour.length(), contour, stroke: Some(width) }
     }
 }
 
@@ -274,22 +274,22 @@ mod tests {
     const SIGMA: f32 = 1.8;
     const LEAST: f32 = 7.0;
 
-    fn stroke(from: (f32, f32), to: (f32, f32)) -> Found {
-        Found { stroke: Some(2.0), ..Found::edge(polyline(&[from, to])) }
+    fn stroke(from: (f32, f32), to: (f32, f32)) -> FoundContour {
+        FoundContour { stroke: Some(2.0), ..FoundContour::edge(polyline(&[from, to])) }
     }
 
     /// The ring around a dash from 0 to 10 px, as an edge detector finds it.
-    fn ring(x: f32, y: f32) -> Found {
+    fn ring(x: f32, y: f32) -> FoundContour {
         let corners = [(x, y - 2.0), (x + 10.0, y - 2.0), (x + 10.0, y + 2.0), (x, y + 2.0), (x, y - 2.0)];
         let mut contour = polyline(&corners);
         contour.vertices.pop();
         contour.closed = true;
-        Found::edge(contour)
+        FoundContour::edge(contour)
     }
 
     #[test]
     fn dashes_in_a_row_become_one_line_from_the_first_to_the_last() {
-        let rings: Vec<Found> = (0..8).map(|k| ring(20.0 + 16.0 * k as f32, 50.0)).collect();
+        let rings: Vec<FoundContour> = (0..8).map(|k| ring(20.0 + 16.0 * k as f32, 50.0)).collect();
         let (united, rows) = united(rings, SIGMA, LEAST);
         assert_eq!((united.len(), rows), (1, 1));
         let line = &united[0].contour;
@@ -305,7 +305,8 @@ mod tests {
             let (y, x) = degrees.to_radians().sin_cos();
             (100.0 + 60.0 * x, 100.0 + 60.0 * y)
         };
-        let dashes: Vec<Found> = (0..24).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
+        let dashes: Vec<FoundContour> =
+            (0..24).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
         let (united, rows) = united(dashes, SIGMA, LEAST);
         assert_eq!((united.len(), rows), (1, 1));
         let circle = &united[0].contour;
@@ -314,7 +315,7 @@ mod tests {
 
     #[test]
     fn pieces_of_a_grid_line_between_bars_and_lines_in_a_row_are_no_dashes() {
-        let pieces = |length: f32, gap: f32| -> Vec<Found> {
+        let pieces = |length: f32, gap: f32| -> Vec<FoundContour> {
             let piece = |k: i32| {
                 let x = 20.0 + k as f32 * (length + gap);
                 stroke((x, 50.0), (x + length, 50.0))

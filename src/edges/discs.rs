@@ -11,7 +11,7 @@ use lyon::geom::euclid::Box2D;
 use super::contour::{Contour, ContourPoint};
 use super::params::Params;
 use super::ridge::RidgePoint;
-use super::tips::Found;
+use super::tips::FoundContour;
 use crate::geom::circle as circle_through;
 use crate::geom::nearby::Index;
 use crate::geom::polyline::Polyline;
@@ -54,11 +54,11 @@ pub(super) struct Disc {
 }
 
 /// The contours of a drawing with each disc that lines lead to as a ring, at which they end.
-pub(super) fn parted(mut found: Vec<Found>, discs: &[Disc], params: &Params) -> Vec<Found> {
+pub(super) fn parted(mut found: Vec<FoundContour>, discs: &[Disc], params: &Params) -> Vec<FoundContour> {
     for disc in discs {
         let reach = disc.radius + BENT * params.sigma;
-        let mut others: Vec<Found> = Vec::with_capacity(found.len() + 2);
-        let mut arms: Vec<Found> = Vec::new();
+        let mut others: Vec<FoundContour> = Vec::with_capacity(found.len() + 2);
+        let mut arms: Vec<FoundContour> = Vec::new();
         let mut leads = true;
         for contour in &found {
             if !contour.contour.vertices.iter().any(|vertex| (vertex.at - disc.at).length() < reach) {
@@ -79,13 +79,13 @@ pub(super) fn parted(mut found: Vec<Found>, discs: &[Disc], params: &Params) -> 
 }
 
 /// The parts of a contour that lie outside of a circle.
-fn outside(found: &Found, middle: PxPoint, radius: f32) -> Vec<Found> {
+fn outside(found: &FoundContour, middle: PxPoint, radius: f32) -> Vec<FoundContour> {
     let vertices = &found.contour.vertices;
     let is_outside: Vec<bool> = vertices.iter().map(|vertex| (vertex.at - middle).length() >= radius).collect();
     let runs = runs(vertices.len(), found.contour.closed, |a, b| is_outside[a] == is_outside[b]).into_iter();
     let part = |run: Vec<usize>| {
         let contour = Polyline::open(run.iter().map(|&i| vertices[i]).collect());
-        Found { contour, ..found.clone() }
+        FoundContour { contour, ..found.clone() }
     };
     runs.filter(|run| is_outside[run[0]] && run.len() > 1).map(part).collect()
 }
@@ -105,7 +105,7 @@ fn leads_to(contour: &Contour, disc: &Disc, reach: f32) -> bool {
 
 impl Disc {
     /// Its contour: of a ring the middle of its outline, of a disc its side.
-    fn ring(&self) -> Found {
+    fn ring(&self) -> FoundContour {
         let radius = self.radius - 0.5 * self.outline.unwrap_or(0.0);
         let count = (std::f32::consts::TAU * radius).ceil() as usize;
         let vertex = |k: usize| {
@@ -120,7 +120,7 @@ impl Disc {
             }
         };
         let contour = Polyline { vertices: (0..count).map(vertex).collect(), closed: true };
-        Found { stroke: self.outline, ..Found::edge(contour) }
+        FoundContour { stroke: self.outline, ..FoundContour::edge(contour) }
     }
 }
 
@@ -194,8 +194,8 @@ fn disc_at(middle: PxPoint, points: &[&RidgePoint], [least, most]: [f32; 2]) -> 
         let steps = (2.0 * (most - least)).max(0.0) as usize;
         let radii = (0..=steps).map(|k| most - 0.5 * k as f32);
         let seen = radii.map(|radius| (radius, on_circle(at, radius, points)));
-        let outermost = seen.filter(|(_, on)| is_seen(at, on)).max_by_key(|(_, on)| on.len())?;
-        let fit = circle_through(outermost.1.iter().map(|point| point.at))?;
+        let fullest = seen.filter(|(_, on)| is_seen(at, on)).max_by_key(|(_, on)| on.len())?;
+        let fit = circle_through(fullest.1.iter().map(|point| point.at))?;
         (at, radius) = (fit.0, Some(fit.1));
     }
     let radius = radius.filter(|radius| (least..=most).contains(radius))?;
@@ -274,8 +274,8 @@ mod tests {
         find(points, SIZE, &params())
     }
 
-    fn stroke(points: &[(f32, f32)]) -> Found {
-        Found { stroke: Some(3.0), ..Found::edge(polyline(points)) }
+    fn stroke(points: &[(f32, f32)]) -> FoundContour {
+        FoundContour { stroke: Some(3.0), ..FoundContour::edge(polyline(points)) }
     }
 
     #[test]

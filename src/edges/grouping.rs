@@ -10,7 +10,7 @@ use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
 use crate::raster::shrink::Shrinker;
-use crate::regions::{Detail, Grid, Trace, TracePoint, Tree};
+use crate::regions::{Detail, RegionGrid, Trace, TracePoint, Tree};
 
 /// The tree of the regions between all chains, given with the strengths along each, be they strong enough for contours
 /// or not.
@@ -21,7 +21,7 @@ pub(super) fn tree(
     strengths: &[Vec<f32>],
     detail: Detail,
 ) -> Tree {
-    let grid = Grid::new(raster.size());
+    let grid = RegionGrid::new(raster.size());
     let trace = |(chain, strengths): (&Chain, &Vec<f32>)| -> Trace {
         let point = |(&number, &strength): (&u32, &f32)| TracePoint { at: points[number as usize].at, strength };
         Polyline { vertices: chain.vertices.iter().zip(strengths).map(point).collect(), closed: chain.closed }
@@ -32,7 +32,7 @@ pub(super) fn tree(
 }
 
 /// L, 2a and 2b of the cells, or L alone.
-fn colours(raster: &Raster, grid: Grid) -> Vec<Plane> {
+fn colours(raster: &Raster, grid: RegionGrid) -> Vec<Plane> {
     let arch = Arch::new();
     let width = raster.size().width as usize;
     let cells = raster.planes().as_ref().par_map(|plane| {

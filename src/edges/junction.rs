@@ -29,7 +29,7 @@ const CELL: f32 = 8.0;
 /// A contour may have a kink for this much to both sides of the end of another, px, which is no farther from it.
 const KINK: f32 = 9.0;
 /// ... if it is straight for this much before and after it, px,
-const STRAIGHT: f32 = 12.0;
+const STRAIGHT_LENGTH: f32 = 12.0;
 /// no farther off a line than this (RMS), px,
 const EVEN: f32 = 0.3;
 /// and the two lines are one: cosine between them at least (6 degrees), and how far one lies beside the other, px.
@@ -99,7 +99,7 @@ fn kink(contours: &[Contour], index: &PointIndex, number: usize, end: PxPoint) -
     });
     let (_, other, at) = nearest?;
     let contour = &contours[other];
-    let side = |forwards: bool| contour.line_fit(at, forwards, KINK, KINK + STRAIGHT);
+    let side = |forwards: bool| contour.line_fit(at, forwards, KINK, KINK + STRAIGHT_LENGTH);
     let [before, after] = [side(false)?, side(true)?];
     let is_straight = before.rms.max(after.rms) <= EVEN
         && before.direction.dot(after.direction) <= -COLLINEAR

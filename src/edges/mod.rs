@@ -68,7 +68,7 @@ use ridge::RidgePoint;
 use side_statistics::SideStatistics;
 use strength::Evidence;
 use stroke::Stroke;
-use tips::Found;
+use tips::FoundContour;
 
 use crate::raster::Raster;
 use crate::raster::lab;
@@ -188,9 +188,9 @@ impl<'a> Ridges<'a> {
             refine::refine(contour, params.sigma);
             corner::sharpen(contour, size, drawn);
         });
-        let edges = contours.into_iter().map(Found::edge);
-        let strokes = strokes.into_iter().map(Found::stroke);
-        let mut found: Vec<Found> = edges.chain(strokes).collect();
+        let edges = contours.into_iter().map(FoundContour::edge);
+        let strokes = strokes.into_iter().map(FoundContour::stroke);
+        let mut found: Vec<FoundContour> = edges.chain(strokes).collect();
         let mut dashed = 0;
         if drawn {
             (found, dashed) = dashes::united(found, params.sigma, params.min_length);

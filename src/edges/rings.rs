@@ -1,13 +1,13 @@
 //! A line that comes back to itself is a ring, and what leads to the ring: where a leader meets a circle, the two may
 //! have been found as one line.
 
-use super::tips::Found;
+use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 
 /// A line comes back to itself where its end is at most half its width and this far from its own middle, px.
 const NEAR: f32 = 2.0;
 /// ... or so far ahead, where an edge that meets a stroke ends before it.
-const AHEAD: f32 = 8.0;
+const AHEAD_LENGTH: f32 = 8.0;
 /// ... and goes on in it: cosine between their directions at least (37 degrees).
 const SMOOTH: f32 = 0.8;
 /// Directions are taken over this much of a line, px, but for what is near the place, which may be bent.
@@ -18,7 +18,7 @@ const BENT: f32 = 3.0;
 const RING: f32 = 3.0;
 
 /// Contours of which those that come back to themselves are parted. `least` is the length of the shortest contour, px.
-pub(super) fn parted(found: Vec<Found>, least: f32) -> Vec<Found> {
+pub(super) fn parted(found: Vec<FoundContour>, least: f32) -> Vec<FoundContour> {
     let mut all = Vec::with_capacity(found.len());
     for found in found {
         let mut left = Some(found);
@@ -33,7 +33,7 @@ pub(super) fn parted(found: Vec<Found>, least: f32) -> Vec<Found> {
 }
 
 /// The ring, and what leads to it; or the contour itself.
-fn part(mut found: Found, least: f32) -> (Found, Option<Found>) {
+fn part(mut found: FoundContour, least: f32) -> (FoundContour, Option<FoundContour>) {
     for turned in [false, true] {
         if turned {
             found.contour.reverse();
@@ -42,7 +42,7 @@ fn part(mut found: Found, least: f32) -> (Found, Option<Found>) {
             let vertices = &found.contour.vertices;
             let ring = Polyline { vertices: vertices[at..].to_vec(), closed: true };
             let lead = Polyline::open(vertices[..=at].to_vec());
-            let part = |contour| Found { contour, ..found };
+            let part = |contour| FoundContour { contour, ..found };
             let lead = (lead.length() >= HEADING).then(|| part(lead));
             return (part(ring), lead);
         }
@@ -52,7 +52,7 @@ fn part(mut found: Found, least: f32) -> (Found, Option<Found>) {
 }
 
 /// The vertex of an open contour to which its end comes back.
-fn comes_back_to(found: &Found, least: f32) -> Option<usize> {
+fn comes_back_to(found: &FoundContour, least: f32) -> Option<usize> {
     let contour = &found.contour;
     if contour.closed {
         return None;
@@ -66,7 +66,7 @@ fn comes_back_to(found: &Found, least: f32) -> Option<usize> {
     let goes_on = |at: &usize| {
         let gap = contour.vertices[*at].at - tip;
         let is_ahead = end.dot(gap) >= SMOOTH * gap.length();
-        (gap.length() <= near || gap.length() <= AHEAD && is_ahead)
+        (gap.length() <= near || gap.length() <= AHEAD_LENGTH && is_ahead)
             && along(*at, true).is_some_and(|on| end.dot(on) >= SMOOTH)
     };
     let distance = |i: &usize| (contour.vertices[*i].at - tip).length();
@@ -84,11 +84,11 @@ mod tests {
     const LEAST: f32 = 8.0;
 
     /// A leader that comes to a circle from the right and goes round it, as far as `round` of it.
-    fn leader(round: f32) -> Found {
+    fn leader(round: f32) -> FoundContour {
         let turn = |k: u16| f32::from(k) / 60.0 * TAU * round;
         let circle = (0..=60).map(turn).map(|angle| (100.0 + 40.0 * angle.cos(), 100.0 + 40.0 * angle.sin()));
         let points: Vec<(f32, f32)> = std::iter::once((200.0, 100.0)).chain(circle).collect();
-        Found { stroke: Some(2.0), ..Found::edge(polyline(&points)) }
+        FoundContour { stroke: Some(2.0), ..FoundContour::edge(polyline(&points)) }
     }
 
     #[test]
@@ -111,7 +111,7 @@ mod tests {
             ContourPoint { at, ..*vertex }
         });
         let contour = Polyline::open(left.rev().chain(right.iter().copied()).collect());
-        let parts = parted(vec![Found { stroke: Some(2.0), ..Found::edge(contour) }], LEAST);
+        let parts = parted(vec![FoundContour { stroke: Some(2.0), ..FoundContour::edge(contour) }], LEAST);
         let [first, second, lead] = &parts[..] else { panic!("{}", parts.len()) };
         assert!([first, second].iter().all(|ring| ring.contour.closed));
         assert!([first, second].iter().all(|ring| (ring.contour.length() - 40.0 * TAU).abs() < 4.0));
@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn a_line_that_ends_elsewhere_or_across_itself_stays_one() {
         let across = polyline(&[(200.0, 100.0), (100.0, 100.0), (100.0, 60.0), (150.0, 60.0), (150.0, 98.0)]);
-        for found in [leader(0.8), Found { stroke: Some(2.0), ..Found::edge(across) }] {
+        for found in [leader(0.8), FoundContour { stroke: Some(2.0), ..FoundContour::edge(across) }] {
             assert_eq!(parted(vec![found.clone()], LEAST), [found]);
         }
     }

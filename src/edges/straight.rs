@@ -7,7 +7,7 @@
 //! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the
 //! wall and the bars end on it.
 
-use super::tips::Found;
+use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 use crate::units::{Px, PxVector};
 use lyon::geom::euclid::Box2D;
@@ -16,7 +16,7 @@ use lyon::geom::euclid::Box2D;
 const HEADING: f32 = 8.0;
 /// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15
 /// degrees).
-const STRAIGHT: f32 = 0.966;
+const STRAIGHT_COSINE: f32 = 0.966;
 /// ... and not in the other side if it is at most this (45 degrees).
 const ASIDE: f32 = 0.707;
 /// A stroke ends at most this much, px, and half its own width and this many scales of the edge detector, before the
@@ -42,8 +42,8 @@ struct Onward {
 /// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners,
 /// and all of an open one behind a corner to the end that goes straight on there; what is left of the contour ends at
 /// the corner. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
-pub(super) fn give_back(found: Vec<Found>, sigma: f32, least: f32) -> Vec<Found> {
-    let piece = |found: Found| Piece { free: [!found.contour.closed; 2], found };
+pub(super) fn give_back(found: Vec<FoundContour>, sigma: f32, least: f32) -> Vec<FoundContour> {
+    let piece = |found: FoundContour| Piece { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
     give_sides(&mut pieces, least, |owner, pieces| {
         let ends @ [a, b] = facing(owner, pieces, sigma)?;
@@ -107,7 +107,7 @@ impl Handover {
         let whole = parts.iter().map(|part| part.found.whole).fold(0.0, f32::max);
         let vertices = parts.into_iter().flat_map(|part| part.found.contour.vertices).collect();
         let contour = Polyline { vertices, closed: is_ring };
-        let found = Found { whole: contour.length().max(whole), contour, stroke };
+        let found = FoundContour { whole: contour.length().max(whole), contour, stroke };
         Self { gone, joined: Piece { found, free }, rest }
     }
 }
@@ -132,7 +132,7 @@ fn all_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Vec<Onward> {
 /// A contour.
 #[derive(Debug, Clone)]
 struct Piece {
-    found: Found,
+    found: FoundContour,
     /// Whether its start and its end are those with which it was found and may go on. Those that were made by dividing
     /// may not, so that dividing comes to an end: each takes one or two away.
     free: [bool; 2],
@@ -184,7 +184,7 @@ fn onward(
     }
     // where the sides go on in one another, straighter than it in either, there is no corner
     let goes_on = |side: PxVector, other: PxVector| {
-        direction.dot(side) >= STRAIGHT.max(-after.dot(before)) && direction.dot(other) <= ASIDE
+        direction.dot(side) >= STRAIGHT_COSINE.max(-after.dot(before)) && direction.dot(other) <= ASIDE
     };
     let forwards = goes_on(after, before);
     let cosine = direction.dot(if forwards { after } else { before });
@@ -193,9 +193,9 @@ fn onward(
 
 /// The width of the line that the pieces of some ends make with a side: that of a stroke, if most of its length is one.
 /// The side is a part of what goes on in it.
-fn width<'a>(ends: impl Iterator<Item = &'a Found>, side: &Found) -> Option<f32> {
+fn width<'a>(ends: impl Iterator<Item = &'a FoundContour>, side: &FoundContour) -> Option<f32> {
     let (mut strokes, mut edges, mut sum) = (0.0, 0.0, 0.0);
-    for Found { contour, stroke, .. } in ends {
+    for FoundContour { contour, stroke, .. } in ends {
         match stroke {
             Some(width) => (strokes, sum) = (strokes + contour.length(), sum + width * contour.length()),
             None => edges += contour.length(),
@@ -224,7 +224,7 @@ impl Piece {
     fn run(&self, from: usize, count: usize, free: [bool; 2]) -> Self {
         let vertices = &self.found.contour.vertices;
         let run = (from..from + count).map(|i| vertices[i % vertices.len()]).collect();
-        Self { found: Found { contour: Polyline::open(run), ..self.found.clone() }, free }
+        Self { found: FoundContour { contour: Polyline::open(run), ..self.found.clone() }, free }
     }
 }
 
@@ -263,7 +263,7 @@ mod tests {
     const LEAST: f32 = 8.0;
 
     /// A stroke 2 px wide through some points, with a vertex on every pixel.
-    fn stroke(corners: &[(f32, f32)], closed: bool) -> Found {
+    fn stroke(corners: &[(f32, f32)], closed: bool) -> FoundContour {
         let point = |&(x, y): &(f32, f32)| ContourPoint {
             at: PxPoint::new(x, y),
             strength: 1.0,
@@ -273,14 +273,14 @@ mod tests {
         };
         let mut contour = Polyline { vertices: corners.iter().map(point).collect(), closed };
         contour.subdivide(1.0);
-        Found { stroke: Some(2.0), ..Found::edge(contour) }
+        FoundContour { stroke: Some(2.0), ..FoundContour::edge(contour) }
     }
 
-    fn wall() -> Found {
+    fn wall() -> FoundContour {
         stroke(&[(20.0, 50.0), (80.0, 50.0), (80.0, 90.0), (20.0, 90.0)], true)
     }
 
-    fn eaves(y: f32) -> [Found; 2] {
+    fn eaves(y: f32) -> [FoundContour; 2] {
         [stroke(&[(0.0, y), (15.0, y)], false), stroke(&[(85.0, y), (98.0, y)], false)]
     }
 
@@ -317,7 +317,7 @@ mod tests {
     #[test]
     fn what_two_ends_make_with_a_side_does_not_depend_on_the_direction_of_any() {
         let [left, right] = eaves(50.0);
-        let with = |of: &Found, stroke: Option<f32>| Found { stroke, ..of.clone() };
+        let with = |of: &FoundContour, stroke: Option<f32>| FoundContour { stroke, ..of.clone() };
         for widths in [[Some(2.0), Some(4.0)], [None, Some(2.0)], [None, None]] {
             let mut seen: Vec<Option<f32>> = Vec::new();
             for turned in 0..8 {
@@ -349,7 +349,7 @@ mod tests {
 
     #[test]
     fn an_axis_gets_back_the_sides_of_all_bars() {
-        let bar = |x: f32| Found {
+        let bar = |x: f32| FoundContour {
             stroke: None,
             ..stroke(&[(x, 50.0), (x, 10.0), (x + 30.0, 10.0), (x + 30.0, 50.0)], true)
         };
@@ -385,7 +385,7 @@ mod tests {
         let [left, _] = eaves(50.0);
         let [high_left, high_right] = eaves(46.0);
         for others in [vec![left], vec![high_left, high_right]] {
-            let all: Vec<Found> = std::iter::once(wall()).chain(others).collect();
+            let all: Vec<FoundContour> = std::iter::once(wall()).chain(others).collect();
             assert_eq!(give_back(all.clone(), SIGMA, LEAST), all);
         }
     }

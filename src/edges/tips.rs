@@ -9,7 +9,7 @@ use crate::units::{Px, PxPoint};
 
 /// A contour, and the width of the stroke along whose middle it runs, px; an edge has none.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Found {
+pub(super) struct FoundContour {
     pub(super) contour: Contour,
     pub(super) stroke: Option<f32>,
     /// Length of what it is a part of, px: a stroke goes on where another one lies over it.
@@ -36,7 +36,7 @@ const WIDEST: f32 = -0.5;
 /// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
 const BEYOND: f32 = 1.5;
 /// An end goes on in another if the cosine between its direction and the way there is at least this (18 degrees).
-const AHEAD: f32 = 0.95;
+const AHEAD_COSINE: f32 = 0.95;
 /// A contour that goes straight on, or makes a wide corner, is at least so many times as long as another may be away
 /// from its end: the parts of letters and of arrowheads are not.
 const LONG: f32 = 3.0;
@@ -59,7 +59,7 @@ pub(super) type IsSeen<'a> = dyn Fn(PxPoint, PxPoint, f32, f32) -> bool + 'a;
 ///
 /// `is_seen` tells whether the picture shows something along a way between two points that has at least a contrast,
 /// given with the width of the stroke.
-pub(super) fn meet(mut found: Vec<Found>, sigma: f32, is_seen: &IsSeen<'_>) -> Vec<Found> {
+pub(super) fn meet(mut found: Vec<FoundContour>, sigma: f32, is_seen: &IsSeen<'_>) -> Vec<FoundContour> {
     let ends: Vec<End<Px>> = (0..found.len())
         .filter(|&number| !found[number].contour.closed && found[number].contour.vertices.len() > 2)
         .flat_map(|number| [true, false].map(|at_start| end(number, at_start, &found[number], sigma)))
@@ -92,7 +92,12 @@ pub(super) fn meet(mut found: Vec<Found>, sigma: f32, is_seen: &IsSeen<'_>) -> V
 
 /// The contours of a thread. Strokes that follow one another are one, and so are edges: as two lines they might be
 /// taken for the two sides of a stroke beside their tip. What goes straight on is one, whatever it is.
-fn strung(parts: &[Part], closed: bool, found: &[Found], is_straight: &dyn Fn(&Part, &Part) -> bool) -> Vec<Found> {
+fn strung(
+    parts: &[Part],
+    closed: bool,
+    found: &[FoundContour],
+    is_straight: &dyn Fn(&Part, &Part) -> bool,
+) -> Vec<FoundContour> {
     let is_stroke = |part: usize| found[parts[part].polyline].stroke.is_some();
     let is_one = |a: usize, b: usize| is_stroke(a) == is_stroke(b) || is_straight(&parts[a], &parts[b]);
     let runs = runs(parts.len(), closed, is_one);
@@ -118,7 +123,7 @@ fn strung(parts: &[Part], closed: bool, found: &[Found], is_straight: &dyn Fn(&P
     runs.into_iter().map(one).collect()
 }
 
-impl Found {
+impl FoundContour {
     /// An edge.
     pub(super) fn edge(contour: Contour) -> Self {
         Self { whole: contour.length(), contour, stroke: None }
@@ -178,7 +183,7 @@ impl Found {
     }
 }
 
-fn end(number: usize, at_start: bool, found: &Found, sigma: f32) -> End<Px> {
+fn end(number: usize, at_start: bool, found: &FoundContour, sigma: f32) -> End<Px> {
     let contour = &found.contour;
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
     let inwards = contour.heading(tip, at_start, found.heading(sigma)).unwrap_or_default();
@@ -186,7 +191,7 @@ fn end(number: usize, at_start: bool, found: &Found, sigma: f32) -> End<Px> {
     End { polyline: number, at_start, at, direction: -inwards, contrast: [0.0; 3] }
 }
 
-fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {
+fn cost(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32, is_seen: &IsSeen<'_>) -> Option<f32> {
     if let Some(cost) = straight_on(a, b, found, sigma) {
         return Some(cost);
     }
@@ -203,7 +208,7 @@ fn cost(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32, is_seen: &IsSeen<
 }
 
 /// The cost of going straight on over a gap.
-fn straight_on(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+fn straight_on(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32) -> Option<f32> {
     let [first, second] = [a, b].map(|end| &found[end.polyline]);
     let distance = (b.at - a.at).length();
     let reach = first.reach(sigma).max(second.reach(sigma));
@@ -214,7 +219,7 @@ fn straight_on(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<
     (is_near && !is_short && !are_edges && goes_on(a, b)).then_some(distance)
 }
 
-fn sharp_corner(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+fn sharp_corner(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32) -> Option<f32> {
     let (distance, cosine) = ((b.at - a.at).length(), a.direction.dot(b.direction));
     let [first, second] = [a, b].map(|end| &found[end.polyline]);
     let reach = first.reach(sigma).max(second.reach(sigma));
@@ -231,7 +236,7 @@ fn sharp_corner(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option
 }
 
 /// The cost of a corner that is not sharp: its ends are near one another, or both near the tip.
-fn wide_corner(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<f32> {
+fn wide_corner(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32) -> Option<f32> {
     let (distance, cosine) = ((b.at - a.at).length(), a.direction.dot(b.direction));
     let [first, second] = [a, b].map(|end| &found[end.polyline]);
     let width = first.stroke.unwrap_or(0.0).max(second.stroke.unwrap_or(0.0));
@@ -250,7 +255,7 @@ fn wide_corner(a: &End<Px>, b: &End<Px>, found: &[Found], sigma: f32) -> Option<
 /// Whether one end points at the other, and the other at it.
 fn goes_on(a: &End<Px>, b: &End<Px>) -> bool {
     let way = (b.at - a.at).try_normalize().unwrap_or_default();
-    a.direction.dot(way) >= AHEAD && -b.direction.dot(way) >= AHEAD
+    a.direction.dot(way) >= AHEAD_COSINE && -b.direction.dot(way) >= AHEAD_COSINE
 }
 
 #[cfg(test)]
@@ -260,8 +265,8 @@ mod tests {
 
     const SIGMA: f32 = 1.8;
 
-    fn stroke(points: &[(f32, f32)]) -> Found {
-        Found { stroke: Some(4.0), ..Found::edge(polyline(points)) }
+    fn stroke(points: &[(f32, f32)]) -> FoundContour {
+        FoundContour { stroke: Some(4.0), ..FoundContour::edge(polyline(points)) }
     }
 
     #[test]
@@ -292,7 +297,7 @@ mod tests {
         let sides = [
             stroke(&[(20.0, 100.0), (100.0, 20.0)]),
             stroke(&[(104.0, 20.0), (184.0, 100.0)]),
-            Found { stroke: None, ..stroke(&[(182.0, 103.0), (22.0, 103.0)]) },
+            FoundContour { stroke: None, ..stroke(&[(182.0, 103.0), (22.0, 103.0)]) },
         ];
         for first in 0..3 {
             for reversed in 0..8 {
@@ -342,7 +347,7 @@ mod tests {
 
     #[test]
     fn an_edge_and_a_stroke_meet_and_stay_two() {
-        let edge = Found { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
+        let edge = FoundContour { stroke: None, ..stroke(&[(-60.0, 109.4), (92.0, 53.5)]) };
         let both = meet(vec![stroke(&[(-60.0, 50.0), (98.0, 50.0)]), edge], SIGMA, &|_, _, _, _| true);
         assert_eq!(both.len(), 2);
         let ends = both.iter().map(|found| found.contour.vertices.iter().map(|v| v.at.x).fold(0.0, f32::max));
@@ -361,7 +366,7 @@ mod tests {
 
     #[test]
     fn an_edge_goes_on_in_a_stroke_as_one_line() {
-        let edge = Found { stroke: None, ..stroke(&[(20.0, 30.0), (60.0, 30.0)]) };
+        let edge = FoundContour { stroke: None, ..stroke(&[(20.0, 30.0), (60.0, 30.0)]) };
         let one = meet(vec![edge, stroke(&[(65.0, 30.0), (300.0, 30.0)])], SIGMA, &|_, _, _, _| true);
         assert!(matches!(&one[..], [one] if one.stroke.is_some() && (one.contour.length() - 280.0).abs() < 1.0));
     }

@@ -33,7 +33,7 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
     let mut forms = forms::of(&texts, translator);
     let around = around(wanted, &forms, &room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
-    let place = rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells };
+    let place = rows::Placing { wanted, forms: &forms, around: &around, room: &room, params, cells };
     let placed = rows::placed(&groups, &place).placed;
     let [left, top, right, bottom] =
         placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {

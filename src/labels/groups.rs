@@ -4,6 +4,9 @@ use super::placed::Wanted;
 use super::scale;
 use crate::units::MmRect;
 
+/// From so many labels on a row without numbers is taken for that of an axis.
+pub(super) const OF_AN_AXIS: usize = 5;
+
 /// Fewest labels of a row. Two may stand side by side by chance.
 const FEWEST: usize = 3;
 /// Texts of one row have their middles at one height, and those of a column one edge below the other, up to so much,

@@ -64,7 +64,7 @@ pub fn place(
     let mut forms = forms::of(&texts, translator);
     let around = around(wanted, &forms, &room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
-    let place = rows::Place { wanted, forms: &forms, around: &around, room: &room, params, cells };
+    let place = rows::Placing { wanted, forms: &forms, around: &around, room: &room, params, cells };
     let rows::InRows { placed: in_rows, thinned } = rows::placed(&groups, &place);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],

@@ -4,7 +4,7 @@
 
 use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, Stands, TIGHTEST};
 use super::forms::{Form, Forms, Kind};
-use super::groups::{Group, Lies};
+use super::groups::{Group, Lies, OF_AN_AXIS};
 use super::placed::{Params, Unplaced, Wanted};
 use super::room::Room;
 use super::{ticks, titles};
@@ -53,7 +53,7 @@ impl Level {
 }
 
 /// What groups are placed in.
-pub(super) struct Place<'a> {
+pub(super) struct Placing<'a> {
     pub(super) wanted: &'a [Wanted],
     pub(super) forms: &'a [Result<Forms, Unplaced>],
     pub(super) around: &'a [Around<'a>],
@@ -71,7 +71,7 @@ pub(super) struct InRows {
 }
 
 /// The place of each label that stands in a row or column which has room as a whole.
-pub(super) fn placed(groups: &[Group], of: &Place<'_>) -> InRows {
+pub(super) fn placed(groups: &[Group], of: &Placing<'_>) -> InRows {
     let mut placed: Vec<Option<Candidate>> = vec![None; of.wanted.len()];
     let mut thinned = vec![None; of.wanted.len()];
     for group in groups {
@@ -93,7 +93,7 @@ pub(super) fn placed(groups: &[Group], of: &Place<'_>) -> InRows {
 
 /// In how many rows the labels of a group stand, and where.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Way {
+struct Arrangement {
     rows: usize,
     at: At,
 }
@@ -111,12 +111,12 @@ enum At {
 }
 
 /// In which ways and forms the labels of a group are tried, in this order.
-fn tried(group: &Group) -> Vec<(Way, Level)> {
+fn tried(group: &Group) -> Vec<(Arrangement, Level)> {
     let words = [Level::Whole, Level::TwoLines, Level::Fitting, Level::UnitOnce, Level::Short];
     let is_column = matches!(group.lies, Lies::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
-    let of = |at: At, levels: &[Level]| -> Vec<(Way, Level)> {
-        let ways = (1..=at_most_rows).map(|rows| Way { rows, at });
+    let of = |at: At, levels: &[Level]| -> Vec<(Arrangement, Level)> {
+        let ways = (1..=at_most_rows).map(|rows| Arrangement { rows, at });
         ways.flat_map(|way| levels.iter().map(move |&level| (way, level))).collect()
     };
     let is_axis = group.steps.is_some() || !is_column && group.members.len() >= OF_AN_AXIS;
@@ -127,11 +127,8 @@ fn tried(group: &Group) -> Vec<(Way, Level)> {
     [of(At::Near, &words), of(At::Near, known), led, of_margin, of(At::Near, unknown), of(At::Led, unknown)].concat()
 }
 
-/// From so many labels on a row without numbers is taken for that of an axis.
-pub(super) const OF_AN_AXIS: usize = 5;
-
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
-fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
+fn of_group(group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
     let fits = |label: usize, form: &Form| match group.lies {
         Lies::Column(side) => {
             let (anchor, area, width) = (of.wanted[label].anchor, of.params.area, form.extent(of.cells).x);
@@ -148,7 +145,7 @@ fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Opti
     let mut numbers = 0..group.members.len();
     let with_unit =
         if matches!(group.lies, Lies::Column(_)) { numbers.find(has_unit) } else { numbers.rev().find(has_unit) };
-    let mut seen: Vec<(Way, Vec<usize>)> = Vec::new();
+    let mut seen: Vec<(Arrangement, Vec<usize>)> = Vec::new();
     for (way, level) in tried(group) {
         let number_of = |(i, &label): (usize, &usize)| {
             // in two lines, if it has them
@@ -181,8 +178,8 @@ fn of_group(group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Opti
 fn in_rows(
     group: &Group,
     numbers: &[usize],
-    Way { rows, at: way }: Way,
-    of: &Place<'_>,
+    Arrangement { rows, at: way }: Arrangement,
+    of: &Placing<'_>,
     placed: &[Option<Candidate>],
 ) -> Option<Vec<Candidate>> {
     let forms: Vec<&Form> = group
@@ -262,7 +259,12 @@ fn edge(anchor: MmRect, side: f32, width: f32) -> f32 {
 ///
 /// Where numbers stand in a column too, the first of a row below it keeps off the last of the column, which stands half
 /// of its height below the lines.
-fn starts_in_margin(group: &Group, of: &Place<'_>, (size, height): (MmVector, f32), lines: MmRect) -> Vec<Option<f32>> {
+fn starts_in_margin(
+    group: &Group,
+    of: &Placing<'_>,
+    (size, height): (MmVector, f32),
+    lines: MmRect,
+) -> Vec<Option<f32>> {
     let reaches_out = group.members.iter().any(|&label| {
         let middle = of.wanted[label].anchor.center().x;
         middle - 0.5 * size.x < lines.min.x || middle + 0.5 * size.x > lines.max.x
@@ -293,7 +295,7 @@ const SECOND_SIDE: f32 = 0.6;
 
 /// Whether a label of a row can lie in its place: free, and with a free way for its leader line; without one on its
 /// own side of all lines, and nearer to its own anchor than to that of another label.
-fn is_free(label: usize, candidate: &Candidate, of: &Place<'_>) -> bool {
+fn is_free(label: usize, candidate: &Candidate, of: &Placing<'_>) -> bool {
     let (around, place) = (&of.around[label], candidate.place);
     let anchor = of.wanted[label].anchor.center();
     let nearest = anchor.clamp(place.min, place.max);
@@ -318,7 +320,7 @@ fn leader(place: MmRect, anchor: MmPoint) -> [MmPoint; 2] {
 
 /// Where labels of these sizes begin along a row (for columns: down it), as near to their anchors as they can stand
 /// side by side, and how far each may be moved; none if one would have to be moved too far.
-fn along(group: &Group, sizes: &[MmVector], rows: usize, of: &Place<'_>) -> Option<Vec<(f32, f32)>> {
+fn along(group: &Group, sizes: &[MmVector], rows: usize, of: &Placing<'_>) -> Option<Vec<(f32, f32)>> {
     let is_column = matches!(group.lies, Lies::Column(_));
     let of_point = |at: MmPoint| if is_column { at.y } else { at.x };
     let of_size = |size: MmVector| if is_column { size.y } else { size.x };

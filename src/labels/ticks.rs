@@ -8,9 +8,9 @@ use super::scale::EVERY;
 use crate::units::{MmPoint, MmVector};
 
 /// How far from the middle of a number its tick is looked for, mm: print stands within 4 mm of an axis, and ticks that
-/// are on a page are 8 mm long at most on one side of it.
+/// are on a page end within 10 mm of it.
 const REACH: f32 = 14.0;
-/// Shortest piece of a line across an axis that is a tick, mm: half of the widest line has no direction.
+/// Shortest piece of a line across an axis that is a tick, mm: a piece as short as the line is wide has no direction.
 const SHORTEST: f32 = 2.0;
 /// How far beside a tick there is nothing, as a share of the way to the next number.
 const BESIDE: f32 = 0.25;
@@ -29,23 +29,19 @@ pub(super) fn tried(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<Number
     let mut all = vec![Numbers { group: group.clone(), count: 1 }];
     let Some(steps) = &group.steps else { return all };
     let ticks: Vec<bool> = with_tick(group, wanted, room);
+    let is_tick_of_all = |every: i64| steps.iter().zip(&ticks).all(|(&step, &has)| (step % every == 0) == has);
     let mut fewer: Vec<(u8, i64)> = EVERY
         .into_iter()
-        .chain(between_ticks(steps, &ticks))
+        .chain(between_ticks(steps, &ticks).filter(|every| is_tick_of_all(*every)))
         .map(|every| {
             let written = |step: i64| step % every == 0;
-            let agree = steps.iter().zip(&ticks).all(|(&step, &has)| written(step) == has);
-            let have = steps.iter().zip(&ticks).all(|(&step, &has)| has || !written(step));
-            (
-                if agree {
-                    0
-                } else if have {
-                    1
-                } else {
-                    2
-                },
-                every,
-            )
+            let have = || steps.iter().zip(&ticks).all(|(&step, &has)| has || !written(step));
+            let rank = match is_tick_of_all(every) {
+                true => 0,
+                false if have() => 1,
+                false => 2,
+            };
+            (rank, every)
         })
         .collect();
     fewer.sort_unstable();

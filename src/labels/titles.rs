@@ -2,13 +2,13 @@
 //! above it, as transcribers set it, and that of a level one below its numbers or at their end.
 
 use super::candidates::{Candidate, JUST, Stands, TIGHTEST};
-use super::groups::{Group, Lies};
-use super::rows::{OF_AN_AXIS, Place};
+use super::groups::{Group, Lies, OF_AN_AXIS};
+use super::rows::Placing;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from its numbers a title stands in print, mm, at most.
 const IN_PRINT: f32 = 30.0;
-/// How far a title may be moved, mm: along its axis to where it is free, and across.
+/// How far a title may be moved, mm: away from the numbers to where it is free, and left and right.
 const AWAY: f32 = 15.0;
 const ASIDE: f32 = 30.0;
 /// A text is turned if its box is so many times as high as it is wide.
@@ -17,7 +17,7 @@ const TURNED: f32 = 1.5;
 const LETTERS: usize = 3;
 
 /// Finds places for titles of axes whose numbers or words have theirs.
-pub(super) fn place(groups: &[Group], of: &Place<'_>, placed: &mut [Option<Candidate>]) {
+pub(super) fn place(groups: &[Group], of: &Placing<'_>, placed: &mut [Option<Candidate>]) {
     let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
     for label in (0..of.wanted.len()).filter(|&label| is_alone(label) && of.forms[label].is_ok()) {
         let beside = groups.iter().filter_map(|group| Some((gap(label, group, of)?, group)));
@@ -27,7 +27,7 @@ pub(super) fn place(groups: &[Group], of: &Place<'_>, placed: &mut [Option<Candi
 }
 
 /// How far a text is from the numbers or words of which it is the title, if it can be that.
-fn gap(label: usize, group: &Group, of: &Place<'_>) -> Option<f32> {
+fn gap(label: usize, group: &Group, of: &Placing<'_>) -> Option<f32> {
     let text = of.wanted[label].anchor;
     let all = extent(group.members.iter().map(|&member| of.wanted[member].anchor))?;
     let is_turned = text.height() > TURNED * text.width() && of.wanted[label].text.trim().chars().count() >= LETTERS;
@@ -53,7 +53,7 @@ fn extent(boxes: impl Iterator<Item = MmRect>) -> Option<MmRect> {
 }
 
 /// The nearest free place of a title in the first form that has one.
-fn at_axis(label: usize, group: &Group, of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<Candidate> {
+fn at_axis(label: usize, group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Option<Candidate> {
     let forms = &of.forms[label].as_ref().ok()?.forms;
     let row = extent(group.members.iter().filter_map(|&member| Some(placed[member].as_ref()?.place)))?;
     let in_print = extent(group.members.iter().map(|&member| of.wanted[member].anchor))?;
@@ -95,7 +95,7 @@ fn at_axis(label: usize, group: &Group, of: &Place<'_>, placed: &[Option<Candida
 
 /// How high above a title the highest of other texts reach that stand above all lines, as the heading of a chart does:
 /// the top of the box that they would need; none where there is no title above lines, or no such text.
-pub(super) fn top_of_headings(of: &Place<'_>, placed: &[Option<Candidate>]) -> Option<f32> {
+pub(super) fn top_of_headings(of: &Placing<'_>, placed: &[Option<Candidate>]) -> Option<f32> {
     let lines = of.room.bounds()?;
     let titles = placed.iter().flatten().filter(|candidate| candidate.stands == Stands::AsTitle);
     let above = titles.map(|title| title.place.min.y).filter(|top| *top < lines.min.y);

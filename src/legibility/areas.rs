@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::finding::Found;
+use super::finding::FoundBreach;
 use super::limits::{Limits, MOST_TEXTURES, MediumLimits};
 use super::marks::{Mark, Outline, Part};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURES};
@@ -12,12 +12,12 @@ use crate::units::{MmPoint, MmRect};
 /// Numbers of a page have two digits after the point, mm.
 const ROUNDING: f32 = 0.015;
 
-pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
     let mut found = Vec::new();
     // a key may have words only
     let has_key = page.braille.iter().any(|text| text.role == TextRole::Key);
     if page.is_empty() && !has_key {
-        found.push(Found::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
+        found.push(FoundBreach::of_page(EMPTY, None, "there is neither a line nor a texture on the page".into()));
     }
     found.extend(too_small(page, names, limits));
     found.extend(too_thin(page, names, marks, limits));
@@ -27,21 +27,21 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limi
 }
 
 /// Ink as it is printed.
-pub(super) fn black(page: &Page, limits: &Limits) -> Option<Found> {
+pub(super) fn black(page: &Page, limits: &Limits) -> Option<FoundBreach> {
     let MediumLimits::Print { max_black, .. } = limits.medium else { return None };
     let share = page.black_share();
     let what = || format!("{:.0} % of the figure is black; {:.0} % is the most", 100.0 * share, 100.0 * max_black);
-    (share > max_black).then(|| Found::of_page(BLACK, Some(100.0 * share), what()))
+    (share > max_black).then(|| FoundBreach::of_page(BLACK, Some(100.0 * share), what()))
 }
 
-fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a Limits) -> impl Iterator<Item = Found> + 'a {
+fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a Limits) -> impl Iterator<Item = FoundBreach> + 'a {
     let small = page.figure.textures.iter().enumerate().filter(|(_, texture)| texture.area < limits.texture_area - 0.5);
     small.filter_map(|(number, texture)| {
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
         let name = Part::Texture(number as u32).name(page, names);
         let (area, least) = (texture.area, limits.texture_area);
         let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
-        Some(Found::at(TEXTURE_AREA, extent.center(), extent, area, what))
+        Some(FoundBreach::at(TEXTURE_AREA, extent.center(), extent, area, what))
     })
 }
 
@@ -72,7 +72,7 @@ fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeM
     groups
 }
 
-fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
     let MediumLimits::Print { glyph, .. } = limits.medium else { return Vec::new() };
     // lines have a rule of their own
     let is_line = |part: Part| matches!(part, Part::Line(_) | Part::OverviewLine(_));
@@ -85,12 +85,12 @@ fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<
         let (count, thinnest) = (group.count, group.worst);
         let noun = if count == 1 { "1 mark is" } else { &format!("{count} marks are") };
         let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page, names));
-        Found::at(GLYPH_SIZE, group.at, group.extent, thinnest, what)
+        FoundBreach::at(GLYPH_SIZE, group.at, group.extent, thinnest, what)
     };
     grouped(marks, glyph - ROUNDING, thickness).into_iter().map(of).collect()
 }
 
-fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
     let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(page.sheet[0], page.sheet[1]));
     let (inner, what) = match &page.medium {
         Medium::Print(_) => {
@@ -109,12 +109,12 @@ fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> V
     let of = |(part, group): (Part, Group)| {
         let out = -group.worst;
         let what = format!("{} reaches {out:.1} mm beyond {what}", part.name(page, names));
-        Found::at(MARGIN, group.at, group.extent, limits.margin - out, what)
+        FoundBreach::at(MARGIN, group.at, group.extent, limits.margin - out, what)
     };
     grouped(marks, -ROUNDING, within).into_iter().map(of).collect()
 }
 
-fn too_many(page: &Page) -> Option<Found> {
+fn too_many(page: &Page) -> Option<FoundBreach> {
     let direction = |shape: Shape| match shape {
         Shape::Rhombus { degrees, .. } => Some(degrees.rem_euclid(180.0).round() as u32),
         Shape::Dot { .. } => None,
@@ -126,6 +126,10 @@ fn too_many(page: &Page) -> Option<Found> {
     let count = signs.len();
     let rule: Rule = TEXTURES;
     (count > MOST_TEXTURES).then(|| {
-        Found::of_page(rule, Some(count as f32), format!("there are {count} textures; {MOST_TEXTURES} are the most"))
+        FoundBreach::of_page(
+            rule,
+            Some(count as f32),
+            format!("there are {count} textures; {MOST_TEXTURES} are the most"),
+        )
     })
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
-use super::finding::Found;
+use super::finding::FoundBreach;
 use super::limits::{Limits, MediumLimits};
 use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
@@ -19,7 +19,7 @@ const WHITE: u8 = 248;
 const MOST: usize = 6;
 
 /// All that is no black mark. `typed` are the texts of a page that are written in braille, with their places.
-pub(super) fn findings(document: &Document<'_>, tree: &Tree, typed: &[TypedText], limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(document: &Document<'_>, tree: &Tree, typed: &[TypedText], limits: &Limits) -> Vec<FoundBreach> {
     let mut seen = Seen::default();
     seen.add(tree.root(), 1.0);
     let mut found = Vec::new();
@@ -83,7 +83,7 @@ fn in_mm(rect: usvg::Rect) -> MmRect {
     MmRect::new(at(rect.left(), rect.top()), at(rect.right(), rect.bottom()))
 }
 
-fn of_colours(colours: Coloured) -> Vec<Found> {
+fn of_colours(colours: Coloured) -> Vec<FoundBreach> {
     let mut all: Vec<_> = colours.into_iter().collect();
     all.sort_by_key(|(colour, (count, _))| (std::cmp::Reverse(*count), *colour));
     let rest = all.split_off(all.len().min(MOST));
@@ -91,28 +91,28 @@ fn of_colours(colours: Coloured) -> Vec<Found> {
         let marks = if count == 1 { "1 mark is".into() } else { format!("{count} marks are") };
         let kind = if red.abs_diff(green).max(green.abs_diff(blue)) < 8 { "grey" } else { "coloured" };
         let what = format!("{marks} {kind} (#{red:02x}{green:02x}{blue:02x}), and only black swells");
-        Found::at(BLACK_ONLY, extent.center(), extent, count as f32, what)
+        FoundBreach::at(BLACK_ONLY, extent.center(), extent, count as f32, what)
     };
     let more: usize = rest.iter().map(|(_, (count, _))| count).sum();
     let others = (more > 0).then(|| {
-        Found::of_page(BLACK_ONLY, Some(more as f32), format!("{more} marks have {} other colours", rest.len()))
+        FoundBreach::of_page(BLACK_ONLY, Some(more as f32), format!("{more} marks have {} other colours", rest.len()))
     });
     all.into_iter().map(one).chain(others).collect()
 }
 
 /// Pictures of pixels that are shown.
-fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = Found> + 'd {
+fn pictures<'d>(document: &'d Document<'d>) -> impl Iterator<Item = FoundBreach> + 'd {
     let is_picture = |node: &Node<'_, '_>| node.is_element() && node.tag_name().name() == "image" && is_shown(node);
     document.descendants().filter(is_picture).map(|node| {
         let at = place(&node, document);
         let extent = at.map(|at| MmRect::new(at, at));
         let what = "a picture of pixels lies on the page".into();
-        Found { rule: PICTURE, what, at, extent, measured: None, mended: None }
+        FoundBreach { rule: PICTURE, what, at, extent, measured: None, mended: None }
     })
 }
 
 /// Texts that are written in letters and shown.
-fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<Found> {
+fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<FoundBreach> {
     let is_print = |node: &Node<'_, '_>| is_print_words(*node) && is_light(*node);
     let is_text = |node: &Node<'_, '_>| {
         node.is_element() && node.tag_name().name() == "text" && is_shown(node) && !is_print(node)
@@ -133,7 +133,7 @@ fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<Found> {
             }
             false => (LETTERS, format!("\"{text}\" is written in letters, which fingers do not read")),
         };
-        (!text.is_empty()).then_some(Found { rule, what, at, extent, measured: None, mended })
+        (!text.is_empty()).then_some(FoundBreach { rule, what, at, extent, measured: None, mended })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
 }

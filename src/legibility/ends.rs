@@ -1,6 +1,6 @@
 //! Ends of lines that point at one another over a small gap: a contour that seems broken.
 
-use super::finding::Found;
+use super::finding::FoundBreach;
 use super::limits::Limits;
 use super::marks::name_in;
 use super::rules::BROKEN_LINE;
@@ -13,7 +13,7 @@ use crate::units::{Mm, MmPoint, MmRect, MmVector};
 /// How far back from its end the direction of a line is taken, mm.
 const BACK: f32 = 3.0;
 /// Two ends point at one another if each does so within 25 degrees.
-const STRAIGHT: f32 = 0.906;
+const STRAIGHT_COSINE: f32 = 0.906;
 /// Dots nearer than so many pitches are next to one another, also diagonally.
 const STEP: f32 = 1.6;
 /// A line no further than this from the way between two ends lies on it, mm: rounding.
@@ -30,7 +30,7 @@ struct Tip {
     is_dot: bool,
 }
 
-pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
     let most = limits.missed_gap();
     // the second row of a heavy line of dots ends where it does because of the first
     let first_rows = (0..ways.ways.len()).filter(|way| !ways.ways[*way].second);
@@ -67,7 +67,7 @@ pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &L
     found
 }
 
-fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> Found {
+fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> FoundBreach {
     let line = |tip: &Tip| name_in(names, ways.ways[tip.way as usize].line);
     let what = match tip.way == other.way {
         true => format!("the two ends of {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
@@ -77,12 +77,12 @@ fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> 
         ),
     };
     let extent = MmRect::new(tip.at.min(other.at), tip.at.max(other.at));
-    Found::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what)
+    FoundBreach::at(BROKEN_LINE, tip.at.lerp(other.at, 0.5), extent, blank, what)
 }
 
 fn facing(a: &Tip, b: &Tip) -> bool {
     let Some(way) = (b.at - a.at).try_normalize() else { return false };
-    a.outwards.dot(way) >= STRAIGHT && b.outwards.dot(-way) >= STRAIGHT
+    a.outwards.dot(way) >= STRAIGHT_COSINE && b.outwards.dot(-way) >= STRAIGHT_COSINE
 }
 
 fn tips(ways: &Ways, way: usize) -> Vec<Tip> {

@@ -26,7 +26,7 @@ pub struct Finding {
 }
 
 /// A finding before its place has words.
-pub(super) struct Found {
+pub(super) struct FoundBreach {
     pub(super) rule: Rule,
     pub(super) what: String,
     pub(super) at: Option<MmPoint>,
@@ -36,7 +36,7 @@ pub(super) struct Found {
     pub(super) mended: Option<&'static str>,
 }
 
-impl Found {
+impl FoundBreach {
     /// A breach at one place.
     pub(super) fn at(rule: Rule, at: MmPoint, extent: MmRect, measured: f32, what: String) -> Self {
         let mended = rules::mended(&rule);

@@ -21,7 +21,7 @@ const BEND: f32 = 4.0;
 /// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the way over
 /// the tip is nearly as long as the line.
 const CORNER: f32 = 6.1;
-const STRAIGHT: f32 = 0.92;
+const STRAIGHTNESS: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
 const ROUNDING: f32 = 0.015;
 /// Most stretches that are looked at: a hundred times what the worst page of a person has. More lie where hundreds of
@@ -224,7 +224,7 @@ fn has_corner(ways: &Ways, way: &Way, (s, a): (f32, MmPoint), (t, b): (f32, MmPo
     let segments = &ways.segments[way.segments.clone()];
     let tips = segments.iter().filter(|segment| (from..to).contains(&segment.arc) != over_start);
     let farthest = tips.map(|segment| (segment.a - a).length() + (segment.a - b).length()).fold(0.0, f32::max);
-    farthest >= STRAIGHT * way.between(s, t)
+    farthest >= STRAIGHTNESS * way.between(s, t)
 }
 
 /// One finding for each place where two lines are too near.

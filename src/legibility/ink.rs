@@ -6,7 +6,7 @@
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use usvg::Tree;
 
-use super::finding::Found;
+use super::finding::FoundBreach;
 use super::limits::{Limits, MediumLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
 use crate::geom::components::{self, Connectivity};
@@ -35,7 +35,7 @@ struct Ink {
 }
 
 /// What is wrong with a drawing, or nothing if it is too large to be drawn.
-pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<FoundBreach> {
     let Some(ink) = Ink::of(tree) else { return Vec::new() };
     let (width, gap) = match limits.medium {
         MediumLimits::Print { line_width, line_gap, .. } => (line_width, line_gap),
@@ -55,7 +55,7 @@ pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<Found> {
     if let MediumLimits::Print { max_black, .. } = limits.medium {
         let share = ink.black.iter().filter(|black| **black).count() as f32 / ink.black.len() as f32;
         let what = || format!("{:.0} % of the sheet is black; {:.0} % is the most", 100.0 * share, 100.0 * max_black);
-        found.extend((share > max_black).then(|| Found::of_page(BLACK, Some(100.0 * share), what())));
+        found.extend((share > max_black).then(|| FoundBreach::of_page(BLACK, Some(100.0 * share), what())));
     }
     found
 }
@@ -88,7 +88,7 @@ impl Ink {
     }
 
     /// A finding for each connected place that is large enough; of many, the largest and the sum of the others.
-    fn places(&self, rule: Rule, least: f32, marked: Vec<bool>, what: impl Fn(f32) -> String) -> Vec<Found> {
+    fn places(&self, rule: Rule, least: f32, marked: Vec<bool>, what: impl Fn(f32) -> String) -> Vec<FoundBreach> {
         let components = components::of_labels(&marked, self.size, Connectivity::Eight);
         let area = |count: usize| count as f32 / (PX_PER_MM * PX_PER_MM);
         let mut places: Vec<(f32, MmRect)> = components
@@ -101,9 +101,16 @@ impl Ink {
         let more = (!rest.is_empty()).then(|| {
             let area: f32 = rest.iter().map(|place| place.0).sum();
             let extent = rest.iter().fold(rest[0].1, |all, place| all.union(&place.1));
-            Found::at(rule, extent.center(), extent, area, format!("in {} more places, {}", rest.len(), what(area)))
+            FoundBreach::at(
+                rule,
+                extent.center(),
+                extent,
+                area,
+                format!("in {} more places, {}", rest.len(), what(area)),
+            )
         });
-        let told = places.into_iter().map(|(area, extent)| Found::at(rule, extent.center(), extent, area, what(area)));
+        let told =
+            places.into_iter().map(|(area, extent)| FoundBreach::at(rule, extent.center(), extent, area, what(area)));
         told.chain(more).collect()
     }
 

@@ -46,7 +46,7 @@ use usvg::roxmltree::Document;
 use crate::page::{InSet, Names, Page};
 use crate::reading::Reading;
 use crate::touch::Report;
-use finding::Found;
+use finding::FoundBreach;
 
 /// The SVG of a page, or of any drawing.
 #[derive(Debug)]
@@ -71,7 +71,7 @@ impl<'a> Drawn<'a> {
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
     pub fn check_as_ink(&self, sheet: &Page, limits: &Limits) -> Checked {
-        let mut found = vec![Found::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
+        let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
         found.extend(drawn::findings(self.document, self.tree, &[], limits));
         found.extend(ink::findings(self.tree, limits));
         checked((found, false), sheet, limits, Fingertip::NotAsked)
@@ -94,7 +94,8 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<St
     let mut found = spaces::findings(&felt, names, &marks::marks_of(&felt), limits);
     found.extend(words::findings(&felt, names, limits));
     found.retain(|found| [rules::BRAILLE_CLEAR, rules::BRAILLE_CELL].contains(&found.rule));
-    let place = |found: &Found| found.at.map_or_else(String::new, |at| format!(" (at {:.0}, {:.0} mm)", at.x, at.y));
+    let place =
+        |found: &FoundBreach| found.at.map_or_else(String::new, |at| format!(" (at {:.0}, {:.0} mm)", at.x, at.y));
     let told: Vec<String> =
         found.iter().take(MOST_TOLD).map(|found| format!("{}{}", found.what, place(found))).collect();
     let more = found.len().saturating_sub(MOST_TOLD);
@@ -113,13 +114,13 @@ pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
 }
 
 /// What was found, and whether `render` mends some of it.
-fn checked((found, mends): (Vec<Found>, bool), page: &Page, limits: &Limits, felt: Fingertip<'_>) -> Checked {
+fn checked((found, mends): (Vec<FoundBreach>, bool), page: &Page, limits: &Limits, felt: Fingertip<'_>) -> Checked {
     let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends)).collect());
     let verdict = Verdict::of(page, &findings, felt);
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
 
-fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
+fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
     let (page, names, twins) = twins::merged(page.clone(), names);
     let (page, names) = (&page, &names);
     let felt = page.risen();

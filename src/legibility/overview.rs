@@ -1,6 +1,6 @@
 //! Whether the overview shows what the figure shows, and nothing else.
 
-use super::finding::{Found, around};
+use super::finding::{FoundBreach, around};
 use super::limits::{Limits, SHAPE};
 use super::marks::name_in;
 use super::rules::{OVERVIEW, OVERVIEW_LACKS};
@@ -15,7 +15,7 @@ const STEP: f32 = 0.5;
 const MISSING: f32 = 0.5;
 
 /// `ways` are those of the figure, `index` their segments.
-pub(super) fn findings(page: &Page, names: &Names, ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
     let of_overview = Ways::of(&overview.lines, f32::INFINITY);
@@ -31,7 +31,7 @@ fn added(
     (ways, names): (&Ways, &[String]),
     (index, scale): (&Nearby, f32),
     limits: &Limits,
-) -> Vec<Found> {
+) -> Vec<FoundBreach> {
     let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
     let of_line = |number: usize| {
         let own = (0..ways.ways.len()).filter(|&way| ways.ways[way].line == number);
@@ -41,7 +41,7 @@ fn added(
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
         let name = name_in(names, number);
         let what = format!("the figure has nothing like {name}, {length:.0} mm of it");
-        Some(Found::at(OVERVIEW, at, extent, length, what))
+        Some(FoundBreach::at(OVERVIEW, at, extent, length, what))
     };
     (0..overview.lines.len()).filter_map(of_line).collect()
 }
@@ -53,7 +53,7 @@ fn lacking(
     (ways, names): (&Ways, &[String]),
     (of_overview, scale): (&Ways, f32),
     limits: &Limits,
-) -> Vec<Found> {
+) -> Vec<FoundBreach> {
     let index = of_overview.index(5.0);
     let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
     let of_way = |way: usize| {
@@ -71,7 +71,7 @@ fn lacking(
             extent.width(),
             extent.height()
         );
-        Some(Found::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what))
+        Some(FoundBreach::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what))
     };
     (0..ways.ways.len()).filter_map(of_way).collect()
 }

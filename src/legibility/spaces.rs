@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::dotted::empty_between;
-use super::finding::Found;
+use super::finding::FoundBreach;
 use super::limits::{BRAILLE_GAP, Limits, MediumLimits};
 use super::marks::{Mark, Part, index, marks_of};
 use super::rules::{BRAILLE_CLEAR, OVERLAP, Rule, TEXTURE_GAP};
@@ -40,10 +40,10 @@ fn note(breaches: &mut Breaches, key: (Part, Option<Part>), number: u32, mark: &
 }
 
 /// Everything about blank between marks.
-pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
     let All { textures, braille, overlaps } = breaches(page, marks, limits);
     let name = |part: &Part| part.name(page, names);
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<FoundBreach> = Vec::new();
     found.extend(textures.into_iter().map(|((part, _), breach)| of_texture(&name(&part), breach, limits)));
     found.extend(braille.into_iter().map(|((part, other), breach)| {
         let (other, blank) = (other.as_ref().map_or_else(String::new, name), millimetres(breach.blank));
@@ -194,7 +194,7 @@ fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f
     Some(glyph.blank(line)).filter(|blank| *blank < least)
 }
 
-fn of_texture(name: &str, breach: Breach, limits: &Limits) -> Found {
+fn of_texture(name: &str, breach: Breach, limits: &Limits) -> FoundBreach {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => format!("{texture_gap} mm of blank is the least"),
         MediumLimits::Dots { texture_gap, .. } => match texture_gap {
@@ -208,8 +208,8 @@ fn of_texture(name: &str, breach: Breach, limits: &Limits) -> Found {
     finding(TEXTURE_GAP, breach, what)
 }
 
-fn finding(rule: Rule, breach: Breach, what: String) -> Found {
-    Found::at(rule, breach.at, breach.extent, breach.blank, what)
+fn finding(rule: Rule, breach: Breach, what: String) -> FoundBreach {
+    FoundBreach::at(rule, breach.at, breach.extent, breach.blank, what)
 }
 
 fn places(count: usize) -> String {

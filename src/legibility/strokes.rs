@@ -1,7 +1,7 @@
 //! Lines one by one: their width and length, and the blank between them.
 
 use super::dotted;
-use super::finding::{Found, around};
+use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
 use super::limits::{Limits, MediumLimits};
 use super::marks::name_in;
@@ -21,7 +21,7 @@ pub(super) fn findings(
     window: Option<MmRect>,
     medium: &Medium,
     limits: &Limits,
-) -> Vec<Found> {
+) -> Vec<FoundBreach> {
     let mut found = Vec::new();
     for (number, line) in lines.iter().enumerate() {
         found.extend(too_thin(line, name_in(names, number), limits));
@@ -39,12 +39,12 @@ pub(super) fn findings(
     found.extend(near.iter().map(|near| too_near(near, names, limits)));
     if !are_all {
         let what = "so many lines lie on one another that not all of their gaps were looked at";
-        found.push(Found::of_page(LINE_GAP, None, what.to_owned()));
+        found.push(FoundBreach::of_page(LINE_GAP, None, what.to_owned()));
     }
     found
 }
 
-fn too_near(near: &Near, names: &[String], limits: &Limits) -> Found {
+fn too_near(near: &Near, names: &[String], limits: &Limits) -> FoundBreach {
     let Near { lines: (a, b), gap, at, length, extent } = *near;
     let (apart, least) = match limits.medium {
         MediumLimits::Print { line_gap, .. } => (millimetres(gap), format!("{line_gap} mm is the least")),
@@ -56,7 +56,7 @@ fn too_near(near: &Near, names: &[String], limits: &Limits) -> Found {
         true => format!("{one} comes back to itself and is {apart} from itself {along}; {least}"),
         false => format!("{} are {apart} apart {along}; {least}", both(one, other)),
     };
-    Found::at(LINE_GAP, at, extent, gap, what)
+    FoundBreach::at(LINE_GAP, at, extent, gap, what)
 }
 
 /// Two lines by their names; those of one object have the same.
@@ -68,7 +68,7 @@ fn points(line: &Line) -> impl Iterator<Item = MmPoint> + '_ {
     line.runs.iter().flat_map(|run| run.points.iter().copied())
 }
 
-fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
+fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<FoundBreach> {
     let MediumLimits::Print { line_width, .. } = limits.medium else { return None };
     let is_thin = |run: &&Run| run.pen == Pen::Stroke && run.width < line_width - ROUNDING;
     let thinnest = line.runs.iter().filter(is_thin).min_by(|a, b| a.width.total_cmp(&b.width))?;
@@ -76,7 +76,7 @@ fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
     let at = thinnest.points.get(thinnest.points.len() / 2).copied()?;
     let extent = around(line.runs.iter().filter(is_thin).flat_map(|run| run.points.iter().copied()))?;
     let what = format!("{name} is {:.2} mm wide along {length:.0} mm; {line_width} mm is the least", thinnest.width);
-    Some(Found::at(LINE_WIDTH, at, extent, thinnest.width, what))
+    Some(FoundBreach::at(LINE_WIDTH, at, extent, thinnest.width, what))
 }
 
 /// Whether a line ends at the edge of a window.
@@ -90,7 +90,7 @@ fn goes_on(line: &Line, window: MmRect, limits: &Limits) -> bool {
     inner.is_negative() || ends.into_iter().any(|end| !inner.contains(*end))
 }
 
-fn too_short(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
+fn too_short(line: &Line, name: &str, limits: &Limits) -> Option<FoundBreach> {
     // a dot stands for half a pitch to both sides
     let tips = match limits.medium {
         MediumLimits::Print { .. } => line.runs.first().map_or(0.0, |run| run.width),
@@ -105,5 +105,5 @@ fn too_short(line: &Line, name: &str, limits: &Limits) -> Option<Found> {
     }
     let extent = around(points(line)).unwrap_or_else(MmRect::zero);
     let what = format!("{name} is {length:.1} mm long; {} mm is the least", limits.line_length);
-    Some(Found::at(LINE_LENGTH, points(line).next()?, extent, length, what))
+    Some(FoundBreach::at(LINE_LENGTH, points(line).next()?, extent, length, what))
 }

@@ -3,14 +3,14 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::finding::{Found, around};
+use super::finding::{FoundBreach, around};
 use super::marks::name_in;
 use super::rules::OVERLAP;
 use crate::page::{Line, Names, Page, Parts};
 
 /// A page without its lines that lie on an equal one, its names, and what is told of them. `page` is returned as it is
 /// where there are none.
-pub(super) fn merged(page: Page, names: &Names) -> (Page, Names, Vec<Found>) {
+pub(super) fn merged(page: Page, names: &Names) -> (Page, Names, Vec<FoundBreach>) {
     let overview = page.overview.as_ref().map(|overview| &overview.lines);
     if !has_twins(&page.figure.lines) && !overview.is_some_and(|lines| has_twins(lines)) {
         return (page, names.clone(), Vec::new());
@@ -34,7 +34,7 @@ fn has_twins(lines: &[Line]) -> bool {
     !lines.iter().all(|line| known.insert(key(line)))
 }
 
-fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<Found>) {
+fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<FoundBreach>) {
     let mut first: HashMap<Vec<u32>, usize> = HashMap::with_capacity(lines.len());
     // for each line the first that is equal
     let of: Vec<usize> = (0..).zip(lines.iter()).map(|(at, line)| *first.entry(key(line)).or_insert(at)).collect();
@@ -49,7 +49,7 @@ fn one_of_each(lines: &mut Vec<Line>, names: &mut Vec<String>, found: &mut Vec<F
             1 => format!("{}: another line lies on it, point for point", name_in(names, at)),
             _ => format!("{}: {count} other lines lie on it, point for point", name_in(names, at)),
         };
-        found.push(Found::at(OVERLAP, middle, extent, 0.0, what));
+        found.push(FoundBreach::at(OVERLAP, middle, extent, 0.0, what));
     }
     let is_first = |at: usize| of.get(at).is_none_or(|of| *of == at);
     let mut number = 0..;

@@ -1,6 +1,6 @@
 //! Braille: whether its dots lie where a standard cell has them.
 
-use super::finding::{Found, around};
+use super::finding::{FoundBreach, around};
 use super::limits::{BRAILLE_OFF, Limits};
 use super::rules::BRAILLE_CELL;
 use crate::page::cells::CellGrid;
@@ -10,7 +10,7 @@ use crate::units::{MmPoint, MmVector};
 /// The first sign of Unicode braille; the others follow it by their dots.
 const BLANK: u32 = 0x2800;
 
-pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<Found> {
+pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
     let grid = CellGrid::of(&page.medium, limits.cell);
     let size = grid.size();
     let of = |(number, text): (usize, &BrailleText)| {
@@ -32,7 +32,7 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<Found
             let (have, need) = (text.dots.at.len(), count);
             let dots = if have == 1 { "1 dot".to_owned() } else { format!("{have} dots") };
             let what = format!("{name} has {dots}, and its cells have {need}");
-            return Some(Found::at(BRAILLE_CELL, extent.center(), extent, 0.0, what));
+            return Some(FoundBreach::at(BRAILLE_CELL, extent.center(), extent, 0.0, what));
         }
         let (at, off) = farthest_off(&text.dots.at, &wanted);
         let what = || {
@@ -42,7 +42,7 @@ pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<Found
             );
             format!("{name}: a dot lies {off:.1} mm off its place in a standard cell ({measures})")
         };
-        (off > BRAILLE_OFF).then(|| Found::at(BRAILLE_CELL, at, extent, off, what()))
+        (off > BRAILLE_OFF).then(|| FoundBreach::at(BRAILLE_CELL, at, extent, off, what()))
     };
     page.braille.iter().enumerate().filter_map(of).collect()
 }

@@ -12,7 +12,7 @@ const SHARPEST: f32 = 5.8;
 const ROUNDED: f32 = 1.5;
 /// The sides are straight if the way over the tip is at least this share of the way along the line. Strokes with a
 /// square end have 0.86 at most, with a round end 0.92.
-const STRAIGHT: f32 = 0.94;
+const STRAIGHTNESS: f32 = 0.94;
 
 /// Whether between two places of a line there is nothing but a sharp corner with straight sides. `arcs` are the arc
 /// lengths of the line's path; it is a ring if `ring`; each place is given as its arc length and its point.
@@ -28,5 +28,5 @@ pub(super) fn is_corner(polyline: &Polyline<Vertex>, arcs: &[f32], ring: bool, p
     let between = polyline.path().zip(arcs).filter(|(_, arc)| (from..to).contains(*arc) != over_start);
     let height = |at: MmPoint| (at - a).cross(b - a).abs();
     let tip = between.map(|(vertex, _)| vertex.at).max_by(|p, q| height(*p).total_cmp(&height(*q)));
-    tip.is_some_and(|tip| (tip - a).length() + (tip - b).length() >= STRAIGHT * length)
+    tip.is_some_and(|tip| (tip - a).length() + (tip - b).length() >= STRAIGHTNESS * length)
 }

@@ -3,7 +3,7 @@
 use super::clearance::Cleared;
 use super::outlines::Rank;
 use super::params::Params;
-use super::vertex::Source;
+use super::vertex::FoundIn;
 use crate::geom::components::DisjointSets;
 use crate::geom::nearby::Nearby;
 
@@ -21,7 +21,7 @@ pub struct Beyond {
 pub(super) fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
     let mut room = Room::new(most.saturating_sub(of_outlines), most);
     // a photograph's exact lines were added by a person
-    let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == Source::Vector);
+    let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
     drawn.retain(|line| line.rank == Rank::Outline || is_added(line) || room.has(line.polyline.closed));
     room.beyond
 }

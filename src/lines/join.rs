@@ -8,7 +8,7 @@ use crate::units::{Mm, MmVector};
 /// The direction of an end is taken over this much of its line, mm.
 const HEADING: f32 = 1.5;
 /// Least cosine between an end's heading and the way to the other end (45 degrees).
-const AHEAD: f32 = 0.7;
+const AHEAD_COSINE: f32 = 0.7;
 /// Least cosine between the headings of two ends, one of them turned round (60 degrees).
 const FACING: f32 = 0.5;
 /// A line whose own ends are joined is at least this many times as long as the gap between them.
@@ -74,7 +74,7 @@ fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
     }
     let way = way / distance;
     let (ahead_a, ahead_b) = (a.direction.dot(way), -b.direction.dot(way));
-    (ahead_a >= AHEAD && ahead_b >= AHEAD).then_some(distance * (3.0 - ahead_a - ahead_b))
+    (ahead_a >= AHEAD_COSINE && ahead_b >= AHEAD_COSINE).then_some(distance * (3.0 - ahead_a - ahead_b))
 }
 
 /// Two joined ends that lie beside one another (one is a stroke's centreline, the other came from its side) bend
@@ -127,7 +127,7 @@ fn strung(thread: &Thread, left: &mut [Option<Polyline<Vertex>>]) -> Option<Poly
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::vertex::Source;
+    use crate::lines::vertex::FoundIn;
     use crate::units::MmPoint;
 
     fn straight(from: (f32, f32), to: (f32, f32), step: f32) -> Polyline<Vertex> {
@@ -137,7 +137,7 @@ mod tests {
             strength: 30.0,
             contrast: [step, 0.0, 0.0],
             width: 0.0,
-            source: Source::Pixels,
+            source: FoundIn::Pixels,
         };
         Polyline::open((0..=20).map(vertex).collect())
     }
@@ -170,7 +170,7 @@ mod tests {
             strength: 30.0,
             contrast: [20.0, 0.0, 0.0],
             width: 0.0,
-            source: Source::Pixels,
+            source: FoundIn::Pixels,
         };
         let joined = join(vec![Polyline::open((0..=100).map(vertex).collect())], 3.0);
         assert!(joined.len() == 1 && joined[0].closed);

@@ -16,7 +16,7 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// The direction of an end is taken over this much of its line, mm.
 const HEADING: f32 = 2.0;
 /// Least cosine between an end's heading and the direction to the line it is extended to (53 degrees).
-const AHEAD: f32 = 0.6;
+const AHEAD_COSINE: f32 = 0.6;
 /// Greatest cosine between that direction and the line it is extended to (50 degrees): flatter, the two would lie side
 /// by side.
 const STEEP: f32 = 0.64;
@@ -99,7 +99,7 @@ pub(super) fn ahead(
         // nothing straight ahead: the nearest place, if it lies in front
         let (distance, at, _) = nearby.nearest(tip, gap, |segment| {
             let (distance, at) = nearest_on_segment(tip, segment.a, segment.b);
-            other(segment) && (at - tip).dot(heading) >= AHEAD * distance
+            other(segment) && (at - tip).dot(heading) >= AHEAD_COSINE * distance
         })?;
         hit = Some((distance, at));
     }
@@ -142,12 +142,17 @@ fn add(line: &mut Polyline<Vertex>, at_start: bool, path: Vec<Vertex>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::vertex::Source;
+    use crate::lines::vertex::FoundIn;
 
     #[test]
     fn a_ring_without_its_corner_is_closed_once() {
-        let vertex =
-            |at: MmPoint| Vertex { at, strength: 60.0, contrast: [60.0, 0.0, 0.0], width: 1.5, source: Source::Pixels };
+        let vertex = |at: MmPoint| Vertex {
+            at,
+            strength: 60.0,
+            contrast: [60.0, 0.0, 0.0],
+            width: 1.5,
+            source: FoundIn::Pixels,
+        };
         let corners = [(10.0, 12.0), (10.0, 40.0), (40.0, 40.0), (40.0, 10.0), (12.0, 10.0)];
         let mut ring = Polyline::open(corners.map(|(x, y)| vertex(MmPoint::new(x, y))).to_vec());
         ring.subdivide(SPACING);

@@ -120,7 +120,7 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::vertex::Source;
+    use crate::lines::vertex::FoundIn;
     use crate::lines::vertex::Vertex;
 
     fn line(from: (f32, f32), to: (f32, f32)) -> Polyline<Vertex> {
@@ -129,7 +129,7 @@ mod tests {
             strength: 20.0,
             contrast: [0.0; 3],
             width: 1.0,
-            source: Source::Pixels,
+            source: FoundIn::Pixels,
         };
         let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
         line.fill();

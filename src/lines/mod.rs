@@ -80,7 +80,7 @@ pub fn draw_with(
     let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
     let mut lost = candidates.lost(&drawn, least, area, &params);
     // What follows is left out on purpose, and not lost.
-    let beyond = match params.most_shapes {
+    let mut beyond = match params.most_shapes {
         Some(most) if params.of_drawing => {
             let all = nearby(drawn.iter().map(|line| &line.polyline), area, &params);
             few::keep_first_things(&mut drawn, most, &all, &params)
@@ -88,8 +88,9 @@ pub fn draw_with(
         Some(most) => few::keep_first(&mut drawn, most, outlines.shapes),
         None => Beyond::default(),
     };
-    // A page of few shapes has no points.
+    // A page of few shapes has no points; each is a shape that is left out.
     let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
+    beyond.shapes += candidates.points.len() - points.len();
     let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
     let points = points::draw(points, &polylines, area, &params);
     lost.rings += points.lost;

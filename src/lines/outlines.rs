@@ -1,7 +1,7 @@
 //! Outlines of regions among the lines: drawn before others, after long strokes only.
 
 use super::params::Params;
-use super::vertex::{Source, Vertex};
+use super::vertex::{FoundIn, Vertex};
 use crate::geom::polyline::Polyline;
 use crate::regions::Trace;
 use crate::units::PageTransform;
@@ -31,7 +31,7 @@ pub(super) enum Rank {
 /// Least length of a stroke that goes before outlines, mm.
 const LONG: f32 = 20.0;
 /// ... and how straight it is, chord to length: the rim of a cup is a stroke too, and as good an outline.
-const STRAIGHT: f32 = 0.97;
+const STRAIGHTNESS: f32 = 0.97;
 /// Share of its vertices that lie in the middle of a stroke.
 const MOSTLY: f32 = 0.7;
 
@@ -45,7 +45,7 @@ impl Rank {
             (Some(first), Some(last), false) => (last.at - first.at).length(),
             _ => 0.0,
         };
-        let is_straight = chord >= LONG && chord >= STRAIGHT * polyline.length();
+        let is_straight = chord >= LONG && chord >= STRAIGHTNESS * polyline.length();
         if is_stroke && is_straight { Self::Stroke } else { Self::Ordinary }
     }
 }
@@ -59,7 +59,7 @@ impl Outlines {
                 strength: point.strength.max(params.least_strength),
                 contrast: [0.0; 3],
                 width: 0.0,
-                source: Source::Pixels,
+                source: FoundIn::Pixels,
             };
             let mut line = Polyline { vertices: trace.vertices.iter().map(vertex).collect(), closed: trace.closed };
             line = line.evened();

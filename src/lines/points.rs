@@ -11,7 +11,7 @@
 
 use super::junction::{heading, lead_on};
 use super::params::{Params, RING_FARTHEST};
-use super::vertex::{SPACING, Source, Vertex, nearby};
+use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -27,8 +27,8 @@ const SMALLEST: f32 = 0.6;
 /// The largest, in distances of two lines: a larger shape has room as it is.
 const LARGEST: f32 = 1.25;
 /// Area of a point at least, as a share of that of a circle with its circumference: a square has 0.79, an equal-sided
-/// triangle, as the head of an arrow, 0.60.
-const ROUND: f32 = 0.7;
+/// triangle, as the head of an arrow, 0.60, a hexagon 0.91.
+const ROUND: f32 = 0.85;
 /// A line leads to the middle of a point no farther from it than this share of its radius.
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
@@ -64,7 +64,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
         let has_room = std::f32::consts::TAU * point.radius >= params.min_length;
-        let is_pointed_at = matches!(arms[..], [Arm { way: Way::End { .. }, .. }]);
+        let is_pointed_at = matches!(arms[..], [Arm { way: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
             continue;
         }
@@ -73,7 +73,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             continue;
         }
         for arm in arms {
-            if let Way::End { at_start } = arm.way {
+            if let Approach::End { at_start } = arm.way {
                 lead_on(&mut polylines[arm.line], at_start, point.at);
             }
         }
@@ -91,12 +91,12 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Arm {
     line: usize,
-    way: Way,
+    way: Approach,
 }
 
 /// How it comes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Way {
+enum Approach {
     Through,
     End { at_start: bool },
 }
@@ -113,7 +113,7 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
         }
         let is_near = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(point.at, a.at, b.at).0 <= aside;
         if polyline.segments().any(is_near) {
-            arms.push(Arm { line, way: Way::Through });
+            arms.push(Arm { line, way: Approach::Through });
             continue;
         }
         for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
@@ -123,7 +123,7 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
             };
             let way = point.at - tip.at;
             if way.length() <= reach && way.dot(heading) > 0.0 && way.cross(heading).abs() <= aside {
-                arms.push(Arm { line, way: Way::End { at_start } });
+                arms.push(Arm { line, way: Approach::End { at_start } });
             }
         }
     }
@@ -223,7 +223,7 @@ fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Ve
             strength: point.strength.max(params.full_strength),
             contrast: [0.0; 3],
             width: params.width_max,
-            source: Source::Vector,
+            source: FoundIn::Vector,
         }
     };
     Polyline { vertices: (0..count).map(vertex).collect(), closed: true }
@@ -309,7 +309,7 @@ mod tests {
 
     const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
-    fn line(points: &[(f32, f32)], closed: bool, step: f32, source: Source) -> Polyline<Vertex> {
+    fn line(points: &[(f32, f32)], closed: bool, step: f32, source: FoundIn) -> Polyline<Vertex> {
         let vertex = |&(x, y): &(f32, f32)| Vertex {
             at: MmPoint::new(x, y),
             strength: 60.0,
@@ -329,11 +329,11 @@ mod tests {
     }
 
     fn disc(x: f32, step: f32) -> Polyline<Vertex> {
-        line(&arc((x, 50.0), 2.0, (0.0, 1.0)), true, step, Source::Vector)
+        line(&arc((x, 50.0), 2.0, (0.0, 1.0)), true, step, FoundIn::Vector)
     }
 
     fn axis(from: f32, to: f32) -> Polyline<Vertex> {
-        line(&[(from, 50.0), (to, 50.0)], false, 0.0, Source::Vector)
+        line(&[(from, 50.0), (to, 50.0)], false, 0.0, FoundIn::Vector)
     }
 
     fn area() -> MmRect {
@@ -351,9 +351,9 @@ mod tests {
 
     #[test]
     fn what_lies_beside_a_line_or_is_pointed_at_or_is_no_disc_stays() {
-        let triangle = line(&[(48.0, 48.0), (52.0, 50.0), (48.0, 52.0)], true, 60.0, Source::Vector);
-        let beside = line(&arc((50.0, 48.0), 2.0, (0.0, 1.0)), true, 60.0, Source::Vector);
-        for ring in [triangle, beside, line(&arc((50.0, 50.0), 4.0, (0.0, 1.0)), true, 60.0, Source::Vector)] {
+        let triangle = line(&[(48.0, 48.0), (52.0, 50.0), (48.0, 52.0)], true, 60.0, FoundIn::Vector);
+        let beside = line(&arc((50.0, 48.0), 2.0, (0.0, 1.0)), true, 60.0, FoundIn::Vector);
+        for ring in [triangle, beside, line(&arc((50.0, 50.0), 4.0, (0.0, 1.0)), true, 60.0, FoundIn::Vector)] {
             let mut lines = vec![axis(10.0, 90.0), ring];
             assert!(take(&mut lines, &PARAMS).is_empty() && lines.len() == 2);
         }
@@ -380,7 +380,7 @@ mod tests {
     fn points_without_room_are_counted() {
         let mut lines = vec![axis(10.0, 90.0), disc(30.0, 60.0), disc(36.0, 60.0), disc(70.0, 60.0)];
         let points = take(&mut lines, &PARAMS);
-        let beside = line(&[(60.0, 55.0), (80.0, 55.0)], false, 0.0, Source::Vector);
+        let beside = line(&[(60.0, 55.0), (80.0, 55.0)], false, 0.0, FoundIn::Vector);
         let drawn = draw(&points, &[&lines[0], &beside], area(), &PARAMS);
         assert!(points.len() == 3 && drawn.lost == 3 && drawn.beads.is_empty(), "{drawn:?}");
     }

@@ -67,7 +67,7 @@ pub(super) fn least(first: f32, params: &Params) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::vertex::Source;
+    use crate::lines::vertex::FoundIn;
     use crate::units::MmPoint;
 
     fn line(closed: bool, at: impl Fn(f32) -> (f32, f32)) -> Polyline<Vertex> {
@@ -78,7 +78,7 @@ mod tests {
                 strength: 30.0,
                 contrast: [30.0, 0.0, 0.0],
                 width: 1.0,
-                source: Source::Pixels,
+                source: FoundIn::Pixels,
             }
         };
         Polyline { vertices: (0..100).map(vertex).collect(), closed }

@@ -20,10 +20,15 @@ const STRAIGHT: f32 = 0.98;
 const STEEP: f32 = 0.5;
 /// A longer tick is longer by this than a line has to be, mm: its end is put on its line, which may be moved.
 const MARGIN: f32 = 0.2;
-/// So many ticks on a line are a scale.
+/// So many ticks on a line that are too short are a scale.
 const SCALE: usize = 3;
+/// Ticks are shorter than so many least lengths of a line; what stands on a line and is longer is a line of its own.
+const LONGEST: f32 = 2.0;
+/// A tick is at least this share of the longest one of its scale: the short ticks of rulers and clocks are a third or
+/// more of the long ones, and what is shorter is a crumb.
+const OF_LONGEST: f32 = 0.25;
 
-/// A tick that is too short.
+/// A tick, which may be too short for a line.
 struct Tick {
     /// Its line among all.
     number: usize,
@@ -39,12 +44,17 @@ struct Tick {
 pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params: &Params) {
     let mut ticks = ticks(polylines, area, params);
     ticks.sort_by_key(|tick| tick.base);
-    for scale in ticks.chunk_by(|a, b| a.base == b.base).filter(|scale| scale.len() >= SCALE) {
+    for on_line in ticks.chunk_by(|a, b| a.base == b.base) {
+        let longest = on_line.iter().map(|tick| tick.length).fold(0.0, f32::max);
+        let scale: Vec<&Tick> = on_line.iter().filter(|tick| tick.length >= OF_LONGEST * longest).collect();
+        if scale.iter().filter(|tick| polylines[tick.number].length() < params.min_length).count() < SCALE {
+            continue;
+        }
         let shortest = scale.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
         let more = params.min_length + MARGIN - shortest;
         let longer: Vec<Polyline<Vertex>> =
             scale.iter().map(|tick| longer(&polylines[tick.number], tick, more)).collect();
-        if have_room(&longer, scale, polylines, area, params) {
+        if have_room(&longer, &scale, polylines, area, params) {
             for (tick, longer) in scale.iter().zip(longer) {
                 polylines[tick.number] = longer;
             }
@@ -52,21 +62,21 @@ pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params:
     }
 }
 
-/// All ticks that are too short for a line.
+/// All ticks, where enough of them are too short for a line.
 fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Tick> {
     let is_tick = |line: &Polyline<Vertex>| {
         let (Some(first), Some(last)) = (line.vertices.first(), line.vertices.last()) else { return false };
         let length = line.length();
         !line.closed
-            && (SHORTEST..params.min_length).contains(&length)
+            && (SHORTEST..LONGEST * params.min_length).contains(&length)
             && (last.at - first.at).length() >= STRAIGHT * length
     };
-    let short: Vec<usize> = (0..polylines.len()).filter(|&i| is_tick(&polylines[i])).collect();
-    if short.len() < SCALE {
+    let straight: Vec<usize> = (0..polylines.len()).filter(|&i| is_tick(&polylines[i])).collect();
+    if straight.iter().filter(|&&i| polylines[i].length() < params.min_length).count() < SCALE {
         return Vec::new();
     }
     let segments = nearby(polylines.iter(), area, params);
-    let is_long = |line: u32| polylines[line as usize].length() >= 2.0 * params.min_length;
+    let is_long = |line: u32| polylines[line as usize].length() >= LONGEST * params.min_length;
     let tick = |number: usize| -> Option<Tick> {
         let line = &polylines[number];
         let (first, last) = (line.vertices.first()?.at, line.vertices.last()?.at);
@@ -86,7 +96,7 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
             _ => None,
         }
     };
-    short.into_iter().filter_map(tick).collect()
+    straight.into_iter().filter_map(tick).collect()
 }
 
 /// A tick that is longer by so much, mm, at its free ends, and stands on its line.
@@ -104,7 +114,7 @@ fn longer(line: &Polyline<Vertex>, tick: &Tick, more: f32) -> Polyline<Vertex> {
 /// Whether longer ticks are apart from one another and from all lines but their own.
 fn have_room(
     longer: &[Polyline<Vertex>],
-    scale: &[Tick],
+    scale: &[&Tick],
     polylines: &[Polyline<Vertex>],
     area: MmRect,
     params: &Params,
@@ -138,7 +148,7 @@ fn have_room(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lines::vertex::{SPACING, Source};
+    use crate::lines::vertex::{FoundIn, SPACING};
 
     const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
 
@@ -148,7 +158,7 @@ mod tests {
             strength: 60.0,
             contrast: [0.0; 3],
             width: 0.0,
-            source: Source::Vector,
+            source: FoundIn::Vector,
         };
         let mut line = Polyline::open(vec![vertex(from), vertex(to)]);
         line.subdivide(SPACING);

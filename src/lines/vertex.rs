@@ -26,12 +26,12 @@ pub(super) struct Vertex {
     /// Width of the line here, mm; 0 until `weight` has been there.
     pub(super) width: f32,
     /// Where it was found.
-    pub(super) source: Source,
+    pub(super) source: FoundIn,
 }
 
 /// Where a vertex was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Source {
+pub(super) enum FoundIn {
     /// In pixels.
     Pixels,
     /// In the pixels of a drawing, in the middle of a stroke: every one is meant, though one thinner than a pixel is
@@ -57,7 +57,7 @@ impl Blend for Vertex {
             strength: mix(self.strength, other.strength),
             contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
             width: mix(self.width, other.width),
-            source: if self.source == other.source { self.source } else { Source::Pixels },
+            source: if self.source == other.source { self.source } else { FoundIn::Pixels },
         }
     }
 
@@ -71,8 +71,8 @@ impl Vertex {
     /// its contrast, or less, and means as much as a wide one.
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
         match self.source {
-            Source::Stroke => self.strength.max(full_strength),
-            Source::Pixels | Source::Vector => self.strength,
+            FoundIn::Stroke => self.strength.max(full_strength),
+            FoundIn::Pixels | FoundIn::Vector => self.strength,
         }
     }
 }
@@ -95,9 +95,9 @@ impl Polyline<Vertex> {
     /// A contour on the sheet.
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
         let source = match kind {
-            ChainKind { exact: true, .. } => Source::Vector,
-            ChainKind { drawn: true, stroke: Some(_), .. } => Source::Stroke,
-            _ => Source::Pixels,
+            ChainKind { exact: true, .. } => FoundIn::Vector,
+            ChainKind { drawn: true, stroke: Some(_), .. } => FoundIn::Stroke,
+            _ => FoundIn::Pixels,
         };
         let vertex = |p: &Edgel| Vertex {
             at: transform.to_mm(p.at),
@@ -241,7 +241,7 @@ mod tests {
             strength: 30.0,
             contrast: [0.0; 3],
             width: 0.0,
-            source: Source::Pixels,
+            source: FoundIn::Pixels,
         };
         let mut line = Polyline { vertices: points.iter().map(vertex).collect::<Vec<_>>(), closed };
         line.subdivide(0.25);

@@ -2,7 +2,7 @@
 
 use super::line::{Line, Run};
 use super::params::Params;
-use super::vertex::{Source, Vertex};
+use super::vertex::{FoundIn, Vertex};
 use crate::geom::polyline::{Polyline, PolylineRef, smooth};
 use crate::geom::{crossing, simplify::simplify};
 use crate::units::MmPoint;
@@ -93,7 +93,7 @@ pub(super) fn finish(polyline: &Polyline<Vertex>, anchored: &[bool], params: &Pa
     if points.len() < 2 {
         return None;
     }
-    let exact = polyline.vertices.iter().all(|vertex| vertex.source == Source::Vector);
+    let exact = polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
     let mut tolerance = if exact { params.tolerance.min(EXACT_TOLERANCE) } else { params.tolerance };
     let mut runs = drawn(polyline, &points, anchored, tolerance);
     // Where a line bends sharply its simplified sides may cross: there it stays nearer to what it was.
@@ -164,7 +164,7 @@ mod tests {
                 strength: strength(i as f32 * 0.2),
                 contrast: [1.0, 0.0, 0.0],
                 width: 0.0,
-                source: Source::Pixels,
+                source: FoundIn::Pixels,
             })
             .collect();
         let mut polyline = Polyline::open(vertices);

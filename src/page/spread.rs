@@ -24,7 +24,7 @@ use crate::devices::DotArea;
 use crate::geom::polyline::PolylineRef;
 use crate::units::{MmPoint, MmRect, MmVector, Size};
 
-pub use super::spread_layout::{Grid, LABEL_CELLS, Spread};
+pub use super::spread_layout::{LABEL_CELLS, SheetGrid, Spread};
 
 /// Width of a tick, mm. Chosen by us: the width of most lines of a picture.
 const TICK_WIDTH: f32 = 1.5;
@@ -33,7 +33,7 @@ const BAND: f32 = TICK + GAP;
 
 /// Lays out a picture whose width is `aspect` times its height over a grid of sheets, as large as they allow but not
 /// wider than `widest`, in their middle. None where the sheets are too small.
-pub fn fit(aspect: f32, widest: f32, grid: Grid, overlap: f32, params: &Params) -> Option<Spread> {
+pub fn fit(aspect: f32, widest: f32, grid: SheetGrid, overlap: f32, params: &Params) -> Option<Spread> {
     let [a, b] = params.sheet;
     let (short, long) = (a.min(b), a.max(b));
     let on = |sheet: [f32; 2]| {

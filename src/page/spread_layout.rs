@@ -11,16 +11,16 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How many sheets there are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Grid {
+pub struct SheetGrid {
     pub(super) across: u32,
     pub(super) down: u32,
 }
 
-impl Grid {
+impl SheetGrid {
     /// Most sheets across or down: the label of a row is a letter, that of a column a digit.
     pub const MOST: u32 = 9;
 
-    /// `across` sheets by `down` sheets; none unless both are from 1 to [`Grid::MOST`] and there are at least two
+    /// `across` sheets by `down` sheets; none unless both are from 1 to [`SheetGrid::MOST`] and there are at least two
     /// sheets.
     pub fn new(across: u32, down: u32) -> Option<Self> {
         let good = |count| (1..=Self::MOST).contains(&count);
@@ -41,7 +41,7 @@ impl Grid {
     }
 }
 
-impl FromStr for Grid {
+impl FromStr for SheetGrid {
     type Err = Error;
 
     /// # Errors
@@ -53,7 +53,7 @@ impl FromStr for Grid {
     }
 }
 
-impl std::fmt::Display for Grid {
+impl std::fmt::Display for SheetGrid {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}x{}", self.across, self.down)
     }
@@ -67,7 +67,7 @@ pub(super) const GAP: f32 = 3.2;
 /// Where a picture lies on its sheets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spread {
-    pub(super) grid: Grid,
+    pub(super) grid: SheetGrid,
     /// Width and height of every sheet as it lies.
     pub sheet: [f32; 2],
     /// The picture in the space of all sheets together.
@@ -102,7 +102,7 @@ pub const LABEL_CELLS: usize = 3;
 pub(super) struct Picture {
     pub(super) aspect: f32,
     pub(super) widest: f32,
-    pub(super) grid: Grid,
+    pub(super) grid: SheetGrid,
     pub(super) overlap: f32,
 }
 
@@ -136,11 +136,11 @@ mod tests {
     #[test]
     fn grids_are_read_and_written() {
         for text in ["2x2", "1x9", "3X1", " 2 x 4 "] {
-            let grid: Grid = text.parse().expect(text);
+            let grid: SheetGrid = text.parse().expect(text);
             assert_eq!(grid.to_string(), text.replace(' ', "").to_lowercase());
         }
         for text in ["1x1", "0x3", "10x2", "2", "x", "2x", "2x2x2", "-1x2"] {
-            assert_eq!(text.parse::<Grid>(), Err(Error::NotASheetGrid), "{text}");
+            assert_eq!(text.parse::<SheetGrid>(), Err(Error::NotASheetGrid), "{text}");
         }
     }
 }

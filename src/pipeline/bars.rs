@@ -11,7 +11,7 @@ use crate::units::{MmPoint, MmRect, PageTransform, PxPoint};
 /// corners.
 pub(super) const SAME: f32 = 3.0;
 /// Farthest that a straight piece of a contour may lie from it, px.
-const STRAIGHT: f32 = 1.5;
+const STRAIGHT_WITHIN: f32 = 1.5;
 /// Fewer bars have room on any page.
 const LEAST: usize = 4;
 /// Share of a bar's side that a contour covers at least: a curve may run before it.
@@ -37,12 +37,12 @@ const STEP: f32 = 0.5;
 
 /// Which way bars point: coordinates are across the bars and along them, from the base on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum Direction {
     Up,
     Right,
 }
 
-impl Way {
+impl Direction {
     pub(super) fn of(self, at: PxPoint) -> (f32, f32) {
         match self {
             Self::Up => (at.x, -at.y),
@@ -77,7 +77,7 @@ pub(super) struct Span {
 /// The bars of a chart, side by side on one base.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Chart {
-    pub(super) way: Way,
+    pub(super) way: Direction,
     pub(super) base: f32,
     /// In order.
     pub(super) bars: Vec<Bar>,
@@ -97,11 +97,11 @@ impl Chart {
         if pieces.len() > MOST {
             return None;
         }
-        let charts = [Way::Up, Way::Right].map(|way| Self::pointing(way, edges, &pieces));
-        charts.into_iter().flatten().max_by_key(|chart| (chart.bars.len(), chart.way == Way::Up))
+        let charts = [Direction::Up, Direction::Right].map(|way| Self::pointing(way, edges, &pieces));
+        charts.into_iter().flatten().max_by_key(|chart| (chart.bars.len(), chart.way == Direction::Up))
     }
 
-    fn pointing(way: Way, edges: &Edges, pieces: &[(PxPoint, PxPoint)]) -> Option<Self> {
+    fn pointing(way: Direction, edges: &Edges, pieces: &[(PxPoint, PxPoint)]) -> Option<Self> {
         let (mut sides, mut levels) = (Vec::new(), Vec::new());
         for &(a, b) in pieces {
             let ((a, up), (b, down)) = (way.of(a), way.of(b));
@@ -235,7 +235,7 @@ impl Chart {
 /// The straight pieces of a chain.
 fn straight(edges: &Edges, chain: &ChainRange) -> Vec<(PxPoint, PxPoint)> {
     let points: Vec<PxPoint> = edges.edgels[chain.edgels.clone()].iter().map(|edgel| edgel.at).collect();
-    let corners = simplify(PolylineRef { vertices: &points, closed: chain.closed }, STRAIGHT);
+    let corners = simplify(PolylineRef { vertices: &points, closed: chain.closed }, STRAIGHT_WITHIN);
     let mut pieces: Vec<(PxPoint, PxPoint)> =
         corners.windows(2).map(|pair| (points[pair[0]], points[pair[1]])).collect();
     if let (true, Some(&first), Some(&last)) = (chain.closed, corners.first(), corners.last()) {

@@ -8,7 +8,7 @@ use crate::Error;
 use crate::classes::{self, Classes};
 use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::decode::Source;
+use crate::raster::decode::Header;
 use crate::units::MmRect;
 
 /// The colours of a picture, sorted.
@@ -27,7 +27,7 @@ pub struct Sorted {
 pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Sorted, Error> {
     let plan = request.plan;
     let fit = &request.fit;
-    let working_size = |source: Source| working_size(source, &|size| fit.layout(size, plan), fit, plan);
+    let working_size = |source: Header| working_size(source, &|size| fit.layout(size, plan), fit, plan);
     let options = request.decoding(&working_size);
     let Read { picture, is_flat, kind } = read(Picture::file(picture), &options, None, watch)?;
     let layout = fit.layout(picture.source.size, plan)?;

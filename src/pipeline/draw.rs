@@ -23,7 +23,7 @@ use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Source};
+use crate::raster::decode::{self, Header};
 use crate::raster::vector::DrawnText;
 use crate::regions::{Areas, Detail};
 use crate::units::{MmRect, PageTransform, Size};
@@ -72,7 +72,7 @@ pub(super) fn draw(
     watch: &mut Watch<'_>,
 ) -> Result<Marks, Error> {
     let (plan, fit) = (request.plan, &request.fit);
-    let working_size = |source: Source| working_size(source, layout_of, fit, plan);
+    let working_size = |source: Header| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
     let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
     let source = picture.source.size;
@@ -176,7 +176,7 @@ pub(super) fn contours_of(
 
 /// The lines of a picture of lines, as contours of a picture of this size.
 fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f32) -> Result<Edges, Error> {
-    let working_size = |source: Source| {
+    let working_size = |source: Header| {
         let shape = |size: Size| size.width as f32 / size.height as f32;
         enough_pixels(source.size)?;
         let (lines, picture) = (shape(source.size), shape(size));
@@ -193,12 +193,12 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
 /// more than there are.
 pub(super) fn working_size(
-    source: Source,
+    source: Header,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
     fit: &Fit,
     plan: &Plan,
 ) -> Result<Size, Error> {
-    let Source { size, is_drawing } = source;
+    let Header { size, is_drawing } = source;
     enough_pixels(size)?;
     let place = layout_of(size)?.figure;
     let figure = &plan.profile().figure;

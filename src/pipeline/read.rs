@@ -6,7 +6,7 @@ use crate::edges::PictureKind;
 use crate::lettering::{FoundLine, Lettering};
 use crate::picture::Picture;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Options, Source};
+use crate::raster::decode::{self, Header, Options};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 use crate::{About, Error, Note};
@@ -97,7 +97,7 @@ fn told_read(words: &[String]) -> Option<Note> {
 /// The picture once more, finer than the working picture; none if there is no finer one, or it is over a limit.
 fn finer(picture: Picture<'_>, decoded: &decode::Picture, options: &Options<'_>) -> Option<Raster> {
     let working = decoded.raster.size();
-    let wanted = |source: Source| {
+    let wanted = |source: Header| {
         let side = |side: u32, own: u32| {
             let wanted = side.saturating_mul(FINER);
             if source.is_drawing { wanted } else { wanted.min(own) }
@@ -107,7 +107,7 @@ fn finer(picture: Picture<'_>, decoded: &decode::Picture, options: &Options<'_>)
     if (wanted(decoded.source).width as f32) < LEAST_FINER * working.width as f32 {
         return None;
     }
-    let working_size = |source: Source| Ok(wanted(source));
+    let working_size = |source: Header| Ok(wanted(source));
     let options = Options { working_size: &working_size, ..*options };
     decode::decode_picture(picture, &options).ok().map(|picture| picture.raster)
 }

@@ -6,7 +6,7 @@ use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
-use crate::raster::decode::{Fonts, Limits, Options, Source};
+use crate::raster::decode::{Fonts, Header, Limits, Options};
 use crate::units::Size;
 
 /// Which part of a picture is drawn, and how. The default is all of it, as large as the sheet allows, for the front.
@@ -112,7 +112,7 @@ impl Request<'_> {
     }
 
     /// How the picture is decoded.
-    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Source) -> Result<Size, Error>) -> Options<'b> {
+    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> Options<'b> {
         let Fit { crop, page, keep_text, .. } = self.fit;
         Options { limits: self.limits, fonts: self.fonts, crop, page, keep_text, working_size }
     }

@@ -11,7 +11,7 @@ use super::words::{Words, Written};
 use crate::devices::Family;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
-use crate::page::spread::{self, Cut, Grid, LABEL_CELLS, Spread};
+use crate::page::spread::{self, Cut, LABEL_CELLS, SheetGrid, Spread};
 use crate::page::{BrailleText, Dots, Figure, InSet, LeftOut, Line, Medium, Page, Parts, Run, frame};
 use crate::picture::Picture;
 use crate::units::{MmRect, Size};
@@ -56,7 +56,7 @@ pub fn convert<'p>(
     picture: impl Into<Picture<'p>>,
     words: &Words<'_>,
     given: &Given,
-    grid: Option<Grid>,
+    grid: Option<SheetGrid>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
@@ -103,20 +103,20 @@ pub fn convert<'p>(
 
 /// Where a picture lies on its sheets, and where its overview does.
 struct Laid {
-    grid: Grid,
+    grid: SheetGrid,
     spread: Spread,
     overview: Option<Layout>,
 }
 
 /// Lays a picture of this size out below its title, or without one where that leaves too little room.
-fn lay(size: Size, grid: Option<Grid>, written: &Written<'_>, request: &Request<'_>) -> Result<Laid, Error> {
+fn lay(size: Size, grid: Option<SheetGrid>, written: &Written<'_>, request: &Request<'_>) -> Result<Laid, Error> {
     let least = request.plan.profile().figure.min_side;
     let heading = written.heading_beside(LABEL_CELLS);
     let lay = |heading: Option<HeadingParams>| {
         let grid = grid.map_or_else(|| fewest(size, heading, request), Ok)?;
         Ok::<_, Error>((grid, spread_of(size, grid, heading, request)?))
     };
-    let is_large = |(_, spread): &(Grid, Spread)| spread.figure.width().min(spread.figure.height()) >= least;
+    let is_large = |(_, spread): &(SheetGrid, Spread)| spread.figure.width().min(spread.figure.height()) >= least;
     let below = heading.and_then(|heading| lay(Some(heading)).ok()).filter(is_large);
     let (grid, spread) = below.map_or_else(|| lay(None), Ok)?;
     let overview = request.plan.layout().overview.map(|_| overview_sheet(size, &spread, written, request));
@@ -124,9 +124,9 @@ fn lay(size: Size, grid: Option<Grid>, written: &Written<'_>, request: &Request<
 }
 
 /// The grid of fewest sheets that have room for the width asked for.
-fn fewest(size: Size, heading: Option<HeadingParams>, request: &Request<'_>) -> Result<Grid, Error> {
-    let mut refused = Error::NoRoomOnSheets { grid: format!("{0}x{0}", Grid::MOST) };
-    for grid in Grid::by_number() {
+fn fewest(size: Size, heading: Option<HeadingParams>, request: &Request<'_>) -> Result<SheetGrid, Error> {
+    let mut refused = Error::NoRoomOnSheets { grid: format!("{0}x{0}", SheetGrid::MOST) };
+    for grid in SheetGrid::by_number() {
         match spread_of(size, grid, heading, request) {
             Ok(_) => return Ok(grid),
             Err(error) => refused = error,
@@ -149,7 +149,12 @@ fn aspect(size: Size) -> f32 {
     size.width as f32 / size.height as f32
 }
 
-fn spread_of(size: Size, grid: Grid, heading: Option<HeadingParams>, request: &Request<'_>) -> Result<Spread, Error> {
+fn spread_of(
+    size: Size,
+    grid: SheetGrid,
+    heading: Option<HeadingParams>,
+    request: &Request<'_>,
+) -> Result<Spread, Error> {
     request.fit.check()?;
     let overlap = request.plan.profile().sheets.overlap;
     let params = layout::Params { heading, ..request.plan.layout() };
@@ -251,7 +256,7 @@ fn parts(
     title: String,
     figure: Figure,
     braille: Vec<BrailleText>,
-    (grid, layout): (Grid, &Layout),
+    (grid, layout): (SheetGrid, &Layout),
     in_set: InSet,
     request: &Request<'_>,
 ) -> Parts {

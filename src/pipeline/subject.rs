@@ -8,7 +8,7 @@ use crate::edges::{Edgel, Edges};
 use crate::geom::polyline::Located;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::regions::{Grid, Mask};
+use crate::regions::{Mask, RegionGrid};
 use crate::units::{PageTransform, PxPoint, Size};
 
 /// A ring around the subject has at least this area, mm2: smaller ones are dots for a finger.
@@ -72,7 +72,7 @@ fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling
 
 /// The inside of the smallest closed contour around a place.
 fn ring_around(edges: &Edges, at: PxPoint, mm_per_px: f32) -> Option<Mask> {
-    let grid = Grid::new(edges.size);
+    let grid = RegionGrid::new(edges.size);
     let rings = edges.chains.iter().filter(|range| range.closed).map(|range| edges.chain(range));
     let inside = rings.map(|ring| {
         let points: Vec<PxPoint> = ring.vertices.iter().map(Located::at).collect();

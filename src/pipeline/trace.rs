@@ -11,7 +11,7 @@ use crate::edges::{self, Edges};
 use crate::page::layout::Layout;
 use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::decode::Source;
+use crate::raster::decode::Header;
 use crate::regions::Detail;
 use crate::units::PageTransform;
 use crate::{Error, Note};
@@ -98,7 +98,7 @@ pub fn trace<'p>(
     let plan = request.plan;
     let in_full = tracing.subject == Subject::ContoursAtFullResolution;
     let fit = Fit { mirrored: false, ..request.fit };
-    let working_size = |source: Source| {
+    let working_size = |source: Header| {
         if in_full {
             enough_pixels(source.size).map(|()| source.size)
         } else {

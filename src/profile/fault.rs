@@ -40,7 +40,7 @@ pub(crate) fn faults_in_one_line(faults: &[Fault]) -> String {
 
 /// A fault in a text whose name is not known yet.
 #[derive(Debug)]
-pub(super) struct Found {
+pub(super) struct FaultInText {
     /// Counted from 1.
     pub(super) line: usize,
     pub(super) what: String,
@@ -48,7 +48,7 @@ pub(super) struct Found {
     key: Option<&'static str>,
 }
 
-impl Found {
+impl FaultInText {
     pub(super) fn new(line: usize, what: String) -> Self {
         Self { line, what, key: None }
     }

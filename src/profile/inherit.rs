@@ -1,7 +1,7 @@
 //! A profile's text and the texts it inherits, laid one over the other.
 
 use super::built_in;
-use super::fault::{Fault, Found, list};
+use super::fault::{Fault, FaultInText, list};
 use super::keys::{KEYS, Origin, Profile};
 use super::parse::{Written, parse};
 use super::suggest::unknown_profile;
@@ -21,7 +21,7 @@ pub type FindFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
 
 /// Whose text a profile is read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Source {
+pub(super) enum ProfileOrigin {
     /// One of the profiles that come with the program.
     BuiltIn,
     /// A file of the maker's own.
@@ -29,7 +29,7 @@ pub(super) enum Source {
 }
 
 /// Reads a profile and all it inherits. `place` is the name of the file, or of the built-in profile.
-pub(super) fn load(text: &str, place: &str, source: Source, find: &FindFile<'_>) -> Result<Profile, Vec<Fault>> {
+pub(super) fn load(text: &str, place: &str, source: ProfileOrigin, find: &FindFile<'_>) -> Result<Profile, Vec<Fault>> {
     let mut faults = Vec::new();
     let texts = texts(text, place, source, find, &mut faults);
     let mut profile = Profile::blank(name_of(place).to_owned());
@@ -62,11 +62,11 @@ struct Texts {
 
 struct Layer {
     place: String,
-    source: Source,
+    source: ProfileOrigin,
     written: Written,
 }
 
-fn texts(text: &str, place: &str, source: Source, find: &FindFile<'_>, faults: &mut Vec<Fault>) -> Texts {
+fn texts(text: &str, place: &str, source: ProfileOrigin, find: &FindFile<'_>, faults: &mut Vec<Fault>) -> Texts {
     let mut texts = Texts { layers: Vec::new(), complete: true };
     let mut next = Some((text.to_owned(), place.to_owned(), source));
     while let Some((text, place, source)) = next.take() {
@@ -80,7 +80,7 @@ fn texts(text: &str, place: &str, source: Source, find: &FindFile<'_>, faults: &
                 Ok(text) => next = Some(text),
                 Err(what) => {
                     texts.complete = false;
-                    found.push(Found::new(line, what));
+                    found.push(FaultInText::new(line, what));
                     found.sort_by_key(|fault| fault.line);
                 }
             }
@@ -91,12 +91,12 @@ fn texts(text: &str, place: &str, source: Source, find: &FindFile<'_>, faults: &
 }
 
 /// The text, place and source of what the last of `layers` inherits.
-fn inherited(parent: &str, layers: &[Layer], find: &FindFile<'_>) -> Result<(String, String, Source), String> {
+fn inherited(parent: &str, layers: &[Layer], find: &FindFile<'_>) -> Result<(String, String, ProfileOrigin), String> {
     let child = layers.last().map_or("", |layer| layer.place.as_str());
     let (place, source) = if built_in::is_path(parent) {
-        (beside(child, parent), Source::File)
+        (beside(child, parent), ProfileOrigin::File)
     } else {
-        (format!("{parent}.toml"), Source::BuiltIn)
+        (format!("{parent}.toml"), ProfileOrigin::BuiltIn)
     };
     let names = || layers.iter().map(|layer| layer.name()).chain([parent]).collect::<Vec<_>>().join(" to ");
     if layers.iter().any(|layer| layer.source == source && same_file(&layer.place, &place)) {
@@ -106,8 +106,8 @@ fn inherited(parent: &str, layers: &[Layer], find: &FindFile<'_>) -> Result<(Str
         return Err(format!("inherits goes through more than {MOST_TEXTS} profiles, {}, use fewer", names()));
     }
     let text = match source {
-        Source::BuiltIn => built_in::text_of(parent).map(str::to_owned).ok_or_else(|| unknown_profile(parent)),
-        Source::File => find(&place),
+        ProfileOrigin::BuiltIn => built_in::text_of(parent).map(str::to_owned).ok_or_else(|| unknown_profile(parent)),
+        ProfileOrigin::File => find(&place),
     };
     let text = text.map_err(|why| format!("inherits cannot be followed, {why}"))?;
     Ok((text, place, source))
@@ -117,8 +117,8 @@ impl Layer {
     /// As a profile names it that inherits it.
     fn name(&self) -> &str {
         match self.source {
-            Source::BuiltIn => name_of(&self.place),
-            Source::File => &self.place,
+            ProfileOrigin::BuiltIn => name_of(&self.place),
+            ProfileOrigin::File => &self.place,
         }
     }
 }
@@ -156,7 +156,7 @@ fn lay_over(profile: &mut Profile, layers: &[Layer]) {
         for given in &layer.written.given {
             order += 1;
             let held = given.value.as_ref().is_some_and(|value| KEYS[given.key].put(profile, value));
-            let own = depth == 0 && layer.source == Source::File;
+            let own = depth == 0 && layer.source == ProfileOrigin::File;
             let place = format!("{}, line {}", layer.place, given.line);
             profile.origins[given.key] = Origin { order, held, own, place };
         }
@@ -206,7 +206,7 @@ mod tests {
     }
 
     fn read(text: &str, place: &str) -> Result<Profile, String> {
-        load(text, place, Source::File, &find)
+        load(text, place, ProfileOrigin::File, &find)
             .map_err(|faults| faults.iter().map(Fault::to_string).collect::<Vec<_>>().join("\n"))
     }
 

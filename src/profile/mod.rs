@@ -32,7 +32,7 @@ pub use kind::{NumberRange, Value};
 pub use plan::Plan;
 
 use crate::Error;
-use inherit::Source;
+use inherit::ProfileOrigin;
 
 impl Profile {
     /// Every key there is, in a fixed order.
@@ -59,7 +59,7 @@ impl Profile {
             let place = format!("profile {}", fault::quoted_path(&[name]));
             return Err(Fault::new(place, suggest::unknown_profile(name)).into());
         };
-        Ok(inherit::load(text, &format!("{name}.toml"), Source::BuiltIn, &no_file)?)
+        Ok(inherit::load(text, &format!("{name}.toml"), ProfileOrigin::BuiltIn, &no_file)?)
     }
 
     /// Reads a profile from the text of a TOML file. `place` is the file's name as the messages shall give it; the
@@ -80,7 +80,7 @@ impl Profile {
     /// As [`Profile::from_toml`], with the faults of the inherited files too; and files that inherit one another in a
     /// circle.
     pub fn from_toml_with(text: &str, place: &str, find: &FindFile<'_>) -> Result<Self, Error> {
-        Ok(inherit::load(text, place, Source::File, find)?)
+        Ok(inherit::load(text, place, ProfileOrigin::File, find)?)
     }
 
     /// What a key holds, by its path, such as `lines.width_max`.

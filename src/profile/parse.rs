@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::fault::{Found, quoted, quoted_path};
+use super::fault::{FaultInText, quoted, quoted_path};
 use super::keys::{KEYS, SECTIONS, position, switch_of};
 use super::kind::Value;
 use super::suggest::{unknown_key, unknown_section};
@@ -41,9 +41,9 @@ pub(super) struct Given {
 
 /// Reads a text. Whatever it holds, as much as can be understood comes back; the faults go to `faults` in the order of
 /// their lines.
-pub(super) fn parse(text: &str, faults: &mut Vec<Found>) -> Written {
+pub(super) fn parse(text: &str, faults: &mut Vec<FaultInText>) -> Written {
     if text.len() > LONGEST_TEXT {
-        faults.push(Found::new(
+        faults.push(FaultInText::new(
             1,
             format!("a profile has at most {LONGEST_TEXT} bytes, this text has {}, is it the right file?", text.len()),
         ));
@@ -72,7 +72,7 @@ struct Reader<'l> {
     /// Lines with a mistake in the TOML: what was made of them is not to be trusted.
     mistakes: BTreeSet<usize>,
     written: Written,
-    faults: Vec<Found>,
+    faults: Vec<FaultInText>,
 }
 
 type Name<'i> = Spanned<std::borrow::Cow<'i, str>>;
@@ -81,7 +81,7 @@ impl Reader<'_> {
     /// A mistake in the TOML of a line is told instead of what follows from it.
     fn fault(&mut self, line: usize, what: String) {
         if !self.mistakes.contains(&line) {
-            self.faults.push(Found::new(line, what));
+            self.faults.push(FaultInText::new(line, what));
         }
     }
 
@@ -153,7 +153,7 @@ impl Reader<'_> {
             None => true,
         };
         if refused {
-            self.faults.push(Found::of_key(key.path, line, key.refuse(&self.said(value))));
+            self.faults.push(FaultInText::of_key(key.path, line, key.refuse(&self.said(value))));
         }
         self.written.given.push(Given { key: index, value: given.filter(|_| !refused && !damaged), line });
     }

@@ -11,14 +11,14 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Error};
 
-use super::fault::{Found, has_decimal_comma, quoted};
+use super::fault::{FaultInText, has_decimal_comma, quoted};
 
 /// A line that is put behind another one, to see whether it is still read.
 const NEXT: &str = "next-line = 1";
 
 /// Reads a text as TOML. `see` gets what the TOML reader made of it, and the lines of the mistakes; what is on one of
 /// those is not to be trusted. Returned are the mistakes, at most one for each line.
-pub(super) fn read(text: &str, lines: &Lines, see: &mut dyn FnMut(&DeTable<'_>, &BTreeSet<usize>)) -> Vec<Found> {
+pub(super) fn read(text: &str, lines: &Lines, see: &mut dyn FnMut(&DeTable<'_>, &BTreeSet<usize>)) -> Vec<FaultInText> {
     let (table, errors) = DeTable::parse_recoverable(text);
     if errors.is_empty() {
         see(table.get_ref(), &BTreeSet::new());
@@ -37,7 +37,7 @@ pub(super) fn read(text: &str, lines: &Lines, see: &mut dyn FnMut(&DeTable<'_>, 
         let content = readable.get(lines.bytes(line, readable.len())).unwrap_or_default().trim();
         // A mistake that shows only at the end of the text has another one before it.
         if (!content.is_empty() || told.is_empty()) && told.insert(line) {
-            faults.push(Found::new(line, explain(message, content)));
+            faults.push(FaultInText::new(line, explain(message, content)));
         }
     }
     see(table.get_ref(), &told);
@@ -70,7 +70,7 @@ fn long_values(table: &DeTable<'_>, lines: &Lines) -> Vec<Range<usize>> {
 
 /// Blanks the lines that spoil what follows, so that all others keep their number, and tells them. Lines of the values
 /// `whole`, which are read well, are none of them.
-fn leave_out_spoiling_lines(text: &mut String, lines: &Lines, whole: &[Range<usize>]) -> Vec<Found> {
+fn leave_out_spoiling_lines(text: &mut String, lines: &Lines, whole: &[Range<usize>]) -> Vec<FaultInText> {
     let mut faults = Vec::new();
     let mut under_damaged_heading = false;
     for line in 1..=lines.count() {
@@ -83,7 +83,7 @@ fn leave_out_spoiling_lines(text: &mut String, lines: &Lines, whole: &[Range<usi
         under_damaged_heading &= !heading;
         let spoils = spoils(content.trim_end_matches(['\n', '\r']), heading);
         if let Some(what) = spoils.filter(|_| !under_damaged_heading) {
-            faults.push(Found::new(line, what));
+            faults.push(FaultInText::new(line, what));
             under_damaged_heading |= heading;
         } else if !under_damaged_heading {
             continue;

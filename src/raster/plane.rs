@@ -26,7 +26,7 @@ impl Plane {
 
     /// [`Plane::at`] for values that are not in a `Plane`.
     pub fn look_up(values: &[f32], size: Size, x: f32, y: f32) -> f32 {
-        Place::new(size, x, y).look_up(values)
+        SubpixelPosition::new(size, x, y).look_up(values)
     }
 
     /// Blurs with a Gaussian of `sigma` pixels; beyond the edge the nearest pixel counts.
@@ -67,7 +67,7 @@ impl Plane {
 
 /// A position between four pixels, to look up in several planes of one size.
 #[derive(Debug, Clone, Copy)]
-pub struct Place {
+pub struct SubpixelPosition {
     width: usize,
     left: usize,
     right: usize,
@@ -78,7 +78,7 @@ pub struct Place {
     ty: f32,
 }
 
-impl Place {
+impl SubpixelPosition {
     /// A position in pixels (centres at +0.5) in planes of this size.
     pub fn new(size: Size, x: f32, y: f32) -> Self {
         let (width, height) = (size.width as usize, size.height as usize);

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::grid::Grid;
+use super::grid::RegionGrid;
 use super::traces::TraceMap;
 use crate::geom::first_eigenvector;
-use crate::raster::plane::{Place, Plane};
+use crate::raster::plane::{Plane, SubpixelPosition};
 use crate::units::{PxPoint, PxVector};
 
 /// Cracks of an arc within this distance, cells, give a crack's direction.
@@ -30,20 +30,20 @@ pub(super) struct Crack {
 
 impl Crack {
     /// Both cells.
-    pub(super) fn cells(&self, grid: Grid) -> [usize; 2] {
+    pub(super) fn cells(&self, grid: RegionGrid) -> [usize; 2] {
         let cell = self.cell as usize;
         [cell, cell + if self.is_upright { 1 } else { grid.cells.width as usize }]
     }
 
     /// Its middle, in cells.
-    pub(super) fn middle(&self, grid: Grid) -> PxPoint {
+    pub(super) fn middle(&self, grid: RegionGrid) -> PxPoint {
         let width = grid.cells.width;
         let (x, y) = ((self.cell % width) as f32, (self.cell / width) as f32);
         if self.is_upright { PxPoint::new(x + 1.0, y + 0.5) } else { PxPoint::new(x + 0.5, y + 1.0) }
     }
 
     /// Its middle, in halves of a cell.
-    fn half_cells(&self, grid: Grid) -> [i32; 2] {
+    fn half_cells(&self, grid: RegionGrid) -> [i32; 2] {
         let width = grid.cells.width;
         let (x, y) = (2 * (self.cell % width) as i32, 2 * (self.cell / width) as i32);
         if self.is_upright { [x + 2, y + 1] } else { [x + 1, y + 2] }
@@ -109,7 +109,7 @@ pub(super) struct Arc {
 }
 
 /// All cracks, arc by arc, and the arcs in the order of their basins.
-pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plane]) -> (Vec<Crack>, Vec<Arc>) {
+pub(super) fn arcs(basin: &[u32], grid: RegionGrid, traces: &TraceMap, colours: &[Plane]) -> (Vec<Crack>, Vec<Arc>) {
     let found = found(basin, grid);
     let cracks: Vec<Crack> = found.iter().map(|(_, crack)| *crack).collect();
     let mut ranges: Vec<Range<usize>> = Vec::new();
@@ -128,7 +128,7 @@ pub(super) fn arcs(basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plan
 
 /// All cracks with the basins beside them, the lower number first, in the order of these basins; those of the same two
 /// row by row.
-fn found(basin: &[u32], grid: Grid) -> Vec<([u32; 2], Crack)> {
+fn found(basin: &[u32], grid: RegionGrid) -> Vec<([u32; 2], Crack)> {
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     let mut found: Vec<([u32; 2], Crack)> = Vec::new();
     for (y, row) in basin.chunks_exact(width).enumerate() {
@@ -168,7 +168,14 @@ fn counted<T: Copy>(items: &[T], count: usize, number: impl Fn(&T) -> u32) -> Ve
 }
 
 /// Sums up what is seen at the cracks of one arc.
-fn measure(cracks: &[Crack], ends: [u32; 2], basin: &[u32], grid: Grid, traces: &TraceMap, colours: &[Plane]) -> Sums {
+fn measure(
+    cracks: &[Crack],
+    ends: [u32; 2],
+    basin: &[u32],
+    grid: RegionGrid,
+    traces: &TraceMap,
+    colours: &[Plane],
+) -> Sums {
     let mut sums = Sums::default();
     for (crack, tangent) in cracks.iter().zip(tangents(cracks, grid)) {
         let middle = crack.middle(grid);
@@ -183,7 +190,7 @@ fn measure(cracks: &[Crack], ends: [u32; 2], basin: &[u32], grid: Grid, traces: 
         sums.clear += f64::from(strength.min(CLEAR));
         sums.seen += f64::from(u8::from(strength >= SEEN));
         for (side, at) in [(first, middle - across * BESIDE), (1 - first, middle + across * BESIDE)] {
-            let place = Place::new(grid.cells, at.x, at.y);
+            let place = SubpixelPosition::new(grid.cells, at.x, at.y);
             for (sum, plane) in sums.colours[side].iter_mut().zip(colours) {
                 *sum += f64::from(place.look_up(&plane.values));
             }
@@ -217,7 +224,7 @@ impl Moments {
 }
 
 /// The direction of an arc at each of its cracks: the main axis of the cracks near it.
-fn tangents(cracks: &[Crack], grid: Grid) -> Vec<PxVector> {
+fn tangents(cracks: &[Crack], grid: RegionGrid) -> Vec<PxVector> {
     const REACH: i32 = 2 * TANGENT_REACH as i32;
     let middles: Vec<([i32; 2], [i32; 2])> =
         cracks.iter().map(|crack| (crack.half_cells(grid), crack.half())).collect();
@@ -262,9 +269,9 @@ mod tests {
     const SIZE: Size = Size::new(16, 6);
 
     /// Basins of rows of digits.
-    fn basins(rows: &[&str]) -> (Vec<u32>, Grid) {
+    fn basins(rows: &[&str]) -> (Vec<u32>, RegionGrid) {
         let basin = rows.iter().flat_map(|row| row.bytes()).map(|digit| u32::from(digit - b'0')).collect();
-        (basin, Grid::new(Size::new(rows[0].len() as u32, rows.len() as u32)))
+        (basin, RegionGrid::new(Size::new(rows[0].len() as u32, rows.len() as u32)))
     }
 
     /// A trace through these points.
@@ -278,7 +285,7 @@ mod tests {
         let is_left = |cell: usize| cell % 16 < 8;
         let basin: Vec<u32> = (0..SIZE.len()).map(|cell| if is_left(cell) { left } else { 1 - left }).collect();
         let values = (0..SIZE.len()).map(|cell| if is_left(cell) { 20.0 } else { 80.0 }).collect();
-        let grid = Grid::new(SIZE);
+        let grid = RegionGrid::new(SIZE);
         let (cracks, mut arcs) = arcs(&basin, grid, &TraceMap::of(traces, grid), &[Plane { size: SIZE, values }]);
         assert_eq!((cracks.len(), arcs.len()), (6, 1));
         arcs.remove(0)

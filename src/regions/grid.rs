@@ -8,14 +8,14 @@ const MOST_CELLS: f64 = 200_000.0;
 
 /// Cells over a picture, corner on corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Grid {
+pub struct RegionGrid {
     /// Columns and rows of cells.
     pub cells: Size,
     /// The picture in pixels.
     pub picture: Size,
 }
 
-impl Grid {
+impl RegionGrid {
     /// The cells of a picture of this size.
     pub fn new(picture: Size) -> Self {
         let scale = (MOST_CELLS / picture.area().max(1) as f64).sqrt().min(1.0);

@@ -1,7 +1,7 @@
 //! How much keeps the regions on both sides of a place apart: the height in the tree at which they become one, as in an
 //! ultrametric contour map (Arbelaez et al. 2011).
 
-use super::grid::Grid;
+use super::grid::RegionGrid;
 use super::tree::Tree;
 use crate::units::PxPoint;
 
@@ -11,7 +11,7 @@ const REACH: f32 = 2.5;
 /// Heights of all borders of basins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heights {
-    grid: Grid,
+    grid: RegionGrid,
     /// The greatest height of the cracks beside each cell; 0 inside basins.
     of_cell: Vec<f32>,
 }
@@ -84,7 +84,7 @@ mod tests {
         let size = Size::new(90, 40);
         let of = |x: usize| [20.0, 30.0, 90.0][x / 30];
         let values = (0..size.len()).map(|cell| of(cell % size.width as usize)).collect();
-        Tree::new(&[], &[Plane { size, values }], Grid::new(size), Detail::CONTOURS)
+        Tree::new(&[], &[Plane { size, values }], RegionGrid::new(size), Detail::CONTOURS)
     }
 
     #[test]
@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn a_place_farther_than_the_reach_from_all_borders_has_none_and_one_outside_is_no_fault() {
-        let heights = Heights { of_cell: vec![0.0; 100], grid: Grid::new(Size::new(10, 10)) };
+        let heights = Heights { of_cell: vec![0.0; 100], grid: RegionGrid::new(Size::new(10, 10)) };
         let with = |cell: usize| {
             let mut of_cell = heights.of_cell.clone();
             of_cell[cell] = 7.0;

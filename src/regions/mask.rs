@@ -1,24 +1,24 @@
 //! A part of a picture, cell by cell.
 
-use super::grid::Grid;
+use super::grid::RegionGrid;
 use crate::geom::distance::squared_distances;
 use crate::units::PxPoint;
 
 /// Some cells of a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mask {
-    grid: Grid,
+    grid: RegionGrid,
     is_in: Vec<bool>,
 }
 
 impl Mask {
-    pub(super) fn new(grid: Grid, is_in: Vec<bool>) -> Self {
+    pub(super) fn new(grid: RegionGrid, is_in: Vec<bool>) -> Self {
         Self { grid, is_in }
     }
 
     /// The cells whose middles lie inside a ring, whose points are in pixels of the picture: those from which a ray to
     /// the right crosses it an odd number of times.
-    pub fn of_ring(grid: Grid, ring: &[PxPoint]) -> Self {
+    pub fn of_ring(grid: RegionGrid, ring: &[PxPoint]) -> Self {
         let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
         let corners: Vec<PxPoint> = ring.iter().map(|&at| grid.to_cells(at)).collect();
         let sides: Vec<[PxPoint; 2]> =
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn inside_of_a_ring_is_what_it_surrounds() {
-        let grid = Grid::new(Size::new(40, 30));
+        let grid = RegionGrid::new(Size::new(40, 30));
         // an L
         let ring = [(5.0, 5.0), (15.0, 5.0), (15.0, 20.0), (30.0, 20.0), (30.0, 25.0), (5.0, 25.0)];
         let mask = Mask::of_ring(grid, &ring.map(|(x, y)| PxPoint::new(x, y)));

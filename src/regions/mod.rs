@@ -32,7 +32,7 @@ mod tree;
 mod watershed;
 
 pub use choose::Params;
-pub use grid::Grid;
+pub use grid::RegionGrid;
 pub use heights::Heights;
 pub use mask::Mask;
 pub use trace::{Areas, Trace, TracePoint};

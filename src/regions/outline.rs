@@ -99,7 +99,7 @@ mod tests {
     use super::super::tree::Detail;
     use super::*;
     use crate::raster::plane::Plane;
-    use crate::regions::Grid;
+    use crate::regions::RegionGrid;
 
     const PARAMS: Params =
         Params { most: 8, drawn: None, least_gain: 0.1, most_near: 0.3, spacing: 4.0, narrowest: 4.0, smoothing: 0.6 };
@@ -118,7 +118,7 @@ mod tests {
         let size = Size::new(120, 90);
         let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
         let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
-        Tree::new(traces, &[Plane { size, values }], Grid::new(size), Detail::OUTLINES)
+        Tree::new(traces, &[Plane { size, values }], RegionGrid::new(size), Detail::OUTLINES)
             .outlines(0.5, &PARAMS, &[], None)
             .0
     }
@@ -192,7 +192,7 @@ mod tests {
             }
         };
         let plane = Plane { size, values: (0..size.len()).map(lightness).collect() };
-        let tree = Tree::new(&[square(&large), square(&small)], &[plane], Grid::new(size), Detail::OUTLINES);
+        let tree = Tree::new(&[square(&large), square(&small)], &[plane], RegionGrid::new(size), Detail::OUTLINES);
         let one = Params { most: 1, ..PARAMS };
         let most_telling = tree.most_telling(0.5, &one);
         let cells = |x: f32, y: f32| {
@@ -218,8 +218,12 @@ mod tests {
             discs.iter().any(|(a, b, radius)| (x - a).hypot(y - b) < *radius)
         };
         let plane = Plane { size, values: (0..size.len()).map(|cell| if is_in(cell) { 80.0 } else { 20.0 }).collect() };
-        let tree =
-            Tree::new(&discs.map(|(x, y, radius)| circle(x, y, radius)), &[plane], Grid::new(size), Detail::OUTLINES);
+        let tree = Tree::new(
+            &discs.map(|(x, y, radius)| circle(x, y, radius)),
+            &[plane],
+            RegionGrid::new(size),
+            Detail::OUTLINES,
+        );
         let places = [(35.0, 45.0), (90.0, 45.0), (5.0, 5.0)].map(|(x, y)| PxPoint::new(x, y));
         let (two, areas) = tree.outlines(0.5, &PARAMS, &[], None);
         assert_eq!((two.len(), areas.count(), areas.beyond()), (2, 2, 0));

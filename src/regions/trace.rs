@@ -1,6 +1,6 @@
 //! Traced contours, as they come in and as outlines go out, and the areas that those surround.
 
-use super::grid::Grid;
+use super::grid::RegionGrid;
 use crate::geom::polyline::{Located, Polyline};
 use crate::units::{Px, PxPoint};
 
@@ -27,7 +27,7 @@ pub type Trace = Polyline<TracePoint>;
 /// The areas inside the outlines of chosen regions, cell by cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Areas {
-    pub(super) grid: Grid,
+    pub(super) grid: RegionGrid,
     /// The area of each cell, from 1 on; 0 is the ground.
     pub(super) labels: Vec<u8>,
     /// How many there are beside the ground.

@@ -1,6 +1,6 @@
 //! Traced contours on the grid of cells: where the nearest one runs, how strong, in which direction.
 
-use super::grid::Grid;
+use super::grid::RegionGrid;
 use super::trace::Trace;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};
@@ -18,7 +18,7 @@ pub(super) struct Sample {
 /// What passes each cell.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TraceMap {
-    grid: Grid,
+    grid: RegionGrid,
     samples: Vec<Option<Sample>>,
     /// Which cells have a sample, 64 to a number, each row from a number of its own: most have none.
     is_there: Vec<u64>,
@@ -33,7 +33,7 @@ pub(super) const REACH: f32 = 2.5;
 
 impl TraceMap {
     /// The traces, whose points are about a pixel apart and in pixels of the picture.
-    pub(super) fn of(traces: &[Trace], grid: Grid) -> Self {
+    pub(super) fn of(traces: &[Trace], grid: RegionGrid) -> Self {
         let mut samples: Vec<Option<Sample>> = vec![None; grid.cells.len()];
         for trace in traces {
             for (i, point) in trace.vertices.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The tree of regions.
 
 use super::arcs::{Arc, Crack, Sums, arcs};
-use super::grid::Grid;
+use super::grid::RegionGrid;
 use super::merge::{Node, merge};
 use super::trace::Trace;
 use super::traces::TraceMap;
@@ -36,7 +36,7 @@ impl Detail {
 /// All regions of a picture: basins, and what they are merged to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tree {
-    pub(super) grid: Grid,
+    pub(super) grid: RegionGrid,
     pub(super) traces: TraceMap,
     /// The basin of each cell.
     pub(super) basin: Vec<u32>,
@@ -50,7 +50,7 @@ pub struct Tree {
 
 impl Tree {
     /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
-    pub fn new(traces: &[Trace], colours: &[Plane], grid: Grid, detail: Detail) -> Self {
+    pub fn new(traces: &[Trace], colours: &[Plane], grid: RegionGrid, detail: Detail) -> Self {
         let ((traces, ridges), (squares, soft)) = rayon::join(
             || {
                 let traces = TraceMap::of(traces, grid);
@@ -84,7 +84,7 @@ fn landscape(mut ridges: Plane, squares: &[f32], scale: f32) -> Plane {
 }
 
 /// The squared length of the colour gradient of each cell.
-fn squared_gradient(colours: &[Plane], grid: Grid) -> Vec<f32> {
+fn squared_gradient(colours: &[Plane], grid: RegionGrid) -> Vec<f32> {
     let mut squares = vec![0.0_f32; grid.cells.len()];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     for plane in colours {
@@ -108,7 +108,7 @@ fn squared_gradient(colours: &[Plane], grid: Grid) -> Vec<f32> {
 }
 
 /// Basins with their areas and colours.
-fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: Grid) -> Vec<Node> {
+fn basin_nodes(basin: &[u32], count: usize, colours: &[Plane], grid: RegionGrid) -> Vec<Node> {
     let node = Node { area: 0.0, colour: [0.0; 3], frame: 0.0, outline: Sums::default(), children: None, height: 0.0 };
     let mut nodes = vec![node; count];
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);

@@ -245,7 +245,7 @@ fn leader_lines_end_at_the_outline_of_a_box() {
     }
 }
 
-/// On a number line of which only every fifth tick is long enough for fingers, the numbers at these stay where there is
+/// On a number line of which only every fifth tick is on the page, as the others have no room, the numbers at these stay where there is
 /// no room for all, so that who counts ticks reads the right number.
 #[test]
 fn numbers_stand_at_the_ticks_that_are_on_the_page() {
@@ -253,8 +253,8 @@ fn numbers_stand_at_the_ticks_that_are_on_the_page() {
         font-size='18'><rect width='1000' height='200' fill='#fff'/>\
         <line x1='40' y1='100' x2='960' y2='100' stroke='#000' stroke-width='3'/>"
         .to_owned();
-    for value in -10..=10 {
-        let (x, half) = (500 + 42 * value, if value % 5 == 0 { 20 } else { 12 });
+    for value in -20..=20 {
+        let (x, half) = (500 + 21 * value, if value % 5 == 0 { 20 } else { 12 });
         write!(
             svg,
             "<line x1='{x}' x2='{x}' y1='{}' y2='{}' stroke='#000' stroke-width='2'/>\
@@ -267,10 +267,10 @@ fn numbers_stand_at_the_ticks_that_are_on_the_page() {
     let drawing = drawn(&(svg + "</svg>"), "swell-a4");
     let written: Vec<(i32, MmRect)> =
         labels_of(&drawing).iter().map(|label| (label.text.parse().expect("a number"), place(label))).collect();
-    assert_eq!(written.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [-10, -5, 0, 5, 10]);
+    assert_eq!(written.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [-20, -15, -10, -5, 0, 5, 10, 15, 20]);
     let figure = drawing.page.figure.place;
     for (value, at) in written {
-        let tick = across(figure, 0.5 + 0.042 * value as f32);
+        let tick = across(figure, 0.5 + 0.021 * value as f32);
         assert!((at.center().x - tick).abs() < 3.5, "{value} stands {} mm beside its tick", at.center().x - tick);
     }
 }

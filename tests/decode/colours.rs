@@ -1,6 +1,6 @@
 //! Each format, and each thing that can go wrong with colours.
 
-use tactograph::internals::raster::decode::Source;
+use tactograph::internals::raster::decode::Header;
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
@@ -222,7 +222,7 @@ fn a_jpeg_is_the_same_at_every_scale() {
             if matches!(name, "rgb-420.jpg" | "odd.jpg") && divisor > 4 {
                 continue; // a quarter then has but one or two pixels of its own
             }
-            let small = |source: Source| Ok(Size::new(source.size.width / divisor, source.size.height / divisor));
+            let small = |source: Header| Ok(Size::new(source.size.width / divisor, source.size.height / divisor));
             let picture = decode_to(&bytes, &small).unwrap();
             assert_eq!(picture.raster.size(), small(full.source).unwrap(), "{name} / {divisor}");
             check(&format!("{name} / {divisor}"), &picture.raster, quarters(&full.raster), 5.0 * STEP);

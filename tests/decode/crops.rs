@@ -5,7 +5,7 @@ use tactograph::internals::raster::crop::Crop;
 
 use super::*;
 
-fn part_of(bytes: &[u8], crop: &str, working_size: &dyn Fn(Source) -> Result<Size, Error>) -> Result<Picture, Error> {
+fn part_of(bytes: &[u8], crop: &str, working_size: &dyn Fn(Header) -> Result<Size, Error>) -> Result<Picture, Error> {
     let crop: Crop = crop.parse().expect("a part");
     decode(bytes, &Options { crop: Some(crop), ..Options::whole(working_size) })
 }

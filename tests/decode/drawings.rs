@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tactograph::internals::raster::decode::{Options, Source, decode};
+use tactograph::internals::raster::decode::{Header, Options, decode};
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
@@ -48,7 +48,7 @@ fn fonts_are_asked_for_once_and_only_by_texts() {
         fonts.load_font_data(read("block.ttf"));
         Arc::new(fonts)
     };
-    let working_size = |source: Source| Ok(source.size);
+    let working_size = |source: Header| Ok(source.size);
     let options = Options { fonts: &fonts, ..Options::whole(&working_size) };
     for name in ["rgb.svg", "picture-inside.svg", "linked.svg", "rgb.png"] {
         decode(&read(name), &options).unwrap();
@@ -88,7 +88,7 @@ fn the_size_of_a_drawing_is_in_css_pixels_or_keeps_its_shape() {
         if attributes.contains("0.001") || attributes.contains("1.4142") {
             assert!((ratio(got.size) / ratio(size) - 1.0).abs() < 0.001, "{attributes}: {}", got.size);
         } else {
-            assert_eq!(got, Source { size, is_drawing: true }, "{attributes}");
+            assert_eq!(got, Header { size, is_drawing: true }, "{attributes}");
         }
     }
 }

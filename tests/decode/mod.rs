@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use tactograph::Error;
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Limits, Options, Picture, Source, decode};
+use tactograph::internals::raster::decode::{Header, Limits, Options, Picture, decode};
 use tactograph::internals::units::Size;
 
 /// The scene's quarters: red, green, blue, grey.
@@ -29,7 +29,7 @@ fn read(name: &str) -> Vec<u8> {
     std::fs::read(folder().join(name)).unwrap_or_else(|fault| panic!("{name}: {fault}"))
 }
 
-fn decode_to(bytes: &[u8], working_size: &dyn Fn(Source) -> Result<Size, Error>) -> Result<Picture, Error> {
+fn decode_to(bytes: &[u8], working_size: &dyn Fn(Header) -> Result<Size, Error>) -> Result<Picture, Error> {
     decode(bytes, &Options::whole(working_size))
 }
 

@@ -41,7 +41,7 @@ fn page(entries: &str, content: &str, more: &[Vec<u8>]) -> Vec<u8> {
 const FONT: &str = "/Font << /F << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
 
 fn decode_page(bytes: &[u8], page: Option<u32>, keep_text: bool, limits: Limits) -> Result<Picture, Error> {
-    let working_size = |source: Source| Ok(source.size);
+    let working_size = |source: Header| Ok(source.size);
     decode(bytes, &Options { limits, page, keep_text, ..Options::whole(&working_size) })
 }
 

@@ -22,7 +22,7 @@ use tactograph::internals::page::Page;
 use tactograph::internals::page::layout::{self, Layout};
 use tactograph::internals::pipeline::{Request, convert};
 use tactograph::internals::profile::{Plan, Profile};
-use tactograph::internals::raster::decode::{self, Limits, Options, Picture, Source};
+use tactograph::internals::raster::decode::{self, Header, Limits, Options, Picture};
 use tactograph::internals::units::{PageTransform, Size};
 use tactograph::internals::{classes, edges, lines, textures, touch};
 use tactograph_tools::{ROOT, photo};
@@ -102,7 +102,7 @@ fn layout_of(size: Size, plan: &Plan) -> Layout {
 
 /// At the working size of a page, as the pipeline asks for.
 fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
-    let working_size = |Source { size, .. }: Source| {
+    let working_size = |Header { size, .. }: Header| {
         let place = layout_of(size, plan).figure;
         let pixels = |mm: f32, own: u32| ((mm * plan.profile().figure.resolution).round() as u32).clamp(1, own);
         Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))

@@ -12,7 +12,7 @@ pub(in crate::cli) struct Subject {
     /// picture. The thing around the place that stands out is outlined before all else, in figure and
     /// overview.
     #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true, hide_short_help = true)]
-    subject: Vec<Place>,
+    subject: Vec<SubjectPoint>,
 
     /// Leaves textures and weak lines around the subject out
     #[arg(long, requires = "subject", hide_short_help = true)]
@@ -20,7 +20,7 @@ pub(in crate::cli) struct Subject {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Place([Position; 2]);
+struct SubjectPoint([Position; 2]);
 
 /// Most subjects: more than that is what a picture has, not what it is about.
 const MOST: usize = 8;
@@ -37,12 +37,12 @@ impl Subject {
 
     /// Puts them into the options of the library.
     pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
-        let options = self.subject.iter().fold(options, |options, Place([x, y])| options.subject(*x, *y));
+        let options = self.subject.iter().fold(options, |options, SubjectPoint([x, y])| options.subject(*x, *y));
         options.calm_background(self.calm_background)
     }
 }
 
-fn place(text: &str) -> Result<Place, String> {
+fn place(text: &str) -> Result<SubjectPoint, String> {
     let within = |text: &str| {
         let position = text.trim().parse().ok()?;
         let is_within = match position {
@@ -53,5 +53,5 @@ fn place(text: &str) -> Result<Place, String> {
     };
     let wanted = "give how far it is from the left and from the top, such as 50%,40% or, in pixels, 300,220";
     let (x, y) = text.split_once(',').ok_or(wanted)?;
-    Ok(Place([within(x).ok_or(wanted)?, within(y).ok_or(wanted)?]))
+    Ok(SubjectPoint([within(x).ok_or(wanted)?, within(y).ok_or(wanted)?]))
 }

@@ -8,7 +8,7 @@ use crate::units::{PxPoint, PxVector};
 /// The direction of an arm is taken from its junction over this much of it, px.
 const HEADING: f32 = 8.0;
 /// Two arms go on through a junction if the cosine between their directions is at most this (30 degrees from straight).
-const STRAIGHT: f32 = -0.866;
+const STRAIGHT_COSINE: f32 = -0.866;
 /// The two straightest arms of a junction are one line, unless they make a sharper corner than this (120 degrees).
 const BENT: f32 = -0.5;
 /// An arm with a free end that is no longer than this, px, beyond the stroke's own half width, is a spur that thinning
@@ -22,8 +22,8 @@ const TIP: f32 = 2.5;
 const SHARPEST: f32 = 0.13;
 /// A spur leads to the tip if the cosine between it and the outer half of the angle is at least this (37 degrees).
 const TO_TIP: f32 = 0.8;
-/// ... where there is a corner: the sum of the directions of its sides is at least this long (120 degrees). On a straight
-/// line the sum has no direction, and a short branch would be a spur to its tip.
+/// ... where there is a corner: the sum of the directions of its sides is at least this long (120 degrees). On a
+/// straight line the sum has no direction, and a short branch would be a spur to its tip.
 const CORNERED: f32 = 1.0;
 
 /// A line of pixels, which may lead through junctions.
@@ -126,7 +126,7 @@ fn pairs(arms: &[Arm]) -> Vec<(Arm, Arm)> {
         let most = match (arms.len(), number) {
             (2, _) => 1.0,
             (_, 0) => BENT,
-            _ => STRAIGHT,
+            _ => STRAIGHT_COSINE,
         };
         if cosine <= most && free[i] && free[k] {
             (free[i], free[k]) = (false, false);

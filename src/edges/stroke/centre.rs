@@ -74,7 +74,7 @@ const BORDER: f32 = 2.0;
 
 /// The profile of a residue across a line.
 #[derive(Debug, Clone, Copy, Default)]
-struct Profile {
+struct CrossSection {
     /// Where its middle is, px to the right of the line.
     shift: f32,
     /// Its sum over its largest value, px.
@@ -97,7 +97,7 @@ pub(super) fn strokes(
     let (mut width, mut is_even) = (2.0 * radius as f32 + 1.0, true);
     for sigma in SMOOTHING {
         line = smoothed(&line, sigma);
-        let profiles: Vec<Profile> =
+        let profiles: Vec<CrossSection> =
             (0..line.vertices.len()).map(|i| profile(&line, i, residue, 0.5 * width + BEYOND)).collect();
         let widths = sorted(profiles.iter().map(|profile| profile.width));
         width = quantile(&widths, 0.5).max(1.0);
@@ -213,7 +213,7 @@ fn smoothed(line: &Polyline<PxPoint>, sigma: f32) -> Polyline<PxPoint> {
 }
 
 /// Each vertex moved to the middle of its profile; the shifts are smoothed, so that a crossing stroke moves nothing.
-fn centred(line: &Polyline<PxPoint>, profiles: &[Profile], most: f32) -> Polyline<PxPoint> {
+fn centred(line: &Polyline<PxPoint>, profiles: &[CrossSection], most: f32) -> Polyline<PxPoint> {
     let arcs = line.arc_lengths();
     let shift = |i: usize| {
         let shift = median(around(line, i, NEAR_SHIFTS).map(|k| profiles[k].shift));
@@ -314,7 +314,7 @@ fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
 }
 
 /// The profile of the residue across the line at a vertex, as far as `reach`.
-fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> Profile {
+fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> CrossSection {
     let (at, across) = (line.vertices[i], right(line, i));
     let value = |distance: f32| interpolated(residue, at + across * distance);
     let steps = (reach / STEP).ceil() as i32;
@@ -324,7 +324,7 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> P
         .map(|k| (value(k as f32 * STEP), k))
         .fold((0.0_f32, 0), |best, here| if here.0 > best.0 { here } else { best });
     if peak <= 0.0 {
-        return Profile::default();
+        return CrossSection::default();
     }
     let (mut sum, mut weights, mut moment) = (peak, (1.0 - END) * peak, (1.0 - END) * peak * top as f32 * STEP);
     for direction in [1, -1] {
@@ -340,7 +340,7 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> P
             moment += (here - END * peak) * distance;
         }
     }
-    Profile { shift: moment / weights, width: sum * STEP / peak }
+    CrossSection { shift: moment / weights, width: sum * STEP / peak }
 }
 
 /// The contrast at a vertex of a line.

@@ -40,7 +40,7 @@ const END_WIDTHS: f32 = 1.0;
 const END: f32 = 6.0;
 /// An end that is at another one from the beginning goes on in it if the cosine between their directions is at least
 /// this (26 degrees).
-const AHEAD: f32 = 0.9;
+const AHEAD_COSINE: f32 = 0.9;
 /// A way that leads to another end goes on in it if that cosine is at most this: the two make a corner of at least 60
 /// degrees, as those of a triangle do. Otherwise it only ends there.
 const SHARPEST: f32 = 0.5;
@@ -59,7 +59,7 @@ struct Mark {
 type Marks = Index<Mark, Px>;
 
 /// A way from an end of a stroke, and what it leads to.
-struct Way {
+struct Continuation {
     points: Vec<ContourPoint>,
     met: Mark,
     /// Where it leads at its end.
@@ -83,7 +83,9 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
     let ends: Vec<StrokeEnd> = open.flat_map(|number| [(number, true), (number, false)]).collect();
     let (mut ways, mut met) = (Vec::new(), Vec::new());
     for end in ends {
-        let Some(Way { mut points, met: to, direction }) = way(end, &strokes, &marks, planes, params) else { continue };
+        let Some(Continuation { mut points, met: to, direction }) = way(end, &strokes, &marks, planes, params) else {
+            continue;
+        };
         let goes_on = |other: &StrokeEnd| *other != end && turn(direction, *other, &strokes) <= SHARPEST;
         match end_at(&strokes, to).filter(goes_on) {
             Some(other) => met.push([end, other]),
@@ -130,7 +132,7 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
 }
 
 /// The way on from an end of a stroke, if it leads to another one or to another part of the same.
-fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], params: &Params) -> Option<Way> {
+fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], params: &Params) -> Option<Continuation> {
     let (number, at_start) = end;
     let Stroke { contour, width, .. } = &strokes[number];
     let (tip, mut direction) = leaving(contour, at_start)?;
@@ -138,8 +140,8 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
     let strength = contour.vertices.iter().map(|vertex| vertex.strength).sum::<f32>() / contour.vertices.len() as f32;
     let least = params.low.max(SEEN * strength);
     if let Some(met) = meets(last.at, end, 0.0, strokes, marks, params.widest_stroke) {
-        let goes_on = end_at(strokes, met).is_some_and(|other| turn(direction, other, strokes) <= -AHEAD);
-        return goes_on.then_some(Way { points: Vec::new(), met, direction });
+        let goes_on = end_at(strokes, met).is_some_and(|other| turn(direction, other, strokes) <= -AHEAD_COSINE);
+        return goes_on.then_some(Continuation { points: Vec::new(), met, direction });
     }
     let size = planes[0].size;
     let is_inside =
@@ -158,7 +160,7 @@ fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], para
         }
         points.push(ContourPoint { at, strength: height, ..last });
         if let Some(met) = meets(at, end, step as f32 * STEP, strokes, marks, params.widest_stroke) {
-            return Some(Way { points, met, direction });
+            return Some(Continuation { points, met, direction });
         }
         let before = contour.walk(tip, at_start).map(|(vertex, _)| contour.vertices[vertex].at);
         let mut back = points.iter().rev().map(|point| point.at).chain(before);

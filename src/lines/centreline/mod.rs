@@ -38,7 +38,7 @@ pub(super) fn merge(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Par
 #[cfg(test)]
 mod testing {
     use super::*;
-    use crate::lines::vertex::{SPACING, Source};
+    use crate::lines::vertex::{FoundIn, SPACING};
     use crate::units::MmPoint;
 
     /// A line with vertices as close as those of lines in the making. `step` is the lightness on its right less that
@@ -49,7 +49,7 @@ mod testing {
             strength: step.abs(),
             contrast: [step, 0.0, 0.0],
             width: 0.0,
-            source: Source::Pixels,
+            source: FoundIn::Pixels,
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(SPACING);

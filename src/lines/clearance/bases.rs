@@ -7,7 +7,7 @@ use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
 use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
-use crate::lines::vertex::{Source, Vertex};
+use crate::lines::vertex::{FoundIn, Vertex};
 use crate::units::MmRect;
 
 /// So many lines can stand on one another, one after the other; of those that do so in a circle none is the first.
@@ -40,7 +40,7 @@ pub(super) fn raised(
 
 /// Which lines end on which strokes and paths of drawings, away from their ends.
 fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<(usize, usize)> {
-    let drawn = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source != Source::Pixels).count();
+    let drawn = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source != FoundIn::Pixels).count();
     let is_base = |line: &Polyline<Vertex>| 2 * drawn(line) > line.vertices.len();
     if !lines.iter().any(|(line, _)| is_base(line)) {
         return Vec::new();
@@ -84,7 +84,7 @@ mod tests {
     fn stroke(points: &[(f32, f32)], strength: f32) -> (Polyline<Vertex>, Rank) {
         let mut line = polyline(points, false);
         for vertex in &mut line.vertices {
-            (vertex.source, vertex.contrast, vertex.strength) = (Source::Stroke, [0.0; 3], strength);
+            (vertex.source, vertex.contrast, vertex.strength) = (FoundIn::Stroke, [0.0; 3], strength);
         }
         (line, Rank::Ordinary)
     }

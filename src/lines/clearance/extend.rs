@@ -12,7 +12,7 @@ use crate::units::{MmPoint, MmVector};
 /// A line whose path comes this near to another, in join gaps, may be extended to it.
 const MEETS: f32 = 0.5;
 /// ... if it does not turn aside for it: least cosine between its heading and the direction to the other.
-const AHEAD: f32 = 0.5;
+const AHEAD_COSINE: f32 = 0.5;
 /// ... where the distance to the other is longer than this, mm; shorter ones have no direction worth asking for.
 const TURN: f32 = 0.75;
 /// The heading is taken over this much of the line, mm.
@@ -152,7 +152,7 @@ impl Extension<'_> {
     /// Whether the last step over to the target is short enough and does not turn aside.
     fn reaches(&self, at: MmPoint, added: &[Vertex]) -> bool {
         let over = at - added.last().unwrap_or(&self.start).at;
-        let turns = || self.heading(added).is_some_and(|heading| over.dot(heading) < AHEAD * over.length());
+        let turns = || self.heading(added).is_some_and(|heading| over.dot(heading) < AHEAD_COSINE * over.length());
         over.length() <= self.drawn.params.join_gap && (over.length() <= TURN || !turns())
     }
 

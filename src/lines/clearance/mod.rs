@@ -2,7 +2,7 @@
 //! trimmed where it comes too near. Lines that truly join may meet.
 //!
 //! Lines wait in a queue, by rank and the most salient first. Each is judged among the lines that are drawn already
-//! ([`Verdict`]): it is drawn, or what becomes of it goes back into the queue.
+//! ([`Decision`]): it is drawn, or what becomes of it goes back into the queue.
 
 mod anchor;
 mod bases;
@@ -36,7 +36,7 @@ use crate::units::MmRect;
 
 /// What is to be done with a line.
 #[derive(Debug, PartialEq)]
-enum Verdict {
+enum Decision {
     /// It is drawn.
     Draw(Polyline<Vertex>),
     /// Its body is drawn; the rest comes back too near to the body, and is judged by itself.
@@ -79,14 +79,16 @@ pub(super) fn clear(
     while let Some((polyline, rank, cuts)) = queue.pop() {
         let is_ring = polyline.closed;
         match judge(polyline, cuts, &drawn, &mut own) {
-            Verdict::Open(_) | Verdict::Split(_) if is_ring && params.whole_rings => {}
-            Verdict::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
-            Verdict::DrawBody { body, rest } => {
+            Decision::Open(_) | Decision::Split(_) if is_ring && params.whole_rings => {}
+            Decision::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
+            Decision::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));
                 queue.push(rest, rank, cuts + 1);
             }
-            Verdict::Shorten(line) | Verdict::Displace(line) | Verdict::Open(line) => queue.push(line, rank, cuts + 1),
-            Verdict::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, rank, cuts + 1)),
+            Decision::Shorten(line) | Decision::Displace(line) | Decision::Open(line) => {
+                queue.push(line, rank, cuts + 1)
+            }
+            Decision::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, rank, cuts + 1)),
         }
     }
     anchor::anchor(&mut cleared, &drawn);
@@ -97,33 +99,33 @@ pub(super) fn clear(
 
 /// What is to be done with a line, which was cut so many times, among those that are drawn. `own` is an empty grid, and
 /// empty again afterwards.
-fn judge(mut polyline: Polyline<Vertex>, cuts: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+fn judge(mut polyline: Polyline<Vertex>, cuts: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
     if let Some(shorter) = without_stubs(&polyline, drawn) {
-        return Verdict::Shorten(shorter);
+        return Decision::Shorten(shorter);
     }
     let states = drawn.states(&polyline);
     if states.contains(&State::TooNear) {
         return match displaced(&polyline, drawn) {
-            Some(displaced) => Verdict::Displace(displaced),
-            None => Verdict::Split(split(&polyline, &states, cuts < EXTENDED_CUTS, drawn)),
+            Some(displaced) => Decision::Displace(displaced),
+            None => Decision::Split(split(&polyline, &states, cuts < EXTENDED_CUTS, drawn)),
         };
     }
     match returns(&polyline, drawn.params, own) {
-        None => Verdict::Draw(polyline),
+        None => Decision::Draw(polyline),
         Some(back) if polyline.closed => {
             // begun after the stretch that is too near, it comes last
             let mut open = polyline.opened_at(back.end % polyline.vertices.len());
             open.vertices.pop();
-            Verdict::Open(open)
+            Decision::Open(open)
         }
         Some(back) => until_return(polyline, back.start, drawn, own),
     }
 }
 
 /// The verdict on an open line that comes back too near to itself from vertex `back` on.
-fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Verdict {
+fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let mut rest = body.vertices.split_off(back);
     // an end that lay on the line itself, and made what is near it a junction, may be gone
     while let Some(back) = returns(&body, drawn.params, own) {
@@ -132,9 +134,9 @@ fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>,
     let rest = Polyline::open(rest);
     // What was joined to a line by a junction beyond the cut is so no longer.
     if body.length() < drawn.params.min_length || drawn.states(&body).contains(&State::TooNear) {
-        Verdict::Split(vec![body, rest])
+        Decision::Split(vec![body, rest])
     } else {
-        Verdict::DrawBody { body, rest }
+        Decision::DrawBody { body, rest }
     }
 }
 
@@ -177,7 +179,7 @@ fn finish(line: Polyline<Vertex>, rank: Rank, number: u32, drawn: &mut DrawnLine
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::lines::vertex::Source;
+    use crate::lines::vertex::FoundIn;
     use crate::units::MmPoint;
 
     /// Clears lines by their own saliencies.
@@ -197,7 +199,7 @@ pub(super) mod tests {
             strength: 60.0,
             contrast: [60.0, 0.0, 0.0],
             width: Params::TEST.width_max,
-            source: Source::Pixels,
+            source: FoundIn::Pixels,
         };
         let mut polyline = Polyline { vertices: points.iter().map(vertex).collect(), closed };
         polyline.subdivide(0.4);
@@ -215,7 +217,7 @@ pub(super) mod tests {
     }
 
     /// The verdict on a line where another runs along y = 50.
-    fn verdict(points: &[(f32, f32)], closed: bool) -> Verdict {
+    fn verdict(points: &[(f32, f32)], closed: bool) -> Decision {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
         let mut own = Nearby::new(area, Params::TEST.max_spacing());
         judge(polyline(points, closed), 0, &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
@@ -242,9 +244,9 @@ pub(super) mod tests {
 
     #[test]
     fn a_line_that_is_apart_or_crosses_steeply_is_drawn() {
-        assert!(matches!(verdict(&[(10.0, 60.0), (90.0, 60.0)], false), Verdict::Draw(_)));
-        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 80.0)], false), Verdict::Draw(_)));
-        assert!(matches!(verdict(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Verdict::Draw(_)));
+        assert!(matches!(verdict(&[(10.0, 60.0), (90.0, 60.0)], false), Decision::Draw(_)));
+        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 80.0)], false), Decision::Draw(_)));
+        assert!(matches!(verdict(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Decision::Draw(_)));
     }
 
     /// The states of the vertices of a line where another runs along y = 50.
@@ -278,23 +280,23 @@ pub(super) mod tests {
         assert_eq!(states(&drop, false)[0], State::TooNear);
         assert_eq!(states(&drop[..2], false)[0], State::Joined);
         let almost = [drop[0], drop[1], drop[2], (50.0, 50.05)];
-        assert!(!matches!(verdict(&almost, false), Verdict::Draw(_)), "its ends are drawn in one place");
+        assert!(!matches!(verdict(&almost, false), Decision::Draw(_)), "its ends are drawn in one place");
     }
 
     #[test]
     fn each_way_of_being_too_near_has_its_verdict() {
-        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 52.0)], false), Verdict::Shorten(_)));
-        assert!(matches!(verdict(&[(10.0, 54.5), (90.0, 54.5)], false), Verdict::Displace(_)));
-        assert!(matches!(verdict(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Verdict::Split(_)));
-        assert_eq!(verdict(&[(15.0, 52.0), (85.0, 52.0)], false), Verdict::Split(Vec::new()), "nothing is left");
+        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 52.0)], false), Decision::Shorten(_)));
+        assert!(matches!(verdict(&[(10.0, 54.5), (90.0, 54.5)], false), Decision::Displace(_)));
+        assert!(matches!(verdict(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Decision::Split(_)));
+        assert_eq!(verdict(&[(15.0, 52.0), (85.0, 52.0)], false), Decision::Split(Vec::new()), "nothing is left");
     }
 
     #[test]
     fn what_comes_back_to_itself_is_opened_or_cut() {
         let flat_ring = [(20.0, 60.0), (80.0, 60.0), (80.0, 62.0), (20.0, 62.0)];
-        assert!(matches!(verdict(&flat_ring, true), Verdict::Open(line) if !line.closed));
+        assert!(matches!(verdict(&flat_ring, true), Decision::Open(line) if !line.closed));
         let hairpin = [(20.0, 60.0), (80.0, 60.0), (80.0, 63.0), (20.0, 63.0)];
-        let Verdict::DrawBody { body, rest } = verdict(&hairpin, false) else { panic!("it comes back") };
+        let Decision::DrawBody { body, rest } = verdict(&hairpin, false) else { panic!("it comes back") };
         assert!((60.0..70.0).contains(&body.length()) && rest.length() > 50.0);
     }
 
@@ -302,7 +304,7 @@ pub(super) mod tests {
     fn a_body_that_is_too_short_without_the_rest_is_judged_anew() {
         // it comes back 7 mm from its start, and the least length is 8
         let coil = [(20.0, 60.0), (24.0, 60.0), (24.0, 61.0), (20.0, 61.0), (20.0, 90.0)];
-        assert!(matches!(verdict(&coil, false), Verdict::Split(_)), "{:?}", verdict(&coil, false));
+        assert!(matches!(verdict(&coil, false), Decision::Split(_)), "{:?}", verdict(&coil, false));
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::units::MmVector;
 /// A line swings back to its place within this length, mm, so that no corner is felt.
 const FADE: f32 = 6.0;
 /// Least cosine between the directions of the segments of a straight stretch: 1 degree.
-const STRAIGHT: f32 = 0.99985;
+const STRAIGHT_COSINE: f32 = 0.99985;
 /// A straight stretch is at least this long, mm: shorter ones are parts of curves.
 const STRETCH: f32 = 2.0;
 /// Where two stretches, or a stretch and the line on which it ends, meet at an angle with a smaller sine, their common
@@ -65,7 +65,7 @@ fn stretches(polyline: &Polyline<Vertex>, pushes: &[MmVector], passage: &Passage
     let directions: Vec<MmVector> =
         polyline.segments().map(|(a, b)| (b.at - a.at).try_normalize().unwrap_or_default()).collect();
     let (n, count) = (polyline.vertices.len(), directions.len());
-    let is_straight = |a: MmVector, b: MmVector| a.dot(b) >= STRAIGHT;
+    let is_straight = |a: MmVector, b: MmVector| a.dot(b) >= STRAIGHT_COSINE;
     // of a ring from a corner on
     let corner = (0..count).find(|&i| !is_straight(directions[(i + count - 1) % count], directions[i]));
     let start = match (polyline.closed, corner) {
@@ -179,7 +179,7 @@ fn faded(arc: f32, pushes: &[Push], passage: &Passage) -> MmVector {
 mod tests {
     use super::super::passage::Meeting;
     use super::*;
-    use crate::lines::vertex::Source;
+    use crate::lines::vertex::FoundIn;
     use crate::units::MmPoint;
 
     fn polyline(points: &[[f32; 2]], closed: bool) -> Polyline<Vertex> {
@@ -188,7 +188,7 @@ mod tests {
             strength: 10.0,
             contrast: [0.0; 3],
             width: 1.0,
-            source: Source::Vector,
+            source: FoundIn::Vector,
         };
         Polyline { closed, vertices: points.iter().map(vertex).collect() }
     }

@@ -15,7 +15,7 @@ use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 use super::colour::{Kind, Meaning, one_line};
 use super::complexity;
 use super::job::{
-    self, Fonts, Limits, OVER_LIMIT, Options, Picture, Source, check_memory, guarded, undecodable, unpacks_too_far,
+    self, Fonts, Header, Limits, OVER_LIMIT, Options, Picture, check_memory, guarded, undecodable, unpacks_too_far,
     working_bytes,
 };
 use super::light::{Depth, Layout};
@@ -109,7 +109,7 @@ fn drawn(
 ) -> Result<Picture, Error> {
     let whole = nominal_size(tree.size())?;
     let part = job::part(whole, options)?;
-    let source = Source { size: part.size, is_drawing: true };
+    let source = Header { size: part.size, is_drawing: true };
     let target = (options.working_size)(source)?;
     if target.area() == 0 {
         return Err(undecodable(FORMAT, format!("it cannot be drawn at {target} pixels")));

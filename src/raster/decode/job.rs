@@ -33,7 +33,7 @@ pub type Fonts<'a> = dyn Fn() -> Arc<usvg::fontdb::Database> + Sync + 'a;
 
 /// What is known of a picture from the header of its file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Source {
+pub struct Header {
     /// Pixels after the turn that EXIF asks for; for an SVG drawing its size in CSS pixels, rounded. Of the part that
     /// is used, where there is a [`Crop`].
     pub size: Size,
@@ -54,12 +54,12 @@ pub struct Options<'a> {
     /// Whether letters of drawings are drawn; if not, texts are left out and given as data.
     pub keep_text: bool,
     /// The working size for a source: never larger than the source unless it is a drawing.
-    pub working_size: &'a dyn Fn(Source) -> Result<Size, Error>,
+    pub working_size: &'a dyn Fn(Header) -> Result<Size, Error>,
 }
 
 impl<'a> Options<'a> {
     /// All of the first page with its letters, within the default limits, where there are no fonts.
-    pub fn whole(working_size: &'a dyn Fn(Source) -> Result<Size, Error>) -> Self {
+    pub fn whole(working_size: &'a dyn Fn(Header) -> Result<Size, Error>) -> Self {
         Self { limits: Limits::default(), fonts: &Arc::default, crop: None, page: None, keep_text: true, working_size }
     }
 }
@@ -70,7 +70,7 @@ pub struct Picture {
     /// The pixels at working size, upright.
     pub raster: Raster,
     /// What was known from the header.
-    pub source: Source,
+    pub source: Header,
     /// The paths of a vector drawing that has not too many.
     pub drawing: Option<VectorDrawing>,
     /// The texts of a drawing that are left out of `raster`.
@@ -94,7 +94,7 @@ pub(super) struct Job {
     pub(super) stored: Size,
     /// The part of it that is used, as stored.
     pub(super) part: Part,
-    pub(super) source: Source,
+    pub(super) source: Header,
     /// Upright working size; not larger than the source.
     pub(super) target: Size,
     pub(super) notes: Vec<Note>,
@@ -117,7 +117,7 @@ impl Job {
             return Err(Error::TooManyPixels { size: stored, limit_megapixels, remedy: OVER_LIMIT });
         }
         let upright = part(orient::turned(stored, orientation), options)?;
-        let source = Source { size: upright.size, is_drawing: false };
+        let source = Header { size: upright.size, is_drawing: false };
         let target = (options.working_size)(source)?;
         let target = Size::new(target.width.clamp(1, source.size.width), target.height.clamp(1, source.size.height));
         check_memory(format, stored, working_bytes(target), limits)?;

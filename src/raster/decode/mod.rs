@@ -30,7 +30,7 @@ use crate::{Error, picture};
 
 pub(crate) use self::complexity::no_longer_than;
 pub(crate) use self::drawing::{checked_document, unless_beyond_numbers};
-pub use self::job::{Fonts, Limits, Options, Picture, Source};
+pub use self::job::{Fonts, Header, Limits, Options, Picture};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
 ///
@@ -76,8 +76,8 @@ fn check_page(page: Option<u32>) -> Result<(), Error> {
 /// As [`decode`].
 pub(crate) fn decode_picture(picture: picture::Picture<'_>, options: &Options<'_>) -> Result<Picture, Error> {
     match picture.0 {
-        picture::Source::File(bytes) => decode(bytes, options),
-        picture::Source::Rgba8 { size, pixels } => {
+        picture::PixelSource::File(bytes) => decode(bytes, options),
+        picture::PixelSource::Rgba8 { size, pixels } => {
             check_page(options.page)?;
             pixels::decode_rgba8(size, pixels, options)
         }

@@ -8,7 +8,7 @@
 
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Options, Source, decode};
+use tactograph::internals::raster::decode::{Header, Options, decode};
 use tactograph::internals::units::Size;
 use tactograph_tools::reference::edges::quantile;
 use tactograph_tools::reference::{colours, edges, glyphs, scenes};
@@ -74,7 +74,7 @@ fn codes(raster: &Raster) -> impl Iterator<Item = [f32; 3]> {
 
 fn sample(name: &str) -> Result<Raster, Box<dyn std::error::Error>> {
     let bytes = std::fs::read(format!("{}/samples/{name}", tactograph_tools::ROOT))?;
-    let working_size = |source: Source| -> Result<Size, tactograph::Error> {
+    let working_size = |source: Header| -> Result<Size, tactograph::Error> {
         let longer = source.size.width.max(source.size.height) as f32;
         let scale = if source.is_drawing { LONGEST / longer } else { (LONGEST / longer).min(1.0) };
         let side = |pixels: u32| (pixels as f32 * scale).round() as u32;

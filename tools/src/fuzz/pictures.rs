@@ -1,7 +1,7 @@
 //! Pictures in, format by format.
 
 use tactograph::Error;
-use tactograph::internals::raster::decode::{Limits, Options, Source, decode};
+use tactograph::internals::raster::decode::{Header, Limits, Options, decode};
 use tactograph::internals::units::Size;
 
 /// Working pixels along the longer side: all of decoding, little of shrinking.
@@ -44,7 +44,7 @@ pub(super) fn svg(bytes: &[u8]) {
 }
 
 fn decoded(bytes: &[u8]) {
-    let working_size = |source: Source| -> Result<Size, Error> {
+    let working_size = |source: Header| -> Result<Size, Error> {
         let scale = (LONGEST as f32 / source.size.width.max(source.size.height) as f32).min(1.0);
         let side = |pixels: u32| ((pixels as f32 * scale) as u32).max(1);
         Ok(Size::new(side(source.size.width), side(source.size.height)))

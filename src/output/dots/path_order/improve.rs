@@ -280,7 +280,7 @@ impl Path<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::neighbours::Grid;
+    use super::super::neighbours::PositionGrid;
     use super::*;
     use proptest::prelude::*;
 
@@ -295,7 +295,7 @@ mod tests {
         let count = dots.len() as u32;
         let order = [count].into_iter().chain(0..count).chain([count + 1]).collect();
         let positions = dots.iter().copied().chain([start, end]).collect();
-        Case { positions, neighbours: Grid::new(dots).neighbours(), order }
+        Case { positions, neighbours: PositionGrid::new(dots).neighbours(), order }
     }
 
     impl Case {

@@ -37,7 +37,7 @@ pub fn order(dots: &[Position], ends: [Position; 2], most_back: i32) -> Vec<Posi
     if dots.len() < 2 {
         return dots;
     }
-    let neighbours = neighbours::Grid::new(&dots).neighbours();
+    let neighbours = neighbours::PositionGrid::new(&dots).neighbours();
     let count = dots.len() as u32;
     let path = [count].into_iter().chain(start).chain([count + 1]).collect();
     let positions: Vec<Position> = dots.iter().copied().chain(ends).collect();
@@ -54,7 +54,7 @@ fn sorted(dots: &[Position]) -> Vec<Position> {
 
 /// The path from each dot to the nearest that may come next, as numbers of the dots, which are sorted.
 fn nearest_neighbour(dots: &[Position], start: Position, most_back: i32) -> Vec<u32> {
-    let mut grid = neighbours::Grid::new(dots);
+    let mut grid = neighbours::PositionGrid::new(dots);
     let mut visited = vec![false; dots.len()];
     let (mut here, mut highest) = (start, 0);
     let mut path = Vec::with_capacity(dots.len());

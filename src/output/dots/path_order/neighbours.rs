@@ -25,7 +25,7 @@ const PER_QUADRANT: usize = 2;
 const MOST_RINGS: i32 = 10;
 
 /// Positions by cells; those that are removed are found no more.
-pub(super) struct Grid<'a> {
+pub(super) struct PositionGrid<'a> {
     positions: &'a [Position],
     low: Position,
     cell: i64,
@@ -35,7 +35,7 @@ pub(super) struct Grid<'a> {
     cells: Vec<Vec<u32>>,
 }
 
-impl<'a> Grid<'a> {
+impl<'a> PositionGrid<'a> {
     pub(super) fn new(positions: &'a [Position]) -> Self {
         let extreme =
             |axis: usize, pick: fn(i32, i32) -> i32| positions.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0);
@@ -167,7 +167,7 @@ mod tests {
         ) {
             let positions: Vec<Position> = positions.into_iter().map(|(x, y)| [x, y]).collect();
             let to = [to.0, to.1];
-            let mut grid = Grid::new(&positions);
+            let mut grid = PositionGrid::new(&positions);
             let mut left: Vec<u32> = (0..positions.len() as u32).collect();
             loop {
                 let far = |number: &u32| (distance(to, positions[*number as usize]), *number);
@@ -185,7 +185,7 @@ mod tests {
             positions in prop::collection::btree_set((0..400, 0..900), 2..60),
         ) {
             let positions: Vec<Position> = positions.into_iter().map(|(x, y)| [x, y]).collect();
-            for (number, found) in Grid::new(&positions).neighbours().iter().enumerate() {
+            for (number, found) in PositionGrid::new(&positions).neighbours().iter().enumerate() {
                 let far = |other: u32| distance(positions[number], positions[other as usize]);
                 prop_assert!(found.is_sorted_by(|&a, &b| far(a) <= far(b)));
                 let others = (0..positions.len() as u32).filter(|&other| other as usize != number);
@@ -200,7 +200,7 @@ mod tests {
     fn a_line_sees_the_line_beside_it() {
         // Two rows of dots 20 apart, a dot each 1: the six nearest of each dot are all in its own row.
         let positions: Vec<Position> = (0..100).flat_map(|x| [[x, 0], [x, 20]]).collect();
-        let neighbours = Grid::new(&positions).neighbours();
+        let neighbours = PositionGrid::new(&positions).neighbours();
         assert!(neighbours[100].iter().any(|&other| positions[other as usize][1] == 20));
     }
 }

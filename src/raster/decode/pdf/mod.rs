@@ -88,10 +88,10 @@ fn why_not_opened(fault: LoadPdfError) -> &'static str {
 
 /// What hayro could not draw, each kind once.
 #[derive(Default)]
-struct Warnings(Arc<Mutex<Found>>);
+struct Warnings(Arc<Mutex<NotDrawn>>);
 
 #[derive(Default)]
-struct Found {
+struct NotDrawn {
     fonts: bool,
     pictures: bool,
     annotations: bool,

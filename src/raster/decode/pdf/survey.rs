@@ -27,7 +27,7 @@ const BYTES_PER_PIXEL: u64 = 14;
 const BYTES_PER_PIXEL_KEPT: u64 = 8;
 
 /// What a page has.
-pub(super) struct Found {
+pub(super) struct PageContent {
     pub(super) texts: Vec<Written>,
     /// Letters and other signs of which the document does not tell which they are.
     pub(super) unknown_letters: usize,
@@ -35,7 +35,7 @@ pub(super) struct Found {
 
 /// # Errors
 /// If a picture on the page is over a limit.
-pub(super) fn of_page(page: &Page<'_>, settings: &InterpreterSettings, limits: Limits) -> Result<Found, Error> {
+pub(super) fn of_page(page: &Page<'_>, settings: &InterpreterSettings, limits: Limits) -> Result<PageContent, Error> {
     let (width, height) = page.render_dimensions();
     let sheet = Rect::new(0.0, 0.0, f64::from(width), f64::from(height));
     let cache = InterpreterCache::new();
@@ -54,7 +54,7 @@ pub(super) fn of_page(page: &Page<'_>, settings: &InterpreterSettings, limits: L
     interpret_page(page, &mut context, &mut survey);
     let Survey { texts, fault, .. } = survey;
     let (texts, unknown_letters) = texts.finish();
-    fault.map_or(Ok(Found { texts, unknown_letters }), Err)
+    fault.map_or(Ok(PageContent { texts, unknown_letters }), Err)
 }
 
 struct Survey {

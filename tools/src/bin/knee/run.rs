@@ -9,7 +9,7 @@ use tactograph::internals::page::layout::{self, Layout};
 use tactograph::internals::page::{Figure, Overview, Page, Parts};
 use tactograph::internals::profile::Plan;
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{self, Options, Source};
+use tactograph::internals::raster::decode::{self, Header, Options};
 use tactograph::internals::raster::shrink::shrink;
 use tactograph::internals::textures;
 use tactograph::internals::units::{MmRect, PageTransform, Size};
@@ -40,7 +40,7 @@ pub(crate) struct Outcome {
 pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Result<Outcome, Error> {
     let mut clock = Clock::start();
     let mut times = [0.0; STAGES.len()];
-    let working_size = |source: Source| {
+    let working_size = |source: Header| {
         Ok(match eighths {
             Some(eighths) => {
                 Size::new((source.size.width * eighths).div_ceil(8), (source.size.height * eighths).div_ceil(8))
@@ -78,8 +78,8 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
 }
 
 /// As `src/pipeline.rs` has it.
-fn working_size(source: Source, plan: &Plan) -> Size {
-    let Source { size, is_drawing } = source;
+fn working_size(source: Header, plan: &Plan) -> Size {
+    let Header { size, is_drawing } = source;
     let place = layout_of(size, plan).figure;
     let pixels = |mm: f32, own: u32| {
         let wanted = ((mm * plan.profile().figure.resolution).round() as u32).max(1);
