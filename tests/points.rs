@@ -60,9 +60,13 @@ fn points_of_a_number_line_are_beads_on_a_line_without_gaps() {
         assert!(is_at(first, 332.0) && is_at(second, 626.0), "{found:?}");
         let longest = lines.iter().map(Line::length).fold(0.0, f32::max);
         assert!(longest > 0.9 * page.page.figure.place.width(), "the line is whole: {longest} mm");
-        // the shorter ticks are 5 mm long in the drawing
-        let is_tick = |line: &&Line| (8.0..12.0).contains(&line.length());
-        assert!(lines.iter().filter(is_tick).count() >= 10, "only the tick below a point may be hidden by it");
+        // the shorter ticks are 5 mm long in the drawing, the longer ones 8 mm
+        let mut ticks: Vec<f32> =
+            lines.iter().map(Line::length).filter(|length| (7.5..14.0).contains(length)).collect();
+        ticks.sort_by(f32::total_cmp);
+        assert!(ticks.len() >= 10, "only the tick below a point may be hidden by it: {ticks:?}");
+        let [.., before_long, long, _, _] = ticks[..] else { panic!("{ticks:?}") };
+        assert!(long - before_long > 2.0 && ticks[0] >= 8.0, "longer ones stay longer: {ticks:?}");
         assert!(page.notes.iter().all(|note| !note.to_string().contains("short tick")), "{:?}", page.notes);
         assert!(page.page.overview.as_ref().is_some_and(|overview| {
             overview.lines.iter().flat_map(|line| &line.runs).filter(|run| run.width > 3.0).count() == 2

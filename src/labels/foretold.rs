@@ -34,7 +34,8 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
     let around = around(wanted, &forms, &room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
     let place = rows::Placing { wanted, forms: &forms, around: &around, room: &room, params, cells };
-    let placed = rows::placed(&groups, &place).placed;
+    let mut placed = rows::placed(&groups, &place).placed;
+    titles::place(&groups, &place, &mut placed);
     let [left, top, right, bottom] =
         placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {
             let place = candidate.place;

@@ -65,7 +65,8 @@ pub fn place(
     let around = around(wanted, &forms, &room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
     let place = rows::Placing { wanted, forms: &forms, around: &around, room: &room, params, cells };
-    let rows::InRows { placed: in_rows, thinned } = rows::placed(&groups, &place);
+    let rows::InRows { placed: mut in_rows, thinned } = rows::placed(&groups, &place);
+    titles::place(&groups, &place, &mut in_rows);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],
         (None, Ok(_)) if thinned[number].is_some() => Vec::new(),

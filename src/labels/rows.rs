@@ -7,7 +7,7 @@ use super::forms::{Form, Forms, Kind};
 use super::groups::{Group, Lies, OF_AN_AXIS};
 use super::placed::{Params, Unplaced, Wanted};
 use super::room::Room;
-use super::{ticks, titles};
+use super::ticks;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -87,7 +87,6 @@ pub(super) fn placed(groups: &[Group], of: &Placing<'_>) -> InRows {
             thinned[member] = None;
         }
     }
-    titles::place(groups, of, &mut placed);
     InRows { placed, thinned }
 }
 
