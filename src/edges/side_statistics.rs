@@ -291,14 +291,14 @@ mod tests {
         for at in [MIDDLE, PxPoint::new(0.0, 0.0), PxPoint::new(120.0, 120.0)] {
             let Sides { difference, variance } = flat.sides(at, RIGHT);
             assert!(difference < 1e-3 && variance < 1e-2, "{at:?}: {difference}, {variance}");
-            assert_eq!(flat.surround(at), 0.0);
+            assert!(flat.surround(at) < 1e-3, "{at:?}: {}", flat.surround(at));
         }
     }
 
     #[test]
     fn the_variance_is_that_of_the_calmer_side() {
         // texture of +-10 on both sides, or on one only
-        let texture = |x: usize, y: usize| if (x + y) % 2 == 0 { 10.0 } else { -10.0 };
+        let texture = |x: usize, y: usize| if (x + y).is_multiple_of(2) { 10.0 } else { -10.0 };
         let both = statistics(texture, flat).sides(MIDDLE, RIGHT).variance;
         assert!((both - 100.0).abs() < 1.0, "{both}");
         let one = statistics(|x, y| if x < 60 { texture(x, y) } else { 0.0 }, flat).sides(MIDDLE, RIGHT).variance;
@@ -308,7 +308,7 @@ mod tests {
     #[test]
     fn the_surround_counts_edges_but_not_those_in_one_direction() {
         let fence = statistics(|_, _| 0.0, |_, _| [1.0, 0.0]).surround(MIDDLE);
-        let lawn = statistics(|_, _| 0.0, |x, y| if (x + y) % 2 == 0 { [1.0, 0.0] } else { [0.0, 1.0] });
+        let lawn = statistics(|_, _| 0.0, |x, y| if (x + y).is_multiple_of(2) { [1.0, 0.0] } else { [0.0, 1.0] });
         let lawn = lawn.surround(MIDDLE);
         // heights on a line through the window: sqrt(tau) times its sigma times the mean gradient
         let expected = std::f32::consts::TAU.sqrt() * SURROUND * Params::default().side_cell;

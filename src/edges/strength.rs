@@ -190,7 +190,7 @@ mod tests {
         }
         // a wire, which separates no regions
         assert!((by_regions(10.0, 0.0) / mean(10.0, 2.5) - 1.0).abs() < 1e-5);
-        assert_eq!(by_regions(0.0, 0.0), 0.0);
+        assert!(by_regions(0.0, 0.0).abs() < 1e-6);
         // no overflow with the greatest heights that there are
         assert!(by_regions(300.0, 300.0).is_finite());
     }
