@@ -26,6 +26,8 @@ const BEAD_LENGTH: f32 = 0.1;
 const SMALLEST: f32 = 0.6;
 /// The largest, in distances of two lines: a larger shape has room as it is.
 const LARGEST: f32 = 1.25;
+/// ... of hollow ones: up to about here the lines that end at a ring would take its place.
+const LARGEST_HOLLOW: f32 = 2.5;
 /// Area of a point at least, as a share of that of a circle with its circumference: a square has 0.79, an equal-sided
 /// triangle, as the head of an arrow, 0.60, a hexagon 0.91.
 const ROUND: f32 = 0.85;
@@ -47,11 +49,13 @@ pub(super) struct Point {
 
 /// Takes the points on lines out of the contours of a drawing. Lines that end at their sides lead to their middles.
 pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Vec<Point> {
-    let largest = 0.5 * LARGEST * params.max_spacing();
-    let is_size = |radius: f32| (0.5 * SMALLEST..=largest).contains(&radius);
+    let is_size = |point: &Point| {
+        let largest = if point.is_filled { LARGEST } else { LARGEST_HOLLOW };
+        (0.5 * SMALLEST..=0.5 * largest * params.max_spacing()).contains(&point.radius)
+    };
     let rings = polylines.iter().enumerate().filter(|(_, line)| line.closed);
     let found = rings.filter_map(|(number, ring)| Some((number, of_ring(ring)?)));
-    let found: Vec<(usize, Point)> = found.filter(|(_, point)| is_size(point.radius)).collect();
+    let found: Vec<(usize, Point)> = found.filter(|(_, point)| is_size(point)).collect();
     let mut is_ring = vec![false; polylines.len()];
     found.iter().for_each(|(number, _)| is_ring[*number] = true);
     let mut taken = vec![false; polylines.len()];
@@ -178,16 +182,14 @@ pub(super) fn draw(points: &[Point], lines: &[&Polyline<Vertex>], area: MmRect, 
         let (_, at, segment) = segments.nearest(point.at, RING_FARTHEST + MIDDLE * point.radius, |_| true)?;
         Some((at, segment.line, radius(point, params)))
     };
-    let placed: Vec<Option<(MmPoint, u32, f32)>> = points.iter().map(place).collect();
     let half = 0.5 * params.width_max;
-    for (number, (point, place)) in points.iter().zip(&placed).enumerate() {
-        let Some((at, line, radius)) = *place else {
+    let mut taken: Vec<(MmPoint, f32)> = Vec::new();
+    for point in points {
+        let Some((at, line, radius)) = place(point) else {
             drawn.lost += 1;
             continue;
         };
-        let mut others =
-            placed.iter().enumerate().filter(|(other, _)| *other != number).filter_map(|(_, place)| *place);
-        let is_near = |(other, _, its): (MmPoint, u32, f32)| (other - at).length() < radius + its + params.min_gap;
+        let is_near = |(other, its): &(MmPoint, f32)| (*other - at).length() < radius + its + params.min_gap;
         let beside = radius + params.min_gap + half;
         let mut near: Vec<u32> = Vec::new();
         segments.around_point(at, beside, |segment| {
@@ -196,9 +198,12 @@ pub(super) fn draw(points: &[Point], lines: &[&Polyline<Vertex>], area: MmRect, 
             }
         });
         let passes = |line: u32| segments.nearest_of_line(at, radius, line).is_some();
-        if others.any(is_near) || !near.into_iter().all(passes) {
+        if taken.iter().any(is_near) || !near.into_iter().all(passes) {
             drawn.lost += 1;
-        } else if point.is_filled {
+            continue;
+        }
+        taken.push((at, radius));
+        if point.is_filled {
             drawn.beads.push((line as usize, at));
         } else {
             drawn.rings.push(ring(point, at, radius - half, params));
