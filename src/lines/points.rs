@@ -387,6 +387,7 @@ mod tests {
         let points = take(&mut lines, &PARAMS);
         let beside = line(&[(60.0, 55.0), (80.0, 55.0)], false, 0.0, FoundIn::Vector);
         let drawn = draw(&points, &[&lines[0], &beside], area(), &PARAMS);
-        assert!(points.len() == 3 && drawn.lost == 3 && drawn.beads.is_empty(), "{drawn:?}");
+        // of two that are too near to one another the first is drawn
+        assert!(points.len() == 3 && drawn.lost == 2 && drawn.beads.len() == 1, "{drawn:?}");
     }
 }
