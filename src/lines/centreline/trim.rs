@@ -112,11 +112,12 @@ fn fill_corners(distances: &mut [Option<f32>], normals: &[MmVector], arcs: &[f32
         let way = |to: usize| (arcs[to] - arcs[before]).rem_euclid(total.max(f32::EPSILON));
         let (length, width) = (way(after), first.abs() + last.abs());
         let turns = normals[before].dot(normals[after]) <= TURN;
-        if turns && first.signum() == last.signum() && length <= CORNER * width {
+        // what has no length is no corner
+        if turns && first.signum() == last.signum() && length > 0.0 && length <= CORNER * width {
             for &k in run {
                 distances[k] = Some(first + (last - first) * way(k) / length);
             }
-            let beside = (width * run.len() as f32 / length).ceil() as usize;
+            let beside = ((width * run.len() as f32 / length).ceil() as usize).min(distances.len());
             gaps.push(Gap { run: run.clone(), beside });
         }
     }
@@ -251,5 +252,15 @@ mod tests {
         assert!((ends[0] - MmPoint::new(10.0, 21.5)).length() < 0.1, "{ends:?}");
         assert!((ends[1] - MmPoint::new(50.0, 21.5)).length() < 0.1, "{ends:?}");
         assert!(line.vertices.iter().all(|vertex| (vertex.at.y - 21.5).abs() < 0.01), "no hook at its ends");
+    }
+    #[test]
+    fn a_corner_without_length_is_none() {
+        let normals = [(0.0, 1.0), (0.7, 0.7), (1.0, 0.0)].map(MmVector::from);
+        for arcs in [[0.0; 3], [0.0, 1e-38, 2e-38]] {
+            let mut distances = [Some(1.0), None, Some(1.0)];
+            let gaps = fill_corners(&mut distances, &normals, &arcs, false);
+            assert!(gaps.iter().all(|gap| gap.beside <= 3), "{arcs:?}");
+            assert!(distances.iter().flatten().all(|distance| distance.is_finite()), "{distances:?}");
+        }
     }
 }
