@@ -88,35 +88,20 @@ pub enum Note {
     NoBrailleCode(String),
     /// The braille code lacks characters of a text, so they are left out of its braille.
     #[error(
-        "left out of the braille of \"{}\", as its code has no cells for {}: {}; write {} in words, or take a table of \
-         braille that has {}",
-        short(.text),
-        it_or_them(.lacking.len()),
-        first_few(.lacking, |(character, at)| format!("{character:?} (character {at})")),
-        it_or_them(.lacking.len()),
-        it_or_them(.lacking.len())
-    )]
-    NotInBraille {
-        /// The text.
-        text: String,
-        /// Each character, and which of the text's it is, from 1.
-        lacking: Vec<(char, usize)>,
-    },
-    /// The braille code lacks characters of several texts, so they are left out of their braille.
-    #[error(
         "left out of the braille of {}, as its code has no cells for {}: {}; write {} in words, or take a table of \
          braille that has {}",
         listed(.texts),
         it_or_them(.lacking.len()),
-        first_few(.lacking, |character| format!("{character:?}")),
+        first_few(.lacking, MOST_TEXTS, |&(character, at)| character_at(character, at, .texts.len() == 1)),
         it_or_them(.lacking.len()),
         it_or_them(.lacking.len())
     )]
-    NotInBrailleOfTexts {
-        /// The texts.
+    NotInBraille {
+        /// The texts, each once.
         texts: Vec<String>,
-        /// The characters, each once.
-        lacking: Vec<char>,
+        /// The characters, and which of its text's each is, from 1: of one text all of them, of several texts each
+        /// once, at its first place.
+        lacking: Vec<(char, usize)>,
     },
     /// So many texts of a page that was read stand in other cells of braille than before, which another table wrote.
     #[error(
@@ -250,13 +235,20 @@ pub enum Note {
     )]
     ShapesNotInOverview(usize),
     /// Much of a drawing's lines is not in its overview, for want of room.
-    #[error("{}", not_in_overview(*.percent, *.place))]
+    #[error(
+        "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do without it, \
+         or spread the figure over several sheets",
+        most_in(*.place, "overview")
+    )]
     LinesNotInOverview {
         /// Share of their length, percent.
         percent: u32,
         /// Where in the overview most of it would be, in words; none if it is all over it.
         place: Option<&'static str>,
     },
+    /// None of a drawing's lines has room in an overview, so there is none.
+    #[error("there is no overview, as no line of the drawing has room in it; spread the figure over several sheets")]
+    NoRoomForOverview,
     /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
     #[error(
         "{} {} the textures of several colours{}, as none of them fills two thirds{}",
@@ -326,7 +318,6 @@ impl Note {
             Self::TextsNotRead(..) => "texts-not-read",
             Self::NoBrailleCode(..) => "no-braille-code",
             Self::NotInBraille { .. } => "not-in-braille",
-            Self::NotInBrailleOfTexts { .. } => "not-in-braille-of-texts",
             Self::InOtherCells(..) => "in-other-cells",
             Self::NotTranslated { .. } => "not-translated",
             Self::NotContracted => "not-contracted",
@@ -346,6 +337,7 @@ impl Note {
             Self::TooDense { .. } => "too-dense",
             Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
             Self::LinesNotInOverview { .. } => "lines-not-in-overview",
+            Self::NoRoomForOverview => "no-room-for-overview",
             Self::MixedAreas(..) => "mixed-areas",
             Self::Simplified { .. } => "simplified",
             Self::EmptyPage => "empty-page",
@@ -384,14 +376,18 @@ const MOST_TEXTS: usize = 12;
 
 /// Texts in quotation marks, as many as a note shows.
 fn listed(texts: &[String]) -> String {
-    first_few(texts, |text| format!("\"{}\"", short(text)))
+    first_few(texts, MOST_TEXTS, |text| format!("\"{}\"", short(text)))
 }
 
-/// As many as a note shows, and how many more there are.
-fn first_few<T>(all: &[T], said: impl Fn(&T) -> String) -> String {
-    let shown: Vec<String> = all.iter().take(MOST_TEXTS).map(said).collect();
+/// The first of a list, at most so many, and how many more there are.
+pub(crate) fn first_few<T>(all: &[T], most: usize, said: impl Fn(&T) -> String) -> String {
+    let shown: Vec<String> = all.iter().take(most).map(said).collect();
     let more = all.len() - shown.len();
     if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+}
+
+fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {
+    if is_of_one_text { format!("{character:?} (character {at})") } else { format!("{character:?}") }
 }
 
 fn counted(count: usize, noun: &str) -> String {
@@ -413,18 +409,6 @@ fn no_subject([x, y]: [i32; 2]) -> String {
             "{x} %, {y} % is outside of the picture, so that nothing comes first there; name a place on it, from 0 to \
              100 percent or within its pixels, from the left and from the top"
         )
-    }
-}
-
-fn not_in_overview(percent: u32, place: Option<&str>) -> String {
-    match percent {
-        100 => "there is no overview, as no line of the drawing has room in it; spread the figure over several sheets"
-            .to_owned(),
-        _ => format!(
-            "the overview lacks {percent} percent of the drawing's lines, {}, as they have no room in it; do without \
-             it, or spread the figure over several sheets",
-            most_in(place, "overview")
-        ),
     }
 }
 

@@ -26,11 +26,11 @@ pub(super) fn of_note(note: &Note) -> String {
         }
         Note::LetteringLeftOut { .. } => format!("{note} (--keep-text)"),
         Note::TooDense { .. } => format!("{note} (--sheets 2x2, --crop)"),
-        Note::LinesNotInOverview { percent: 100, .. } => format!("{note} (--sheets 2x2)"),
+        Note::NoRoomForOverview => format!("{note} (--sheets 2x2)"),
         Note::LinesNotInOverview { .. } => format!("{note} (--no-overview, --sheets 2x2)"),
         Note::EmptyPage => format!("{note} (--crop)"),
         Note::NoTexts => format!("{note} (--labels FILE)"),
-        Note::NotInBraille { .. } | Note::NotInBrailleOfTexts { .. } | Note::InOtherCells(..) => {
+        Note::NotInBraille { .. } | Note::InOtherCells(..) => {
             format!("{note} (--braille-table TABLE)")
         }
         _ => note.to_string(),

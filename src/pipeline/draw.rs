@@ -118,7 +118,7 @@ pub(super) fn draw(
         calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
     }
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
-    notes.extend(told_of_overview(&not_in_overview));
+    notes.extend(told_of_overview(&not_in_overview, overview.is_some()));
     notes.extend(joined_bars::told(instead, in_overview));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let lines = drawn.lines;

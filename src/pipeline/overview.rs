@@ -122,9 +122,12 @@ fn is_enough(lost: &Lost) -> bool {
 }
 
 /// What the maker is told of what the overview of a drawing lacks.
-pub(super) fn told_of_overview(lost: &Lost) -> impl Iterator<Item = Note> {
+pub(super) fn told_of_overview(lost: &Lost, is_drawn: bool) -> impl Iterator<Item = Note> {
     let shapes = (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings));
     let percent = (100.0 * lost.share()).round() as u32;
-    let lines = (lost.share() >= LACKS).then(|| Note::LinesNotInOverview { percent, place: lost.place_name() });
+    let lines = (lost.share() >= LACKS).then(|| match is_drawn {
+        true => Note::LinesNotInOverview { percent, place: lost.place_name() },
+        false => Note::NoRoomForOverview,
+    });
     shapes.into_iter().chain(lines)
 }

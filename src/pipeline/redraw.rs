@@ -113,7 +113,7 @@ pub(super) fn marks(
         keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend(told_of_overview(&not_in_overview));
+    notes.extend(told_of_overview(&not_in_overview, overview.is_some()));
     notes.extend(dots_left_out(page));
     let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     // the ground of a page that has none already is another area

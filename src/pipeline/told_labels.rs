@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::unwritten::{Lacks, Refused, named};
 use crate::labels::{self, NEAR, Placed, Unplaced, Wanted};
+use crate::note::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};
@@ -111,12 +112,10 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
         .map(|(label, other)| format!("\"{}\" near \"{other}\"", label.text))
         .collect();
     (!moved.is_empty()).then(|| {
-        let shown = moved.len().min(MOST_MOVED);
-        let more = if moved.len() > shown { format!(" and {} more", moved.len() - shown) } else { String::new() };
         let told = format!(
-            "for want of room labels stand nearer to what another one names than to their own: {}{more}; make the \
+            "for want of room labels stand nearer to what another one names than to their own: {}; make the \
              figure larger, or leave some out",
-            moved[..shown].join(", ")
+            first_few(&moved, MOST_MOVED, String::clone)
         );
         Note::TakenAs(About::Braille, told)
     })

@@ -2,45 +2,41 @@
 
 use crate::Note;
 use crate::braille::Lacking;
+use crate::note::first_few;
 
 /// What is told of characters that the code has no cells for.
 pub(super) fn lacking(text: &str, lacking: &[Lacking]) -> Option<Note> {
-    let characters = lacking.iter().map(|lacking| (lacking.character, lacking.at)).collect();
-    (!lacking.is_empty()).then(|| Note::NotInBraille { text: text.to_owned(), lacking: characters })
+    let mut lacks = Lacks::default();
+    lacks.add(text, lacking);
+    lacks.note()
 }
 
 /// Texts with characters that their code has no cells for: told together.
 #[derive(Debug, Default)]
-pub(super) struct Lacks(Vec<(String, Vec<char>, Note)>);
+pub(super) struct Lacks(Vec<(String, Vec<(char, usize)>)>);
 
 impl Lacks {
     pub(super) fn add(&mut self, text: &str, of: &[Lacking]) {
-        if let Some(note) = lacking(text, of).filter(|note| !self.0.iter().any(|(.., known)| known == note)) {
-            self.0.push((text.to_owned(), of.iter().map(|lacking| lacking.character).collect(), note));
+        if !of.is_empty() && self.0.iter().all(|(known, _)| known != text) {
+            self.0.push((text.to_owned(), of.iter().map(|lacking| (lacking.character, lacking.at)).collect()));
         }
     }
 
     pub(super) fn note(self) -> Option<Note> {
-        if self.0.len() < 2 {
-            return self.0.into_iter().map(|(.., note)| note).next();
-        }
-        let mut characters: Vec<char> = Vec::new();
-        let all = self.0.iter().flat_map(|(_, characters, _)| characters);
-        all.for_each(|character| {
-            if !characters.contains(character) {
-                characters.push(*character);
+        let (texts, characters): (Vec<String>, Vec<_>) = self.0.into_iter().unzip();
+        let mut lacking = Vec::new();
+        for (character, at) in characters.into_iter().flatten() {
+            if texts.len() == 1 || lacking.iter().all(|(known, _)| *known != character) {
+                lacking.push((character, at));
             }
-        });
-        let texts = self.0.into_iter().map(|(text, ..)| text).collect();
-        Some(Note::NotInBrailleOfTexts { texts, lacking: characters })
+        }
+        (!texts.is_empty()).then_some(Note::NotInBraille { texts, lacking })
     }
 }
 
 /// Names texts: all of up to five.
 pub(super) fn named(texts: &[&str]) -> String {
-    let named: Vec<String> = texts.iter().take(5).map(|text| format!("\"{text}\"")).collect();
-    let more = if texts.len() > 5 { format!(" and {} more", texts.len() - 5) } else { String::new() };
-    format!("{}{more}", named.join(", "))
+    first_few(texts, 5, |text| format!("\"{text}\""))
 }
 
 /// Texts that a translator could not write, each with what it says: told once for each reason.
@@ -75,7 +71,8 @@ mod tests {
         let mut lacks = Lacks::default();
         lacks.add("α = 39", &lacking('α'));
         lacks.add("α = 39", &lacking('α'));
-        assert!(matches!(lacks.note(), Some(Note::NotInBraille { .. })), "one text");
+        let told = lacks.note().expect("a note").to_string();
+        assert!(told.contains("no cells for it: 'α' (character 1); write it in words"), "one text: {told}");
         let mut lacks = Lacks::default();
         for (text, character) in [("α = 39", 'α'), ("β", 'β'), ("2α", 'α')] {
             lacks.add(text, &lacking(character));

@@ -7,6 +7,7 @@ use usvg::roxmltree::Node;
 use super::document::{Typed, is_in_labels};
 use super::outline::clean;
 use super::print::{font_size, is_print_words};
+use crate::note::first_few;
 use crate::page::PrintText;
 use crate::units::MmPoint;
 use crate::{About, Note};
@@ -53,12 +54,9 @@ pub(super) fn sorted(
             None => left.push(format!("\"{string}\"")),
         }
     }
-    let more = left.len().saturating_sub(MOST);
-    left.truncate(MOST);
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     let told = (!left.is_empty()).then(|| {
         let what = "fingers read no print letters; in a layer called labels-text they are written in braille";
-        Note::NotOnPage(About::Texts, format!("text {}{more}: {what}", left.join(", ")))
+        Note::NotOnPage(About::Texts, format!("text {}: {what}", first_few(&left, MOST, String::clone)))
     });
     (written, print, told)
 }

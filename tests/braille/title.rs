@@ -165,7 +165,7 @@ fn titles_that_cannot_be_written_are_told() {
     assert_eq!(read(&named, CellSize::MARBURG), [cells("Zahl 5", "de")]);
     // characters that the code lacks
     let lacking = drawn("Kaffee \u{65e5}", "de", "swell-a4", &[]);
-    let note = Note::NotInBraille { text: "Kaffee \u{65e5}".into(), lacking: vec![('\u{65e5}', 8)] };
+    let note = Note::NotInBraille { texts: vec!["Kaffee \u{65e5}".into()], lacking: vec![('\u{65e5}', 8)] };
     assert!(lacking.notes.contains(&note), "{:?}", lacking.notes);
 }
 
