@@ -75,6 +75,15 @@ fn points_of_a_number_line_are_beads_on_a_line_without_gaps() {
 }
 
 #[test]
+fn ticks_that_dots_have_no_room_for_are_told() {
+    let profile = Profile::named("index-basic-d").expect("it is built in");
+    let page = tactograph::convert(svg(&number_line()).as_bytes(), &Options::new(profile)).expect("a page");
+    let told: Vec<String> = page.notes.iter().map(ToString::to_string).collect();
+    let says = |what: &str| told.iter().any(|note| note.contains(what));
+    assert!(says(" short ticks ("), "{told:#?}");
+}
+
+#[test]
 fn corners_of_a_graph_and_stations_of_a_route_are_found() {
     let graph = "<path d='M100 300L250 260L375 410L150 450ZM250 260L150 450' stroke='#000' stroke-width='4' fill='none'/>\
                  <circle cx='100' cy='300' r='11'/><circle cx='250' cy='260' r='11'/>\

@@ -2,7 +2,7 @@
 
 use super::finish::{finished, origin, title_of_overview};
 use super::kept_lines;
-use super::lost_signs::{extent, is_arrowhead, is_small_ring};
+use super::lost_signs::{MOVED, extent, is_arrowhead, is_small_ring};
 use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
@@ -24,8 +24,18 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
-    let rings = drawn.lines.iter().zip(shares).filter(|(line, share)| *share < WHOLE && is_small_ring(line));
+    // the dots of a line through a small ring are near to all of it, and none of them is its own
+    let around = |line: &Line| {
+        let points = || line.runs.iter().flat_map(|run| run.points.iter());
+        line.length() + points().next().zip(points().last()).map_or(0.0, |(first, last)| (*last - *first).length())
+    };
+    let has_own = |ring: &Line| {
+        let reach = extent(ring).inflate(MOVED, MOVED);
+        lines.iter().any(|line| reach.contains_box(&extent(line)) && around(line) >= WHOLE * ring.length())
+    };
+    let rings = drawn.lines.iter().zip(shares).filter(|(line, _)| is_small_ring(line));
     let signs: Vec<LostSign> = rings
+        .filter(|(line, share)| *share < WHOLE || !has_own(line))
         .map(|(line, _)| LostSign { at: extent(line).center(), is_arrowhead: is_arrowhead(line, &lines) })
         .collect();
     let mut lost = drawn.lost.keeping(kept);

@@ -301,16 +301,20 @@ pub(super) fn draw_lines(
                     let params = lines::Params { detail, ..plan.lines() };
                     let mut drawn = lines::draw_with(edges, &outlines, transform, layout.figure, &params);
                     // those beyond as many shapes as are asked for are left out on purpose
-                    if plan.lines().most_shapes.is_none() {
+                    let is_all = plan.lines().most_shapes.is_none();
+                    if is_all {
                         let widest = plan.lines().max_spacing();
                         drawn.lost.signs = lost_signs::of(edges, &drawn.lines, transform, widest);
-                        drawn.lost.marks =
-                            lost_marks::of(edges, &drawn.lines, layout.figure, transform, plan.lines().min_length);
                     }
                     if matches!(layout.medium, Medium::Dots(_)) {
                         drawn.lines = by_hand_first(drawn.lines, edges, transform);
                     }
-                    dots::pressed(drawn, layout.figure, layout, plan)
+                    let mut drawn = dots::pressed(drawn, layout.figure, layout, plan);
+                    if is_all {
+                        drawn.lost.marks =
+                            lost_marks::of(edges, &drawn.lines, layout.figure, transform, plan.lines().min_length);
+                    }
+                    drawn
                 };
                 let detail = plan.lines().detail;
                 let drawn = draw(edges, &transform, detail);

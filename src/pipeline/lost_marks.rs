@@ -1,10 +1,12 @@
 //! Ticks and marks of angles that are too short for a line and not on the page. A reader who expects them is misled,
 //! and a larger figure is the only way to have them, so they are told by what they are.
 
+use std::f32::consts::FRAC_1_SQRT_2;
+
 use super::areas::index_of;
 use super::lost_signs::beads;
 use crate::edges::{ChainRange, Edges};
-use crate::geom::nearby::Segment;
+use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::lines::{Line, LostMarks};
@@ -16,6 +18,8 @@ use crate::{About, Note};
 const ENDS_ON: f32 = 2.5;
 /// A place of a mark is drawn if a line is so near, mm: the ends of a tick are on its axis.
 const DRAWN: f32 = 1.2;
+/// ... that leads the same way but for 45 degrees: the cosine.
+const ALONG: f32 = FRAC_1_SQRT_2;
 /// A mark is drawn if at least this share of it is.
 const MOSTLY: f32 = 0.5;
 /// Places of a mark at which is looked.
@@ -29,6 +33,8 @@ const OFF_CORNER: f32 = 0.08;
 const RIGHT: f32 = 0.35;
 /// The legs of an angle differ in their direction by at least 10 degrees: the sine.
 const LEG: f32 = 0.17;
+/// A tick crosses its line at 60 degrees at least: the sine.
+const ACROSS: f32 = 0.87;
 /// A tick stands on a line if its ends are at distances from it that differ by this share of its length.
 const STANDS: f32 = 0.5;
 
@@ -66,13 +72,14 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
         if beads.iter().any(|bead| bead.contains(first.lerp(last, 0.5))) {
             continue;
         }
-        let looked = (0..PLACES).map(|i| points[i * (points.len() - 1) / (PLACES - 1)]);
-        let drawn = looked.filter(|at| line_at(*at, DRAWN).is_some()).count();
+        let looked = (0..PLACES).map(|i| i * (points.len() - 1) / (PLACES - 1));
+        let drawn = looked.filter(|&i| is_along(&index, points[i], way_at(&points, i))).count();
         if drawn as f32 >= MOSTLY * PLACES as f32 {
             continue;
         }
         let ends = [first, last].map(|end| line_at(end, ENDS_ON));
-        let Some(kind) = kind(&points, length, ends) else { continue };
+        let crossed = line_at(points[points.len() / 2], DRAWN);
+        let Some(kind) = kind(&points, length, (ends, crossed)) else { continue };
         match kind {
             Kind::Tick => marks.ticks += 1,
             Kind::Arc => marks.arcs += 1,
@@ -84,10 +91,29 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
     marks
 }
 
-/// What a mark of this length is of which these ends are on lines.
-fn kind(points: &[MmPoint], length: f32, ends: [Option<OnLine>; 2]) -> Option<Kind> {
+/// Which way a mark leads at one of its points.
+fn way_at(points: &[MmPoint], at: usize) -> MmVector {
+    (points[(at + 1).min(points.len() - 1)] - points[at.saturating_sub(1)]).try_normalize().unwrap_or_default()
+}
+
+/// Whether a line is drawn at a place that leads this way there: half of a short tick lies near the axis that it
+/// crosses.
+fn is_along(index: &Nearby, at: MmPoint, way: MmVector) -> bool {
+    let along = |segment: &Segment| {
+        let other = (segment.b - segment.a).try_normalize().unwrap_or_default();
+        way.dot(other).abs() >= ALONG
+    };
+    index.nearest(at, DRAWN, along).is_some()
+}
+
+/// What a mark of this length is of which these ends are on lines, or that is crossed by one in its middle.
+fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], Option<OnLine>)) -> Option<Kind> {
     let line = PolylineRef { vertices: points, closed: false };
     let is_straight = simplify(line, STRAIGHT * length).len() == 2;
+    let way = points.last().zip(points.first()).map_or(MmVector::zero(), |(last, first)| *last - *first);
+    if is_straight && crossed.is_some_and(|(_, across)| way.cross(across).abs() >= ACROSS * length) {
+        return Some(Kind::Tick);
+    }
     let ([Some((from, one)), Some((to, other))], true) = (ends, points.len() > 1) else {
         return (is_straight && ends.iter().any(Option::is_some)).then_some(Kind::Tick);
     };
@@ -147,13 +173,15 @@ mod tests {
             (1..corners.len()).flat_map(|i| (0..=8).map(move |k| at(i - 1).lerp(at(i), k as f32 / 8.0))).collect()
         };
         let is = |points: &[MmPoint], ends: [Option<OnLine>; 2]| {
-            kind(points, PolylineRef { vertices: points, closed: false }.length(), ends)
+            kind(points, PolylineRef { vertices: points, closed: false }.length(), (ends, None))
         };
         let (level, upright) = (MmVector::new(1.0, 0.0), MmVector::new(0.0, 1.0));
         let legs = [Some((0.2, level)), Some((0.2, upright))];
         let straight = line(&[(0.0, 0.0), (4.0, 0.0)]);
         assert_eq!(is(&straight, [Some((0.2, upright)), None]), Some(Kind::Tick));
         assert_eq!(is(&straight, [None, None]), None, "a dash");
+        let crossed = |by: MmVector| kind(&straight, 4.0, ([None, None], Some((0.1, by))));
+        assert_eq!((crossed(upright), crossed(level)), (Some(Kind::Tick), None), "across an axis, and along one");
         assert_eq!(is(&straight, [Some((0.2, upright)), Some((0.2, upright))]), None, "a piece of a gridline");
         assert_eq!(is(&straight, legs), None, "a piece of a slanting line");
         assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(Kind::Corner));
@@ -163,6 +191,20 @@ mod tests {
         let bent = line(&[(0.0, 0.0), (2.0, 0.0), (2.4, 0.4)]);
         assert_eq!(is(&bent, [Some((2.4, upright)), Some((0.0, upright))]), Some(Kind::Tick), "bent at its axis");
         assert_eq!(is(&arc(60.0), [Some((1.0, level)), Some((0.8, level))]), None, "a crumb beside a line");
+    }
+
+    #[test]
+    fn an_axis_is_not_the_tick_that_crosses_it() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let axis = Line {
+            strength: 1.0,
+            runs: vec![crate::lines::Run::stroke(1.0, vec![MmPoint::new(10.0, 50.0), MmPoint::new(90.0, 50.0)])],
+        };
+        let index = index_of(&[axis], area, ENDS_ON);
+        let tick = [MmPoint::new(40.0, 49.0), MmPoint::new(40.0, 50.0), MmPoint::new(40.0, 51.0)];
+        assert!((0..3).all(|i| !is_along(&index, tick[i], way_at(&tick, i))));
+        let piece = [MmPoint::new(40.0, 50.5), MmPoint::new(41.0, 50.5)];
+        assert!((0..2).all(|i| is_along(&index, piece[i], way_at(&piece, i))));
     }
 
     #[test]

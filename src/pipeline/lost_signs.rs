@@ -19,7 +19,7 @@ use crate::{About, Note};
 const SIGN: f32 = 25.0;
 /// A ring is drawn if one of about its size lies so near, mm: lines are seldom moved by more (see
 /// `lines::Params::farthest_moved`), and two contours around one stroke are drawn as one line.
-const MOVED: f32 = 3.0;
+pub(super) const MOVED: f32 = 3.0;
 
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
