@@ -75,6 +75,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Short programs to begin from are in `examples/`: a picture to a page, pixels in memory, contours as data, files for
+//! an embosser, a page that was edited.
+//!
 //! Pixels in memory are given as [`Picture::rgba8`]. All but [`Picture`], which borrows them, is owned, `Send`,
 //! `Sync` and `'static`, so that it can be held by classes of other languages. The crate prints nothing, reads no
 //! files (but fonts, where `Fonts::system` is asked for) and no clock, and gives the same bytes for the same input,

@@ -382,8 +382,17 @@ fn listed(texts: &[String]) -> String {
 /// The first of a list, at most so many, and how many more there are.
 pub(crate) fn first_few<T>(all: &[T], most: usize, said: impl Fn(&T) -> String) -> String {
     let shown: Vec<String> = all.iter().take(most).map(said).collect();
-    let more = all.len() - shown.len();
-    if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+    and_more(&shown.join(", "), all.len() - shown.len(), "")
+}
+
+/// What is shown of a list, and how many more there are; `of` is what they are, or nothing where that is plain.
+pub(crate) fn and_more(shown: &str, more: usize, of: &str) -> String {
+    match (more, of) {
+        (0, _) => shown.to_owned(),
+        (_, "") => format!("{shown} and {more} more"),
+        (1, of) => format!("{shown} and 1 more {of}"),
+        (_, of) => format!("{shown} and {more} more {of}s"),
+    }
 }
 
 fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {

@@ -213,7 +213,7 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
             let tree = edges::find_with_regions(raster, &edge_params()).regions;
             let traces =
                 tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[], None).0).unwrap_or_default();
-            let points = |trace: &regions::Trace| {
+            let points = |trace: &regions::TracedContour| {
                 let vertices = trace.vertices.iter().map(|point| point.at).collect();
                 Polyline { vertices, closed: trace.closed }.resampled(0.5).vertices
             };

@@ -65,7 +65,8 @@ fn batch(args: &Convert, pictures: &[PathBuf], session: Option<&Session>, asked:
     batch::run(&order, |input| {
         let table = asked.table(args, input.options.profile()).ok().flatten();
         let options = given.add_to(input.options.clone(), args, &input.job.picture)?;
-        let drawn = Drawn::of(input.bytes, &with_programs(options, table, ocr.as_ref()), args, &given, session)?;
+        let drawn =
+            PagesOfPicture::of(input.bytes, &with_programs(options, table, ocr.as_ref()), args, &given, session)?;
         drawn.written(args, chosen, input.timings)
     })
 }
@@ -148,14 +149,14 @@ impl Given {
 }
 
 /// The pages of a picture.
-struct Drawn {
+struct PagesOfPicture {
     /// What they are called together.
     title: String,
     pages: Vec<Page>,
     notes: Vec<Note>,
 }
 
-impl Drawn {
+impl PagesOfPicture {
     fn of(
         bytes: &[u8],
         options: &Options,

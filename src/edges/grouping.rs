@@ -10,7 +10,7 @@ use crate::raster::Raster;
 use crate::raster::lab;
 use crate::raster::plane::Plane;
 use crate::raster::shrink::Shrinker;
-use crate::regions::{Detail, RegionGrid, Trace, TracePoint, Tree};
+use crate::regions::{Detail, RegionGrid, TracePoint, TracedContour, Tree};
 
 /// The tree of the regions between all chains, given with the strengths along each, be they strong enough for contours
 /// or not.
@@ -22,7 +22,7 @@ pub(super) fn tree(
     detail: Detail,
 ) -> Tree {
     let grid = RegionGrid::new(raster.size());
-    let trace = |(chain, strengths): (&Chain, &Vec<f32>)| -> Trace {
+    let trace = |(chain, strengths): (&Chain, &Vec<f32>)| -> TracedContour {
         let point = |(&number, &strength): (&u32, &f32)| TracePoint { at: points[number as usize].at, strength };
         Polyline { vertices: chain.vertices.iter().zip(strengths).map(point).collect(), closed: chain.closed }
     };

@@ -109,14 +109,14 @@ enum At {
     Margin,
 }
 
-/// In which ways and forms the labels of a group are tried, in this order.
+/// The arrangements and forms in which the labels of a group are tried, in this order.
 fn tried(group: &Group) -> Vec<(Arrangement, Level)> {
     let words = [Level::Whole, Level::TwoLines, Level::Fitting, Level::UnitOnce, Level::Short];
     let is_column = matches!(group.lies, Lies::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
     let of = |at: At, levels: &[Level]| -> Vec<(Arrangement, Level)> {
-        let ways = (1..=at_most_rows).map(|rows| Arrangement { rows, at });
-        ways.flat_map(|way| levels.iter().map(move |&level| (way, level))).collect()
+        let arrangements = (1..=at_most_rows).map(|rows| Arrangement { rows, at });
+        arrangements.flat_map(|arrangement| levels.iter().map(move |&level| (arrangement, level))).collect()
     };
     let is_axis = group.steps.is_some() || !is_column && group.members.len() >= OF_AN_AXIS;
     let letters: &[Level] = if is_column || group.steps.is_some() { &[] } else { &[Level::Letters] };
@@ -145,7 +145,7 @@ fn of_group(group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Op
     let with_unit =
         if matches!(group.lies, Lies::Column(_)) { numbers.find(has_unit) } else { numbers.rev().find(has_unit) };
     let mut seen: Vec<(Arrangement, Vec<usize>)> = Vec::new();
-    for (way, level) in tried(group) {
+    for (arrangement, level) in tried(group) {
         let number_of = |(i, &label): (usize, &usize)| {
             // in two lines, if it has them
             let level = if level == Level::UnitOnce && Some(i) == with_unit { Level::TwoLines } else { level };
@@ -159,11 +159,11 @@ fn of_group(group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Op
         if level == Level::Fitting && group.members.iter().zip(&forms).any(is_short) {
             continue;
         }
-        let tried = (way, forms);
+        let tried = (arrangement, forms);
         if seen.contains(&tried) {
             continue;
         }
-        let found = in_rows(group, &tried.1, way, of, placed);
+        let found = in_rows(group, &tried.1, arrangement, of, placed);
         if found.is_some() {
             return found;
         }
@@ -172,12 +172,12 @@ fn of_group(group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Op
     None
 }
 
-/// The labels of a group in these forms and this way, at the nearest height (for columns: the nearest edge) at which
-/// all of them are free.
+/// The labels of a group in these forms and this arrangement, at the nearest height (for columns: the nearest edge) at
+/// which all of them are free.
 fn in_rows(
     group: &Group,
     numbers: &[usize],
-    Arrangement { rows, at: way }: Arrangement,
+    arrangement: Arrangement,
     of: &Placing<'_>,
     placed: &[Option<Candidate>],
 ) -> Option<Vec<Candidate>> {
@@ -187,65 +187,106 @@ fn in_rows(
         .zip(numbers)
         .map(|(&label, &number)| of.forms[label].as_ref().ok().and_then(|forms| forms.forms.get(number)))
         .collect::<Option<_>>()?;
+    let Arrangement { rows, at } = arrangement;
     let sizes: Vec<MmVector> = forms.iter().map(|form| form.extent(of.cells)).collect();
     let along = along(group, &sizes, rows, of)?;
-    let highest = sizes.iter().map(|size| size.y).fold(0.0, f32::max);
-    let pitch = in_steps(highest + TIGHTEST.above(), of.cells.steps().map(|steps| steps.y));
-    let bounds = of.room.bounds();
-    let all: MmVector = sizes.iter().fold(MmVector::zero(), |all, size| all.max(*size));
-    let starts = match way {
+    let row = RowOfLabels::new(group, numbers, (&forms, sizes, along), arrangement, of, placed);
+    let starts = match at {
         At::Margin => {
-            starts_in_margin(group, of, (all + MmVector::new(0.0, (rows - 1) as f32 * pitch), highest), bounds?)
+            let size = row.largest + MmVector::new(0.0, (rows - 1) as f32 * row.pitch);
+            starts_in_margin(group, of, (size, row.largest.y), of.room.bounds()?)
         }
-        _ => vec![None],
+        At::Near | At::Led => vec![None],
     };
     let steps = |mm: f32| (mm / of.params.step).ceil() as i32;
-    let (nearest, furthest) = if way == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
-    let stands = if way == At::Margin { Stands::InMargin } else { Stands::InRow };
+    let (nearest, furthest) = if at == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
     // below before above
-    let offsets = both_ways(nearest, furthest);
-    let at = |start: Option<f32>, offset: f32, moves: bool| -> Option<Vec<Candidate>> {
-        let mut found: Vec<Candidate> = Vec::with_capacity(sizes.len());
-        for (number, &label) in group.members.iter().enumerate() {
-            let (anchor, size, row) = (of.wanted[label].anchor, sizes[number], (number % rows) as f32);
-            let (begin, may_move) = along[number];
-            let corner = |moved: f32| match (group.lies, start) {
-                (Lies::Column(side), Some(start)) => {
-                    MmPoint::new(start + side * (all.x - size.x) + offset, begin + moved)
-                }
-                (Lies::Column(side), None) => MmPoint::new(edge(anchor, side, size.x) + offset, begin + moved),
-                (_, Some(start)) => MmPoint::new(begin + moved, start + offset + row * pitch),
-                (Lies::Row, None) => {
-                    MmPoint::new(begin + moved, anchor.center().y - 0.5 * highest + offset + row * pitch)
-                }
-                (Lies::BelowPoints, None) => {
-                    MmPoint::new(begin + moved, anchor.max.y + BELOW_POINTS + offset + row * pitch)
-                }
-            };
-            let candidate = |moved: f32| {
-                let corner = corner(moved);
-                let place = of.cells.snapped(MmRect::new(corner, corner + size));
-                let cost = forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
-                let leader = (way == At::Led).then(|| leader(place, anchor.center()));
-                let candidate = Candidate::of_row(numbers[number], place, leader, cost, stands);
-                let mut others = found.iter().chain(placed.iter().flatten());
-                let is_free = is_free(label, &candidate, of)
-                    && others.all(|other| !candidate.is_too_near(other, JUST, of.params.leader_off));
-                is_free.then_some(candidate)
-            };
-            let steps = if moves { (may_move / of.params.step).floor().max(0.0) as i32 } else { 0 };
-            let free = both_ways(0, steps).find_map(|step| candidate(step as f32 * of.params.step))?;
-            found.push(free);
-        }
-        Some(found)
-    };
     let is_wanted = |offset: &i32| *offset >= 0 || group.lies != Lies::BelowPoints;
-    let offsets: Vec<f32> = offsets.filter(is_wanted).map(|offset| offset as f32 * of.params.step).collect();
+    let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * of.params.step);
+    let offsets: Vec<f32> = offsets.collect();
     // each at its own anchor, if that can be
     starts.into_iter().find_map(|start| {
         let mut tried = [false, true].into_iter().flat_map(|moves| offsets.iter().map(move |offset| (*offset, moves)));
-        tried.find_map(|(offset, moves)| at(start, offset, moves))
+        tried.find_map(|(offset, moves)| row.at(start, offset, moves))
     })
+}
+
+/// The labels of a group, each in one form, of which a common place is looked for.
+struct RowOfLabels<'a> {
+    group: &'a Group,
+    /// Of each label: the number of its form, the form and its size.
+    numbers: &'a [usize],
+    forms: &'a [&'a Form],
+    sizes: Vec<MmVector>,
+    /// Where each begins along the row, and how far it may be moved along it, mm.
+    along: Vec<(f32, f32)>,
+    arrangement: Arrangement,
+    /// The greatest width and height of them.
+    largest: MmVector,
+    /// From one row to the next, mm.
+    pitch: f32,
+    of: &'a Placing<'a>,
+    /// Labels of groups that were placed before.
+    placed: &'a [Option<Candidate>],
+}
+
+impl<'a> RowOfLabels<'a> {
+    fn new(
+        group: &'a Group,
+        numbers: &'a [usize],
+        (forms, sizes, along): (&'a [&'a Form], Vec<MmVector>, Vec<(f32, f32)>),
+        arrangement: Arrangement,
+        of: &'a Placing<'a>,
+        placed: &'a [Option<Candidate>],
+    ) -> Self {
+        let largest = sizes.iter().fold(MmVector::zero(), |all, size| all.max(*size));
+        let pitch = in_steps(largest.y + TIGHTEST.above(), of.cells.steps().map(|steps| steps.y));
+        Self { group, numbers, forms, sizes, along, arrangement, largest, pitch, of, placed }
+    }
+
+    /// All labels with the row this far from where it starts (without a start: from their anchors), each moved along
+    /// the row if it may be; none if one of them is not free.
+    fn at(&self, start: Option<f32>, offset: f32, moves: bool) -> Option<Vec<Candidate>> {
+        let step = self.of.params.step;
+        let mut found: Vec<Candidate> = Vec::with_capacity(self.sizes.len());
+        for number in 0..self.sizes.len() {
+            let furthest = if moves { (self.along[number].1 / step).floor().max(0.0) as i32 } else { 0 };
+            let free = both_ways(0, furthest).find_map(|moved| {
+                let candidate = self.candidate(number, start, offset, moved as f32 * step);
+                let mut others = found.iter().chain(self.placed.iter().flatten());
+                let is_free = is_free(self.group.members[number], &candidate, self.of)
+                    && others.all(|other| !candidate.is_too_near(other, JUST, self.of.params.leader_off));
+                is_free.then_some(candidate)
+            })?;
+            found.push(free);
+        }
+        Some(found)
+    }
+
+    fn candidate(&self, number: usize, start: Option<f32>, offset: f32, moved: f32) -> Candidate {
+        let Arrangement { rows, at } = self.arrangement;
+        let (size, row) = (self.sizes[number], (number % rows) as f32);
+        let corner = self.corner(number, start, offset, self.along[number].0 + moved);
+        let place = self.of.cells.snapped(MmRect::new(corner, corner + size));
+        let anchor = self.of.wanted[self.group.members[number]].anchor;
+        let leader = (at == At::Led).then(|| leader(place, anchor.center()));
+        let cost = self.forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
+        let stands = if at == At::Margin { Stands::InMargin } else { Stands::InRow };
+        Candidate::of_row(self.numbers[number], place, leader, cost, stands)
+    }
+
+    /// The top left corner of a label that begins here along its row.
+    fn corner(&self, number: usize, start: Option<f32>, offset: f32, begin: f32) -> MmPoint {
+        let (anchor, size) = (self.of.wanted[self.group.members[number]].anchor, self.sizes[number]);
+        let below = (number % self.arrangement.rows) as f32 * self.pitch;
+        match (self.group.lies, start) {
+            (Lies::Column(side), Some(start)) => MmPoint::new(start + side * (self.largest.x - size.x) + offset, begin),
+            (Lies::Column(side), None) => MmPoint::new(edge(anchor, side, size.x) + offset, begin),
+            (_, Some(start)) => MmPoint::new(begin, start + offset + below),
+            (Lies::Row, None) => MmPoint::new(begin, anchor.center().y - 0.5 * self.largest.y + offset + below),
+            (Lies::BelowPoints, None) => MmPoint::new(begin, anchor.max.y + BELOW_POINTS + offset + below),
+        }
+    }
 }
 
 /// Where the left edge of a label lies in a column of which this edge is in line: 0 is the left one, 1 the right one.

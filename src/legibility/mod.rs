@@ -43,6 +43,7 @@ pub use verdict::{Fingertip, Textures, Verdict};
 use usvg::Tree;
 use usvg::roxmltree::Document;
 
+use crate::note::and_more;
 use crate::page::{InSet, Names, Page};
 use crate::reading::Reading;
 use crate::touch::Report;
@@ -84,8 +85,8 @@ pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<S
     let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
     let found = overview::findings(&felt, names, &ways, &ways.index(5.0), limits);
     let (first, count) = (found.first()?, found.len());
-    let more = if count > 1 { format!(" (and {} more such places)", count - 1) } else { String::new() };
-    Some(format!("the overview is as it was: {}{more}; change it there too, or delete it", first.what))
+    let told = and_more(&first.what, count - 1, "such place");
+    Some(format!("the overview is as it was: {told}; change it there too, or delete it"))
 }
 
 /// Braille of a page that has too little blank around it or is no standard braille, in words; none if all is well.
@@ -98,10 +99,8 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<St
         |found: &FoundBreach| found.at.map_or_else(String::new, |at| format!(" (at {:.0}, {:.0} mm)", at.x, at.y));
     let told: Vec<String> =
         found.iter().take(MOST_TOLD).map(|found| format!("{}{}", found.what, place(found))).collect();
-    let more = found.len().saturating_sub(MOST_TOLD);
-    let more = if more > 0 { format!("; and {more} more such places") } else { String::new() };
-    (!told.is_empty())
-        .then(|| format!("braille stays where it is on the page: {}{more}; move one of them", told.join("; ")))
+    let told = and_more(&told.join("; "), found.len() - told.len(), "such place");
+    (!found.is_empty()).then(|| format!("braille stays where it is on the page: {told}; move one of them"))
 }
 
 /// Most places that are told one by one.

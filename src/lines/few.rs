@@ -19,11 +19,11 @@ pub struct Beyond {
 /// Keeps of the lines, which come in the order of their saliency, the first shapes, at most so many, and as many single
 /// open lines. Outlines of regions are shapes already, and none of them goes.
 pub(super) fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: usize) -> Beyond {
-    let mut room = Room::new(most.saturating_sub(of_outlines), most);
+    let mut budget = Budget::new(most.saturating_sub(of_outlines), most);
     // a photograph's exact lines were added by a person
     let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
-    drawn.retain(|line| line.rank == Rank::Outline || is_added(line) || room.has(line.polyline.closed));
-    room.beyond
+    drawn.retain(|line| line.rank == Rank::Outline || is_added(line) || budget.has(line.polyline.closed));
+    budget.beyond
 }
 
 /// The same of a drawing. There lines that meet are one shape, and are drawn together or not at all. `all` has the
@@ -39,39 +39,39 @@ pub(super) fn keep_first_things(drawn: &mut Vec<&Cleared>, most: usize, all: &Ne
     }
     let mut order: Vec<usize> = (0..things.len()).filter(|&thing| things[thing].1 > 0).collect();
     order.sort_by(|&a, &b| things[b].0.total_cmp(&things[a].0).then(a.cmp(&b)));
-    let mut room = Room::new(most, most);
+    let mut budget = Budget::new(most, most);
     let mut stays = vec![false; things.len()];
     for number in order {
         let (_, lines, has_ring) = things[number];
-        stays[number] = room.has(has_ring || lines > 1);
+        stays[number] = budget.has(has_ring || lines > 1);
     }
     let mut of_line = thing.into_iter();
     drawn.retain(|_| of_line.next().is_some_and(|thing| stays[thing]));
-    room.beyond
+    budget.beyond
 }
 
-/// How many more may be drawn, and how many had no room.
-struct Room {
+/// How many more may be drawn, and how many are beyond it.
+struct Budget {
     shapes: usize,
     lines: usize,
     beyond: Beyond,
 }
 
-impl Room {
+impl Budget {
     fn new(shapes: usize, lines: usize) -> Self {
         Self { shapes, lines, beyond: Beyond::default() }
     }
 
-    /// Whether there is room for one more, which takes it.
+    /// Whether one more is within it, which it then counts.
     fn has(&mut self, is_shape: bool) -> bool {
-        let (room, beyond) = match is_shape {
+        let (budget, beyond) = match is_shape {
             true => (&mut self.shapes, &mut self.beyond.shapes),
             false => (&mut self.lines, &mut self.beyond.lines),
         };
-        let has_room = *room > 0;
-        *room = room.saturating_sub(1);
-        *beyond += usize::from(!has_room);
-        has_room
+        let is_within = *budget > 0;
+        *budget = budget.saturating_sub(1);
+        *beyond += usize::from(!is_within);
+        is_within
     }
 }
 

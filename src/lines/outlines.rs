@@ -3,14 +3,14 @@
 use super::params::Params;
 use super::vertex::{FoundIn, Vertex};
 use crate::geom::polyline::Polyline;
-use crate::regions::Trace;
+use crate::regions::TracedContour;
 use crate::units::PageTransform;
 
 /// What is drawn before, and in place of, ordinary lines.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outlines {
     /// The outlines, in pixels of the picture.
-    pub traces: Vec<Trace>,
+    pub traces: Vec<TracedContour>,
     /// How many shapes they are; neighbours share a border.
     pub shapes: usize,
     /// How many other lines are drawn, and the least length of each, mm; all if none.
@@ -53,7 +53,7 @@ impl Rank {
 impl Outlines {
     /// Those outlines on the sheet that are long enough for lines.
     pub(super) fn on_the_sheet(&self, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
-        let line = |trace: &Trace| {
+        let line = |trace: &TracedContour| {
             let vertex = |point: &crate::regions::TracePoint| Vertex {
                 at: transform.to_mm(point.at),
                 strength: point.strength.max(params.least_strength),

@@ -275,7 +275,7 @@ fn joined(mut levels: Vec<Span>) -> Vec<Span> {
 
 /// A path along which there should be a line.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Wanted {
+pub(super) struct WantedPath {
     pub(super) path: Vec<PxPoint>,
     /// Farthest that the line may lie from it, mm.
     pub(super) reach: f32,
@@ -287,12 +287,12 @@ pub(super) struct Wanted {
 
 /// How much of some paths is not drawn, mm, and the length of all. What is missing of a path less than `least` is
 /// where lines join.
-pub(super) fn missing(wanted: &[Wanted], lines: &[Line], transform: &PageTransform, least: f32) -> (f32, f32) {
+pub(super) fn missing(wanted: &[WantedPath], lines: &[Line], transform: &PageTransform, least: f32) -> (f32, f32) {
     let area = MmRect::from_points(wanted.iter().flat_map(|wanted| &wanted.path).map(|&at| transform.to_mm(at)));
     let index = index_of(lines, area, wanted.iter().map(|wanted| wanted.reach).fold(0.0, f32::max));
     let is_drawn = |at: MmPoint, reach: f32| index.nearest(at, reach, |_| true).is_some();
     let (mut missing, mut all) = (0.0, 0.0);
-    for Wanted { path, reach, or_none, weight } in wanted {
+    for WantedPath { path, reach, or_none, weight } in wanted {
         let (mut undrawn, mut length) = (0.0, 0.0);
         for pair in path.windows(2) {
             let (a, b) = (transform.to_mm(pair[0]), transform.to_mm(pair[1]));

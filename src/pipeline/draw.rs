@@ -3,7 +3,7 @@
 use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
-use super::joined_bars::{self, Instead, Room};
+use super::joined_bars::{self, Instead, LineSpacing};
 use super::lost_marks;
 use super::lost_signs;
 use super::outlines::outlines_of;
@@ -112,9 +112,7 @@ pub(super) fn draw(
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
         let outlined = areas.as_ref().filter(|_| of_picture);
-        notes.extend(outlined.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
-        blank(classes, &erased);
-        notes.extend(of_picture.then(|| blank_ground(classes, plan)).flatten());
+        notes.extend(blanked(classes, (outlined, &erased, of_picture), (size, &layout), plan));
         calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
     }
     let left_out = left_out(&drawn.lost, not_in_overview.rings);
@@ -129,6 +127,19 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
     Ok(Marks { figure, overview, layout, is_flat, left_out, lost_signs: drawn.lost.signs, texts, notes })
+}
+
+/// Fits classes to the areas that have outlines, and blanks what is erased and, of a picture, its ground. Gives what
+/// the maker is told of it.
+fn blanked(
+    classes: &mut Classes,
+    (outlined, erased, of_picture): (Option<&Areas>, &[[f32; 4]], bool),
+    (size, layout): (Size, &Layout),
+    plan: &Plan,
+) -> Vec<Note> {
+    let fitted = outlined.and_then(|areas| fit_to_areas(classes, areas, size, layout, plan));
+    blank(classes, erased);
+    fitted.into_iter().chain(of_picture.then(|| blank_ground(classes, plan)).flatten()).collect()
 }
 
 /// What the maker is told of lines that were given and are too short for this figure.
@@ -321,7 +332,7 @@ pub(super) fn draw_lines(
                 if !may_join || plan.lines().most_shapes.is_some() {
                     return (drawn, areas, None);
                 }
-                let (at, room) = ([transform], (Room::of(layout, plan), detail));
+                let (at, room) = ([transform], (LineSpacing::of(layout, plan), detail));
                 let (drawn, instead) =
                     joined_bars::whole(edges, (drawn, transform), &at, room, &draw, &|drawn| &drawn.lines);
                 (drawn, areas, instead)

@@ -24,7 +24,7 @@ const APART: f32 = 1.0;
 const MOST: usize = 1000;
 
 /// What becomes of drawn areas.
-struct Drawn {
+struct DrawnAreas {
     /// Those that have a colour and room, the last on top.
     classes: Classes,
     /// The middle of each of them.
@@ -33,7 +33,7 @@ struct Drawn {
     lost: Vec<(MmPoint, &'static str)>,
 }
 
-impl Drawn {
+impl DrawnAreas {
     /// Areas on a figure in so many cells.
     fn of(areas: &[DrawnArea], place: MmRect, size: Size, plan: &Plan) -> Self {
         let cell = place.area() / size.area() as f32;
@@ -108,7 +108,7 @@ fn lightness(colour: [u8; 3]) -> f32 {
 pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<Note> {
     let place = parts.figure.place;
     let size = Size::new(cells_along(place.width()), cells_along(place.height()));
-    let mut drawn = Drawn::of(areas, place, size, plan);
+    let mut drawn = DrawnAreas::of(areas, place, size, plan);
     if !drawn.classes.regions.is_empty() {
         make_room(&mut parts.figure.textures, &drawn.classes, place);
         let mut textures = fill(&drawn.classes, place, &parts.figure.lines, &parts.medium, plan);
@@ -135,7 +135,7 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
 /// the latter. Signs have no part in these: nothing gives way to lines or braille that the page has.
 pub fn with_drawn(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
     let mut all = of_page(page);
-    let mut drawn = Drawn::of(areas, page.figure.place, all.size, plan);
+    let mut drawn = DrawnAreas::of(areas, page.figure.place, all.size, plan);
     let first = all.regions.len() as u32;
     let Classes { region, regions, lightness, .. } = &drawn.classes;
     for (cell, own) in region.iter().enumerate() {

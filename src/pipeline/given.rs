@@ -6,7 +6,7 @@ use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::raster::crop::Crop;
-use crate::regions::{Trace, TracePoint};
+use crate::regions::{TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
 use crate::{Error, Note};
 
@@ -130,7 +130,7 @@ pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -
 }
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.
-pub(super) fn with_room(traces: Vec<Trace>, edges: &Edges) -> Vec<Trace> {
+pub(super) fn with_room(traces: Vec<TracedContour>, edges: &Edges) -> Vec<TracedContour> {
     let own = added(edges);
     if edges.erased.is_empty() && own.is_empty() {
         return traces;
@@ -139,9 +139,9 @@ pub(super) fn with_room(traces: Vec<Trace>, edges: &Edges) -> Vec<Trace> {
     let gone = |point: &TracePoint| {
         is_in(share(point.at, edges.size), &edges.erased) || near.nearest(point.at, edges.room, |_| true).is_some()
     };
-    let parts = |trace: &Trace| {
+    let parts = |trace: &TracedContour| {
         let parts = outside(&trace.vertices, trace.closed, gone);
-        parts.into_iter().map(|(vertices, closed)| Trace { vertices, closed }).collect::<Vec<_>>()
+        parts.into_iter().map(|(vertices, closed)| TracedContour { vertices, closed }).collect::<Vec<_>>()
     };
     traces.iter().flat_map(parts).collect()
 }
@@ -168,8 +168,10 @@ mod tests {
         let mut edges = Edges { room: 8.0, ..Edges::none(size) };
         edges.push(edgels(20.0), false);
         edges.push_as(ChainKind { added: true, ..ChainKind::default() }, edgels(70.0), false);
-        let outline =
-            |y: f32| Trace { vertices: row(y).map(|at| TracePoint { at, strength: 40.0 }).collect(), closed: false };
+        let outline = |y: f32| TracedContour {
+            vertices: row(y).map(|at| TracePoint { at, strength: 40.0 }).collect(),
+            closed: false,
+        };
         let room = |edges: &Edges| [22.0, 72.0].map(|y| with_room(vec![outline(y)], edges).len());
         assert_eq!(room(&edges), [1, 0], "only what was added takes room");
         erase(&mut edges, vec![[0.0, 0.6, 1.0, 0.65]]);

@@ -1,7 +1,7 @@
 //! Bars that have no room side by side: as transcribers do, gridlines are left out, or bars are drawn touching one
 //! another, and where a line between every two has no room either, as one common outline.
 
-use super::bars::{Bar, Chart, SAME, Wanted, missing};
+use super::bars::{Bar, Chart, SAME, WantedPath, missing};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::polyline::Polyline;
 use crate::lines::Line;
@@ -47,11 +47,21 @@ const INSTEAD: [(Bars, bool, f32); 6] = [
     (Bars::Outline, false, 0.17),
 ];
 
+/// What is replaced by rows of bars.
+struct Replaced {
+    /// As what kind of contour it was found; none if nothing is replaced.
+    kind: Option<ChainKind>,
+    /// Its mean strength.
+    strength: f32,
+    /// Stretches of the base that stay, from and to along it, px.
+    ground: Vec<(f32, f32)>,
+}
+
 /// How near lines may be, mm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Room {
+pub(super) struct LineSpacing {
     /// A gap between bars narrower than this is no gap for fingers.
-    spacing: f32,
+    gap: f32,
     /// A bar lower than this has no room for its outline beside its base.
     low: f32,
     /// A line stands for contours within this distance.
@@ -60,7 +70,7 @@ pub(super) struct Room {
     torn: f32,
 }
 
-impl Room {
+impl LineSpacing {
     /// Of a page. On a grid of dots lines are drawn on the rows of it beside them.
     pub(super) fn of(layout: &Layout, plan: &Plan) -> Self {
         let pitch = match &layout.medium {
@@ -69,7 +79,7 @@ impl Room {
         };
         let lines = plan.lines();
         let reach = lines.farthest_moved().max(1.5 * pitch);
-        Self { spacing: lines.max_spacing() + pitch, low: lines.max_spacing(), reach, torn: TORN.max(3.0 * pitch) }
+        Self { gap: lines.max_spacing() + pitch, low: lines.max_spacing(), reach, torn: TORN.max(3.0 * pitch) }
     }
 }
 
@@ -95,16 +105,16 @@ pub(super) fn whole<T>(
     edges: &Edges,
     first: (T, PageTransform),
     transforms: &[PageTransform],
-    (room, detail): (Room, f32),
+    (spacing, detail): (LineSpacing, f32),
     draw: &dyn Fn(&Edges, &PageTransform, f32) -> T,
     lines: &dyn Fn(&T) -> &[Line],
 ) -> (T, Option<Instead>) {
     let (first, at) = first;
     let Some(chart) = Chart::of(edges) else { return (first, None) };
-    let lacks = |wanted: &[Wanted], drawn: &T, at: &PageTransform| missing(wanted, lines(drawn), at, room.torn);
+    let lacks = |wanted: &[WantedPath], drawn: &T, at: &PageTransform| missing(wanted, lines(drawn), at, spacing.torn);
     // judged by all lines whatever the detail, so that less of it is a part of more
     let all_lines = (detail < ALL).then(|| draw(edges, &at, ALL));
-    let (lost, all) = lacks(&chart.wanted(room, &at), all_lines.as_ref().unwrap_or(&first), &at);
+    let (lost, all) = lacks(&chart.wanted(spacing, &at), all_lines.as_ref().unwrap_or(&first), &at);
     let mut least = lost / all.max(f32::MIN_POSITIVE);
     let mut best = None;
     'ways: for (bars, has_grid, own) in INSTEAD {
@@ -112,7 +122,7 @@ pub(super) fn whole<T>(
             if least <= 0.0 {
                 break 'ways;
             }
-            let Some((others, wanted, instead)) = chart.drawn(edges, (bars, has_grid), room, transform) else {
+            let Some((others, wanted, instead)) = chart.drawn(edges, (bars, has_grid), spacing, transform) else {
                 continue;
             };
             let drawn = draw(&others, transform, ALL);
@@ -184,34 +194,34 @@ struct End {
 }
 
 /// Contours in which bars are drawn otherwise, the paths along which there should be lines then, and how that is.
-type Redrawn = (Edges, Vec<Wanted>, Instead);
+type Redrawn = (Edges, Vec<WantedPath>, Instead);
 
 impl Chart {
     /// The paths along which there should be lines if all bars are drawn as they are.
-    fn wanted(&self, room: Room, transform: &PageTransform) -> Vec<Wanted> {
-        let gap = room.spacing / transform.mm_per_px();
+    fn wanted(&self, spacing: LineSpacing, transform: &PageTransform) -> Vec<WantedPath> {
+        let gap = spacing.gap / transform.mm_per_px();
         let mut wanted = Vec::new();
         for bar in &self.bars {
             let height = (bar.top - self.base) * transform.mm_per_px();
-            let is_low = height < room.low;
+            let is_low = height < spacing.low;
             // nearer to it than the other side of the bar, or the line in the middle of a narrow one
             let width = (bar.to - bar.from) * transform.mm_per_px();
-            let reach = if is_low { NEAR_LOW * height } else { room.reach.min((NEARER * width).max(1.0)) };
-            wanted.push(Wanted { path: self.outline(bar), reach, or_none: is_low, weight: 1.0 });
+            let reach = if is_low { NEAR_LOW * height } else { spacing.reach.min((NEARER * width).max(1.0)) };
+            wanted.push(WantedPath { path: self.outline(bar), reach, or_none: is_low, weight: 1.0 });
             // the middle of a top is as near to its sides as they are to one another
             let [a, b] = MIDDLE.map(|share| self.way.point((bar.from + share * (bar.to - bar.from), bar.top)));
-            let reach = room.reach.min(NEAR_TOP * width);
+            let reach = spacing.reach.min(NEAR_TOP * width);
             let weight = 1.0 / (MIDDLE[1] - MIDDLE[0]);
-            wanted.extend((!is_low).then(|| Wanted { path: vec![a, b], reach, or_none: false, weight }));
+            wanted.extend((!is_low).then(|| WantedPath { path: vec![a, b], reach, or_none: false, weight }));
             // a side is not the axis beside it, and may have moved away from that
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
                 let End { at, is_axis } = self.end(bar, gap, is_last);
                 if is_axis {
-                    let inwards = 0.5 * room.reach / transform.mm_per_px();
+                    let inwards = 0.5 * spacing.reach / transform.mm_per_px();
                     let across = own + if is_last { -inwards } else { inwards };
                     let path = [self.base, bar.top].map(|along| self.way.point((across, along))).to_vec();
-                    let reach = 0.5 * room.reach + NEARER * (at - own).abs() * transform.mm_per_px();
-                    wanted.push(Wanted { path, reach, or_none: false, weight: 1.0 });
+                    let reach = 0.5 * spacing.reach + NEARER * (at - own).abs() * transform.mm_per_px();
+                    wanted.push(WantedPath { path, reach, or_none: false, weight: 1.0 });
                 }
             }
         }
@@ -223,12 +233,12 @@ impl Chart {
         &self,
         edges: &Edges,
         (bars, has_grid): (Bars, bool),
-        room: Room,
+        spacing: LineSpacing,
         transform: &PageTransform,
     ) -> Option<Redrawn> {
-        let gap = room.spacing / transform.mm_per_px();
+        let gap = spacing.gap / transform.mm_per_px();
         let (low, high): (Vec<Bar>, Vec<Bar>) =
-            self.bars.iter().partition(|bar| (bar.top - self.base) * transform.mm_per_px() < room.low);
+            self.bars.iter().partition(|bar| (bar.top - self.base) * transform.mm_per_px() < spacing.low);
         let joins = bars != Bars::Apart;
         let row = |bars: &[Bar]| {
             let ends = [self.end(&bars[0], gap, false), self.end(&bars[bars.len() - 1], gap, true)];
@@ -240,6 +250,31 @@ impl Chart {
         if rows.is_empty() && low.is_empty() && has_grid {
             return None;
         }
+        let (mut others, Replaced { kind, strength, ground }) = self.others(edges, has_grid, (&rows, &low));
+        let paths = self.paths(&rows, bars == Bars::Touching);
+        if let Some(kind) = kind {
+            // like the middle of a stroke, which has no other side
+            let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
+            for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
+                let edgel = |at: PxPoint| Edgel { at, strength, contrast: [0.0; 3] };
+                let mut path = Polyline::open(path.clone());
+                path.vertices.dedup();
+                path.subdivide(1.0);
+                others.push_as(kind, path.vertices.into_iter().map(edgel), false);
+            }
+        }
+        let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
+        let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
+        let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
+        let reach = spacing.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
+        let paths = paths.into_iter().map(|path| WantedPath { path, reach, or_none: false, weight: 1.0 });
+        let wanted = paths.chain(unchanged.wanted(spacing, transform)).collect();
+        Some((others, wanted, instead))
+    }
+
+    /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be
+    /// no grid.
+    fn others(&self, edges: &Edges, has_grid: bool, (rows, low): (&[Row], &[Bar])) -> (Edges, Replaced) {
         let mut others = Edges { dashed: edges.dashed, erased: edges.erased.clone(), ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
@@ -248,7 +283,7 @@ impl Chart {
             // a bar may end on a gridline
             let is_out = |i: usize| {
                 let at = view.vertices[i].at;
-                is_grid && !self.is_top(at) || self.is_replaced(at, view.tangent(i), &rows, &low)
+                is_grid && !self.is_top(at) || self.is_replaced(at, view.tangent(i), rows, low)
             };
             let is_level = |i: usize| self.way.of(view.tangent(i).to_point()).0.abs() >= ALONG;
             let is_of_base = |i: usize| self.is_base(view.vertices[i].at) && is_level(i);
@@ -266,25 +301,7 @@ impl Chart {
                 others.push_as(chain.kind, run.into_iter(), chain.closed && dropped == 0);
             }
         }
-        let paths = self.paths(&rows, bars == Bars::Touching);
-        if let Some(kind) = kind {
-            // like the middle of a stroke, which has no other side
-            let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
-            for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
-                let edgel = |at: PxPoint| Edgel { at, strength: sum / count as f32, contrast: [0.0; 3] };
-                let mut path = Polyline::open(path.clone());
-                path.vertices.dedup();
-                path.subdivide(1.0);
-                others.push_as(kind, path.vertices.into_iter().map(edgel), false);
-            }
-        }
-        let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
-        let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
-        let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
-        let reach = room.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
-        let paths = paths.into_iter().map(|path| Wanted { path, reach, or_none: false, weight: 1.0 });
-        let wanted = paths.chain(unchanged.wanted(room, transform)).collect();
-        Some((others, wanted, instead))
+        (others, Replaced { kind, strength: sum / count.max(1) as f32, ground })
     }
 
     /// Where a row ends beside a bar.

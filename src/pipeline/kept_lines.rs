@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::{Line, Pen, Run};
+use crate::note::and_more;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};
 
@@ -94,12 +95,10 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
     let numbered = if ours.is_empty() { "" } else { "; an editor lists them by these names in the page that was read" };
     let (count, most) = (by_hand.len() + ours.len(), MOST.max(by_hand.len().min(MOST_BY_HAND)));
     let named: Vec<String> = by_hand.into_iter().chain(ours).map(|(_, name)| name).take(most).collect();
-    let (last, first) = named.split_last()?;
-    let more = count - named.len();
-    let named = match (first.is_empty(), more) {
-        (true, _) => last.clone(),
-        (false, 0) => format!("{} and {last}", first.join(", ")),
-        (false, _) => format!("{}, {last} and {more} more", first.join(", ")),
+    let named = match (&named[..], count - named.len()) {
+        ([], _) => return None,
+        ([first @ .., last], 0) if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        (named, more) => and_more(&named.join(", "), more, ""),
     };
     let why = |them: &str| {
         format!("too short for this page or too near to others; move {them} apart, or take a larger sheet{numbered}")

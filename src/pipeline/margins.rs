@@ -52,16 +52,28 @@ pub(super) fn with_room(
         return layout;
     }
     let contours = contours(raster);
-    let lacks = |layout: &Layout, most: [f32; 2]| {
+    // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
+    let most = [layout.figure.width(), layout.figure.height()].map(|side| MOST * side);
+    let lacks = |layout: &Layout| {
         let texts = wants(layout);
         let to_mm = transform(layout);
         let contours: Vec<MmPoint> = contours.iter().map(|&at| to_mm.to_mm(at)).collect();
         lacks(&texts, &contours, written, (layout, most), plan)
     };
-    let min_side = plan.profile().figure.min_side;
-    let (own, mut best) = (layout.clone(), layout);
-    // in millimetres of the drawing as it would be without room, so that a word that has room once has it to the end
-    let most = [own.figure.width(), own.figure.height()].map(|side| MOST * side);
+    widened(layout, source, (most, plan.profile().figure.min_side), lacks, layout_of)
+}
+
+/// The layout with as much room on each side as lacks on it, found in rounds: more room makes the drawing smaller, and
+/// then other words lack it. No side is wider than `most` (of the width, of the height), mm, and the drawing's shorter
+/// side stays no shorter than `min_side`, mm. `lacks` is what lacks in a layout on each side, or is too much, mm.
+fn widened(
+    own: Layout,
+    source: Size,
+    (most, min_side): ([f32; 2], f32),
+    lacks: impl Fn(&Layout) -> [f32; 4],
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+) -> Layout {
+    let mut best = own.clone();
     let mut room = [0.0_f32; 4];
     let mut is_settled = false;
     for round in 0..=ROUNDS {
@@ -70,7 +82,7 @@ pub(super) fn with_room(
             continue;
         }
         let px_per_mm = source.width as f32 / best.figure.width();
-        let more = lacks(&best, most).map(|lack| lack * px_per_mm);
+        let more = lacks(&best).map(|lack| lack * px_per_mm);
         let mut changes = false;
         for (side, lack) in more.into_iter().enumerate() {
             let wanted = room[side] + lack;

@@ -1,7 +1,7 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
 use super::dots;
-use super::joined_bars::{self, Instead, Room};
+use super::joined_bars::{self, Instead, LineSpacing};
 use super::outlines::outlines_of;
 use super::progress::{Event, Stage, Watch, run};
 use crate::Note;
@@ -32,7 +32,7 @@ pub(super) fn draw_overview(
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Option<Drawn>, Lost, Option<Instead>) {
+) -> (Option<DrawnOverview>, Lost, Option<Instead>) {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
@@ -63,7 +63,7 @@ pub(super) fn draw_overview(
 }
 
 /// An overview on the page: its place and its lines.
-type Drawn = (MmRect, Vec<Line>);
+type DrawnOverview = (MmRect, Vec<Line>);
 
 /// An overview: its place, its lines, and what is not drawn.
 type Overview = (MmRect, Vec<Line>, Lost);
@@ -87,7 +87,7 @@ fn with_whole_bars(
         draw_overview_at(place, edges, layout, plan, detail)
     };
     let first = transform(&drawn.0);
-    let room = (Room::of(layout, plan), plan.lines().detail);
+    let room = (LineSpacing::of(layout, plan), plan.lines().detail);
     joined_bars::whole(edges, (drawn, first), &transforms, room, &draw, &|drawn| &drawn.1)
 }
 

@@ -5,6 +5,7 @@ use super::fault::{Fault, FaultInText, list};
 use super::keys::{KEYS, Origin, Profile};
 use super::parse::{Written, parse};
 use super::suggest::unknown_profile;
+use crate::note::first_few;
 
 /// How many faults are listed: a file that is no profile at all has one on every line.
 const MOST_FAULTS: usize = 50;
@@ -175,7 +176,7 @@ fn missing(profile: &Profile, layers: &[Layer]) -> Option<Fault> {
     let named = match count {
         0 => return None,
         1..=MOST_MISSING => list(&missing, "and"),
-        _ => format!("{} and {} more", missing[..MOST_MISSING].join(", "), count - MOST_MISSING),
+        _ => first_few(&missing, MOST_MISSING, |key| (*key).to_owned()),
     };
     let what = format!(
         "without inherits every key must be given, {named} {} missing, write inherits = \"swell-a4\" at the top to \

@@ -31,7 +31,7 @@ enum Length {
 
 /// A part of a picture in whole pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Part {
+pub(crate) struct PixelPart {
     /// Pixels to the left of it.
     pub(crate) left: u32,
     /// Pixels above it.
@@ -40,7 +40,7 @@ pub(crate) struct Part {
     pub(crate) size: Size,
 }
 
-impl Part {
+impl PixelPart {
     /// All of a picture.
     pub(crate) fn whole(size: Size) -> Self {
         Self { left: 0, top: 0, size }
@@ -84,7 +84,7 @@ impl Crop {
     ///
     /// # Errors
     /// If it is not wholly in the picture, or empty.
-    pub(crate) fn part(&self, size: Size) -> Result<Part, Error> {
+    pub(crate) fn part(&self, size: Size) -> Result<PixelPart, Error> {
         let [x, y, width, height] = self.0;
         let along = |from: Length, length: Length, side: u32| {
             let whole = f64::from(side);
@@ -101,7 +101,7 @@ impl Crop {
             return Err(Error::PartInMm { part: self.to_string() });
         }
         match (along(x, width, size.width), along(y, height, size.height)) {
-            (Some((left, width)), Some((top, height))) => Ok(Part { left, top, size: Size::new(width, height) }),
+            (Some((left, width)), Some((top, height))) => Ok(PixelPart { left, top, size: Size::new(width, height) }),
             _ => Err(Error::NotInPicture { part: self.to_string(), size }),
         }
     }

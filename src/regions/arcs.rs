@@ -262,7 +262,7 @@ fn tangent(moments: &Moments, crack: &Crack) -> PxVector {
 #[cfg(test)]
 #[expect(clippy::float_cmp, reason = "sums of whole numbers are exact")]
 mod tests {
-    use super::super::trace::{Trace, TracePoint};
+    use super::super::trace::{TracePoint, TracedContour};
     use super::*;
     use crate::units::Size;
 
@@ -275,13 +275,13 @@ mod tests {
     }
 
     /// A trace through these points.
-    fn trace(points: impl Iterator<Item = (f32, f32)>, strength: f32) -> Trace {
+    fn trace(points: impl Iterator<Item = (f32, f32)>, strength: f32) -> TracedContour {
         let vertices = points.map(|(x, y)| TracePoint { at: PxPoint::new(x, y), strength }).collect();
-        Trace { vertices, closed: false }
+        TracedContour { vertices, closed: false }
     }
 
     /// The only arc between the left half, of lightness 20, and the right one, of 80; `left` is the basin on the left.
-    fn of_halves(left: u32, traces: &[Trace]) -> Arc {
+    fn of_halves(left: u32, traces: &[TracedContour]) -> Arc {
         let is_left = |cell: usize| cell % 16 < 8;
         let basin: Vec<u32> = (0..SIZE.len()).map(|cell| if is_left(cell) { left } else { 1 - left }).collect();
         let values = (0..SIZE.len()).map(|cell| if is_left(cell) { 20.0 } else { 80.0 }).collect();
@@ -311,7 +311,7 @@ mod tests {
     #[test]
     fn a_trace_along_an_arc_is_seen_and_strong_ones_count_up_to_clear() {
         let border = |strength| trace((0..6).map(|y| (8.0, y as f32 + 0.5)), strength);
-        let sums = |traces: &[Trace]| of_halves(0, traces).sums;
+        let sums = |traces: &[TracedContour]| of_halves(0, traces).sums;
         let strong = sums(&[border(30.0)]);
         assert_eq!([strong.length, strong.strength, strong.clear, strong.seen], [6.0, 180.0, 120.0, 6.0]);
         assert_eq!([strong.mean(), strong.clearness()], [30.0, 1.0]);

@@ -35,5 +35,5 @@ pub use choose::Params;
 pub use grid::RegionGrid;
 pub use heights::Heights;
 pub use mask::Mask;
-pub use trace::{Areas, Trace, TracePoint};
+pub use trace::{Areas, TracePoint, TracedContour};
 pub use tree::{Detail, Tree};

@@ -3,7 +3,7 @@
 use super::border::{Border, borders, corner_at};
 use super::choose::{Params, choose};
 use super::label_map::label_map;
-use super::trace::{Areas, Trace, TracePoint};
+use super::trace::{Areas, TracePoint, TracedContour};
 use super::tree::Tree;
 
 use crate::geom::polyline::{Polyline, smooth};
@@ -26,7 +26,7 @@ impl Tree {
         params: &Params,
         subjects: &[u32],
         among: Option<&[u32]>,
-    ) -> (Vec<Trace>, Areas) {
+    ) -> (Vec<TracedContour>, Areas) {
         let mm = self.mm_of_cell(mm_per_px);
         let mut chosen = choose(self, mm, params, subjects, among);
         let count = chosen.len();
@@ -48,7 +48,7 @@ impl Tree {
     }
 
     /// A border, smoothed along itself with `sigma` cells. `placed` has where the corners of those before it are.
-    fn trace(&self, border: &Border, sigma: f32, placed: &mut [Option<PxPoint>]) -> Trace {
+    fn trace(&self, border: &Border, sigma: f32, placed: &mut [Option<PxPoint>]) -> TracedContour {
         let size = self.grid.cells;
         let middles = middles(border, size);
         let count = middles.len();
@@ -105,7 +105,7 @@ mod tests {
         Params { most: 8, drawn: None, least_gain: 0.1, most_near: 0.3, spacing: 4.0, narrowest: 4.0, smoothing: 0.6 };
 
     /// A trace through points, a pixel apart.
-    fn trace(points: &[(f32, f32)], closed: bool) -> Trace {
+    fn trace(points: &[(f32, f32)], closed: bool) -> TracedContour {
         let point = |&(x, y): &(f32, f32)| PxPoint::new(x, y);
         let corners: Vec<PxPoint> = points.iter().map(point).collect();
         let line = Polyline { vertices: corners, closed }.resampled(1.0);
@@ -114,7 +114,7 @@ mod tests {
     }
 
     /// The outlines in a picture of 120 x 90 pixels, half a millimetre each, that is light where `is_light`.
-    fn outlines(traces: &[Trace], lightness: impl Fn(f32, f32) -> f32) -> Vec<Trace> {
+    fn outlines(traces: &[TracedContour], lightness: impl Fn(f32, f32) -> f32) -> Vec<TracedContour> {
         let size = Size::new(120, 90);
         let at = |cell: usize| ((cell % 120) as f32 + 0.5, (cell / 120) as f32 + 0.5);
         let values = (0..size.len()).map(at).map(|(x, y)| lightness(x, y)).collect();
@@ -123,7 +123,7 @@ mod tests {
             .0
     }
 
-    fn circle(x: f32, y: f32, radius: f32) -> Trace {
+    fn circle(x: f32, y: f32, radius: f32) -> TracedContour {
         let count = (6.0 * radius) as usize;
         let angle = |i: usize| i as f32 * std::f32::consts::TAU / count as f32;
         let points: Vec<_> = (0..count).map(|i| (x + radius * angle(i).cos(), y + radius * angle(i).sin())).collect();
@@ -161,8 +161,8 @@ mod tests {
         });
         let length: f32 = outlines.iter().map(Polyline::length).sum();
         assert!(outlines.len() == 2 && (length - 310.0).abs() < 14.0, "{} with {length} px", outlines.len());
-        let closed: Vec<&Trace> = outlines.iter().filter(|outline| outline.closed).collect();
-        let open: Vec<&Trace> = outlines.iter().filter(|outline| !outline.closed).collect();
+        let closed: Vec<&TracedContour> = outlines.iter().filter(|outline| outline.closed).collect();
+        let open: Vec<&TracedContour> = outlines.iter().filter(|outline| !outline.closed).collect();
         let ([ring], [rest]) = (&closed[..], &open[..]) else { panic!("a ring and what is left of the other") };
         for end in [rest.vertices[0].at, rest.vertices[rest.vertices.len() - 1].at] {
             let near = ring.vertices.iter().map(|v| (v.at - end).length()).fold(f32::MAX, f32::min);
@@ -204,7 +204,7 @@ mod tests {
         let (_, area) = cells(80.0, 60.0);
         assert!(area > 4500.0, "{area}");
         assert_eq!(tree.subject_at(PxPoint::new(500.0, 40.0), 0.5, &most_telling), None, "beyond the picture");
-        let area_of = |outlines: Vec<Trace>| outlines.iter().map(Polyline::length).sum::<f32>();
+        let area_of = |outlines: Vec<TracedContour>| outlines.iter().map(Polyline::length).sum::<f32>();
         assert!(area_of(tree.outlines(0.5, &one, &[], None).0) > 250.0, "the large one tells most");
         assert!((60.0..90.0).contains(&area_of(tree.outlines(0.5, &one, &[inner], None).0)), "the subject comes first");
     }

@@ -22,7 +22,7 @@ impl Located for TracePoint {
 }
 
 /// A traced contour.
-pub type Trace = Polyline<TracePoint>;
+pub type TracedContour = Polyline<TracePoint>;
 
 /// The areas inside the outlines of chosen regions, cell by cell.
 #[derive(Debug, Clone, PartialEq)]

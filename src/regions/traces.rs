@@ -1,7 +1,7 @@
 //! Traced contours on the grid of cells: where the nearest one runs, how strong, in which direction.
 
 use super::grid::RegionGrid;
-use super::trace::Trace;
+use super::trace::TracedContour;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector};
 
@@ -33,7 +33,7 @@ pub(super) const REACH: f32 = 2.5;
 
 impl TraceMap {
     /// The traces, whose points are about a pixel apart and in pixels of the picture.
-    pub(super) fn of(traces: &[Trace], grid: RegionGrid) -> Self {
+    pub(super) fn of(traces: &[TracedContour], grid: RegionGrid) -> Self {
         let mut samples: Vec<Option<Sample>> = vec![None; grid.cells.len()];
         for trace in traces {
             for (i, point) in trace.vertices.iter().enumerate() {

@@ -3,7 +3,7 @@
 use super::arcs::{Arc, Crack, Sums, arcs};
 use super::grid::RegionGrid;
 use super::merge::{Node, merge};
-use super::trace::Trace;
+use super::trace::TracedContour;
 use super::traces::TraceMap;
 use super::watershed::basins;
 use crate::raster::plane::Plane;
@@ -50,7 +50,7 @@ pub struct Tree {
 
 impl Tree {
     /// The regions between traces. `colours` are L, 2a and 2b of the cells, or L alone.
-    pub fn new(traces: &[Trace], colours: &[Plane], grid: RegionGrid, detail: Detail) -> Self {
+    pub fn new(traces: &[TracedContour], colours: &[Plane], grid: RegionGrid, detail: Detail) -> Self {
         let ((traces, ridges), (squares, soft)) = rayon::join(
             || {
                 let traces = TraceMap::of(traces, grid);

@@ -1,7 +1,7 @@
 //! Which glyphs fill which region.
 
 use super::glyph::{self, Glyph, Texture};
-use super::lattice::{self, Position};
+use super::lattice::{self, LatticePoint};
 use super::maps::{RegionMap, line_density};
 use super::params::Params;
 use crate::classes::{Class, Classes, Region};
@@ -77,7 +77,7 @@ pub fn sample(class: Class, lightness: f32, density: f32, area: MmRect, params: 
 }
 
 /// The glyph at a position of the lattice where lines have this density and the colour this lightness, if there is one.
-fn glyph_at(class: Class, position: Position, density: f32, lightness: f32, params: &Params) -> Option<Glyph> {
+fn glyph_at(class: Class, position: LatticePoint, density: f32, lightness: f32, params: &Params) -> Option<Glyph> {
     let boldness = glyph::boldness(lightness, params);
     let dense = density >= position.from_density * params.dense_from;
     (dense && glyph::is_left(position.from_boldness, boldness))

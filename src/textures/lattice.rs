@@ -50,7 +50,7 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A position of the lattice.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Position {
+pub(crate) struct LatticePoint {
     pub(crate) at: MmPoint,
     /// Density, 0..=1, from which it is filled; below 0 for those that always are.
     pub(crate) from_density: f32,
@@ -65,7 +65,7 @@ const FADING_STEPS: i32 = 16;
 /// Visits the positions of a class's lattice in `area`, row by row. The lattice is centred in the area, so that the
 /// rows of a mirrored picture are the mirrored rows. (Not so the order in which dots are filled: with threefold
 /// symmetry it has a left and a right.)
-pub(crate) fn each_position(class: Class, area: MmRect, params: &Params, mut visit: impl FnMut(Position)) {
+pub(crate) fn each_position(class: Class, area: MmRect, params: &Params, mut visit: impl FnMut(LatticePoint)) {
     let (along, across, step, row) = match params.palette.degrees(class) {
         Some(degrees) => (unit(degrees), unit(degrees + 90.0), params.along, params.across),
         None => (unit(0.0), unit(90.0), params.dot_pitch, params.dot_pitch * 0.75_f32.sqrt()),
@@ -82,7 +82,7 @@ pub(crate) fn each_position(class: Class, area: MmRect, params: &Params, mut vis
             let at = centre + along * ((i as f32 + stagger) * step) + across * (j as f32 * row);
             if area.contains_inclusive(at) {
                 let from_density = if dots { of_dot(i, j) } else { of_row(j) };
-                visit(Position { at, from_density, from_boldness: fading(dots, i, j) });
+                visit(LatticePoint { at, from_density, from_boldness: fading(dots, i, j) });
             }
         }
     }
@@ -128,7 +128,7 @@ mod tests {
 
     const PARAMS: Params = Params::TEST;
 
-    fn places(class: Class) -> Vec<Position> {
+    fn places(class: Class) -> Vec<LatticePoint> {
         let mut places = Vec::new();
         let area = MmRect::new(MmPoint::new(10.0, 20.0), MmPoint::new(150.0, 130.0));
         each_position(class, area, &PARAMS, |place| places.push(place));
@@ -195,7 +195,7 @@ mod tests {
     #[test]
     fn fading_takes_equal_shares_and_whole_rows() {
         for class in [Class::Yellow, Class::Grey] {
-            let base: Vec<Position> = places(class).into_iter().filter(|place| place.from_density < 0.0).collect();
+            let base: Vec<LatticePoint> = places(class).into_iter().filter(|place| place.from_density < 0.0).collect();
             for quarter in 1..4 {
                 let left = base.iter().filter(|place| place.from_boldness <= quarter as f32 / 4.0).count() as f32;
                 let share = left / base.len() as f32;

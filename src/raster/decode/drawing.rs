@@ -21,7 +21,7 @@ use super::job::{
 use super::light::{Depth, Layout};
 use super::rows::{Extents, Samples};
 use super::{paths, texts};
-use crate::raster::crop::Part;
+use crate::raster::crop::PixelPart;
 use crate::raster::planes::Raster;
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
@@ -144,7 +144,7 @@ pub(crate) fn unless_beyond_numbers<T>(work: impl FnOnce() -> T) -> Result<T, Er
 }
 
 /// From a drawing whose size counts as `whole` pixels to a canvas of `target` pixels that shows a part of it.
-fn to_pixels(tree: &Tree, whole: Size, part: Part, target: Size) -> tiny_skia::Transform {
+fn to_pixels(tree: &Tree, whole: Size, part: PixelPart, target: Size) -> tiny_skia::Transform {
     // Pixels that the canvas would have for all of the drawing.
     let whole_canvas = |target: u32, part: u32, whole: u32| f64::from(target) * (f64::from(whole) / f64::from(part));
     let width = whole_canvas(target.width, part.size.width, whole.width);
@@ -183,7 +183,7 @@ fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size, finer: u32
     canvas.fill(tiny_skia::Color::WHITE);
     resvg::render(tree, transform.post_scale(finer as f32, finer as f32), &mut canvas.as_mut());
     let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
-    let source = Extents::pixels(size.width, Part::whole(size));
+    let source = Extents::pixels(size.width, PixelPart::whole(size));
     let samples = Samples::new(layout, Meaning::Srgb, source, target, Orientation::NoTransforms);
     samples.raster(canvas.data()).ok_or_else(room)
 }

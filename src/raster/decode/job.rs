@@ -7,7 +7,7 @@ use image::metadata::Orientation;
 
 use super::colour::{Kind, Meaning, one_line};
 use super::orient;
-use crate::raster::crop::{Crop, Part};
+use crate::raster::crop::{Crop, PixelPart};
 use crate::raster::planes::Raster;
 use crate::raster::vector::{DrawnText, VectorDrawing};
 use crate::units::Size;
@@ -93,7 +93,7 @@ pub(super) struct Job {
     /// The whole picture as stored.
     pub(super) stored: Size,
     /// The part of it that is used, as stored.
-    pub(super) part: Part,
+    pub(super) part: PixelPart,
     pub(super) source: Header,
     /// Upright working size; not larger than the source.
     pub(super) target: Size,
@@ -152,8 +152,8 @@ impl Job {
 }
 
 /// The part of an upright picture that is used.
-pub(super) fn part(upright: Size, options: &Options<'_>) -> Result<Part, Error> {
-    options.crop.map_or_else(|| Ok(Part::whole(upright)), |crop| crop.part(upright))
+pub(super) fn part(upright: Size, options: &Options<'_>) -> Result<PixelPart, Error> {
+    options.crop.map_or_else(|| Ok(PixelPart::whole(upright)), |crop| crop.part(upright))
 }
 
 /// Memory that a page takes for a working picture of this size: three planes in linear light and three in the space

@@ -2,7 +2,7 @@
 
 use image::metadata::Orientation;
 
-use crate::raster::crop::Part;
+use crate::raster::crop::PixelPart;
 use crate::units::Size;
 
 /// Whether width and height change places.
@@ -17,7 +17,7 @@ pub(super) fn turned(size: Size, orientation: Orientation) -> Size {
 }
 
 /// A part of the upright picture as it lies in the stored one, which has `stored` pixels.
-pub(super) fn part_as_stored(part: Part, stored: Size, orientation: Orientation) -> Part {
+pub(super) fn part_as_stored(part: PixelPart, stored: Size, orientation: Orientation) -> PixelPart {
     let size = turned(part.size, orientation);
     let upright = turned(stored, orientation);
     // What is left of the part, above it, to its right and below it, in the upright picture.
@@ -33,7 +33,7 @@ pub(super) fn part_as_stored(part: Part, stored: Size, orientation: Orientation)
         Orientation::Rotate270FlipH => (bottom, right),
         Orientation::Rotate270 => (bottom, left),
     };
-    Part { left, top, size }
+    PixelPart { left, top, size }
 }
 
 /// A plane of `size` as stored, turned upright.
@@ -104,11 +104,11 @@ mod tests {
             let orientation = Orientation::from_exif(exif).unwrap();
             let stored = Size::new(7, 5);
             let plane: Vec<f32> = (0..35).map(|i| i as f32).collect();
-            let cut = |plane: &[f32], width: u32, part: Part| -> Vec<f32> {
+            let cut = |plane: &[f32], width: u32, part: PixelPart| -> Vec<f32> {
                 let rows = plane.chunks(width as usize).skip(part.top as usize).take(part.size.height as usize);
                 rows.flat_map(|row| row[part.left as usize..][..part.size.width as usize].to_vec()).collect()
             };
-            let part = Part { left: 1, top: 2, size: Size::new(3, 2) };
+            let part = PixelPart { left: 1, top: 2, size: Size::new(3, 2) };
             let turned_first =
                 cut(&upright(plane.clone(), stored, orientation), turned(stored, orientation).width, part);
             let as_stored = part_as_stored(part, stored, orientation);

@@ -8,7 +8,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use super::colour::{Meaning, apply_matrix};
 use super::light::{Layout, Light};
 use super::orient::{turned, upright};
-use crate::raster::crop::Part;
+use crate::raster::crop::PixelPart;
 use crate::raster::planes::{Planes, Raster};
 use crate::raster::shrink::{Extent, Shrinker};
 use crate::units::Size;
@@ -24,7 +24,7 @@ pub(super) struct Extents {
 
 impl Extents {
     /// `part` of a picture that is `width` pixels wide, and comes pixel for pixel.
-    pub(super) fn pixels(width: u32, part: Part) -> Self {
+    pub(super) fn pixels(width: u32, part: PixelPart) -> Self {
         let across = Extent::pixels(part.left, part.size.width);
         Self { width, across, down: Extent::pixels(part.top, part.size.height) }
     }
