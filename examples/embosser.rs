@@ -10,7 +10,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let options = Options::new(Profile::named("index-basic-d")?).picture_name(picture);
     let drawing = tactograph::convert(&std::fs::read(picture)?, &options)?;
     drawing.notes.iter().for_each(|note| eprintln!("{note}"));
-    let files = tactograph::write_dots(name, &drawing.into_pages(), DotFormat::Idx, Embossing::default())?;
+    let title = options.document_title().to_owned();
+    let files = tactograph::write_dots(&title, &drawing.into_pages(), DotFormat::Idx, Embossing::default())?;
     for (i, bytes) in files.iter().enumerate() {
         let path = if files.len() == 1 { format!("{name}.idx") } else { format!("{name}-{}.idx", i + 1) };
         std::fs::write(&path, bytes)?;
