@@ -139,6 +139,7 @@ mod labels;
 mod legibility;
 mod lettering;
 mod lines;
+mod listing;
 mod note;
 mod output;
 mod page;
@@ -212,9 +213,6 @@ pub mod internals {
     }
     pub mod calibration {
         pub use crate::calibration::*;
-    }
-    pub mod check {
-        pub use crate::legibility::*;
     }
     pub mod classes {
         pub use crate::classes::*;

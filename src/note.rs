@@ -1,6 +1,7 @@
 //! What the maker of a page or a trace should know and the result survives.
 
 use crate::braille::Code;
+use crate::listing::{counted, first_few};
 
 /// What on a page a remark is about, for programs: its sentence may change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -379,28 +380,8 @@ fn listed(texts: &[String]) -> String {
     first_few(texts, MOST_TEXTS, |text| format!("\"{}\"", short(text)))
 }
 
-/// The first of a list, at most so many, and how many more there are.
-pub(crate) fn first_few<T>(all: &[T], most: usize, said: impl Fn(&T) -> String) -> String {
-    let shown: Vec<String> = all.iter().take(most).map(said).collect();
-    and_more(&shown.join(", "), all.len() - shown.len(), "")
-}
-
-/// What is shown of a list, and how many more there are; `of` is what they are, or nothing where that is plain.
-pub(crate) fn and_more(shown: &str, more: usize, of: &str) -> String {
-    match (more, of) {
-        (0, _) => shown.to_owned(),
-        (_, "") => format!("{shown} and {more} more"),
-        (1, of) => format!("{shown} and 1 more {of}"),
-        (_, of) => format!("{shown} and {more} more {of}s"),
-    }
-}
-
 fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {
     if is_of_one_text { format!("{character:?} (character {at})") } else { format!("{character:?}") }
-}
-
-fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 fn it_or_them(count: usize) -> &'static str {

@@ -43,7 +43,7 @@ pub use verdict::{Fingertip, Textures, Verdict};
 use usvg::Tree;
 use usvg::roxmltree::Document;
 
-use crate::note::and_more;
+use crate::listing::and_more;
 use crate::page::{InSet, Names, Page};
 use crate::reading::Reading;
 use crate::touch::Report;

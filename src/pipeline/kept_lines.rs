@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::{Line, Pen, Run};
-use crate::note::and_more;
+use crate::listing::list;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};
 
@@ -95,10 +95,12 @@ pub(super) fn lost(names: &[LineName], shares: &[f32]) -> Option<Note> {
     let numbered = if ours.is_empty() { "" } else { "; an editor lists them by these names in the page that was read" };
     let (count, most) = (by_hand.len() + ours.len(), MOST.max(by_hand.len().min(MOST_BY_HAND)));
     let named: Vec<String> = by_hand.into_iter().chain(ours).map(|(_, name)| name).take(most).collect();
-    let named = match (&named[..], count - named.len()) {
-        ([], _) => return None,
-        ([first @ .., last], 0) if !first.is_empty() => format!("{} and {last}", first.join(", ")),
-        (named, more) => and_more(&named.join(", "), more, ""),
+    if named.is_empty() {
+        return None;
+    }
+    let named = match count - named.len() {
+        0 => list(&named, "and"),
+        more => format!("{} and {more} more", named.join(", ")),
     };
     let why = |them: &str| {
         format!("too short for this page or too near to others; move {them} apart, or take a larger sheet{numbered}")

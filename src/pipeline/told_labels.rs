@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::unwritten::{Lacks, Refused, named};
 use crate::labels::{self, NEAR, Placed, Unplaced, Wanted};
-use crate::note::first_few;
+use crate::listing::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
 use crate::{About, Note};

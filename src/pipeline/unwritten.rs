@@ -2,7 +2,7 @@
 
 use crate::Note;
 use crate::braille::Lacking;
-use crate::note::first_few;
+use crate::listing::first_few;
 
 /// What is told of characters that the code has no cells for.
 pub(super) fn lacking(text: &str, lacking: &[Lacking]) -> Option<Note> {

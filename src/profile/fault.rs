@@ -62,15 +62,6 @@ impl FaultInText {
     }
 }
 
-/// "a", "a and b", "a, b and c".
-pub(super) fn list(names: &[&str], and: &str) -> String {
-    match names {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} {and} {last}", first.join(", ")),
-    }
-}
-
 /// Names joined by points; one that is not plain letters is quoted, without anything that would break the line.
 pub(super) fn quoted_path(names: &[&str]) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-' || c == '.';

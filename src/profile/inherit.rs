@@ -1,11 +1,11 @@
 //! A profile's text and the texts it inherits, laid one over the other.
 
 use super::built_in;
-use super::fault::{Fault, FaultInText, list};
+use super::fault::{Fault, FaultInText};
 use super::keys::{KEYS, Origin, Profile};
 use super::parse::{Written, parse};
 use super::suggest::unknown_profile;
-use crate::note::first_few;
+use crate::listing::{first_few, list};
 
 /// How many faults are listed: a file that is no profile at all has one on every line.
 const MOST_FAULTS: usize = 50;

@@ -1,10 +1,10 @@
 //! What a key can hold. A new kind of value is one type that implements [`Setting`], here and nowhere else.
 
 use super::built_in;
-use super::fault::list;
 use super::nearest::nearest_value;
 use crate::braille::{CellSize, Code, Grade};
 use crate::devices::Device;
+use crate::listing::list;
 use crate::page::heading::Align;
 use crate::page::layout::Orientation;
 use crate::textures::Sign;
@@ -331,5 +331,5 @@ fn words(words: impl Iterator<Item = &'static str>) -> Vec<Value> {
 
 fn one_of(choices: &[Value]) -> String {
     let quoted: Vec<_> = choices.iter().map(Value::to_string).collect();
-    list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+    list(&quoted, "or")
 }

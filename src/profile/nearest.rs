@@ -1,6 +1,6 @@
 //! "Did you mean": of the names that exist, those nearest to one that does not.
 
-use super::fault::list;
+use crate::listing::list;
 
 /// How many letters of a name are compared; no real one has as many.
 const LONGEST: usize = 40;

@@ -1,9 +1,10 @@
 //! What to say of a key, a section or a profile that does not exist.
 
 use super::built_in::built_in;
-use super::fault::{list, quoted_path};
+use super::fault::quoted_path;
 use super::keys::{KEYS, SECTIONS};
 use super::nearest::{did_you_mean, is_misspelt, nearest};
+use crate::listing::list;
 
 /// What to say of a key that does not exist; `section` does.
 pub(super) fn unknown_key(section: &str, name: &str) -> String {

@@ -7,7 +7,7 @@ use usvg::roxmltree::Node;
 use super::document::{Typed, is_in_labels};
 use super::outline::clean;
 use super::print::{font_size, is_print_words};
-use crate::note::first_few;
+use crate::listing::first_few;
 use crate::page::PrintText;
 use crate::units::MmPoint;
 use crate::{About, Note};

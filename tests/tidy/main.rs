@@ -19,6 +19,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("braille", &["units"]), // text to cells, cells to dots
     // What stops everything: faults of a profile, of a part or a grid of sheets as written, of a page that is felt.
     ("error", &["units", "raster", "page", "touch", "profile"]),
+    ("listing", &[]),
     ("note", &["units", "braille"]), // names the codes that there are
     ("picture", &["units"]),         // as it is given: a file or pixels
     ("geom", &["units"]),
@@ -125,7 +126,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
 ];
 /// What any module may use.
-const EVERYWHERE: &[&str] = &["error", "note"];
+const EVERYWHERE: &[&str] = &["error", "listing", "note"];
 /// The modules of the program; it sees the library only from outside, as `tactograph::`.
 const PROGRAM: &[&str] = &["cli"];
 
@@ -145,6 +146,8 @@ const MACROS_NOT_IN_THE_LIBRARY: &[&str] = &["print", "println", "eprint", "epri
 
 /// A file this long has more than one job.
 const MOST_LINES: usize = 500;
+/// A function this long is read in pieces, and has more than one job.
+const MOST_LINES_OF_FUNCTION: usize = 60;
 /// As rustfmt breaks code; it leaves comments and long texts alone.
 const MOST_COLUMNS: usize = 120;
 /// A file this short may belong to the neighbour that it serves. It is listed (`-- --nocapture`), not refused: a
@@ -171,6 +174,11 @@ fn files_are_short_and_say_what_they_are() {
     let short = sources.iter().filter(|(_, text)| text.lines().count() < FEW_LINES);
     short.for_each(|(file, text)| println!("{file}: {} lines", text.lines().count()));
     complain(sources.iter().flat_map(|(file, text)| faults_of_shape(file, text)).collect());
+}
+
+#[test]
+fn functions_fit_on_a_screen() {
+    complain(sources().iter().flat_map(|(file, text)| long_functions(file, text)).collect());
 }
 
 #[test]
@@ -299,6 +307,38 @@ fn faults_of_shape(file: &str, text: &str) -> Vec<String> {
         faults.push(format!("{file}:{lines}: over {MOST_LINES} lines; find its second job and give it its own file"));
     }
     faults
+}
+
+/// Functions that are too long, from their first line to the brace that closes them, as rustfmt sets it.
+fn long_functions(file: &str, text: &str) -> Vec<String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let starts = lines.iter().enumerate().filter(|(_, line)| line.trim_start().split("fn ").count() > 1);
+    let functions = starts.filter_map(|(start, line)| {
+        let indent = &line[..line.len() - line.trim_start().len()];
+        let before = line.trim_start().split("fn ").next()?;
+        let is_function = before.split(' ').all(|word| {
+            word.is_empty()
+                || word.starts_with("pub")
+                || ["const", "in", "unsafe"].contains(&word)
+                || word.ends_with(')')
+        });
+        let closing = format!("{indent}}}");
+        let length = lines[start..].iter().position(|line| *line == closing)? + 1;
+        (is_function && !line.ends_with('}') && length > MOST_LINES_OF_FUNCTION).then_some((start, length))
+    });
+    functions.map(|(start, length)| format!("{file}:{}: a function of {length} lines", start + 1)).collect()
+}
+
+#[test]
+fn a_long_function_is_found() {
+    let of = |lines: usize| {
+        format!(
+            "impl A {{\n    pub(super) fn f(\n        a: u8,\n    ) {{\n{}    }}\n}}\n",
+            "        a;\n".repeat(lines)
+        )
+    };
+    assert_eq!(long_functions("a.rs", &of(MOST_LINES_OF_FUNCTION - 4)), [""; 0]);
+    assert_eq!(long_functions("a.rs", &of(MOST_LINES_OF_FUNCTION - 3)), ["a.rs:2: a function of 61 lines"]);
 }
 
 fn wide_lines(file: &str, text: &str) -> Vec<String> {
