@@ -1,7 +1,7 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Params, Wanted, to_box};
+use super::placed::{Params, Stands, Wanted, to_box};
 use super::room::Room;
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::page::cells::CellGrid;
@@ -19,19 +19,6 @@ pub(super) struct Candidate {
     pub(super) crosses: bool,
     pub(super) cost: f32,
     pub(super) stands: Stands,
-}
-
-/// What a label stands with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Stands {
-    /// By itself.
-    Alone,
-    /// In its row or column, which was placed as a whole and keeps its own blank.
-    InRow,
-    /// The same, in the margin beyond all lines.
-    InMargin,
-    /// As the title of an axis, at its row or column.
-    AsTitle,
 }
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
@@ -142,14 +129,14 @@ impl Candidate {
         Self { form, place, leader, crosses: false, cost, stands }
     }
 
-    /// Whether it stands in a row that is placed as a whole.
-    pub(super) fn is_in_row(&self) -> bool {
+    /// Whether it is placed with others, in a row or at one, and stays there.
+    pub(super) fn is_fixed(&self) -> bool {
         self.stands != Stands::Alone
     }
 
     /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight way.
     pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
-        !(self.is_in_row() && other.is_in_row()) && self.is_too_near(other, spacing, off)
+        !(self.is_fixed() && other.is_fixed()) && self.is_too_near(other, spacing, off)
     }
 
     /// The box around it and its leader line.

@@ -105,15 +105,15 @@ impl Search<'_> {
                 return false;
             }
             self.tries -= 1;
-            let way = self.in_the_way(Choice { label, candidate });
-            if way.len() > 2 || way.iter().any(|other| held.contains(other)) {
+            let blockers = self.in_the_way(Choice { label, candidate });
+            if blockers.len() > 2 || blockers.iter().any(|other| held.contains(other)) {
                 continue;
             }
             let before = self.chosen.clone();
-            way.iter().for_each(|&other| self.chosen[other] = None);
+            blockers.iter().for_each(|&other| self.chosen[other] = None);
             self.chosen[label] = Some(candidate);
             held.push(label);
-            let all_placed = way.iter().all(|&other| {
+            let all_placed = blockers.iter().all(|&other| {
                 self.take_best(other);
                 self.chosen[other].is_some() || depth > 0 && self.make_way(other, depth - 1, held)
             });

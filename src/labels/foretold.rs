@@ -1,10 +1,9 @@
 //! Where the rows and columns of labels of a drawing would stand before the drawing is laid out: how much room they
 //! lack beside it.
 
-use super::forms;
 use super::placed::{Params, Wanted};
 use super::room::Room;
-use super::{around, groups_of, rows, titles};
+use super::{begun, titles};
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
@@ -29,13 +28,8 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
     // the grid of a device may end at the box
     let cells = &cells.anywhere();
     let room = Room::of_contours(params.area, contours, *line_width, params.clearance);
-    let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let mut forms = forms::of(&texts, translator);
-    let around = around(wanted, &forms, &room, cells, params);
-    let groups = groups_of(wanted, &mut forms, &around, translator);
-    let place = rows::Placing { wanted, forms: &forms, around: &around, room: &room, params, cells };
-    let mut placed = rows::placed(&groups, &place).placed;
-    titles::place(&groups, &place, &mut placed);
+    let begun = begun(wanted, translator, cells, &room, params);
+    let placed = &begun.placed;
     let [left, top, right, bottom] =
         placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {
             let place = candidate.place;
@@ -46,6 +40,6 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
                 bottom.max(place.max.y - within.max.y),
             ]
         });
-    let above_titles = titles::top_of_headings(&place, &placed).map_or(top, |above| within.min.y - above);
+    let above_titles = titles::top_of_headings(&begun.context(), placed).map_or(top, |above| within.min.y - above);
     [left, top.max(above_titles), right, bottom]
 }

@@ -22,8 +22,32 @@ pub(super) enum Lies {
     Row,
     /// Side by side, below points.
     BelowPoints,
-    /// One above the other, with one edge in line: 0 is the left one, 1 the right one.
-    Column(f32),
+    /// One above the other, with this edge in line.
+    Column(Edge),
+}
+
+/// The edge of the texts of a column that is in line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Edge {
+    Left,
+    Middle,
+    Right,
+}
+
+impl Edge {
+    /// Where it lies, as a share of a text's width from its left.
+    pub(super) fn share(self) -> f32 {
+        match self {
+            Self::Left => 0.0,
+            Self::Middle => 0.5,
+            Self::Right => 1.0,
+        }
+    }
+
+    /// Where the left side of a label of this width lies that has this edge in line with that of its text.
+    pub(super) fn left_of(self, text: MmRect, width: f32) -> f32 {
+        text.min.x + self.share() * (text.width() - width)
+    }
 }
 
 /// Labels that are placed together, in their order.
@@ -89,7 +113,7 @@ pub(super) fn of(wanted: &[Wanted], is_written: impl Fn(usize) -> bool, is_low: 
 }
 
 /// A coordinate of a box in which those of a row or column agree.
-type Key = fn(MmRect) -> f32;
+type Coordinate = fn(MmRect) -> f32;
 
 /// Texts in these boxes that stand in rows, the largest first, then columns of those that are in no row. Numbers at an
 /// axis end in line, names in a list begin so.
@@ -100,10 +124,14 @@ fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
     let mut alone = texts.to_vec();
     loop {
         alone.retain(|(label, _)| !groups.iter().any(|group| group.members.contains(label)));
-        let edges: [(Key, f32); 3] =
-            [(|place| place.max.x, 1.0), (|place| place.min.x, 0.0), (|place| place.center().x, 0.5)];
-        let columns = edges.into_iter().flat_map(|(edge, side)| {
-            in_line(&alone, edge, ALIGNED).into_iter().map(move |members| Group::new(members, Lies::Column(side)))
+        let columns = [Edge::Right, Edge::Left, Edge::Middle].into_iter().flat_map(|edge| {
+            let coordinate: Coordinate = match edge {
+                Edge::Right => |text| text.max.x,
+                Edge::Left => |text| text.min.x,
+                Edge::Middle => |text| text.center().x,
+            };
+            let columns = in_line(&alone, coordinate, ALIGNED).into_iter();
+            columns.map(move |members| Group::new(members, Lies::Column(edge)))
         });
         match columns.reduce(|a, b| if b.members.len() > a.members.len() { b } else { a }) {
             Some(column) => groups.push(column),
@@ -113,8 +141,8 @@ fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
 }
 
 /// Those that agree in a coordinate up to `off` mm, all with the first of them.
-fn in_line(labels: &[(usize, MmRect)], key: Key, off: f32) -> Vec<Vec<usize>> {
-    let mut sorted: Vec<(usize, f32)> = labels.iter().map(|&(label, place)| (label, key(place))).collect();
+fn in_line(labels: &[(usize, MmRect)], coordinate: Coordinate, off: f32) -> Vec<Vec<usize>> {
+    let mut sorted: Vec<(usize, f32)> = labels.iter().map(|&(label, text)| (label, coordinate(text))).collect();
     sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut lines: Vec<Vec<(usize, f32)>> = Vec::new();
     for label in sorted {
@@ -125,4 +153,60 @@ fn in_line(labels: &[(usize, MmRect)], key: Key, off: f32) -> Vec<Vec<usize>> {
     }
     lines.retain(|line| line.len() >= FEWEST);
     lines.into_iter().map(|line| line.into_iter().map(|(label, _)| label).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::MmPoint;
+
+    /// A text with its box: its left and upper edge, its width and height, mm.
+    fn text(text: &str, [x, y, width, height]: [f32; 4]) -> Wanted {
+        let corner = MmPoint::new(x, y);
+        Wanted { text: text.to_owned(), anchor: MmRect::new(corner, MmPoint::new(x + width, y + height)) }
+    }
+
+    fn groups(wanted: &[Wanted]) -> Vec<(Lies, Vec<usize>)> {
+        let groups = of(wanted, |_| true, |_| true);
+        groups.into_iter().map(|group| (group.lies, group.members)).collect()
+    }
+
+    #[test]
+    fn words_in_a_row_and_numbers_in_a_column_are_groups_in_their_order() {
+        let mut wanted: Vec<Wanted> = ["Mon", "Tue", "Wed"]
+            .into_iter()
+            .zip([70.0, 30.0, 50.0])
+            .map(|(day, x)| text(day, [x, 90.0, 8.0, 4.0]))
+            .collect();
+        // numbers end in line, whatever their lengths
+        wanted.extend([(0, 80.0), (50, 60.0), (100, 40.0)].map(|(number, y)| {
+            let number = number.to_string();
+            let width = 2.0 * number.len() as f32;
+            text(&number, [20.0 - width, y, width, 4.0])
+        }));
+        assert_eq!(groups(&wanted), [(Lies::Row, vec![1, 2, 0]), (Lies::Column(Edge::Right), vec![5, 4, 3])]);
+        let all = of(&wanted, |_| true, |_| true);
+        assert!(all[0].is_beside_column && all[0].steps.is_none());
+        assert_eq!(all[1].steps.as_deref(), Some(&[2, 1, 0][..]), "steps of 50, from the top down");
+        assert_eq!(all[1].every(2).members, [5, 3]);
+    }
+
+    #[test]
+    fn two_texts_are_no_group_and_what_is_not_written_is_in_none() {
+        let row = |count: usize| -> Vec<Wanted> {
+            (0..count).map(|i| text("a", [10.0 * i as f32, 20.0 * i as f32 % 0.5, 3.0, 4.0])).collect()
+        };
+        assert_eq!(groups(&row(2)), []);
+        assert_eq!(groups(&row(4)), [(Lies::Row, vec![0, 1, 2, 3])]);
+        let all = of(&row(4), |label| label != 2, |_| true);
+        assert_eq!(all[0].members, [0, 1, 3]);
+    }
+
+    #[test]
+    fn points_are_a_row_only_where_they_are_at_the_lower_side_of_shapes() {
+        let points: Vec<Wanted> =
+            [0.0, 1.5, 0.8].iter().zip([30.0, 10.0, 20.0]).map(|(y, x)| text("bar", [x, 50.0 + y, 0.0, 0.0])).collect();
+        assert_eq!(groups(&points), [(Lies::BelowPoints, vec![1, 2, 0])]);
+        assert!(of(&points, |_| true, |_| false).is_empty());
+    }
 }

@@ -1,9 +1,12 @@
 //! Labels in braille: each beside what it names, apart from lines and from one another.
 //!
 //! ```text
-//! wanted -> forms (one line, two, abbreviated) -> groups -> rows (as a whole) --------------.
-//!                                            `-> candidates (free places near the anchor) -> choose -> placed
+//! wanted -> forms (one line, two, abbreviated) -> groups -> rows (as a whole) -> titles of axes -.
+//!                                            `-> candidates (free places near the anchor) ------+-> choose -> placed
 //! ```
+//!
+//! The steps up to the titles of axes ([`begun`]) are also those of `foretold`, which computes the room that rows and
+//! columns need beside a drawing before it is laid out.
 //!
 //! Labels are horizontal, as fingers read them, and 3 mm from lines; textures make room for them. One that has to lie
 //! further away than 12 mm has a leader line. What has no room in full is abbreviated.
@@ -26,7 +29,7 @@ pub use candidates::NEAR;
 pub use choose::{Choice, choose};
 pub use foretold::{Foretold, rows_beyond};
 pub use forms::LONGEST;
-pub use placed::{Params, Placed, Unplaced, Wanted};
+pub use placed::{Params, Placed, Stands, Unplaced, Wanted};
 pub use scale::EVERY;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
@@ -34,7 +37,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
-use candidates::{Around, Candidate, Spacing, Stands, TIGHTEST};
+use candidates::{Around, Candidate, Spacing, TIGHTEST};
 use forms::{Form, Forms, Kind};
 use groups::Group;
 use room::Room;
@@ -60,13 +63,7 @@ pub fn place(
 ) -> Vec<Result<Placed, Unplaced>> {
     let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
-    let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
-    let mut forms = forms::of(&texts, translator);
-    let around = around(wanted, &forms, &room, cells, params);
-    let groups = groups_of(wanted, &mut forms, &around, translator);
-    let place = rows::Placing { wanted, forms: &forms, around: &around, room: &room, params, cells };
-    let rows::InRows { placed: mut in_rows, thinned } = rows::placed(&groups, &place);
-    titles::place(&groups, &place, &mut in_rows);
+    let Begun { forms, around, placed: in_rows, thinned, .. } = begun(wanted, translator, cells, &room, params);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],
         (None, Ok(_)) if thinned[number].is_some() => Vec::new(),
@@ -78,12 +75,56 @@ pub fn place(
     let chosen = chosen.into_iter().zip(candidates);
     let mut chosen: Vec<Option<Candidate>> =
         chosen.map(|(chosen, mut of)| chosen.map(|number| of.swap_remove(number))).collect();
-    move_nearer(&mut chosen, wanted, &forms, &around, (cells, spacing));
+    move_nearer(&mut chosen, wanted, &forms, &around, cells, spacing);
     let placed = forms.into_iter().zip(chosen).zip(thinned).map(|((forms, chosen), thinned)| match thinned {
         Some(every) => Err(Unplaced::Thinned(every)),
         None => placed(forms?, chosen),
     });
     placed.chain(too_many.iter().map(|_| Err(Unplaced::TooMany))).collect()
+}
+
+/// Labels of which those in rows and columns have their places.
+struct Begun<'a> {
+    wanted: &'a [Wanted],
+    cells: &'a CellGrid<'a>,
+    room: &'a Room,
+    params: &'a Params,
+    /// What each can be written as.
+    forms: Vec<Result<Forms, Unplaced>>,
+    /// What lies around what each names.
+    around: Vec<Around<'a>>,
+    /// The place of each that stands in a row or column, or is the title of one.
+    placed: Vec<Option<Candidate>>,
+    /// Of numbers along an axis that are left out as there is no room for all, every how many-th is written.
+    thinned: Vec<Option<i64>>,
+}
+
+impl Begun<'_> {
+    fn context(&self) -> rows::Context<'_> {
+        let Self { wanted, cells, room, params, forms, around, .. } = self;
+        rows::Context { wanted, forms, around, room, params, cells }
+    }
+}
+
+/// Writes labels in their forms and places those in rows and columns with their titles: what placing all of them and
+/// foretelling their room begin with.
+fn begun<'a>(
+    wanted: &'a [Wanted],
+    translator: &Translator<'_>,
+    cells: &'a CellGrid<'a>,
+    room: &'a Room,
+    params: &'a Params,
+) -> Begun<'a> {
+    let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
+    let mut forms = forms::of(&texts, translator);
+    let around = around(wanted, &forms, room, cells, params);
+    let groups = groups_of(wanted, &mut forms, &around, translator);
+    let mut begun = Begun { wanted, cells, room, params, forms, around, placed: Vec::new(), thinned: Vec::new() };
+    let rows::InRows { mut placed, thinned } = rows::placed(&groups, &begun.context());
+    titles::place(&groups, &begun.context(), &mut placed);
+    begun.placed = placed;
+    begun.thinned = thinned;
+    begun
 }
 
 /// What lies around what each label names.
@@ -168,13 +209,14 @@ fn move_nearer(
     wanted: &[Wanted],
     forms: &[Result<Forms, Unplaced>],
     around: &[Around<'_>],
-    (cells, spacing): (&CellGrid<'_>, Spacing),
+    cells: &CellGrid<'_>,
+    spacing: Spacing,
 ) {
     for _ in 0..ROUNDS {
         let mut changed = false;
         for number in 0..chosen.len() {
             let (Some(now), Ok(of)) = (&chosen[number], &forms[number]) else { continue };
-            if now.is_in_row() {
+            if now.is_fixed() {
                 continue;
             }
             let others =
@@ -204,8 +246,7 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         abbreviation,
         leader: candidate.leader,
         crosses: candidate.leader.is_some() && candidate.crosses,
-        is_in_margin: candidate.stands == Stands::InMargin,
-        is_title: candidate.stands == Stands::AsTitle,
+        stands: candidate.stands,
         is_bare: kind == Kind::Bare,
     })
 }

@@ -39,6 +39,19 @@ pub struct Wanted {
     pub anchor: MmRect,
 }
 
+/// What a label stands with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stands {
+    /// By itself.
+    Alone,
+    /// In its row or column, which was placed as a whole and keeps its own blank.
+    InRow,
+    /// The same, in the margin beyond all lines.
+    InMargin,
+    /// As the title of an axis, at its row or column.
+    AsTitle,
+}
+
 /// A label that has a place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
@@ -54,11 +67,9 @@ pub struct Placed {
     pub leader: Option<[MmPoint; 2]>,
     /// Whether that line crosses others, as there is room nowhere else.
     pub crosses: bool,
-    /// Whether it is a number of an axis that stands in the margin beyond all lines.
-    pub is_in_margin: bool,
-    /// Whether it is the title of an axis, which stands above or below it.
-    pub is_title: bool,
-    /// Whether it is such a number without its unit, which another has.
+    /// Whether it stands by itself, in a row, in the margin or as the title of an axis.
+    pub stands: Stands,
+    /// Whether it is a number of an axis without its unit, which another has.
     pub is_bare: bool,
 }
 

@@ -2,10 +2,10 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, Stands, TIGHTEST};
+use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, TIGHTEST};
 use super::forms::{Form, Forms, Kind};
 use super::groups::{Group, Lies, OF_AN_AXIS};
-use super::placed::{Params, Unplaced, Wanted};
+use super::placed::{Params, Stands, Unplaced, Wanted};
 use super::room::Room;
 use super::ticks;
 use crate::page::cells::CellGrid;
@@ -52,8 +52,8 @@ impl Level {
     }
 }
 
-/// What groups are placed in.
-pub(super) struct Placing<'a> {
+/// What groups of labels are placed in.
+pub(super) struct Context<'a> {
     pub(super) wanted: &'a [Wanted],
     pub(super) forms: &'a [Result<Forms, Unplaced>],
     pub(super) around: &'a [Around<'a>],
@@ -71,13 +71,13 @@ pub(super) struct InRows {
 }
 
 /// The place of each label that stands in a row or column which has room as a whole.
-pub(super) fn placed(groups: &[Group], of: &Placing<'_>) -> InRows {
-    let mut placed: Vec<Option<Candidate>> = vec![None; of.wanted.len()];
-    let mut thinned = vec![None; of.wanted.len()];
+pub(super) fn placed(groups: &[Group], context: &Context<'_>) -> InRows {
+    let mut placed: Vec<Option<Candidate>> = vec![None; context.wanted.len()];
+    let mut thinned = vec![None; context.wanted.len()];
     for group in groups {
-        let mut tried = ticks::tried(group, of.wanted, of.room).into_iter();
-        let found =
-            tried.find_map(|ticks::Numbers { group, count }| Some((of_group(&group, of, &placed)?, group, count)));
+        let mut selections = ticks::selections(group, context.wanted, context.room).into_iter();
+        let found = selections
+            .find_map(|ticks::Numbers { group, count }| Some((of_group(&group, context, &placed)?, group, count)));
         let Some((found, some, count)) = found else { continue };
         if count > 1 {
             group.members.iter().for_each(|&member| thinned[member] = Some(count));
@@ -110,7 +110,7 @@ enum At {
 }
 
 /// The arrangements and forms in which the labels of a group are tried, in this order.
-fn tried(group: &Group) -> Vec<(Arrangement, Level)> {
+fn attempts(group: &Group) -> Vec<(Arrangement, Level)> {
     let words = [Level::Whole, Level::TwoLines, Level::Fitting, Level::UnitOnce, Level::Short];
     let is_column = matches!(group.lies, Lies::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
@@ -127,88 +127,59 @@ fn tried(group: &Group) -> Vec<(Arrangement, Level)> {
 }
 
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
-fn of_group(group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
+fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
     let fits = |label: usize, form: &Form| match group.lies {
-        Lies::Column(side) => {
-            let (anchor, area, width) = (of.wanted[label].anchor, of.params.area, form.extent(of.cells).x);
-            let left = edge(anchor, side, width);
+        Lies::Column(edge) => {
+            let (anchor, area, width) =
+                (context.wanted[label].anchor, context.params.area, form.extent(context.cells).x);
+            let left = edge.left_of(anchor, width);
             left >= area.min.x && left + width <= area.max.x
         }
         _ => false,
     };
     // the first number of a column, or the last of a row, that has a unit: zero may have none
     let has_unit = |i: &usize| {
-        let forms = of.forms[group.members[*i]].as_ref();
+        let forms = context.forms[group.members[*i]].as_ref();
         forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == Kind::Bare))
     };
     let mut numbers = 0..group.members.len();
     let with_unit =
         if matches!(group.lies, Lies::Column(_)) { numbers.find(has_unit) } else { numbers.rev().find(has_unit) };
     let mut seen: Vec<(Arrangement, Vec<usize>)> = Vec::new();
-    for (arrangement, level) in tried(group) {
+    for (arrangement, level) in attempts(group) {
         let number_of = |(i, &label): (usize, &usize)| {
             // in two lines, if it has them
             let level = if level == Level::UnitOnce && Some(i) == with_unit { Level::TwoLines } else { level };
-            of.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
+            context.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
         };
         let forms: Vec<usize> = group.members.iter().enumerate().map(number_of).collect();
         // those that fit are all words, or none of them counts
         let is_short = |(&label, &number): (&usize, &usize)| {
-            of.forms[label].as_ref().is_ok_and(|forms| forms.forms[number].abbreviation.is_some())
+            context.forms[label].as_ref().is_ok_and(|forms| forms.forms[number].abbreviation.is_some())
         };
         if level == Level::Fitting && group.members.iter().zip(&forms).any(is_short) {
             continue;
         }
-        let tried = (arrangement, forms);
-        if seen.contains(&tried) {
+        let attempt = (arrangement, forms);
+        if seen.contains(&attempt) {
             continue;
         }
-        let found = in_rows(group, &tried.1, arrangement, of, placed);
-        if found.is_some() {
-            return found;
+        let row = RowOfLabels::new(group, &attempt.1, arrangement, context, placed);
+        if let Some(found) = row.and_then(|row| row.placed()) {
+            return Some(found);
         }
-        seen.push(tried);
+        seen.push(attempt);
     }
     None
 }
 
-/// The labels of a group in these forms and this arrangement, at the nearest height (for columns: the nearest edge) at
-/// which all of them are free.
-fn in_rows(
-    group: &Group,
-    numbers: &[usize],
-    arrangement: Arrangement,
-    of: &Placing<'_>,
-    placed: &[Option<Candidate>],
-) -> Option<Vec<Candidate>> {
-    let forms: Vec<&Form> = group
-        .members
-        .iter()
-        .zip(numbers)
-        .map(|(&label, &number)| of.forms[label].as_ref().ok().and_then(|forms| forms.forms.get(number)))
-        .collect::<Option<_>>()?;
-    let Arrangement { rows, at } = arrangement;
-    let sizes: Vec<MmVector> = forms.iter().map(|form| form.extent(of.cells)).collect();
-    let along = along(group, &sizes, rows, of)?;
-    let row = RowOfLabels::new(group, numbers, (&forms, sizes, along), arrangement, of, placed);
-    let starts = match at {
-        At::Margin => {
-            let size = row.largest + MmVector::new(0.0, (rows - 1) as f32 * row.pitch);
-            starts_in_margin(group, of, (size, row.largest.y), of.room.bounds()?)
-        }
-        At::Near | At::Led => vec![None],
-    };
-    let steps = |mm: f32| (mm / of.params.step).ceil() as i32;
-    let (nearest, furthest) = if at == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
-    // below before above
-    let is_wanted = |offset: &i32| *offset >= 0 || group.lies != Lies::BelowPoints;
-    let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * of.params.step);
-    let offsets: Vec<f32> = offsets.collect();
-    // each at its own anchor, if that can be
-    starts.into_iter().find_map(|start| {
-        let mut tried = [false, true].into_iter().flat_map(|moves| offsets.iter().map(move |offset| (*offset, moves)));
-        tried.find_map(|(offset, moves)| row.at(start, offset, moves))
-    })
+/// From where the place of a row is counted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Start {
+    /// From the anchor of each label.
+    Anchors,
+    /// From this edge in the margin beyond all lines: its upper one, for columns its left one, mm.
+    Margin(f32),
 }
 
 /// The labels of a group, each in one form, of which a common place is looked for.
@@ -216,7 +187,7 @@ struct RowOfLabels<'a> {
     group: &'a Group,
     /// Of each label: the number of its form, the form and its size.
     numbers: &'a [usize],
-    forms: &'a [&'a Form],
+    forms: Vec<&'a Form>,
     sizes: Vec<MmVector>,
     /// Where each begins along the row, and how far it may be moved along it, mm.
     along: Vec<(f32, f32)>,
@@ -225,37 +196,67 @@ struct RowOfLabels<'a> {
     largest: MmVector,
     /// From one row to the next, mm.
     pitch: f32,
-    of: &'a Placing<'a>,
+    context: &'a Context<'a>,
     /// Labels of groups that were placed before.
-    placed: &'a [Option<Candidate>],
+    others: &'a [Option<Candidate>],
 }
 
 impl<'a> RowOfLabels<'a> {
+    /// Labels in the forms of these numbers; none if one has no such form, or would have to be moved too far along.
     fn new(
         group: &'a Group,
         numbers: &'a [usize],
-        (forms, sizes, along): (&'a [&'a Form], Vec<MmVector>, Vec<(f32, f32)>),
         arrangement: Arrangement,
-        of: &'a Placing<'a>,
-        placed: &'a [Option<Candidate>],
-    ) -> Self {
+        context: &'a Context<'a>,
+        others: &'a [Option<Candidate>],
+    ) -> Option<Self> {
+        let forms: Vec<&Form> = group
+            .members
+            .iter()
+            .zip(numbers)
+            .map(|(&label, &number)| context.forms[label].as_ref().ok().and_then(|forms| forms.forms.get(number)))
+            .collect::<Option<_>>()?;
+        let sizes: Vec<MmVector> = forms.iter().map(|form| form.extent(context.cells)).collect();
+        let along = along(group, &sizes, arrangement.rows, context)?;
         let largest = sizes.iter().fold(MmVector::zero(), |all, size| all.max(*size));
-        let pitch = in_steps(largest.y + TIGHTEST.above(), of.cells.steps().map(|steps| steps.y));
-        Self { group, numbers, forms, sizes, along, arrangement, largest, pitch, of, placed }
+        let pitch = in_steps(largest.y + TIGHTEST.above(), context.cells.steps().map(|steps| steps.y));
+        Some(Self { group, numbers, forms, sizes, along, arrangement, largest, pitch, context, others })
     }
 
-    /// All labels with the row this far from where it starts (without a start: from their anchors), each moved along
-    /// the row if it may be; none if one of them is not free.
-    fn at(&self, start: Option<f32>, offset: f32, moves: bool) -> Option<Vec<Candidate>> {
-        let step = self.of.params.step;
+    /// All labels at the nearest height (for columns: the nearest edge) at which they are free, each at its own anchor
+    /// if that can be.
+    fn placed(&self) -> Option<Vec<Candidate>> {
+        let at = self.arrangement.at;
+        let starts = match at {
+            At::Margin => self.starts_in_margin(self.context.room.bounds()?).to_vec(),
+            At::Near | At::Led => vec![Start::Anchors],
+        };
+        let step = self.context.params.step;
+        let steps = |mm: f32| (mm / step).ceil() as i32;
+        let (nearest, furthest) = if at == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
+        // below before above
+        let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != Lies::BelowPoints;
+        let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
+        let offsets: Vec<f32> = offsets.collect();
+        starts.into_iter().find_map(|start| {
+            let at_anchors = || offsets.iter().find_map(|&offset| self.at(start, offset, |_| 0.0));
+            at_anchors()
+                .or_else(|| offsets.iter().find_map(|&offset| self.at(start, offset, |number| self.along[number].1)))
+        })
+    }
+
+    /// All labels with the row this far from its start, each moved along the row by as much as `reach` of its number
+    /// allows, mm; none if one of them is not free.
+    fn at(&self, start: Start, offset: f32, reach: impl Fn(usize) -> f32) -> Option<Vec<Candidate>> {
+        let step = self.context.params.step;
         let mut found: Vec<Candidate> = Vec::with_capacity(self.sizes.len());
         for number in 0..self.sizes.len() {
-            let furthest = if moves { (self.along[number].1 / step).floor().max(0.0) as i32 } else { 0 };
+            let furthest = (reach(number) / step).floor().max(0.0) as i32;
             let free = both_ways(0, furthest).find_map(|moved| {
                 let candidate = self.candidate(number, start, offset, moved as f32 * step);
-                let mut others = found.iter().chain(self.placed.iter().flatten());
-                let is_free = is_free(self.group.members[number], &candidate, self.of)
-                    && others.all(|other| !candidate.is_too_near(other, JUST, self.of.params.leader_off));
+                let mut others = found.iter().chain(self.others.iter().flatten());
+                let is_free = is_free(self.group.members[number], &candidate, self.context)
+                    && others.all(|other| !candidate.is_too_near(other, JUST, self.context.params.leader_off));
                 is_free.then_some(candidate)
             })?;
             found.push(free);
@@ -263,12 +264,12 @@ impl<'a> RowOfLabels<'a> {
         Some(found)
     }
 
-    fn candidate(&self, number: usize, start: Option<f32>, offset: f32, moved: f32) -> Candidate {
+    fn candidate(&self, number: usize, start: Start, offset: f32, moved: f32) -> Candidate {
         let Arrangement { rows, at } = self.arrangement;
         let (size, row) = (self.sizes[number], (number % rows) as f32);
         let corner = self.corner(number, start, offset, self.along[number].0 + moved);
-        let place = self.of.cells.snapped(MmRect::new(corner, corner + size));
-        let anchor = self.of.wanted[self.group.members[number]].anchor;
+        let place = self.context.cells.snapped(MmRect::new(corner, corner + size));
+        let anchor = self.context.wanted[self.group.members[number]].anchor;
         let leader = (at == At::Led).then(|| leader(place, anchor.center()));
         let cost = self.forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
         let stands = if at == At::Margin { Stands::InMargin } else { Stands::InRow };
@@ -276,57 +277,52 @@ impl<'a> RowOfLabels<'a> {
     }
 
     /// The top left corner of a label that begins here along its row.
-    fn corner(&self, number: usize, start: Option<f32>, offset: f32, begin: f32) -> MmPoint {
-        let (anchor, size) = (self.of.wanted[self.group.members[number]].anchor, self.sizes[number]);
+    fn corner(&self, number: usize, start: Start, offset: f32, begin: f32) -> MmPoint {
+        let (anchor, size) = (self.context.wanted[self.group.members[number]].anchor, self.sizes[number]);
         let below = (number % self.arrangement.rows) as f32 * self.pitch;
         match (self.group.lies, start) {
-            (Lies::Column(side), Some(start)) => MmPoint::new(start + side * (self.largest.x - size.x) + offset, begin),
-            (Lies::Column(side), None) => MmPoint::new(edge(anchor, side, size.x) + offset, begin),
-            (_, Some(start)) => MmPoint::new(begin, start + offset + below),
-            (Lies::Row, None) => MmPoint::new(begin, anchor.center().y - 0.5 * self.largest.y + offset + below),
-            (Lies::BelowPoints, None) => MmPoint::new(begin, anchor.max.y + BELOW_POINTS + offset + below),
+            (Lies::Column(edge), Start::Margin(start)) => {
+                MmPoint::new(start + edge.share() * (self.largest.x - size.x) + offset, begin)
+            }
+            (Lies::Column(edge), Start::Anchors) => MmPoint::new(edge.left_of(anchor, size.x) + offset, begin),
+            (Lies::Row | Lies::BelowPoints, Start::Margin(start)) => MmPoint::new(begin, start + offset + below),
+            (Lies::Row, Start::Anchors) => {
+                MmPoint::new(begin, anchor.center().y - 0.5 * self.largest.y + offset + below)
+            }
+            (Lies::BelowPoints, Start::Anchors) => MmPoint::new(begin, anchor.max.y + BELOW_POINTS + offset + below),
         }
     }
-}
 
-/// Where the left edge of a label lies in a column of which this edge is in line: 0 is the left one, 1 the right one.
-fn edge(anchor: MmRect, side: f32, width: f32) -> f32 {
-    anchor.min.x + side * (anchor.width() - width)
-}
-
-/// Where rows (columns) of this size begin in the margin beyond all lines: below and above (on the left and on the
-/// right), the nearer one first.
-///
-/// Where numbers stand in a column too, the first of a row below it keeps off the last of the column, which stands half
-/// of its height below the lines.
-fn starts_in_margin(
-    group: &Group,
-    of: &Placing<'_>,
-    (size, height): (MmVector, f32),
-    lines: MmRect,
-) -> Vec<Option<f32>> {
-    let reaches_out = group.members.iter().any(|&label| {
-        let middle = of.wanted[label].anchor.center().x;
-        middle - 0.5 * size.x < lines.min.x || middle + 0.5 * size.x > lines.max.x
-    });
-    let corner = if group.is_beside_column && reaches_out { 0.5 * height + TIGHTEST.above() } else { 0.0 };
-    let count = group.members.len() as f32;
-    let mean = group
-        .members
-        .iter()
-        .fold(MmVector::zero(), |sum, &label| sum + of.wanted[label].anchor.center().to_vector() / count);
-    let blank = of.params.clearance + of.params.step;
-    let (starts, is_second_nearer) = match group.lies {
-        Lies::Column(_) => {
-            ([lines.min.x - blank - size.x, lines.max.x + blank], mean.x > SECOND_SIDE * lines.width() + lines.min.x)
-        }
-        _ => (
-            [lines.max.y + blank.max(corner), lines.min.y - blank.max(corner) - size.y],
-            mean.y < (1.0 - SECOND_SIDE) * lines.height() + lines.min.y,
-        ),
-    };
-    let starts = if is_second_nearer { [starts[1], starts[0]] } else { starts };
-    starts.map(Some).to_vec()
+    /// Where it begins in the margin beyond all lines: below and above (on the left and on the right), the nearer one
+    /// first.
+    ///
+    /// Where numbers stand in a column too, the first of a row below it keeps off the last of the column, which stands
+    /// half of its height below the lines.
+    fn starts_in_margin(&self, lines: MmRect) -> [Start; 2] {
+        let members = &self.group.members;
+        let middle = |label: &usize| self.context.wanted[*label].anchor.center();
+        let (width, height) = (self.largest.x, self.largest.y + (self.arrangement.rows - 1) as f32 * self.pitch);
+        let reaches_out = members.iter().any(|label| {
+            let x = middle(label).x;
+            x - 0.5 * width < lines.min.x || x + 0.5 * width > lines.max.x
+        });
+        let beside_column = self.group.is_beside_column && reaches_out;
+        let corner = if beside_column { 0.5 * self.largest.y + TIGHTEST.above() } else { 0.0 };
+        let count = members.len() as f32;
+        let mean = members.iter().fold(MmVector::zero(), |sum, label| sum + middle(label).to_vector() / count);
+        let blank = self.context.params.clearance + self.context.params.step;
+        let (starts, is_second_nearer) = match self.group.lies {
+            Lies::Column(_) => {
+                ([lines.min.x - blank - width, lines.max.x + blank], mean.x > SECOND_SIDE * lines.width() + lines.min.x)
+            }
+            Lies::Row | Lies::BelowPoints => (
+                [lines.max.y + blank.max(corner), lines.min.y - blank.max(corner) - height],
+                mean.y < (1.0 - SECOND_SIDE) * lines.height() + lines.min.y,
+            ),
+        };
+        let starts = if is_second_nearer { [starts[1], starts[0]] } else { starts };
+        starts.map(Start::Margin)
+    }
 }
 
 /// From this share of the breadth on, numbers of an upright axis stand on the right side, and from so far up those of a
@@ -335,16 +331,16 @@ const SECOND_SIDE: f32 = 0.6;
 
 /// Whether a label of a row can lie in its place: free, and with a free way for its leader line; without one on its
 /// own side of all lines, and nearer to its own anchor than to that of another label.
-fn is_free(label: usize, candidate: &Candidate, of: &Placing<'_>) -> bool {
-    let (around, place) = (&of.around[label], candidate.place);
-    let anchor = of.wanted[label].anchor.center();
+fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>) -> bool {
+    let (around, place) = (&context.around[label], candidate.place);
+    let anchor = context.wanted[label].anchor.center();
     let nearest = anchor.clamp(place.min, place.max);
     let is_told = || match candidate.leader {
         _ if candidate.stands == Stands::InMargin => true,
-        Some([from, to]) => of.room.is_free_way(from, to, around.end) && around.leads_to_own(place, [from, to]),
-        None => !of.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
+        Some([from, to]) => context.room.is_free_way(from, to, around.end) && around.leads_to_own(place, [from, to]),
+        None => !context.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
     };
-    of.params.holds(&place) && of.room.is_free(place) && is_told()
+    context.params.holds(&place) && context.room.is_free(place) && is_told()
 }
 
 /// Steps in both directions, the nearest first.
@@ -360,16 +356,17 @@ fn leader(place: MmRect, anchor: MmPoint) -> [MmPoint; 2] {
 
 /// Where labels of these sizes begin along a row (for columns: down it), as near to their anchors as they can stand
 /// side by side, and how far each may be moved; none if one would have to be moved too far.
-fn along(group: &Group, sizes: &[MmVector], rows: usize, of: &Placing<'_>) -> Option<Vec<(f32, f32)>> {
+fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) -> Option<Vec<(f32, f32)>> {
     let is_column = matches!(group.lies, Lies::Column(_));
     let of_point = |at: MmPoint| if is_column { at.y } else { at.x };
     let of_size = |size: MmVector| if is_column { size.y } else { size.x };
     let blank = if is_column { TIGHTEST.above() } else { TIGHTEST.aside() };
-    let step = of.cells.steps().map(of_size);
-    let area = of.params.area;
+    let step = context.cells.steps().map(of_size);
+    let area = context.params.area;
     let (low, high) = (of_point(area.min), of_point(area.max));
-    let anchors: Vec<f32> = group.members.iter().map(|&label| of_point(of.wanted[label].anchor.center())).collect();
-    let pitch = ticks::pitch(group, of.wanted).unwrap_or(f32::INFINITY);
+    let anchors: Vec<f32> =
+        group.members.iter().map(|&label| of_point(context.wanted[label].anchor.center())).collect();
+    let pitch = ticks::pitch(group, context.wanted).unwrap_or(f32::INFINITY);
     let mut begins = vec![0.0; sizes.len()];
     for row in 0..rows {
         let members: Vec<usize> = (row..sizes.len()).step_by(rows).collect();
@@ -388,7 +385,7 @@ fn along(group: &Group, sizes: &[MmVector], rows: usize, of: &Placing<'_>) -> Op
         // the next tick may be nearer than the next number that is written
         let next = next.min(pitch);
         // on a grid of dots a label is off by half a step anyhow
-        let rest = (ALONG * next).max(0.5 * of.params.step) - moved;
+        let rest = (ALONG * next).max(0.5 * context.params.step) - moved;
         (rest >= 0.0).then_some((begins[i], rest))
     };
     (0..sizes.len()).map(rest).collect()

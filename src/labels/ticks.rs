@@ -25,7 +25,7 @@ pub(super) struct Numbers {
 
 /// All numbers of a group, then fewer of them in the order in which they are tried: first those that are the ones with
 /// a tick, where only some have one; then those that all have one.
-pub(super) fn tried(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<Numbers> {
+pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<Numbers> {
     let mut all = vec![Numbers { group: group.clone(), count: 1 }];
     let Some(steps) = &group.steps else { return all };
     let ticks: Vec<bool> = with_tick(group, wanted, room);
@@ -131,7 +131,7 @@ mod tests {
             .collect();
         let groups = super::super::groups::of(&wanted, |_| true, |_| false);
         assert_eq!(groups.len(), 1);
-        tried(&groups[0], &wanted, &room).iter().map(|numbers| numbers.count).collect()
+        selections(&groups[0], &wanted, &room).iter().map(|numbers| numbers.count).collect()
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! Titles of axes. Print is turned upright beside an axis; braille is not, so that the title of an upright axis stands
 //! above it, as transcribers set it, and that of a level one below its numbers or at their end.
 
-use super::candidates::{Candidate, JUST, Stands, TIGHTEST};
+use super::candidates::{Candidate, JUST, TIGHTEST};
 use super::groups::{Group, Lies, OF_AN_AXIS};
-use super::rows::Placing;
+use super::placed::Stands;
+use super::rows::Context;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from its numbers a title stands in print, mm, at most.
@@ -17,23 +18,24 @@ const TURNED: f32 = 1.5;
 const LETTERS: usize = 3;
 
 /// Finds places for titles of axes whose numbers or words have theirs.
-pub(super) fn place(groups: &[Group], of: &Placing<'_>, placed: &mut [Option<Candidate>]) {
+pub(super) fn place(groups: &[Group], context: &Context<'_>, placed: &mut [Option<Candidate>]) {
     let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
-    for label in (0..of.wanted.len()).filter(|&label| is_alone(label) && of.forms[label].is_ok()) {
-        let beside = groups.iter().filter_map(|group| Some((gap(label, group, of)?, group)));
+    for label in (0..context.wanted.len()).filter(|&label| is_alone(label) && context.forms[label].is_ok()) {
+        let beside = groups.iter().filter_map(|group| Some((gap(label, group, context)?, group)));
         let Some((_, group)) = beside.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-        placed[label] = at_axis(label, group, of, placed);
+        placed[label] = at_axis(label, group, context, placed);
     }
 }
 
 /// How far a text is from the numbers or words of which it is the title, if it can be that.
-fn gap(label: usize, group: &Group, of: &Placing<'_>) -> Option<f32> {
-    let text = of.wanted[label].anchor;
-    let all = extent(group.members.iter().map(|&member| of.wanted[member].anchor))?;
-    let is_turned = text.height() > TURNED * text.width() && of.wanted[label].text.trim().chars().count() >= LETTERS;
+fn gap(label: usize, group: &Group, context: &Context<'_>) -> Option<f32> {
+    let text = context.wanted[label].anchor;
+    let all = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
+    let is_turned =
+        text.height() > TURNED * text.width() && context.wanted[label].text.trim().chars().count() >= LETTERS;
     let (at, is_axis) = (text.center(), group.steps.is_some() || group.members.len() >= OF_AN_AXIS);
     // what stands among lines is the name of one of them, or of a sample in a legend
-    let lines = of.room.bounds()?;
+    let lines = context.room.bounds()?;
     let gap = match group.lies {
         Lies::Column(_)
             if is_turned && (all.min.y..all.max.y).contains(&at.y) && !(lines.min.x..lines.max.x).contains(&at.x) =>
@@ -53,13 +55,13 @@ fn extent(boxes: impl Iterator<Item = MmRect>) -> Option<MmRect> {
 }
 
 /// The nearest free place of a title in the first form that has one.
-fn at_axis(label: usize, group: &Group, of: &Placing<'_>, placed: &[Option<Candidate>]) -> Option<Candidate> {
-    let forms = &of.forms[label].as_ref().ok()?.forms;
+fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) -> Option<Candidate> {
+    let forms = &context.forms[label].as_ref().ok()?.forms;
     let row = extent(group.members.iter().filter_map(|&member| Some(placed[member].as_ref()?.place)))?;
-    let in_print = extent(group.members.iter().map(|&member| of.wanted[member].anchor))?;
-    let text = of.wanted[label].anchor;
+    let in_print = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
+    let text = context.wanted[label].anchor;
     let in_form = |(number, form): (usize, &super::forms::Form)| {
-        let size = form.extent(of.cells);
+        let size = form.extent(context.cells);
         // where it stands if it is free, and which way it goes where it is not
         let (at, away) = match group.lies {
             Lies::Column(_) => {
@@ -71,15 +73,15 @@ fn at_axis(label: usize, group: &Group, of: &Placing<'_>, placed: &[Option<Candi
         };
         let at_end = MmPoint::new(row.max.x + TIGHTEST.aside(), row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {
-            let place = of.cells.snapped(MmRect::new(corner, corner + size));
+            let place = context.cells.snapped(MmRect::new(corner, corner + size));
             let candidate = Candidate::of_row(number, place, None, form.cost + cost, Stands::AsTitle);
             let mut others = placed.iter().flatten();
-            let is_free = of.params.holds(&place)
-                && of.room.is_free(place)
-                && others.all(|other| !candidate.is_too_near(other, JUST, of.params.leader_off));
+            let is_free = context.params.holds(&place)
+                && context.room.is_free(place)
+                && others.all(|other| !candidate.is_too_near(other, JUST, context.params.leader_off));
             is_free.then_some(candidate)
         };
-        let step = of.params.step.max(1.0);
+        let step = context.params.step.max(1.0);
         let steps = |reach: f32| (reach / step).floor() as i32;
         let across = (0..=steps(ASIDE)).flat_map(|by| [by, -by].into_iter().take(if by == 0 { 1 } else { 2 }));
         let ways = (0..=steps(AWAY)).flat_map(|by| across.clone().map(move |aside| (aside, by)));
@@ -95,15 +97,15 @@ fn at_axis(label: usize, group: &Group, of: &Placing<'_>, placed: &[Option<Candi
 
 /// How high above a title the highest of other texts reach that stand above all lines, as the heading of a chart does:
 /// the top of the box that they would need; none where there is no title above lines, or no such text.
-pub(super) fn top_of_headings(of: &Placing<'_>, placed: &[Option<Candidate>]) -> Option<f32> {
-    let lines = of.room.bounds()?;
+pub(super) fn top_of_headings(context: &Context<'_>, placed: &[Option<Candidate>]) -> Option<f32> {
+    let lines = context.room.bounds()?;
     let titles = placed.iter().flatten().filter(|candidate| candidate.stands == Stands::AsTitle);
     let above = titles.map(|title| title.place.min.y).filter(|top| *top < lines.min.y);
     let title = above.min_by(f32::total_cmp)?;
-    let is_heading = |label: &usize| placed[*label].is_none() && of.wanted[*label].anchor.center().y < lines.min.y;
-    let heights = (0..of.wanted.len()).filter(is_heading).filter_map(|label| {
-        let form = of.forms[label].as_ref().ok()?.forms.first()?;
-        Some(form.extent(of.cells).y)
+    let is_heading = |label: &usize| placed[*label].is_none() && context.wanted[*label].anchor.center().y < lines.min.y;
+    let heights = (0..context.wanted.len()).filter(is_heading).filter_map(|label| {
+        let form = context.forms[label].as_ref().ok()?.forms.first()?;
+        Some(form.extent(context.cells).y)
     });
     heights.max_by(f32::total_cmp).map(|height| title - TIGHTEST.above() - height)
 }

@@ -49,6 +49,14 @@ pub struct DotMedium {
 }
 
 impl Medium {
+    /// The distance of the dots that marks stand on, mm; on paper 0, as marks stand anywhere.
+    pub(crate) fn pitch(&self) -> f32 {
+        match self {
+            Self::Print(_) => 0.0,
+            Self::Dots(dots) => dots.pitch,
+        }
+    }
+
     /// Whether there are dots of different heights.
     pub fn has_heights(&self) -> bool {
         match self {
