@@ -14,6 +14,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     });
     let drawing = tactograph::convert(&std::fs::read(picture)?, &options)?;
     drawing.notes.iter().for_each(|note| eprintln!("{note}"));
-    std::fs::write(page, drawing.page.to_svg())?;
+    // an overview may be a page of its own, as on a device that raises one sheet of dots after another
+    let (stem, extension) = page.rsplit_once('.').unwrap_or((page, "svg"));
+    for (number, sheet) in drawing.into_pages().iter().enumerate() {
+        let file = if number == 0 { page.clone() } else { format!("{stem}-{}.{extension}", number + 1) };
+        std::fs::write(file, sheet.to_svg())?;
+    }
     Ok(())
 }

@@ -39,7 +39,7 @@ mod unwritten;
 mod words;
 
 pub use adapt::{Adapted, adapted};
-pub use drawn_areas::with_drawn as areas_of;
+pub use drawn_areas::areas_of;
 pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::{Given, GivenLines};
 pub use hand_lines::HandLines;
@@ -60,8 +60,6 @@ use crate::page::layout::Layout;
 use crate::page::{BrailleText, Dots, Figure, LeftOut, Medium, Overview, Page, Parts, frame};
 use crate::picture::Picture;
 use crate::profile::Plan;
-use crate::raster::Raster;
-use crate::raster::vector::DrawnText;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
 use draw::{Marks, draw};
@@ -73,7 +71,8 @@ use words::Written;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Drawing {
-    /// The finished page.
+    /// The finished page. Where an overview has a page of its own, as on devices of dots, this is the figure alone:
+    /// [`Drawing::into_pages`] gives all.
     pub page: Page,
     /// Of a page of dots, the overview, which follows on a sheet of its own.
     pub overview: Option<Page>,
@@ -120,8 +119,8 @@ pub fn convert_with_words<'p>(
 ) -> Result<Drawing, Error> {
     let written = Written::new(words, request.plan);
     let layout_of = |size: Size| written.layout(size, request);
-    let with_room = |texts: &[DrawnText], picture: (&Raster, Size), layout: Layout| {
-        margins::with_room(texts, picture, (words, &written, request.plan), layout, &layout_of)
+    let with_room = |drawing: &margins::Lettered<'_>, layout: Layout| {
+        margins::with_room(drawing, words, &written, request.plan, layout, &layout_of)
     };
     let marks = draw(picture.into(), given, request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)

@@ -79,14 +79,16 @@ impl fmt::Debug for RenderOptions {
 /// or left out, is in [`Drawing::notes`].
 ///
 /// ```
-/// use tactograph::{DotFormat, Options, Profile, RenderOptions};
+/// use tactograph::{DotFormat, Embossing, Options, Profile, RenderOptions};
 ///
 /// let options = Options::new(Profile::named("swell-a4")?);
 /// let svg = tactograph::convert(&std::fs::read("samples/coffee.png")?, &options)?.page.to_svg();
 /// // ... somebody corrects the page in an editor ...
 /// let pdf = tactograph::render(&svg, &RenderOptions::new())?.page.to_pdf();
 /// let embosser = RenderOptions::new().profile(Profile::named("index-basic-d")?);
-/// let dots = tactograph::render(&svg, &embosser)?.page.to_dots(DotFormat::Idx)?;
+/// // the overview may be a sheet of its own
+/// let sheets = tactograph::render(&svg, &embosser)?.into_pages();
+/// let dots = tactograph::write_dots("coffee", &sheets, DotFormat::Idx, Embossing::default())?;
 /// # let _ = (pdf, dots);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -121,7 +123,7 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
         notes.extend(more.into_iter().chain(of_places));
         // the abbreviations that were there before have their key already
         let key = if key == KeySheets::Auto && !abbreviates { KeySheets::Never } else { key };
-        let (key, of_key) = pipeline::key_of_page(&page, (key, translate), &request(&own, page.is_mirrored()))?;
+        let (key, of_key) = pipeline::key_of_page(&page, key, translate, &request(&own, page.is_mirrored()))?;
         notes.extend(of_key);
         let key = in_language(key, &page);
         return Ok(Drawing { page, overview: None, key, texts: Vec::new(), notes });

@@ -77,7 +77,7 @@ pub(super) struct Span {
 /// The bars of a chart, side by side on one base.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Chart {
-    pub(super) way: Direction,
+    pub(super) direction: Direction,
     pub(super) base: f32,
     /// In order.
     pub(super) bars: Vec<Bar>,
@@ -97,14 +97,14 @@ impl Chart {
         if pieces.len() > MOST {
             return None;
         }
-        let charts = [Direction::Up, Direction::Right].map(|way| Self::pointing(way, edges, &pieces));
-        charts.into_iter().flatten().max_by_key(|chart| (chart.bars.len(), chart.way == Direction::Up))
+        let charts = [Direction::Up, Direction::Right].map(|direction| Self::pointing(direction, edges, &pieces));
+        charts.into_iter().flatten().max_by_key(|chart| (chart.bars.len(), chart.direction == Direction::Up))
     }
 
-    fn pointing(way: Direction, edges: &Edges, pieces: &[(PxPoint, PxPoint)]) -> Option<Self> {
+    fn pointing(direction: Direction, edges: &Edges, pieces: &[(PxPoint, PxPoint)]) -> Option<Self> {
         let (mut sides, mut levels) = (Vec::new(), Vec::new());
         for &(a, b) in pieces {
-            let ((a, up), (b, down)) = (way.of(a), way.of(b));
+            let ((a, up), (b, down)) = (direction.of(a), direction.of(b));
             if (a - b).abs() <= SAME && (up - down).abs() > SAME {
                 sides.push(Span { at: 0.5 * (a + b), from: up.min(down), to: up.max(down) });
             } else if (up - down).abs() <= SAME && (a - b).abs() > SAME {
@@ -113,7 +113,7 @@ impl Chart {
         }
         let levels = joined(levels);
         let base = base(&sides, &levels)?;
-        let mut chart = Self { way, base, bars: Vec::new(), sides, grid: Vec::new() };
+        let mut chart = Self { direction, base, bars: Vec::new(), sides, grid: Vec::new() };
         chart.bars = chart.bars_below(&levels);
         let tops = || chart.bars.iter().map(|bar| bar.top);
         let (lowest, highest) = (tops().fold(f32::MAX, f32::min), tops().fold(f32::MIN, f32::max));
@@ -215,7 +215,7 @@ impl Chart {
     fn level(&self, edges: &Edges, chain: &ChainRange) -> Option<Span> {
         let mut pieces = straight(edges, chain).into_iter();
         let (Some((a, b)), None, false) = (pieces.next(), pieces.next(), chain.closed) else { return None };
-        let ((a, up), (b, down)) = (self.way.of(a), self.way.of(b));
+        let ((a, up), (b, down)) = (self.direction.of(a), self.direction.of(b));
         ((up - down).abs() <= SAME).then(|| Span { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) })
     }
 
@@ -227,7 +227,7 @@ impl Chart {
     /// The outline of a bar, from the base to the base.
     pub(super) fn outline(&self, bar: &Bar) -> Vec<PxPoint> {
         [(bar.from, self.base), (bar.from, bar.top), (bar.to, bar.top), (bar.to, self.base)]
-            .map(|at| self.way.point(at))
+            .map(|at| self.direction.point(at))
             .to_vec()
     }
 }

@@ -3,9 +3,10 @@
 use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
-use super::joined_bars::{self, Instead, LineSpacing};
+use super::joined_bars::{self, BarTolerances, Instead, Redraw};
 use super::lost_marks;
 use super::lost_signs;
+use super::margins::Lettered;
 use super::outlines::outlines_of;
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
@@ -24,8 +25,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
-use crate::raster::vector::DrawnText;
-use crate::regions::{Areas, Detail};
+use crate::regions::{Areas, Detail, Mask};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
@@ -58,8 +58,57 @@ pub(super) struct Marks {
     pub(super) notes: Vec<Note>,
 }
 
-/// The layout with room for the texts of a drawing, given with its raster and the size of its source.
-pub(super) type WithRoom<'a> = dyn Fn(&[DrawnText], (&Raster, Size), Layout) -> Layout + 'a;
+/// The layout with room for the texts of a drawing.
+pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout) -> Layout + 'a;
+
+/// A picture that is read and laid out, with its contours.
+struct Found {
+    picture: decode::Picture,
+    is_flat: bool,
+    layout: Layout,
+    texts: Vec<Text>,
+    edges: Option<Edges>,
+    /// Parts of the picture that stay blank.
+    erased: Vec<[f32; 4]>,
+    /// The thing around which the rest is calmed.
+    calmed_around: Option<Mask>,
+    notes: Vec<Note>,
+}
+
+/// Reads a picture, lays it out where `layout_of` its size says, `with_room` for the texts in it, and finds its
+/// contours.
+fn find(
+    picture: Picture<'_>,
+    given: &Given,
+    request: &Request<'_>,
+    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    with_room: &WithRoom<'_>,
+    watch: &mut Watch<'_>,
+) -> Result<Found, Error> {
+    let (plan, fit) = (request.plan, &request.fit);
+    let working_size = |source: Header| working_size(source, layout_of, fit, plan);
+    let options = request.decoding(&working_size);
+    let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
+    let source = picture.source.size;
+    let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
+    let layout = with_room(&lettered, layout_of(source)?);
+    let mut notes = given.notes.clone();
+    notes.extend(picture.notes.iter().cloned());
+    notes.extend(told_narrower(fit, &layout));
+    let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
+    notes.extend(texts::left_out(&texts, layout.figure));
+
+    request.go_on()?;
+    let erased = given.boxes(source, layout.figure)?;
+    let mut edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
+        find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch)
+    })?;
+    notes.extend(told_short(given, &layout, plan));
+    let (calmed_around, told) = subject::prepare(given, edges.as_mut(), source, &layout, plan);
+    notes.extend(told);
+    request.go_on()?;
+    Ok(Found { picture, is_flat, layout, texts, edges, erased, calmed_around, notes })
+}
 
 /// Everything but the page: decodes a picture and draws it where `layout_of` its size says, `with_room` for the
 /// texts in it.
@@ -71,31 +120,13 @@ pub(super) fn draw(
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Marks, Error> {
-    let (plan, fit) = (request.plan, &request.fit);
-    let working_size = |source: Header| working_size(source, layout_of, fit, plan);
-    let options = request.decoding(&working_size);
-    let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
-    let source = picture.source.size;
-    let layout = with_room(&picture.texts, (&picture.raster, source), layout_of(source)?);
-    let mut notes = given.notes.clone();
-    notes.extend(picture.notes.iter().cloned());
-    notes.extend(told_narrower(fit, &layout));
-    let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
-    notes.extend(texts::left_out(&texts, layout.figure));
-
-    request.go_on()?;
-    let erased = given.boxes(picture.source.size, layout.figure)?;
-    let mut edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
-        find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch)
-    })?;
-    notes.extend(told_short(given, &layout, plan));
-    let (calmed_around, told) = subject::prepare(given, edges.as_mut(), picture.source.size, &layout, plan);
-    notes.extend(told);
-    request.go_on()?;
+    let plan = request.plan;
+    let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } =
+        find(picture, given, request, layout_of, with_room, watch)?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     // lines that a person gave stay as they are
     let may_join = given.lines.is_none();
-    let ((drawn, areas, instead), ((overview, not_in_overview, in_overview), mut classes)) = {
+    let (drawn, (overview, mut classes)) = {
         let (edges, layout) = (edges.as_ref(), &layout);
         let lines = |watch: &mut Watch<'_>| draw_lines(edges, may_join, layout, plan, watch);
         in_parallel(has_lines, watch, lines, |watch| {
@@ -104,6 +135,7 @@ pub(super) fn draw(
         })
     };
     request.go_on()?;
+    let DrawnLines { lines: drawn, areas, instead } = drawn;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
     notes.extend(lost_marks::told(&drawn.lost.marks, plan));
     notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
@@ -111,35 +143,24 @@ pub(super) fn draw(
         let size = picture.raster.size();
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
-        let outlined = areas.as_ref().filter(|_| of_picture);
-        notes.extend(blanked(classes, (outlined, &erased, of_picture), (size, &layout), plan));
+        let outlines = areas.as_ref().filter(|_| of_picture);
+        notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
+        blank(classes, &erased);
+        notes.extend(if of_picture { blank_ground(classes, plan) } else { None });
         calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
     }
-    let left_out = left_out(&drawn.lost, not_in_overview.rings);
-    notes.extend(told_of_overview(&not_in_overview, overview.is_some()));
-    notes.extend(joined_bars::told(instead, in_overview));
+    let left_out = left_out(&drawn.lost, overview.lost.rings);
+    notes.extend(told_of_overview(&overview.lost, overview.marks.is_some()));
+    notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
-    let lines = drawn.lines;
     let of_drawing = edges.is_some_and(|edges| edges.of_drawing());
     drop(picture.raster);
-    let textures = draw_textures(classes.as_ref(), &layout, &lines, plan, watch);
+    let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     notes.extend(told_bare(classes.as_ref(), &textures, &layout, of_drawing, plan));
     request.go_on()?;
-    let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines };
-    Ok(Marks { figure, overview, layout, is_flat, left_out, lost_signs: drawn.lost.signs, texts, notes })
-}
-
-/// Fits classes to the areas that have outlines, and blanks what is erased and, of a picture, its ground. Gives what
-/// the maker is told of it.
-fn blanked(
-    classes: &mut Classes,
-    (outlined, erased, of_picture): (Option<&Areas>, &[[f32; 4]], bool),
-    (size, layout): (Size, &Layout),
-    plan: &Plan,
-) -> Vec<Note> {
-    let fitted = outlined.and_then(|areas| fit_to_areas(classes, areas, size, layout, plan));
-    blank(classes, erased);
-    fitted.into_iter().chain(of_picture.then(|| blank_ground(classes, plan)).flatten()).collect()
+    let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
+    let lost_signs = drawn.lost.signs;
+    Ok(Marks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
 }
 
 /// What the maker is told of lines that were given and are too short for this figure.
@@ -293,15 +314,24 @@ pub(super) fn find_edges(
     None
 }
 
-/// The lines of the figure, the areas that the outlines of regions among them surround, and how the bars of a chart
-/// are drawn that have no room as they are, if they may be drawn otherwise.
+/// What becomes of the lines of a figure.
+#[derive(Default)]
+pub(super) struct DrawnLines {
+    pub(super) lines: Lines,
+    /// The areas that the outlines of regions among them surround.
+    pub(super) areas: Option<Areas>,
+    /// How the bars of a chart are drawn that have no room as they are.
+    pub(super) instead: Option<Instead>,
+}
+
+/// The lines of the figure; bars of a chart may be drawn otherwise if they `may_join`.
 pub(super) fn draw_lines(
     edges: Option<&Edges>,
     may_join: bool,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Lines, Option<Areas>, Option<Instead>) {
+) -> DrawnLines {
     let reason = match edges {
         _ if !plan.profile().figure.lines => "figure.lines is off",
         Some(edges) if !edges.is_empty() => {
@@ -330,18 +360,19 @@ pub(super) fn draw_lines(
                 let detail = plan.lines().detail;
                 let drawn = draw(edges, &transform, detail);
                 if !may_join || plan.lines().most_shapes.is_some() {
-                    return (drawn, areas, None);
+                    return DrawnLines { lines: drawn, areas, instead: None };
                 }
-                let (at, room) = ([transform], (LineSpacing::of(layout, plan), detail));
-                let (drawn, instead) =
-                    joined_bars::whole(edges, (drawn, transform), &at, room, &draw, &|drawn| &drawn.lines);
-                (drawn, areas, instead)
+                let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
+                let redraw =
+                    Redraw { edges, transforms, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
+                let (lines, instead) = redraw.whole(drawn, &transform);
+                DrawnLines { lines, areas, instead }
             });
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Lines, reason));
-    (Lines::default(), None, None)
+    DrawnLines::default()
 }
 
 /// What the maker is told of lines that are left out as there are to be few.

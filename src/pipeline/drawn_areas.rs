@@ -133,7 +133,7 @@ pub(super) fn lay(parts: &mut Parts, areas: &[DrawnArea], plan: &Plan) -> Vec<No
 
 /// The areas of a page that was read, those of its textures and over them those that a person drew; and what is told of
 /// the latter. Signs have no part in these: nothing gives way to lines or braille that the page has.
-pub fn with_drawn(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
+pub fn areas_of(page: &Page, areas: &[DrawnArea], plan: &Plan) -> (Classes, Vec<Note>) {
     let mut all = of_page(page);
     let mut drawn = DrawnAreas::of(areas, page.figure.place, all.size, plan);
     let first = all.regions.len() as u32;

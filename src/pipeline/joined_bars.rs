@@ -5,7 +5,6 @@ use super::bars::{Bar, Chart, SAME, WantedPath, missing};
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::polyline::Polyline;
 use crate::lines::Line;
-use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::units::{PageTransform, PxPoint, PxVector};
@@ -36,30 +35,43 @@ enum Bars {
     Outline,
 }
 
-/// What else is tried, with gridlines or without, in this order: what says most comes first. Where none has all bars
-/// whole, what lacks least is taken; what a way lacks by itself counts as such a share.
-const INSTEAD: [(Bars, bool, f32); 6] = [
-    (Bars::Apart, true, 0.0),
-    (Bars::Apart, false, 0.02),
-    (Bars::Touching, true, 0.03),
-    (Bars::Touching, false, 0.05),
-    (Bars::Outline, true, 0.15),
-    (Bars::Outline, false, 0.17),
+/// A way to draw a chart.
+#[derive(Debug, Clone, Copy)]
+struct Variant {
+    bars: Bars,
+    /// Whether its gridlines are drawn.
+    has_grid: bool,
+    /// What it lacks by itself, as a share of the chart's lines.
+    lacks: f32,
+}
+
+const fn variant(bars: Bars, has_grid: bool, lacks: f32) -> Variant {
+    Variant { bars, has_grid, lacks }
+}
+
+/// What else is tried, in this order: what says most comes first. Where none has all bars whole, what lacks least is
+/// taken.
+const VARIANTS: [Variant; 6] = [
+    variant(Bars::Apart, true, 0.0),
+    variant(Bars::Apart, false, 0.02),
+    variant(Bars::Touching, true, 0.03),
+    variant(Bars::Touching, false, 0.05),
+    variant(Bars::Outline, true, 0.15),
+    variant(Bars::Outline, false, 0.17),
 ];
 
-/// What is replaced by rows of bars.
-struct Replaced {
-    /// As what kind of contour it was found; none if nothing is replaced.
-    kind: Option<ChainKind>,
-    /// Its mean strength.
-    strength: f32,
+/// The contours of a chart that rows of bars do not replace.
+struct Kept {
+    edges: Edges,
+    /// As what kind of contour what is replaced was found, and its mean strength; none if nothing is.
+    replaced: Option<(ChainKind, f32)>,
     /// Stretches of the base that stay, from and to along it, px.
     ground: Vec<(f32, f32)>,
 }
 
-/// How near lines may be, mm.
+/// How near lines may be, and how far they may lie from what they stand for, mm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LineSpacing {
+pub(super) struct BarTolerances {
     /// A gap between bars narrower than this is no gap for fingers.
     gap: f32,
     /// A bar lower than this has no room for its outline beside its base.
@@ -70,13 +82,10 @@ pub(super) struct LineSpacing {
     torn: f32,
 }
 
-impl LineSpacing {
+impl BarTolerances {
     /// Of a page. On a grid of dots lines are drawn on the rows of it beside them.
     pub(super) fn of(layout: &Layout, plan: &Plan) -> Self {
-        let pitch = match &layout.medium {
-            Medium::Print(_) => 0.0,
-            Medium::Dots(dots) => dots.pitch,
-        };
+        let pitch = layout.medium.pitch();
         let lines = plan.lines();
         let reach = lines.farthest_moved().max(1.5 * pitch);
         Self { gap: lines.max_spacing() + pitch, low: lines.max_spacing(), reach, torn: TORN.max(3.0 * pitch) }
@@ -99,44 +108,60 @@ const NEARER: f32 = 0.6;
 /// All lines that have room (`lines.detail`).
 const ALL: f32 = 1.0;
 
-/// Draws a drawing whose bars are torn as `first`, which has this `detail`, in other ways, until they are whole: for
-/// each way and each transform. Gives what lacks least of them, and how it was drawn if it is not the first.
-pub(super) fn whole<T>(
-    edges: &Edges,
-    first: (T, PageTransform),
-    transforms: &[PageTransform],
-    (spacing, detail): (LineSpacing, f32),
-    draw: &dyn Fn(&Edges, &PageTransform, f32) -> T,
-    lines: &dyn Fn(&T) -> &[Line],
-) -> (T, Option<Instead>) {
-    let (first, at) = first;
-    let Some(chart) = Chart::of(edges) else { return (first, None) };
-    let lacks = |wanted: &[WantedPath], drawn: &T, at: &PageTransform| missing(wanted, lines(drawn), at, spacing.torn);
-    // judged by all lines whatever the detail, so that less of it is a part of more
-    let all_lines = (detail < ALL).then(|| draw(edges, &at, ALL));
-    let (lost, all) = lacks(&chart.wanted(spacing, &at), all_lines.as_ref().unwrap_or(&first), &at);
-    let mut least = lost / all.max(f32::MIN_POSITIVE);
-    let mut best = None;
-    'ways: for (bars, has_grid, own) in INSTEAD {
-        for transform in transforms.iter().filter(|_| has_grid || !chart.grid.is_empty()) {
-            if least <= 0.0 {
-                break 'ways;
-            }
-            let Some((others, wanted, instead)) = chart.drawn(edges, (bars, has_grid), spacing, transform) else {
-                continue;
-            };
-            let drawn = draw(&others, transform, ALL);
-            let (lost, all) = lacks(&wanted, &drawn, transform);
-            let share = if lost > 0.0 { own + lost / all.max(f32::MIN_POSITIVE) } else { 0.0 };
-            if share < least {
-                (least, best) = (share, Some((drawn, others, transform, instead)));
+/// How the lines of a drawing are made, for a chart in which bars are torn.
+pub(super) struct Redraw<'a, T> {
+    /// The contours of the drawing.
+    pub(super) edges: &'a Edges,
+    /// Where it may be drawn.
+    pub(super) transforms: &'a [PageTransform],
+    pub(super) tolerances: BarTolerances,
+    /// Of its lines (`lines.detail`).
+    pub(super) detail: f32,
+    /// Draws contours with such a detail.
+    pub(super) draw: &'a dyn Fn(&Edges, &PageTransform, f32) -> T,
+    /// The lines of what it drew.
+    pub(super) lines: &'a dyn Fn(&T) -> &[Line],
+}
+
+impl<T> Redraw<'_, T> {
+    /// Draws a drawing whose bars are torn as `first`, drawn `at` this transform, in other ways, until they are whole:
+    /// for each variant and each transform. Gives what lacks least of them, and how it was drawn if it is not the
+    /// first.
+    pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<Instead>) {
+        let Self { edges, tolerances, detail, draw, .. } = *self;
+        let Some(chart) = Chart::of(edges) else { return (first, None) };
+        // judged by all lines whatever the detail, so that less of it is a part of more
+        let all_lines = (detail < ALL).then(|| draw(edges, at, ALL));
+        let mut least = self.lacking(&chart.wanted(tolerances, at), all_lines.as_ref().unwrap_or(&first), at);
+        let mut best = None;
+        'variants: for variant in VARIANTS {
+            for transform in self.transforms.iter().filter(|_| variant.has_grid || !chart.grid.is_empty()) {
+                if least <= 0.0 {
+                    break 'variants;
+                }
+                let Some(Redrawn { edges, wanted, instead }) = chart.drawn(edges, variant, tolerances, transform)
+                else {
+                    continue;
+                };
+                let drawn = draw(&edges, transform, ALL);
+                let lacking = self.lacking(&wanted, &drawn, transform);
+                let share = if lacking > 0.0 { variant.lacks + lacking } else { 0.0 };
+                if share < least {
+                    (least, best) = (share, Some((drawn, edges, transform, instead)));
+                }
             }
         }
+        match best {
+            None => (first, None),
+            Some((drawn, .., instead)) if detail >= ALL => (drawn, Some(instead)),
+            Some((_, edges, transform, instead)) => (draw(&edges, transform, detail), Some(instead)),
+        }
     }
-    match best {
-        None => (first, None),
-        Some((drawn, .., instead)) if detail >= ALL => (drawn, Some(instead)),
-        Some((_, others, transform, instead)) => (draw(&others, transform, detail), Some(instead)),
+
+    /// Which share of the paths that are wanted is not drawn.
+    fn lacking(&self, wanted: &[WantedPath], drawn: &T, at: &PageTransform) -> f32 {
+        let (lost, all) = missing(wanted, (self.lines)(drawn), at, self.tolerances.torn);
+        lost / all.max(f32::MIN_POSITIVE)
     }
 }
 
@@ -193,34 +218,39 @@ struct End {
     is_axis: bool,
 }
 
-/// Contours in which bars are drawn otherwise, the paths along which there should be lines then, and how that is.
-type Redrawn = (Edges, Vec<WantedPath>, Instead);
+/// Contours in which bars are drawn otherwise.
+struct Redrawn {
+    edges: Edges,
+    /// The paths along which there should be lines then.
+    wanted: Vec<WantedPath>,
+    instead: Instead,
+}
 
 impl Chart {
     /// The paths along which there should be lines if all bars are drawn as they are.
-    fn wanted(&self, spacing: LineSpacing, transform: &PageTransform) -> Vec<WantedPath> {
-        let gap = spacing.gap / transform.mm_per_px();
+    fn wanted(&self, tolerances: BarTolerances, transform: &PageTransform) -> Vec<WantedPath> {
+        let gap_px = tolerances.gap / transform.mm_per_px();
         let mut wanted = Vec::new();
         for bar in &self.bars {
             let height = (bar.top - self.base) * transform.mm_per_px();
-            let is_low = height < spacing.low;
+            let is_low = height < tolerances.low;
             // nearer to it than the other side of the bar, or the line in the middle of a narrow one
             let width = (bar.to - bar.from) * transform.mm_per_px();
-            let reach = if is_low { NEAR_LOW * height } else { spacing.reach.min((NEARER * width).max(1.0)) };
+            let reach = if is_low { NEAR_LOW * height } else { tolerances.reach.min((NEARER * width).max(1.0)) };
             wanted.push(WantedPath { path: self.outline(bar), reach, or_none: is_low, weight: 1.0 });
             // the middle of a top is as near to its sides as they are to one another
-            let [a, b] = MIDDLE.map(|share| self.way.point((bar.from + share * (bar.to - bar.from), bar.top)));
-            let reach = spacing.reach.min(NEAR_TOP * width);
+            let [a, b] = MIDDLE.map(|share| self.direction.point((bar.from + share * (bar.to - bar.from), bar.top)));
+            let reach = tolerances.reach.min(NEAR_TOP * width);
             let weight = 1.0 / (MIDDLE[1] - MIDDLE[0]);
             wanted.extend((!is_low).then(|| WantedPath { path: vec![a, b], reach, or_none: false, weight }));
             // a side is not the axis beside it, and may have moved away from that
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
-                let End { at, is_axis } = self.end(bar, gap, is_last);
+                let End { at, is_axis } = self.end(bar, gap_px, is_last);
                 if is_axis {
-                    let inwards = 0.5 * spacing.reach / transform.mm_per_px();
+                    let inwards = 0.5 * tolerances.reach / transform.mm_per_px();
                     let across = own + if is_last { -inwards } else { inwards };
-                    let path = [self.base, bar.top].map(|along| self.way.point((across, along))).to_vec();
-                    let reach = 0.5 * spacing.reach + NEARER * (at - own).abs() * transform.mm_per_px();
+                    let path = [self.base, bar.top].map(|along| self.direction.point((across, along))).to_vec();
+                    let reach = 0.5 * tolerances.reach + NEARER * (at - own).abs() * transform.mm_per_px();
                     wanted.push(WantedPath { path, reach, or_none: false, weight: 1.0 });
                 }
             }
@@ -232,27 +262,27 @@ impl Chart {
     fn drawn(
         &self,
         edges: &Edges,
-        (bars, has_grid): (Bars, bool),
-        spacing: LineSpacing,
+        Variant { bars, has_grid, .. }: Variant,
+        tolerances: BarTolerances,
         transform: &PageTransform,
     ) -> Option<Redrawn> {
-        let gap = spacing.gap / transform.mm_per_px();
+        let gap_px = tolerances.gap / transform.mm_per_px();
         let (low, high): (Vec<Bar>, Vec<Bar>) =
-            self.bars.iter().partition(|bar| (bar.top - self.base) * transform.mm_per_px() < spacing.low);
+            self.bars.iter().partition(|bar| (bar.top - self.base) * transform.mm_per_px() < tolerances.low);
         let joins = bars != Bars::Apart;
         let row = |bars: &[Bar]| {
-            let ends = [self.end(&bars[0], gap, false), self.end(&bars[bars.len() - 1], gap, true)];
+            let ends = [self.end(&bars[0], gap_px, false), self.end(&bars[bars.len() - 1], gap_px, true)];
             Row { bars: bars.to_vec(), ends }
         };
-        let mut rows: Vec<Row> = high.chunk_by(|a, b| joins && b.from - a.to <= gap).map(row).collect();
+        let mut rows: Vec<Row> = high.chunk_by(|a, b| joins && b.from - a.to <= gap_px).map(row).collect();
         let is_at_axis = |row: &Row| row.ends.iter().any(|end| end.is_axis);
         let apart: Vec<Row> = rows.extract_if(.., |row| !joins && !is_at_axis(row)).collect();
         if rows.is_empty() && low.is_empty() && has_grid {
             return None;
         }
-        let (mut others, Replaced { kind, strength, ground }) = self.others(edges, has_grid, (&rows, &low));
+        let Kept { edges: mut kept, replaced, ground } = self.kept(edges, has_grid, &rows, &low);
         let paths = self.paths(&rows, bars == Bars::Touching);
-        if let Some(kind) = kind {
+        if let Some((kind, strength)) = replaced {
             // like the middle of a stroke, which has no other side
             let kind = ChainKind { stroke: kind.stroke.or(Some(1.0)), ..kind };
             for path in paths.iter().chain(&self.gaps_of_base(&rows, ground)) {
@@ -260,21 +290,21 @@ impl Chart {
                 let mut path = Polyline::open(path.clone());
                 path.vertices.dedup();
                 path.subdivide(1.0);
-                others.push_as(kind, path.vertices.into_iter().map(edgel), false);
+                kept.push_as(kind, path.vertices.into_iter().map(edgel), false);
             }
         }
         let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
         let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
-        let reach = spacing.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
+        let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
         let paths = paths.into_iter().map(|path| WantedPath { path, reach, or_none: false, weight: 1.0 });
-        let wanted = paths.chain(unchanged.wanted(spacing, transform)).collect();
-        Some((others, wanted, instead))
+        let wanted = paths.chain(unchanged.wanted(tolerances, transform)).collect();
+        Some(Redrawn { edges: kept, wanted, instead })
     }
 
     /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be
     /// no grid.
-    fn others(&self, edges: &Edges, has_grid: bool, (rows, low): (&[Row], &[Bar])) -> (Edges, Replaced) {
+    fn kept(&self, edges: &Edges, has_grid: bool, rows: &[Row], low: &[Bar]) -> Kept {
         let mut others = Edges { dashed: edges.dashed, erased: edges.erased.clone(), ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
@@ -285,9 +315,9 @@ impl Chart {
                 let at = view.vertices[i].at;
                 is_grid && !self.is_top(at) || self.is_replaced(at, view.tangent(i), rows, low)
             };
-            let is_level = |i: usize| self.way.of(view.tangent(i).to_point()).0.abs() >= ALONG;
+            let is_level = |i: usize| self.direction.of(view.tangent(i).to_point()).0.abs() >= ALONG;
             let is_of_base = |i: usize| self.is_base(view.vertices[i].at) && is_level(i);
-            let kept = kept(edges, chain, is_out, is_of_base);
+            let kept = kept_runs(edges, chain, is_out, is_of_base);
             let dropped = view.vertices.len() - kept.iter().map(Vec::len).sum::<usize>();
             if dropped > 0 && !is_grid {
                 sum += view.vertices.iter().map(|edgel| edgel.strength).sum::<f32>();
@@ -295,22 +325,23 @@ impl Chart {
                 kind.get_or_insert(chain.kind);
             }
             for run in kept {
-                let on_base = |edgel: &Edgel| self.is_base(edgel.at).then(|| self.way.of(edgel.at).0);
+                let on_base = |edgel: &Edgel| self.is_base(edgel.at).then(|| self.direction.of(edgel.at).0);
                 let pairs = run.windows(2).filter_map(|pair| Some((on_base(&pair[0])?, on_base(&pair[1])?)));
                 ground.extend(pairs.map(|(a, b)| (a.min(b), a.max(b))));
                 others.push_as(chain.kind, run.into_iter(), chain.closed && dropped == 0);
             }
         }
-        (others, Replaced { kind, strength: sum / count.max(1) as f32, ground })
+        Kept { edges: others, replaced: kind.map(|kind| (kind, sum / count.max(1) as f32)), ground }
     }
 
-    /// Where a row ends beside a bar.
-    fn end(&self, bar: &Bar, gap: f32, is_last: bool) -> End {
+    /// Where a row ends beside a bar: at an axis no further than `gap_px` from it, or at its own side.
+    fn end(&self, bar: &Bar, gap_px: f32, is_last: bool) -> End {
         let (own, outwards) = if is_last { (bar.to, 1.0) } else { (bar.from, -1.0) };
         let beyond = |at: f32| (at - own) * outwards;
         let is_of_bar =
             |at: f32| self.bars.iter().any(|bar| (at - bar.from).abs() <= SAME || (at - bar.to).abs() <= SAME);
-        let is_axis = |at: f32| beyond(at) > SAME && beyond(at) <= gap && self.has_side(at, bar.top) && !is_of_bar(at);
+        let is_axis =
+            |at: f32| beyond(at) > SAME && beyond(at) <= gap_px && self.has_side(at, bar.top) && !is_of_bar(at);
         let axis = self.sides.iter().map(|side| side.at).filter(|&at| is_axis(at));
         let axis = axis.min_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
         End { at: axis.unwrap_or(own), is_axis: axis.is_some() }
@@ -318,14 +349,14 @@ impl Chart {
 
     /// Whether a place is on the top of a bar.
     fn is_top(&self, at: PxPoint) -> bool {
-        let (across, along) = self.way.of(at);
+        let (across, along) = self.direction.of(at);
         let is_of = |bar: &Bar| (bar.from - SAME..=bar.to + SAME).contains(&across) && (bar.top - along).abs() <= SAME;
         self.bars.iter().any(is_of)
     }
 
     /// Whether a place is on the base.
     fn is_base(&self, at: PxPoint) -> bool {
-        (self.way.of(at).1 - self.base).abs() <= SAME
+        (self.direction.of(at).1 - self.base).abs() <= SAME
     }
 
     /// The base of rows where nothing of what is left runs along it: what bars stood on was theirs, too.
@@ -336,7 +367,10 @@ impl Chart {
             let mut until = first.at;
             for &(from, to) in ground.iter().chain([&(last.at, last.at)]) {
                 if from - until > SAME && until < last.at {
-                    gaps.push(vec![self.way.point((until, self.base)), self.way.point((from.min(last.at), self.base))]);
+                    gaps.push(vec![
+                        self.direction.point((until, self.base)),
+                        self.direction.point((from.min(last.at), self.base)),
+                    ]);
                 }
                 until = until.max(to);
             }
@@ -347,11 +381,11 @@ impl Chart {
     /// Whether a place of a contour, which runs in a direction there, is a side or a top of a bar of these rows or of
     /// one that is too low, or what is between two of one row.
     fn is_replaced(&self, at: PxPoint, direction: PxVector, rows: &[Row], low: &[Bar]) -> bool {
-        let (across, along) = self.way.of(at);
+        let (across, along) = self.direction.of(at);
         if along <= self.base + SAME {
             return false;
         }
-        let (to_side, to_level) = self.way.of(direction.to_point());
+        let (to_side, to_level) = self.direction.of(direction.to_point());
         let (is_level, is_side) = (to_side.abs() >= ALONG, to_level.abs() >= ALONG);
         let near = |a: f32, b: f32| (a - b).abs() <= SAME;
         let of_bar = |bar: &Bar| {
@@ -394,12 +428,12 @@ impl Chart {
             }
             paths.push(outline);
         }
-        paths.into_iter().map(|path| path.into_iter().map(|at| self.way.point(at)).collect()).collect()
+        paths.into_iter().map(|path| path.into_iter().map(|at| self.direction.point(at)).collect()).collect()
     }
 }
 
 /// What of a chain is not taken out, in runs.
-fn kept(
+fn kept_runs(
     edges: &Edges,
     chain: &ChainRange,
     is_out: impl Fn(usize) -> bool,

@@ -32,13 +32,32 @@ const SLACK: f32 = 0.1;
 /// the grey of the palest lines of a grid (#eee) differs from white by 0.08.
 const CONTOUR: f32 = 0.03;
 
+/// A drawing with texts in it.
+pub(super) struct Lettered<'a> {
+    /// The texts, which have their places in `raster`.
+    pub(super) texts: &'a [DrawnText],
+    /// The drawing without them.
+    pub(super) raster: &'a Raster,
+    /// The size of the drawing.
+    pub(super) source: Size,
+}
+
+/// How much room there may be.
+#[derive(Clone, Copy)]
+struct Bounds {
+    /// The widest on the left or right, and above or below, mm.
+    most: [f32; 2],
+    /// The least width and height that are left to the drawing, mm.
+    min_side: f32,
+}
+
 /// The layout of a drawing with room beside it for the braille of its own texts in rows and columns; `layout_of` gives
-/// that of a size. The drawing's shorter side stays as long as the profile wants. Texts have their places in `raster`,
-/// which is without them; `source` is the size of the drawing.
+/// that of a size. The drawing's shorter side stays as long as the profile wants.
 pub(super) fn with_room(
-    texts: &[DrawnText],
-    (raster, source): (&Raster, Size),
-    (words, written, plan): (&Words<'_>, &Written<'_>, &Plan),
+    &Lettered { texts, raster, source }: &Lettered<'_>,
+    words: &Words<'_>,
+    written: &Written<'_>,
+    plan: &Plan,
     layout: Layout,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
 ) -> Layout {
@@ -58,18 +77,18 @@ pub(super) fn with_room(
         let texts = wants(layout);
         let to_mm = transform(layout);
         let contours: Vec<MmPoint> = contours.iter().map(|&at| to_mm.to_mm(at)).collect();
-        lacks(&texts, &contours, written, (layout, most), plan)
+        lacks(&texts, &contours, written, layout, most, plan)
     };
-    widened(layout, source, (most, plan.profile().figure.min_side), lacks, layout_of)
+    let bounds = Bounds { most, min_side: plan.profile().figure.min_side };
+    widened(layout, source, bounds, lacks, layout_of)
 }
 
 /// The layout with as much room on each side as lacks on it, found in rounds: more room makes the drawing smaller, and
-/// then other words lack it. No side is wider than `most` (of the width, of the height), mm, and the drawing's shorter
-/// side stays no shorter than `min_side`, mm. `lacks` is what lacks in a layout on each side, or is too much, mm.
+/// then other words lack it. `lacks` is what lacks in a layout on each side, or is too much, mm.
 fn widened(
     own: Layout,
     source: Size,
-    (most, min_side): ([f32; 2], f32),
+    Bounds { most, min_side }: Bounds,
     lacks: impl Fn(&Layout) -> [f32; 4],
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
 ) -> Layout {
@@ -114,10 +133,7 @@ fn widened(
 fn within(outer: Layout, own: &Layout, [left, top]: [f32; 2], size: Size, source: Size) -> Layout {
     let mm_per_px = outer.figure.width() / size.width as f32;
     // on a grid of dots in whole steps, as the larger one lies on it
-    let step = match &outer.medium {
-        Medium::Print(_) => 0.0,
-        Medium::Dots(dots) => dots.pitch,
-    };
+    let step = outer.medium.pitch();
     let on_grid = |mm: f32| if step > 0.0 { (mm / step).round() * step } else { mm };
     let corner = outer.figure.min + MmVector::new(on_grid(left * mm_per_px), on_grid(top * mm_per_px));
     let extent = MmVector::new(source.width as f32, source.height as f32) * mm_per_px;
@@ -155,12 +171,13 @@ fn contours(raster: &Raster) -> Vec<PxPoint> {
 }
 
 /// How much room texts lack on the left, above, on the right and below, mm, or have too much: where they would stand if
-/// there were as much as there may be at most. What has no room there either is abbreviated.
+/// there were as much as there may be at most, across and down, mm. What has no room there either is abbreviated.
 fn lacks(
     texts: &[(Text, MmRect)],
     contours: &[MmPoint],
     written: &Written<'_>,
-    (layout, [across, down]): (&Layout, [f32; 2]),
+    layout: &Layout,
+    [across, down]: [f32; 2],
     plan: &Plan,
 ) -> [f32; 4] {
     let Some(translator) = written.translator() else { return [0.0; 4] };
@@ -170,10 +187,11 @@ fn lacks(
     let wanted: Vec<Wanted> =
         texts.iter().map(|(text, anchor)| Wanted { text: text.string.clone(), anchor: *anchor }).collect();
     // on a grid a line may lie a step aside and have a second row
-    let (line_width, step) = match &layout.medium {
-        Medium::Print(_) => (plan.lines().width_max, 0.0),
-        Medium::Dots(dots) => (dots.diameter() + 2.0 * dots.pitch, dots.pitch),
+    let line_width = match &layout.medium {
+        Medium::Print(_) => plan.lines().width_max,
+        Medium::Dots(dots) => dots.diameter() + 2.0 * dots.pitch,
     };
+    let step = layout.medium.pitch();
     let foretold = Foretold { wanted: &wanted, contours, line_width, params: &params };
     let [left, top, right, bottom] = rows_beyond(&foretold, &cells, translator, layout.room);
     // ... and braille is brought on to it

@@ -1,7 +1,7 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
 use super::dots;
-use super::joined_bars::{self, Instead, LineSpacing};
+use super::joined_bars::{BarTolerances, Instead, Redraw};
 use super::outlines::outlines_of;
 use super::progress::{Event, Stage, Watch, run};
 use crate::Note;
@@ -24,27 +24,26 @@ const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
 /// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; also returns what of a drawing is not drawn, and how the
-/// bars of a chart are drawn that have no room as they are.
+/// larger, as far as the sheet has room below the figure.
 pub(super) fn draw_overview(
     edges: Option<&Edges>,
     may_join: bool,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> (Option<DrawnOverview>, Lost, Option<Instead>) {
+) -> DrawnOverview {
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
-            let ((place, lines, lost), instead) = run(watch, Stage::Overview, || {
+            let (Overview { place, lines, lost }, instead) = run(watch, Stage::Overview, || {
                 let detail = plan.lines().detail;
                 let mut best = draw_overview_at(place, edges, layout, plan, detail);
                 for place in larger_overviews(edges, layout, plan) {
-                    if is_enough(&best.2) || best.2.share() > TOO_SMALL {
+                    if is_enough(&best.lost) || best.lost.share() > TOO_SMALL {
                         break;
                     }
                     let larger = draw_overview_at(place, edges, layout, plan, detail);
-                    if (larger.2.rings, larger.2.share()) < (best.2.rings, best.2.share()) {
+                    if (larger.lost.rings, larger.lost.share()) < (best.lost.rings, best.lost.share()) {
                         best = larger;
                     }
                 }
@@ -54,19 +53,32 @@ pub(super) fn draw_overview(
                 }
             });
             let lost = if edges.of_drawing() { lost } else { Lost::default() };
-            return ((!lines.is_empty()).then_some((place, lines)), lost, instead);
+            return DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, instead };
         }
         _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Overview, reason));
-    (None, Lost::default(), None)
+    DrawnOverview::default()
 }
 
-/// An overview on the page: its place and its lines.
-type DrawnOverview = (MmRect, Vec<Line>);
+/// What becomes of an overview.
+#[derive(Default)]
+pub(super) struct DrawnOverview {
+    /// Its place and its lines, if it has any.
+    pub(super) marks: Option<(MmRect, Vec<Line>)>,
+    /// What of a drawing is not drawn.
+    pub(super) lost: Lost,
+    /// How the bars of a chart are drawn that have no room as they are.
+    pub(super) instead: Option<Instead>,
+}
 
-/// An overview: its place, its lines, and what is not drawn.
-type Overview = (MmRect, Vec<Line>, Lost);
+/// An overview in one place.
+struct Overview {
+    place: MmRect,
+    lines: Vec<Line>,
+    /// What is not drawn.
+    lost: Lost,
+}
 
 /// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger one.
 fn with_whole_bars(
@@ -86,9 +98,17 @@ fn with_whole_bars(
         let place = transforms.iter().zip(&places).find(|(transform, _)| *transform == at).map_or(place, |(_, of)| *of);
         draw_overview_at(place, edges, layout, plan, detail)
     };
-    let first = transform(&drawn.0);
-    let room = (LineSpacing::of(layout, plan), plan.lines().detail);
-    joined_bars::whole(edges, (drawn, first), &transforms, room, &draw, &|drawn| &drawn.1)
+    let first = transform(&drawn.place);
+    let (tolerances, detail) = (BarTolerances::of(layout, plan), plan.lines().detail);
+    let redraw = Redraw {
+        edges,
+        transforms: &transforms,
+        tolerances,
+        detail,
+        draw: &draw,
+        lines: &|drawn: &Overview| &drawn.lines,
+    };
+    redraw.whole(drawn, &first)
 }
 
 /// The overview's lines in this place, and what is not drawn.
@@ -102,7 +122,7 @@ fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan, 
         // parts of rings say more than nothing
         drawn = lines::draw_with(edges, &outlines, &transform, place, &lines::Params { whole_rings: false, ..params });
     }
-    (place, dots::of_overview(drawn.lines, place, layout, plan), drawn.lost)
+    Overview { place, lines: dots::of_overview(drawn.lines, place, layout, plan), lost: drawn.lost }
 }
 
 /// Where a larger overview of a drawing can lie on printed paper, from the smallest on.

@@ -1,7 +1,7 @@
 //! A page that was read, drawn anew for another paper or device.
 
 use super::areas;
-use super::draw::{Marks, draw_lines, left_out, told_left_out};
+use super::draw::{DrawnLines, Marks, draw_lines, left_out, told_left_out};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::key::Key;
@@ -50,7 +50,8 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
 /// If a mark is off its sheet.
 pub fn key_of_page(
     page: &Page,
-    (key, translate): (Key, Option<&Translate>),
+    key: Key,
+    translate: Option<&Translate>,
     request: &Request<'_>,
 ) -> Result<(Vec<Page>, Vec<Note>), Error> {
     if page.braille.iter().any(|text| text.role == TextRole::Key) {
@@ -102,10 +103,10 @@ pub(super) fn marks(
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     request.go_on()?;
     // the lines of a page stay lines of their own
-    let (mut drawn, _, _) = draw_lines(Some(&edges), false, &layout, plan, watch);
+    let DrawnLines { lines: mut drawn, .. } = draw_lines(Some(&edges), false, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().or(Some(&edges));
-    let (overview, not_in_overview, _) = draw_overview(edges_of_overview, false, &layout, plan, watch);
-    let left_out = left_out(&drawn.lost, not_in_overview.rings);
+    let overview = draw_overview(edges_of_overview, false, &layout, plan, watch);
+    let left_out = left_out(&drawn.lost, overview.lost.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
     if plan.profile().figure.lines {
         let (stand_for, shares) =
@@ -113,7 +114,7 @@ pub(super) fn marks(
         keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend(told_of_overview(&not_in_overview, overview.is_some()));
+    notes.extend(told_of_overview(&overview.lost, overview.marks.is_some()));
     notes.extend(dots_left_out(page));
     let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     // the ground of a page that has none already is another area
@@ -124,7 +125,16 @@ pub(super) fn marks(
     notes.extend(told_bare(classes.as_ref(), &textures, &layout, false, plan));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
-    Ok(Marks { figure, overview, layout, is_flat: false, left_out, lost_signs, texts: Vec::new(), notes })
+    Ok(Marks {
+        figure,
+        overview: overview.marks,
+        layout,
+        is_flat: false,
+        left_out,
+        lost_signs,
+        texts: Vec::new(),
+        notes,
+    })
 }
 
 /// Gives lines that a person drew the width that they have on the page, within the range of `plan`: as contours they

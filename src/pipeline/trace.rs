@@ -1,6 +1,6 @@
 //! The way from bytes to contours as data: the first half of the way to a page.
 
-use super::draw::{contours_of, draw_lines, edges_of, enough_pixels, told_left_out, working_size};
+use super::draw::{DrawnLines, contours_of, draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::given::Given;
 use super::joined_bars;
 use super::progress::{Event, Stage, Watch};
@@ -122,7 +122,8 @@ pub fn trace<'p>(
         None => Trace { size: source, polylines: Vec::new() },
         Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),
         Some(edges) => {
-            let (drawn, _, instead) = draw_lines(Some(edges), given.lines.is_none(), &layout, plan, watch);
+            let DrawnLines { lines: drawn, instead, .. } =
+                draw_lines(Some(edges), given.lines.is_none(), &layout, plan, watch);
             notes.extend(told_left_out(&drawn, Some(edges), &layout));
             notes.extend(joined_bars::told(instead, None));
             let transform = PageTransform::new(edges.size, layout.figure);
