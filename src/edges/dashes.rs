@@ -93,11 +93,11 @@ impl Segments {
     }
 
     /// How far along a way it meets the first segment of a contour that counts, px.
-    fn first_met(&self, way @ [from, to]: [PxPoint; 2], counts: impl Fn(usize) -> bool) -> Option<f32> {
+    fn first_met(&self, displacement @ [from, to]: [PxPoint; 2], counts: impl Fn(usize) -> bool) -> Option<f32> {
         let mut nearest: Option<f32> = None;
         self.0.around(from.min(to), from.max(to), ON, |&(number, segment)| {
             if counts(number)
-                && let Some(ahead) = ahead(way, segment)
+                && let Some(ahead) = ahead(displacement, segment)
                 && nearest.is_none_or(|least| ahead < least)
             {
                 nearest = Some(ahead);
@@ -162,8 +162,9 @@ fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
     if a.polyline == b.polyline || distance <= 0.0 || distance > WIDEST_GAP * first.min(second) {
         return None;
     }
-    let way = gap / distance;
-    (a.direction.dot(way) >= AHEAD_COSINE && -b.direction.dot(way) >= AHEAD_COSINE).then_some(distance)
+    let displacement = gap / distance;
+    (a.direction.dot(displacement) >= AHEAD_COSINE && -b.direction.dot(displacement) >= AHEAD_COSINE)
+        .then_some(distance)
 }
 
 impl<'a> Row<'a> {
@@ -248,8 +249,8 @@ fn extend_ends(line: &mut Contour, period: f32, segments: &Segments, taken: &Has
         let Some(&end) = line.vertices.last() else { return };
         let before = line.vertices[line.vertices.len().saturating_sub(period.ceil() as usize)];
         let Some(direction) = (end.at - before.at).try_normalize() else { continue };
-        let way = [end.at, end.at + direction * (period + ROUNDING)];
-        if let Some(ahead) = segments.first_met(way, |number| !taken.contains(&number)) {
+        let displacement = [end.at, end.at + direction * (period + ROUNDING)];
+        if let Some(ahead) = segments.first_met(displacement, |number| !taken.contains(&number)) {
             line.lead_to(end.at + direction * ahead);
         }
     }
@@ -260,10 +261,10 @@ const ON: f32 = 1e-3;
 
 /// How far along a way it meets a segment, px, if it does; an end of the segment belongs to it.
 fn ahead([from, to]: [PxPoint; 2], [a, b]: [PxPoint; 2]) -> Option<f32> {
-    let (way, segment) = (to - from, b - a);
-    let (ahead, along) = crossing((from, way.try_normalize()?), (a, segment.try_normalize()?))?;
+    let (displacement, segment) = (to - from, b - a);
+    let (ahead, along) = crossing((from, displacement.try_normalize()?), (a, segment.try_normalize()?))?;
     let within = |at: f32, length: f32| (-ON..=length + ON).contains(&at);
-    (within(ahead, way.length()) && within(along, segment.length())).then_some(ahead.max(0.0))
+    (within(ahead, displacement.length()) && within(along, segment.length())).then_some(ahead.max(0.0))
 }
 
 #[cfg(test)]

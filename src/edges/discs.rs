@@ -94,10 +94,10 @@ fn outside(found: &FoundContour, middle: PxPoint, radius: f32) -> Vec<FoundConto
 fn leads_to(contour: &Contour, disc: &Disc, reach: f32) -> bool {
     let ends = [(0, true), (contour.vertices.len() - 1, false)];
     ends.into_iter().all(|(end, forwards)| {
-        let way = disc.at - contour.vertices[end].at;
-        let is_beside = way.length() <= reach + 2.0;
+        let to_middle = disc.at - contour.vertices[end].at;
+        let is_beside = to_middle.length() <= reach + 2.0;
         let leads = contour.heading(end, forwards, [0.0, HEADING]).is_some_and(|inwards| {
-            way.dot(inwards) < 0.0 && way.cross(inwards).abs() <= MIDDLE * disc.radius + MIDDLE_LEAST
+            to_middle.dot(inwards) < 0.0 && to_middle.cross(inwards).abs() <= MIDDLE * disc.radius + MIDDLE_LEAST
         });
         !is_beside || leads
     })
@@ -220,9 +220,9 @@ fn disc_at(middle: PxPoint, points: &[&RidgePoint], [least, most]: [f32; 2]) -> 
 /// The points on a circle whose normals lead to its middle.
 fn on_circle<'a>(middle: PxPoint, radius: f32, points: &[&'a RidgePoint]) -> Vec<&'a RidgePoint> {
     let is_on = |point: &&&RidgePoint| {
-        let way = point.at - middle;
-        let distance = way.length();
-        (distance - radius).abs() <= OFF && way.dot(point.normal).abs() >= RADIAL * distance
+        let to_middle = point.at - middle;
+        let distance = to_middle.length();
+        (distance - radius).abs() <= OFF && to_middle.dot(point.normal).abs() >= RADIAL * distance
     };
     points.iter().filter(is_on).copied().collect()
 }

@@ -55,8 +55,8 @@ fn ends(polylines: &[Polyline<Vertex>]) -> Vec<End<Mm>> {
 
 /// How far two ends are from being one line, if they can be joined at all.
 fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
-    let way = b.at - a.at;
-    let distance = way.length();
+    let displacement = b.at - a.at;
+    let distance = displacement.length();
     if distance > gap || (a.polyline == b.polyline && lengths[a.polyline] < RING * distance) {
         return None;
     }
@@ -72,8 +72,8 @@ fn cost(a: &End<Mm>, b: &End<Mm>, lengths: &[f32], gap: f32) -> Option<f32> {
     if distance <= TOUCHING {
         return Some(distance);
     }
-    let way = way / distance;
-    let (ahead_a, ahead_b) = (a.direction.dot(way), -b.direction.dot(way));
+    let displacement = displacement / distance;
+    let (ahead_a, ahead_b) = (a.direction.dot(displacement), -b.direction.dot(displacement));
     (ahead_a >= AHEAD_COSINE && ahead_b >= AHEAD_COSINE).then_some(distance * (3.0 - ahead_a - ahead_b))
 }
 

@@ -122,8 +122,8 @@ pub(super) fn straight(tip: &Vertex, to: MmPoint) -> Vec<Vertex> {
     (1..=steps).map(|k| Vertex { at: at(k), ..*tip }).collect()
 }
 
-/// Leads an end of a line straight on to a place.
-pub(super) fn lead_on(line: &mut Polyline<Vertex>, at_start: bool, to: MmPoint) {
+/// Extends a line at one end, straight to a place.
+pub(super) fn extend_to(line: &mut Polyline<Vertex>, at_start: bool, to: MmPoint) {
     let tip = if at_start { line.vertices.first() } else { line.vertices.last() };
     if let Some(path) = tip.map(|tip| straight(tip, to)) {
         add(line, at_start, path);

@@ -9,7 +9,7 @@
 //!   hollow:  ----( )----  a ring at which the line ends
 //! ```
 
-use super::junction::{heading, lead_on};
+use super::junction::{extend_to, heading};
 use super::params::{Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
@@ -78,7 +78,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         }
         for arm in arms {
             if let Approach::End { at_start } = arm.way {
-                lead_on(&mut polylines[arm.line], at_start, point.at);
+                extend_to(&mut polylines[arm.line], at_start, point.at);
             }
         }
         points.push(point);
@@ -300,7 +300,8 @@ fn outside(line: &Polyline<Vertex>, anchored: &[bool], holes: &[(MmPoint, f32)])
                 part.0.push(*vertex);
                 part.1.push(anchored[i]);
             }
-            _ => {}
+            // within a hole nothing is drawn
+            (true, true, _) | (_, _, None) => {}
         }
         before = Some(vertex);
     }

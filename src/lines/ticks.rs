@@ -1,7 +1,7 @@
 //! Ticks of a scale, as of an axis, a ruler or a clock, that are shorter than the least line. They are meant all
 //! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
 
-use super::junction::{heading, lead_on};
+use super::junction::{extend_to, heading};
 use super::params::Params;
 use super::vertex::{Vertex, nearby};
 use crate::geom::nearest_on_segment;
@@ -106,7 +106,7 @@ fn longer(line: &Polyline<Vertex>, tick: &Tick, more: f32) -> Polyline<Vertex> {
     for (at_start, gap) in [true, false].into_iter().zip(tick.stands) {
         let tip = if at_start { line.vertices.first() } else { line.vertices.last() }.map(|tip| tip.at);
         let (Some(tip), Some(heading)) = (tip, heading(&line, at_start, tick.length)) else { continue };
-        lead_on(&mut line, at_start, tip + heading * gap.unwrap_or(each));
+        extend_to(&mut line, at_start, tip + heading * gap.unwrap_or(each));
     }
     line
 }

@@ -144,10 +144,10 @@ fn simplified(path: &[MmPoint], tolerance: f32) -> Vec<MmPoint> {
 fn crosses_itself(runs: &[Run]) -> bool {
     let segments: Vec<_> = runs.iter().flat_map(|run| run.polyline().segments()).map(|(a, b)| (*a, *b)).collect();
     segments.iter().enumerate().any(|(i, &segment)| {
-        let mut way = 0.0;
+        let mut arc = 0.0;
         segments[i + 1..].iter().skip(1).any(|&other| {
-            let near = way <= NEAR;
-            way += (other.1 - other.0).length();
+            let near = arc <= NEAR;
+            arc += (other.1 - other.0).length();
             near && crossing(segment, other).is_some()
         })
     })

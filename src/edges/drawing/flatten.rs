@@ -27,22 +27,23 @@ pub(super) fn proposals(drawing: &VectorDrawing, widest_stroke: f32, size: Size)
     for PaintedPath { path, stroke, dashed } in &drawing.paths {
         match stroke {
             Some(stroke) if stroke.width <= widest_stroke => {
-                let of_path = of_path(path, false, Some(stroke.width), size);
+                let of_path = of_path(path, Some(stroke.width), size);
                 strokes.extend(of_path.into_iter().map(|proposal| Proposal { dashed: *dashed, ..proposal }));
             }
             Some(stroke) => {
                 let sides = path.stroke(stroke, 1.0);
-                outlines.extend(sides.iter().flat_map(|sides| of_path(sides, true, None, size)));
+                outlines.extend(sides.iter().flat_map(|sides| of_path(sides, None, size)));
             }
-            None => outlines.extend(of_path(path, true, None, size)),
+            None => outlines.extend(of_path(path, None, size)),
         }
     }
     strokes.append(&mut outlines);
     strokes
 }
 
-/// The parts of a path; those of a filled one are all closed.
-fn of_path(path: &Path, filled: bool, stroke: Option<f32>, size: Size) -> Vec<Proposal> {
+/// The parts of a path that is drawn with a stroke of this width, px, or else filled; those of a filled one are all
+/// closed.
+fn of_path(path: &Path, stroke: Option<f32>, size: Size) -> Vec<Proposal> {
     let bounds = path.bounds();
     let margin = MARGIN + stroke.unwrap_or(0.0);
     let seen = bounds.right() >= -margin
@@ -52,7 +53,7 @@ fn of_path(path: &Path, filled: bool, stroke: Option<f32>, size: Size) -> Vec<Pr
     if !seen {
         return Vec::new();
     }
-    let lines = polylines(path, filled).into_iter().filter(|line| line.length() >= SHORTEST);
+    let lines = polylines(path, stroke.is_none()).into_iter().filter(|line| line.length() >= SHORTEST);
     lines
         .map(|mut line| {
             subdivide(&mut line, margin, size);
@@ -90,14 +91,14 @@ fn in_sight(a: PxPoint, b: PxPoint, margin: f32, size: Size) -> Option<[PxPoint;
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for [start, end, side] in [[a.x, b.x, size.width as f32], [a.y, b.y, size.height as f32]] {
         let [start, end, low, high] = [start, end, -margin, side + margin].map(f64::from);
-        let way = end - start;
-        if way.abs() <= f64::MIN_POSITIVE {
+        let extent = end - start;
+        if extent.abs() <= f64::MIN_POSITIVE {
             if start < low || start > high {
                 return None;
             }
             continue;
         }
-        let (one, other) = ((low - start) / way, (high - start) / way);
+        let (one, other) = ((low - start) / extent, (high - start) / extent);
         from = from.max(one.min(other));
         to = to.min(one.max(other));
     }

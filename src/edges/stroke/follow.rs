@@ -83,7 +83,8 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
     let ends: Vec<StrokeEnd> = open.flat_map(|number| [(number, true), (number, false)]).collect();
     let (mut ways, mut met) = (Vec::new(), Vec::new());
     for end in ends {
-        let Some(Continuation { mut points, met: to, direction }) = way(end, &strokes, &marks, planes, params) else {
+        let Some(Continuation { mut points, met: to, direction }) = continuation(end, &strokes, &marks, planes, params)
+        else {
             continue;
         };
         let goes_on = |other: &StrokeEnd| *other != end && turn(direction, *other, &strokes) <= SHARPEST;
@@ -132,7 +133,13 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
 }
 
 /// The way on from an end of a stroke, if it leads to another one or to another part of the same.
-fn way(end: StrokeEnd, strokes: &[Stroke], marks: &Marks, planes: &[Plane], params: &Params) -> Option<Continuation> {
+fn continuation(
+    end: StrokeEnd,
+    strokes: &[Stroke],
+    marks: &Marks,
+    planes: &[Plane],
+    params: &Params,
+) -> Option<Continuation> {
     let (number, at_start) = end;
     let Stroke { contour, width, .. } = &strokes[number];
     let (tip, mut direction) = leaving(contour, at_start)?;

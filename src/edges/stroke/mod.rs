@@ -98,12 +98,12 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
 /// Whether the picture shows something along a straight way: a stroke of a width, or the border of two areas, with at
 /// least a contrast.
 pub(super) fn is_seen([from, to]: [PxPoint; 2], width: f32, least: f32, planes: &[Plane]) -> bool {
-    let way = to - from;
-    let along = way.try_normalize().unwrap_or_default();
+    let displacement = to - from;
+    let along = displacement.try_normalize().unwrap_or_default();
     let across = PxVector::new(-along.y, along.x);
-    let steps = way.length().ceil() as usize;
+    let steps = displacement.length().ceil() as usize;
     (0..steps).all(|k| {
-        let at = from + way * ((k as f32 + 0.5) / steps as f32);
+        let at = from + displacement * ((k as f32 + 0.5) / steps as f32);
         centre::contrast_across(at, across, width, planes) >= least
     })
 }

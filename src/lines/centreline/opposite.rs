@@ -94,11 +94,11 @@ impl<'a> Sides<'a> {
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
             let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
-            let way = (here.at, here.at + across);
-            self.segments.along(way.0, way.1, |segment| {
+            let ray = (here.at, here.at + across);
+            self.segments.along(ray.0, ray.1, |segment| {
                 // longer by a rounding: a line that leads through a vertex exactly crosses both segments, not neither
                 let over = (segment.b - segment.a) * ROUNDING;
-                let Some(at) = crossing(way, (segment.a - over, segment.b + over)) else { return };
+                let Some(at) = crossing(ray, (segment.a - over, segment.b + over)) else { return };
                 let distance = (at - here.at).length();
                 if best.is_none_or(|(least, _)| distance < least * (1.0 - ROUNDING))
                     && !self.is_same_side((number, i), segment, distance)

@@ -62,13 +62,14 @@ impl Near<'_> {
     /// Whether the two lines have a junction close by.
     pub(super) fn joins(&self) -> bool {
         // it is the line that ends there, or either of two that cross, that must have come from far enough
-        let way = |j: &Junction| match j.meeting {
+        let arc_between = |j: &Junction| match j.meeting {
             Meeting::LineEnds => (j.line_arc - self.line_arc).abs(),
             Meeting::PolylineEnds | Meeting::Cross(_) => self.passage.between(j.arc, self.arc),
         };
-        let least = |way: f32| way * approach_sine(self.approach, self.clearance) - FLAT;
-        let comes_away = |way: f32| !self.of_drawing || self.distance >= least(way);
-        let joins = |j: &Junction| j.line == self.segment.line && way(j) <= self.approach && comes_away(way(j));
+        let least = |arc_between: f32| arc_between * approach_sine(self.approach, self.clearance) - FLAT;
+        let comes_away = |arc_between: f32| !self.of_drawing || self.distance >= least(arc_between);
+        let joins =
+            |j: &Junction| j.line == self.segment.line && arc_between(j) <= self.approach && comes_away(arc_between(j));
         self.passage.junctions.iter().any(joins)
     }
 }

@@ -56,9 +56,9 @@ enum Decision {
     Split(Vec<Polyline<Vertex>>),
 }
 
-/// What is left of a line is extended to lines that it joins up to this many cuts. Where it comes in at too small an
-/// angle the next cut takes the extension away again, and it would go on like that until the line is given up.
-const EXTENDED_CUTS: u8 = 3;
+/// What is left of a line is extended to lines that it joins in so many rounds. Where it comes in at too small an angle
+/// the next round takes the extension away again, and it would go on like that until the line is given up.
+const EXTENDED_ROUNDS: u8 = 3;
 
 /// Clears lines of these saliencies, the most salient one first; the result is in that order.
 pub(super) fn clear(
@@ -76,19 +76,23 @@ pub(super) fn clear(
     let mut drawn = DrawnLines::new(area, params);
     let mut own = Nearby::new(area, params.max_spacing());
     let mut cleared: Vec<Cleared> = Vec::new();
-    while let Some((polyline, rank, cuts)) = queue.pop() {
-        let is_ring = polyline.closed;
-        match judge(polyline, cuts, &drawn, &mut own) {
-            Decision::Open(_) | Decision::Split(_) if is_ring && params.whole_rings => {}
+    while let Some((polyline, rank, round)) = queue.pop() {
+        let whole_ring = polyline.closed && params.whole_rings;
+        let decision = match judge(polyline, round, &drawn, &mut own) {
+            // where rings are whole or not at all, a part of one is nothing
+            Decision::Open(_) | Decision::Split(_) if whole_ring => Decision::Split(Vec::new()),
+            decision => decision,
+        };
+        match decision {
             Decision::Draw(line) => cleared.push(draw(line, rank, &mut drawn)),
             Decision::DrawBody { body, rest } => {
                 cleared.push(draw_body(body, &rest.vertices, rank, &mut drawn, &mut own));
-                queue.push(rest, rank, cuts + 1);
+                queue.push(rest, rank, round + 1);
             }
             Decision::Shorten(line) | Decision::Displace(line) | Decision::Open(line) => {
-                queue.push(line, rank, cuts + 1)
+                queue.push(line, rank, round + 1)
             }
-            Decision::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, rank, cuts + 1)),
+            Decision::Split(parts) => parts.into_iter().for_each(|part| queue.push(part, rank, round + 1)),
         }
     }
     anchor::anchor(&mut cleared, &drawn);
@@ -97,9 +101,9 @@ pub(super) fn clear(
     cleared
 }
 
-/// What is to be done with a line, which was cut so many times, among those that are drawn. `own` is an empty grid, and
-/// empty again afterwards.
-fn judge(mut polyline: Polyline<Vertex>, cuts: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
+/// What is to be done with a line, which was judged in so many rounds before, among those that are drawn. `own` is an
+/// empty grid, and empty again afterwards.
+fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     // it is judged as it will be drawn: with both ends on one place of another line it is a ring
     drawn.snap(&mut polyline);
     if let Some(shorter) = without_stubs(&polyline, drawn) {
@@ -109,7 +113,7 @@ fn judge(mut polyline: Polyline<Vertex>, cuts: u8, drawn: &DrawnLines<'_>, own: 
     if states.contains(&State::TooNear) {
         return match displaced(&polyline, drawn) {
             Some(displaced) => Decision::Displace(displaced),
-            None => Decision::Split(split(&polyline, &states, cuts < EXTENDED_CUTS, drawn)),
+            None => Decision::Split(split(&polyline, &states, round < EXTENDED_ROUNDS, drawn)),
         };
     }
     match returns(&polyline, drawn.params, own) {
@@ -124,7 +128,7 @@ fn judge(mut polyline: Polyline<Vertex>, cuts: u8, drawn: &DrawnLines<'_>, own: 
     }
 }
 
-/// The verdict on an open line that comes back too near to itself from vertex `back` on.
+/// The decision on an open line that comes back too near to itself from vertex `back` on.
 fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let mut rest = body.vertices.split_off(back);
     // an end that lay on the line itself, and made what is near it a junction, may be gone
@@ -216,8 +220,8 @@ pub(super) mod tests {
         drawn
     }
 
-    /// The verdict on a line where another runs along y = 50.
-    fn verdict(points: &[(f32, f32)], closed: bool) -> Decision {
+    /// The decision on a line where another runs along y = 50.
+    fn decision(points: &[(f32, f32)], closed: bool) -> Decision {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
         let mut own = Nearby::new(area, Params::TEST.max_spacing());
         judge(polyline(points, closed), 0, &drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]), &mut own)
@@ -244,9 +248,9 @@ pub(super) mod tests {
 
     #[test]
     fn a_line_that_is_apart_or_crosses_steeply_is_drawn() {
-        assert!(matches!(verdict(&[(10.0, 60.0), (90.0, 60.0)], false), Decision::Draw(_)));
-        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 80.0)], false), Decision::Draw(_)));
-        assert!(matches!(verdict(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Decision::Draw(_)));
+        assert!(matches!(decision(&[(10.0, 60.0), (90.0, 60.0)], false), Decision::Draw(_)));
+        assert!(matches!(decision(&[(50.1, 20.1), (50.1, 80.0)], false), Decision::Draw(_)));
+        assert!(matches!(decision(&[(20.0, 60.0), (60.0, 60.0), (60.0, 90.0), (20.0, 90.0)], true), Decision::Draw(_)));
     }
 
     /// The states of the vertices of a line where another runs along y = 50.
@@ -280,23 +284,23 @@ pub(super) mod tests {
         assert_eq!(states(&drop, false)[0], State::TooNear);
         assert_eq!(states(&drop[..2], false)[0], State::Joined);
         let almost = [drop[0], drop[1], drop[2], (50.0, 50.05)];
-        assert!(!matches!(verdict(&almost, false), Decision::Draw(_)), "its ends are drawn in one place");
+        assert!(!matches!(decision(&almost, false), Decision::Draw(_)), "its ends are drawn in one place");
     }
 
     #[test]
-    fn each_way_of_being_too_near_has_its_verdict() {
-        assert!(matches!(verdict(&[(50.1, 20.1), (50.1, 52.0)], false), Decision::Shorten(_)));
-        assert!(matches!(verdict(&[(10.0, 54.5), (90.0, 54.5)], false), Decision::Displace(_)));
-        assert!(matches!(verdict(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Decision::Split(_)));
-        assert_eq!(verdict(&[(15.0, 52.0), (85.0, 52.0)], false), Decision::Split(Vec::new()), "nothing is left");
+    fn each_way_of_being_too_near_has_its_decision() {
+        assert!(matches!(decision(&[(50.1, 20.1), (50.1, 52.0)], false), Decision::Shorten(_)));
+        assert!(matches!(decision(&[(10.0, 54.5), (90.0, 54.5)], false), Decision::Displace(_)));
+        assert!(matches!(decision(&[(10.0, 60.0), (40.0, 52.0), (90.0, 52.0)], false), Decision::Split(_)));
+        assert_eq!(decision(&[(15.0, 52.0), (85.0, 52.0)], false), Decision::Split(Vec::new()), "nothing is left");
     }
 
     #[test]
     fn what_comes_back_to_itself_is_opened_or_cut() {
         let flat_ring = [(20.0, 60.0), (80.0, 60.0), (80.0, 62.0), (20.0, 62.0)];
-        assert!(matches!(verdict(&flat_ring, true), Decision::Open(line) if !line.closed));
+        assert!(matches!(decision(&flat_ring, true), Decision::Open(line) if !line.closed));
         let hairpin = [(20.0, 60.0), (80.0, 60.0), (80.0, 63.0), (20.0, 63.0)];
-        let Decision::DrawBody { body, rest } = verdict(&hairpin, false) else { panic!("it comes back") };
+        let Decision::DrawBody { body, rest } = decision(&hairpin, false) else { panic!("it comes back") };
         assert!((60.0..70.0).contains(&body.length()) && rest.length() > 50.0);
     }
 
@@ -304,7 +308,7 @@ pub(super) mod tests {
     fn a_body_that_is_too_short_without_the_rest_is_judged_anew() {
         // it comes back 7 mm from its start, and the least length is 8
         let coil = [(20.0, 60.0), (24.0, 60.0), (24.0, 61.0), (20.0, 61.0), (20.0, 90.0)];
-        assert!(matches!(verdict(&coil, false), Decision::Split(_)), "{:?}", verdict(&coil, false));
+        assert!(matches!(decision(&coil, false), Decision::Split(_)), "{:?}", decision(&coil, false));
     }
 
     #[test]

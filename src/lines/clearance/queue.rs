@@ -9,15 +9,15 @@ use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::Vertex;
 
-/// A piece that is still too near after this many cuts is given up. None of the samples needs more than three.
-const MOST_CUTS: u8 = 8;
+/// A piece that is still too near after this many rounds is given up. None of the samples needs more than three.
+const MOST_ROUNDS: u8 = 8;
 
 struct Candidate {
     rank: Rank,
     saliency: f32,
     /// When it came: of two that are equally salient, the earlier goes first.
     number: usize,
-    cuts: u8,
+    round: u8,
     polyline: Polyline<Vertex>,
 }
 
@@ -54,24 +54,24 @@ impl<'a> Queue<'a> {
         Self { heap: BinaryHeap::with_capacity(capacity), count: 0, params }
     }
 
-    /// Adds a line that was cut so many times, unless it is too short or was cut too often.
-    pub(super) fn push(&mut self, polyline: Polyline<Vertex>, rank: Rank, cuts: u8) {
+    /// Adds a line that was judged in so many rounds, unless it is too short or was judged too often.
+    pub(super) fn push(&mut self, polyline: Polyline<Vertex>, rank: Rank, round: u8) {
         let saliency = saliency(&polyline, self.params);
-        self.push_as(polyline, rank, cuts, saliency);
+        self.push_as(polyline, rank, round, saliency);
     }
 
     /// [`Queue::push`] of a line that is as salient as this.
-    pub(super) fn push_as(&mut self, polyline: Polyline<Vertex>, rank: Rank, cuts: u8, saliency: f32) {
-        if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || cuts > MOST_CUTS {
+    pub(super) fn push_as(&mut self, polyline: Polyline<Vertex>, rank: Rank, round: u8, saliency: f32) {
+        if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || round > MOST_ROUNDS {
             return;
         }
-        self.heap.push(Candidate { rank, saliency, number: self.count, cuts, polyline });
+        self.heap.push(Candidate { rank, saliency, number: self.count, round, polyline });
         self.count += 1;
     }
 
-    /// The next line, its rank and how often it was cut.
+    /// The next line, its rank and in how many rounds it was judged.
     pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, Rank, u8)> {
-        self.heap.pop().map(|candidate| (candidate.polyline, candidate.rank, candidate.cuts))
+        self.heap.pop().map(|candidate| (candidate.polyline, candidate.rank, candidate.round))
     }
 }
 
@@ -81,16 +81,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_most_salient_comes_first_and_what_is_short_or_often_cut_not_at_all() {
+    fn the_most_salient_comes_first_and_what_is_short_or_often_judged_not_at_all() {
         let mut queue = Queue::new(4, &Params::TEST);
         let lengths = [12.0, 30.0, 7.0, 30.0];
         lengths
             .iter()
             .zip(0..)
-            .for_each(|(&x, cuts)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), Rank::Ordinary, cuts));
-        queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), Rank::Ordinary, MOST_CUTS + 1);
+            .for_each(|(&x, round)| queue.push(polyline(&[(0.0, 0.0), (x, 0.0)], false), Rank::Ordinary, round));
+        queue.push(polyline(&[(0.0, 0.0), (90.0, 0.0)], false), Rank::Ordinary, MOST_ROUNDS + 1);
         let order: Vec<(u32, u8)> =
-            std::iter::from_fn(|| queue.pop()).map(|(line, _, cuts)| (line.length().round() as u32, cuts)).collect();
+            std::iter::from_fn(|| queue.pop()).map(|(line, _, round)| (line.length().round() as u32, round)).collect();
         assert_eq!(order, [(30, 1), (30, 3), (12, 0)]);
     }
 }

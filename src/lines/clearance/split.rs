@@ -29,8 +29,8 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     let total = passage.arcs.last().copied().unwrap_or(0.0);
     // a line that is not yet apart from the other where it ends
     let stub = |junction: &Junction, end: f32, tip: Option<&Vertex>| {
-        let way = (junction.arc - end).abs();
-        way > TIP && way <= drawn.params.max_stub() && tip.is_some_and(|tip| drawn.is_near(tip, junction.line))
+        let to_end = (junction.arc - end).abs();
+        to_end > TIP && to_end <= drawn.params.max_stub() && tip.is_some_and(|tip| drawn.is_near(tip, junction.line))
     };
     let junctions = || passage.junctions.iter();
     let first = junctions().filter(|m| stub(m, 0.0, polyline.vertices.first())).max_by(|a, b| a.arc.total_cmp(&b.arc));

@@ -45,11 +45,11 @@ pub(in crate::lines) fn spread(
         let drawn = drawn(&lines, area, params);
         let all = All { lines: &lines, own: &own, passages: &passages, reach: &reach, drawn: &drawn };
         let moved: Vec<Vec<MmVector>> = (0..lines.len()).into_par_iter().map(|number| all.moves(number)).collect();
-        let way: f32 = moved.iter().flatten().map(|push| push.length()).sum();
-        if way > LESS * last || way == 0.0 {
+        let total_move: f32 = moved.iter().flatten().map(|push| push.length()).sum();
+        if total_move > LESS * last || total_move == 0.0 {
             break;
         }
-        last = way;
+        last = total_move;
         has_moved = true;
         for ((line, moves), (own, reach)) in lines.iter_mut().zip(moved).zip(own.iter().zip(&reach)) {
             for ((vertex, push), own) in line.vertices.iter_mut().zip(moves).zip(own) {
