@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use tactograph::internals::output::dots::gcode::{Params, Refused, is_as_written, write};
-use tactograph::internals::output::dots::path_order::{Hundredths, order};
+use tactograph::internals::output::dots::path_order::{DotPosition, order};
 use tactograph::internals::units::MmPoint;
 use tactograph_tools::travel::bound::lower_bound;
 use tactograph_tools::travel::machine::{self, Sheet};
@@ -15,7 +15,7 @@ use tactograph_tools::travel::sets;
 /// How far above the bound a path may lie: the drawing's is 6 % above it, where the bound itself is low.
 const OVER_BOUND: f64 = 1.08;
 
-fn points(dots: &[Hundredths]) -> Vec<MmPoint> {
+fn points(dots: &[DotPosition]) -> Vec<MmPoint> {
     dots.iter().map(|&[x, y]| MmPoint::new(x as f32 / 100.0, y as f32 / 100.0)).collect()
 }
 
@@ -28,15 +28,15 @@ fn made(dots: &[MmPoint], params: &Params) -> (Sheet, String) {
 }
 
 #[track_caller]
-fn pressed_once(sheet: &Sheet, dots: &[Hundredths]) {
-    let wanted: BTreeSet<Hundredths> = dots.iter().copied().collect();
-    let pressed: BTreeSet<Hundredths> = sheet.dots.iter().copied().collect();
+fn pressed_once(sheet: &Sheet, dots: &[DotPosition]) {
+    let wanted: BTreeSet<DotPosition> = dots.iter().copied().collect();
+    let pressed: BTreeSet<DotPosition> = sheet.dots.iter().copied().collect();
     assert_eq!(pressed, wanted);
     assert_eq!(sheet.dots.len(), wanted.len(), "a dot is pressed twice");
 }
 
 /// How far back the path goes at most: the largest drop of the second coordinate from any dot to any later one.
-fn pulled_back(dots: &[Hundredths]) -> i32 {
+fn pulled_back(dots: &[DotPosition]) -> i32 {
     let mut lowest = i32::MIN;
     let back = dots.iter().map(|dot| {
         lowest = lowest.max(dot[1]);
@@ -45,7 +45,7 @@ fn pulled_back(dots: &[Hundredths]) -> i32 {
     back.max().unwrap_or(0)
 }
 
-fn ends(params: &Params) -> [Hundredths; 2] {
+fn ends(params: &Params) -> [DotPosition; 2] {
     [[0, 0], [0, (params.paper_length * 100.0) as i32 + 2_000]]
 }
 
@@ -111,7 +111,7 @@ fn twenty_thousand_dots_on_a3() {
 fn paths_are_no_longer_than_nearest_neighbours_and_close_to_the_bound() {
     let ends = ends(&Params::a4());
     for (name, dots) in sets::all() {
-        let length = |path: &[Hundredths]| length(path, ends);
+        let length = |path: &[DotPosition]| length(path, ends);
         for back in [i32::MAX, 1_200, 200, 0] {
             let ours = length(&order(&dots, ends, back));
             let nearest = length(&nearest_neighbour(&dots, ends[0], back));
@@ -131,21 +131,22 @@ fn the_bound_is_below_the_shortest_path_and_tight_on_a_line() {
     // Every order of seven dots.
     let mut next = sets::numbers(5);
     for _ in 0..20 {
-        let dots: Vec<Hundredths> = (0..7).map(|_| [next(1_000) as i32, next(1_000) as i32]).collect();
+        let dots: Vec<DotPosition> = (0..7).map(|_| [next(1_000) as i32, next(1_000) as i32]).collect();
         let ends = [[0, 0], [0, 1_000]];
         let shortest = permutations(&dots).iter().map(|order| length(order, ends)).fold(f64::INFINITY, f64::min);
         let (ours, bound) = (length(&order(&dots, ends, i32::MAX), ends), lower_bound(&dots, ends));
         assert!(bound <= shortest + 1e-6, "{dots:?}: bound {bound}, shortest {shortest}");
         assert!(ours <= 1.02 * shortest, "{dots:?}: {ours}, shortest {shortest}");
     }
-    let line: Vec<Hundredths> = (1..50).map(|y| [0, 240 * y]).collect();
+    let line: Vec<DotPosition> = (1..50).map(|y| [0, 240 * y]).collect();
     let bound = lower_bound(&line, [[0, 0], [0, 12_000]]);
     assert!((bound - 12_000.0).abs() < 1e-6, "{bound}");
 }
 
-fn permutations(dots: &[Hundredths]) -> Vec<Vec<Hundredths>> {
+fn permutations(dots: &[DotPosition]) -> Vec<Vec<DotPosition>> {
     let Some((&first, rest)) = dots.split_first() else { return vec![vec![]] };
-    let put = |order: Vec<Hundredths>| (0..=order.len()).map(move |at| [&order[..at], &[first], &order[at..]].concat());
+    let put =
+        |order: Vec<DotPosition>| (0..=order.len()).map(move |at| [&order[..at], &[first], &order[at..]].concat());
     permutations(rest).into_iter().flat_map(put).collect()
 }
 
@@ -257,7 +258,7 @@ proptest! {
         seed in 0..u64::MAX,
     ) {
         // Coarse numbers, so that dots share rows, columns and places.
-        let dots: Vec<Hundredths> = dots.into_iter().map(|(x, y, grain)| [x * 100 / grain, y * 100 / grain]).collect();
+        let dots: Vec<DotPosition> = dots.into_iter().map(|(x, y, grain)| [x * 100 / grain, y * 100 / grain]).collect();
         let params = Params { most_back: back, ..Params::a4() };
         let (sheet, gcode) = made(&points(&dots), &params);
         pressed_once(&sheet, &dots);

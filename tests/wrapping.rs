@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex};
 use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
-    Calibration, Checked, Class, Crop, Description, DotFormat, Drawing, Embossing, Error, Event, Felt, Fonts, Label,
-    Limits, MmPoint, MmRect, Note, Options, Page, Picture, Position, Profile, RenderOptions, Sheets, Size, Stage,
-    Trace, Traced, Tracing, felt, write_dots, write_pdf,
+    Calibration, Checked, Class, Crop, Description, DotFormat, Drawing, Embossing, Error, Event, Fault, Felt, Finding,
+    Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, Picture, Position, Profile,
+    RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
 /// What a `#[wasm_bindgen]` struct asks of its fields (they live as long as they like) and a `#[pyclass]` (any thread may hold
@@ -34,7 +34,33 @@ fn types_of_the_face_can_be_held_by_classes_of_other_languages() {
     can_be_wrapped::<Fonts>();
     can_be_wrapped::<Note>();
     can_be_wrapped::<Error>();
+    can_be_wrapped::<Event>();
+    can_be_wrapped::<Fault>();
+    can_be_wrapped::<Finding>();
+    can_be_wrapped::<Rule>();
+    can_be_wrapped::<Key>();
+    can_be_wrapped::<KeySheets>();
+    can_be_wrapped::<Crop>();
+    can_be_wrapped::<Position>();
+    can_be_wrapped::<Limits>();
+    can_be_wrapped::<Tracing>();
     can_be_wrapped::<Box<dyn std::error::Error + Send + Sync>>();
+}
+
+/// What a class of another language gives as often as it is asked for.
+fn can_be_copied<T: Clone>() {}
+
+#[test]
+fn what_is_asked_for_again_can_be_cloned() {
+    can_be_copied::<Options>();
+    can_be_copied::<RenderOptions>();
+    can_be_copied::<Profile>();
+    can_be_copied::<Label>();
+    can_be_copied::<Page>();
+    can_be_copied::<Drawing>();
+    can_be_copied::<Note>();
+    can_be_copied::<Fault>();
+    can_be_copied::<Tracing>();
 }
 
 /// As a class of another language holds it: no lifetimes, no type parameters.
@@ -47,6 +73,22 @@ impl Converter {
     fn convert(&mut self, picture: &[u8]) -> Result<&Page, Error> {
         Ok(&self.last.insert(tactograph::convert(picture, &self.options)?).page)
     }
+
+    /// A setter that fails takes the options with it, so that a class changes a clone of its own.
+    fn add_lines(&mut self, svg: &[u8]) -> Result<(), Error> {
+        self.options = self.options.clone().add_lines(svg)?;
+        Ok(())
+    }
+}
+
+#[test]
+fn options_that_a_class_holds_outlive_a_setter_that_fails() {
+    let mut converter = Converter { options: options(), last: None };
+    let before = converter.convert(&png()).expect("a page").to_svg();
+    assert!(converter.add_lines(b"<svg").is_err());
+    assert_eq!(converter.convert(&png()).expect("a page").to_svg(), before);
+    converter.add_lines(before.as_bytes()).expect("its own lines");
+    assert!(converter.convert(&png()).is_ok());
 }
 
 fn options() -> Options {

@@ -101,10 +101,10 @@ fn before(page: &Page, wording: &Wording) -> Option<String> {
 
 fn sheet(page: &Page, wording: &Wording) -> String {
     let [width, height] = page.sheet.map(|side| side.round());
-    let way = if width > height { "across" } else { "upright" };
+    let orientation = if width > height { "across" } else { "upright" };
     let [across, down] = size(page.figure.place);
     let values = [
-        ("way", way.into()),
+        ("way", orientation.into()),
         ("width", width.into()),
         ("height", height.into()),
         ("across", across),

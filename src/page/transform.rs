@@ -10,8 +10,7 @@ const LEAST_TICK: f32 = 0.5;
 impl Parts {
     /// Makes all marks narrower by `swell` mm, half of it on each side, so that they have the size that they have now
     /// once they have risen (of a `swell` below 0, wider). Labels and braille stay: their dots already have the size to
-    /// be printed. A mark that is no wider
-    /// than `swell` would vanish; a [`Plan`](crate::profile::Plan) has none.
+    /// be printed. A mark that is no wider than `swell` would vanish; a [`Plan`](crate::profile::Plan) has none.
     pub fn narrowed(&mut self, swell: f32) {
         if swell == 0.0 {
             return;

@@ -32,7 +32,7 @@
 
 use std::fmt::Write;
 
-use super::path_order::{self, Hundredths};
+use super::path_order::{self, DotPosition};
 use crate::output::seal;
 use crate::output::text::{plain, push_hundredths};
 
@@ -198,16 +198,16 @@ fn check(params: &Params) -> Result<(), Refused> {
 }
 
 /// The dots as the machine is told them.
-fn positions(dots: &[crate::units::MmPoint], params: &Params) -> Result<Vec<Hundredths>, Refused> {
+fn positions(dots: &[crate::units::MmPoint], params: &Params) -> Result<Vec<DotPosition>, Refused> {
     let (all, [x, y]) = (dots.len(), params.origin.map(f64::from));
     let count = dots.iter().filter(|dot| !dot.is_finite()).count();
     if count > 0 {
         return Err(Refused::NoPosition { count, all });
     }
     let position = |dot: &crate::units::MmPoint| [hundredths(f64::from(dot.x) - x), hundredths(f64::from(dot.y) - y)];
-    let positions: Vec<Hundredths> = dots.iter().map(position).collect();
+    let positions: Vec<DotPosition> = dots.iter().map(position).collect();
     let most = params.limits.map(|limit| hundredths(f64::from(limit)));
-    let off = |at: &&Hundredths| (0..2).any(|axis| at[axis] < 0 || at[axis] > most[axis]);
+    let off = |at: &&DotPosition| (0..2).any(|axis| at[axis] < 0 || at[axis] > most[axis]);
     let count = positions.iter().filter(off).count();
     if count == 0 {
         return Ok(positions);
@@ -226,7 +226,7 @@ fn hundredths(mm: f64) -> i32 {
     (mm * 100.0).round() as i32
 }
 
-fn go(out: &mut String, [x, y]: Hundredths) {
+fn go(out: &mut String, [x, y]: DotPosition) {
     // never below 0: the limits say so
     out.push_str("G1 X");
     push_hundredths(out, x.unsigned_abs());

@@ -17,7 +17,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use tactograph::internals::output::dots::gcode::{self, Params};
-use tactograph::internals::output::dots::path_order::{self, Hundredths};
+use tactograph::internals::output::dots::path_order::{self, DotPosition};
 use tactograph::internals::units::MmPoint;
 use tactograph_tools::travel::{bound, machine, orders, sets};
 
@@ -38,10 +38,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn row(name: &str, dots: &[Hundredths], params: &Params) -> Result<(), Box<dyn Error>> {
+fn row(name: &str, dots: &[DotPosition], params: &Params) -> Result<(), Box<dyn Error>> {
     let paper = (params.paper_length * 100.0) as i32;
     let ends = [[0, 0], [0, paper + 2_000]];
-    let mm = |path: &[Hundredths]| orders::length(path, ends) / 100.0;
+    let mm = |path: &[DotPosition]| orders::length(path, ends) / 100.0;
     let timed = |most_back: i32| {
         let start = Instant::now();
         let path = path_order::order(dots, ends, most_back);

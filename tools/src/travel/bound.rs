@@ -5,7 +5,7 @@
 //! paths by the same amount but not all trees; prices rise where the tree branches and fall where it ends, until the
 //! tree is nearly a path.
 
-use tactograph::internals::output::dots::path_order::{self, Hundredths};
+use tactograph::internals::output::dots::path_order::{self, DotPosition};
 
 use super::orders::{distance, length, sorted};
 
@@ -18,16 +18,16 @@ const MOST_TREES: usize = 100;
 /// A length that no path through all `dots` from `ends[0]` to `ends[1]` is below, whatever its order: some 1 to 3 %
 /// below the shortest path for up to 4,000 dots; for more dots the work is cut, and the bound falls towards that of
 /// the minimum spanning tree, some 10 % below. Takes seconds.
-pub fn lower_bound(dots: &[Hundredths], ends: [Hundredths; 2]) -> f64 {
+pub fn lower_bound(dots: &[DotPosition], ends: [DotPosition; 2]) -> f64 {
     let dots = sorted(dots);
     let known = length(&path_order::order(&dots, ends, i32::MAX), ends);
-    let positions: Vec<Hundredths> = [ends[0]].into_iter().chain(dots).chain([ends[1]]).collect();
+    let positions: Vec<DotPosition> = [ends[0]].into_iter().chain(dots).chain([ends[1]]).collect();
     of_positions(&positions, known)
 }
 
 /// A length that no path from the first of `positions` through all others to the last is below; `known` is the length
 /// of one such path, which sets how fast prices change. In the unit of the positions.
-fn of_positions(positions: &[Hundredths], known: f64) -> f64 {
+fn of_positions(positions: &[DotPosition], known: f64) -> f64 {
     let count = positions.len();
     let trees = (MOST_PAIRS / (count * count).max(1)).clamp(1, MOST_TREES);
     let mut price = vec![0.0_f64; count];
@@ -65,7 +65,7 @@ fn of_positions(positions: &[Hundredths], known: f64) -> f64 {
 
 /// Length of the minimum spanning tree with prices, and how many of its edges end at each position (Prim 1957, as an
 /// array).
-fn tree(positions: &[Hundredths], price: &[f64]) -> (f64, Vec<i32>) {
+fn tree(positions: &[DotPosition], price: &[f64]) -> (f64, Vec<i32>) {
     let mut degrees = vec![0; positions.len()];
     let mut length = 0.0;
     // Positions that are not in the tree yet: which, how far, from where.

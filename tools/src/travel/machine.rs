@@ -1,10 +1,10 @@
 //! A BrailleRAP that reads G-code as its firmware does, but forgives nothing.
 
 use tactograph::internals::output::dots::gcode::Params;
-use tactograph::internals::output::dots::path_order::Hundredths;
+use tactograph::internals::output::dots::path_order::DotPosition;
 
 /// What the firmware holds the axes to, hundredths of a millimetre: it goes no farther (MarlinBraille2).
-const BED: Hundredths = [30_000, 42_000];
+const BED: DotPosition = [30_000, 42_000];
 /// How long the magnet holds a dot, s: 15 ms on, 10 ms off (MarlinBraille2).
 const PRESS: f64 = 0.025;
 
@@ -12,7 +12,7 @@ const PRESS: f64 = 0.025;
 #[derive(Debug, Default)]
 pub struct Sheet {
     /// Dots in the order in which they were pressed, hundredths of a millimetre.
-    pub dots: Vec<Hundredths>,
+    pub dots: Vec<DotPosition>,
     /// Way of the needle over the paper, from its zero until the paper is out, hundredths of a millimetre.
     pub travel: f64,
     /// Time for it, s.
@@ -22,7 +22,7 @@ pub struct Sheet {
 #[derive(Debug, Default)]
 struct Machine {
     homed: [bool; 2],
-    at: Hundredths,
+    at: DotPosition,
     acceleration: f64,
     feed: f64,
     down: bool,
@@ -34,7 +34,7 @@ struct Machine {
 
 /// Runs `gcode` on a machine whose needle reaches `limits` and whose paper is `length` long, in hundredths of a
 /// millimetre. The machine starts as Marlin does: millimetres, absolute places, nothing homed.
-pub fn run(gcode: &str, limits: Hundredths, length: i32) -> Result<Sheet, String> {
+pub fn run(gcode: &str, limits: DotPosition, length: i32) -> Result<Sheet, String> {
     let mut machine = Machine::default();
     let Some(text) = gcode.strip_suffix("\r\n") else { return Err("the last line has no end".into()) };
     for (number, line) in text.split("\r\n").enumerate() {
@@ -48,7 +48,7 @@ pub fn run(gcode: &str, limits: Hundredths, length: i32) -> Result<Sheet, String
 }
 
 impl Machine {
-    fn line(&mut self, line: &str, limits: Hundredths) -> Result<(), String> {
+    fn line(&mut self, line: &str, limits: DotPosition) -> Result<(), String> {
         if line.contains(['\r', '\n']) {
             return Err("half an end of a line".into());
         }
@@ -96,8 +96,8 @@ impl Machine {
         Ok(())
     }
 
-    fn go(&mut self, to: Hundredths, limits: Hundredths) -> Result<(), String> {
-        let within = |most: Hundredths| (0..2).all(|axis| (0..=most[axis]).contains(&to[axis]));
+    fn go(&mut self, to: DotPosition, limits: DotPosition) -> Result<(), String> {
+        let within = |most: DotPosition| (0..2).all(|axis| (0..=most[axis]).contains(&to[axis]));
         if self.homed != [true, true] {
             return Err("the machine does not know where it is".into());
         } else if self.down {

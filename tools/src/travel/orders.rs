@@ -1,10 +1,10 @@
 //! Simple orders of dots to compare with, and measures of an order. Positions are in hundredths of a millimetre.
 
-use tactograph::internals::output::dots::path_order::Hundredths;
+use tactograph::internals::output::dots::path_order::DotPosition;
 
 /// The path from each dot to the nearest that is left, a common measure of how good an order is. `most_back` as for
 /// [`tactograph::internals::output::dots::path_order::order`].
-pub fn nearest_neighbour(dots: &[Hundredths], start: Hundredths, most_back: i32) -> Vec<Hundredths> {
+pub fn nearest_neighbour(dots: &[DotPosition], start: DotPosition, most_back: i32) -> Vec<DotPosition> {
     let mut left = sorted(dots);
     let mut path = Vec::with_capacity(left.len());
     let mut here = start;
@@ -19,9 +19,9 @@ pub fn nearest_neighbour(dots: &[Hundredths], start: Hundredths, most_back: i32)
 }
 
 /// The dots row by row in bands `height` high (at least 1), to and fro.
-pub fn row_by_row(dots: &[Hundredths], height: i32) -> Vec<Hundredths> {
+pub fn row_by_row(dots: &[DotPosition], height: i32) -> Vec<DotPosition> {
     let mut dots = sorted(dots);
-    let band = |dot: &Hundredths| dot[1].div_euclid(height.max(1));
+    let band = |dot: &DotPosition| dot[1].div_euclid(height.max(1));
     dots.sort_unstable_by_key(|dot| (band(dot), *dot));
     for (number, row) in dots.chunk_by_mut(|a, b| band(a) == band(b)).enumerate() {
         if number % 2 == 1 {
@@ -32,13 +32,13 @@ pub fn row_by_row(dots: &[Hundredths], height: i32) -> Vec<Hundredths> {
 }
 
 /// Length of the path through `dots` from `ends[0]` to `ends[1]`.
-pub fn length(dots: &[Hundredths], ends: [Hundredths; 2]) -> f64 {
+pub fn length(dots: &[DotPosition], ends: [DotPosition; 2]) -> f64 {
     let positions = || [ends[0]].into_iter().chain(dots.iter().copied()).chain([ends[1]]);
     positions().zip(positions().skip(1)).map(|(a, b)| distance(a, b)).sum()
 }
 
 /// The dots from top to bottom and from left to right, equal ones once.
-pub fn sorted(dots: &[Hundredths]) -> Vec<Hundredths> {
+pub fn sorted(dots: &[DotPosition]) -> Vec<DotPosition> {
     let mut dots = dots.to_vec();
     dots.sort_unstable_by_key(|&[x, y]| (y, x));
     dots.dedup();
@@ -46,7 +46,7 @@ pub fn sorted(dots: &[Hundredths]) -> Vec<Hundredths> {
 }
 
 /// The Euclidean distance of two positions.
-pub fn distance(a: Hundredths, b: Hundredths) -> f64 {
+pub fn distance(a: DotPosition, b: DotPosition) -> f64 {
     let (x, y) = (f64::from(a[0]) - f64::from(b[0]), f64::from(a[1]) - f64::from(b[1]));
     (x * x + y * y).sqrt()
 }
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     /// Dots of a picture in characters, 1 mm apart; letters give the order.
-    fn dots(picture: &str) -> Vec<Hundredths> {
+    fn dots(picture: &str) -> Vec<DotPosition> {
         let rows = picture.split_whitespace().enumerate();
         let cells = rows.flat_map(|(y, row)| row.bytes().enumerate().map(move |(x, letter)| (letter, x, y)));
         let mut dots: Vec<_> = cells.filter(|(letter, ..)| *letter != b'.').collect();

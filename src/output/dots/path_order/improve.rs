@@ -12,7 +12,7 @@
 
 use std::collections::VecDeque;
 
-use super::neighbours::{Hundredths, distance};
+use super::neighbours::{DotPosition, distance};
 
 /// The longest part that Or-opt moves.
 const LONGEST_PART: usize = 3;
@@ -33,7 +33,7 @@ const MOST_STEPS: u64 = 300_000_000;
 
 /// A path through numbered positions whose first and last stay where they are.
 struct Path<'a> {
-    positions: &'a [Hundredths],
+    positions: &'a [DotPosition],
     neighbours: &'a [Vec<u32>],
     most_back: i32,
     order: Vec<u32>,
@@ -51,7 +51,7 @@ struct Path<'a> {
 /// candidates for a direct connection of each position but those two, nearest first. Along the path, no position
 /// comes to lie more than `most_back` higher up (smaller second coordinate) than any before it, if that is so at the
 /// beginning.
-pub(super) fn shorten(positions: &[Hundredths], neighbours: &[Vec<u32>], order: Vec<u32>, most_back: i32) -> Vec<u32> {
+pub(super) fn shorten(positions: &[DotPosition], neighbours: &[Vec<u32>], order: Vec<u32>, most_back: i32) -> Vec<u32> {
     let mut at = vec![0; positions.len()];
     order.iter().enumerate().for_each(|(index, &position)| at[position as usize] = index as u32);
     let (queue, is_queued) = (VecDeque::new(), vec![false; positions.len()]);
@@ -286,12 +286,12 @@ mod tests {
 
     /// The path through `dots`, the first and the last of which are its ends, in the order given.
     struct Case {
-        positions: Vec<Hundredths>,
+        positions: Vec<DotPosition>,
         neighbours: Vec<Vec<u32>>,
         order: Vec<u32>,
     }
 
-    fn case(start: Hundredths, dots: &[Hundredths], end: Hundredths) -> Case {
+    fn case(start: DotPosition, dots: &[DotPosition], end: DotPosition) -> Case {
         let count = dots.len() as u32;
         let order = [count].into_iter().chain(0..count).chain([count + 1]).collect();
         let positions = dots.iter().copied().chain([start, end]).collect();
@@ -307,12 +307,12 @@ mod tests {
             order.windows(2).map(|pair| distance(self.at(pair[0]), self.at(pair[1]))).sum()
         }
 
-        fn at(&self, number: u32) -> Hundredths {
+        fn at(&self, number: u32) -> DotPosition {
             self.positions[number as usize]
         }
 
         /// The positions of a path without its ends.
-        fn dots(&self, order: &[u32]) -> Vec<Hundredths> {
+        fn dots(&self, order: &[u32]) -> Vec<DotPosition> {
             order[1..order.len() - 1].iter().map(|&number| self.at(number)).collect()
         }
     }
@@ -356,7 +356,7 @@ mod tests {
 
     #[test]
     fn a_double_bridge_is_undone_exactly() {
-        let dots: Vec<Hundredths> = (0..60).map(|i| [i * 37 % 61 * 10, i * 53 % 59 * 10]).collect();
+        let dots: Vec<DotPosition> = (0..60).map(|i| [i * 37 % 61 * 10, i * 53 % 59 * 10]).collect();
         let case = case([0, 0], &dots, [600, 600]);
         let mut path = path(&case);
         let changed = (0..200).filter(|&number| {
@@ -380,7 +380,7 @@ mod tests {
             most_back in prop::sample::select(vec![0, 100, 400, i32::MAX]),
         ) {
             // From top to bottom, so that nothing is pulled back at the beginning.
-            let mut dots: Vec<Hundredths> = dots.into_iter().map(|(x, y)| [x, y]).collect();
+            let mut dots: Vec<DotPosition> = dots.into_iter().map(|(x, y)| [x, y]).collect();
             dots.sort_unstable_by_key(|dot| dot[1]);
             let case = case([0, 0], &dots, [0, 1_000]);
             let order = case.shortened(most_back);

@@ -25,13 +25,13 @@
 mod improve;
 mod neighbours;
 
-pub use neighbours::Hundredths;
+pub use neighbours::DotPosition;
 
 /// The dots in an order of short travel that begins at `ends[0]` and goes on to `ends[1]` behind the last dot;
 /// neither is a dot. Equal positions come once; the order of `dots` does not matter. Going along the path, no dot
 /// lies more than `most_back` (hundredths of a millimetre, taken as 0 if negative) above a dot before it; `i32::MAX`
 /// lifts the limit.
-pub fn order(dots: &[Hundredths], ends: [Hundredths; 2], most_back: i32) -> Vec<Hundredths> {
+pub fn order(dots: &[DotPosition], ends: [DotPosition; 2], most_back: i32) -> Vec<DotPosition> {
     let dots = sorted(dots);
     let start = nearest_neighbour(&dots, ends[0], most_back.max(0));
     if dots.len() < 2 {
@@ -40,12 +40,12 @@ pub fn order(dots: &[Hundredths], ends: [Hundredths; 2], most_back: i32) -> Vec<
     let neighbours = neighbours::PositionGrid::new(&dots).neighbours();
     let count = dots.len() as u32;
     let path = [count].into_iter().chain(start).chain([count + 1]).collect();
-    let positions: Vec<Hundredths> = dots.iter().copied().chain(ends).collect();
+    let positions: Vec<DotPosition> = dots.iter().copied().chain(ends).collect();
     let path = improve::shorten(&positions, &neighbours, path, most_back.max(0));
     path[1..=dots.len()].iter().map(|&number| positions[number as usize]).collect()
 }
 
-fn sorted(dots: &[Hundredths]) -> Vec<Hundredths> {
+fn sorted(dots: &[DotPosition]) -> Vec<DotPosition> {
     let mut dots = dots.to_vec();
     dots.sort_unstable_by_key(|&[x, y]| (y, x));
     dots.dedup();
@@ -53,7 +53,7 @@ fn sorted(dots: &[Hundredths]) -> Vec<Hundredths> {
 }
 
 /// The path from each dot to the nearest that may come next, as numbers of the dots, which are sorted.
-fn nearest_neighbour(dots: &[Hundredths], start: Hundredths, most_back: i32) -> Vec<u32> {
+fn nearest_neighbour(dots: &[DotPosition], start: DotPosition, most_back: i32) -> Vec<u32> {
     let mut grid = neighbours::PositionGrid::new(dots);
     let mut visited = vec![false; dots.len()];
     let (mut here, mut highest) = (start, 0);
@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     /// Dots of a picture in characters, 1 mm apart; letters give the order.
-    fn dots(picture: &str) -> Vec<Hundredths> {
+    fn dots(picture: &str) -> Vec<DotPosition> {
         let rows = picture.split_whitespace().enumerate();
         let mut dots: Vec<_> = rows
             .flat_map(|(y, row)| {
@@ -89,8 +89,8 @@ mod tests {
     }
 
     /// The largest drop of the second coordinate from any dot to any later one.
-    fn pulled_back(path: &[Hundredths]) -> i32 {
-        let drop = |(i, dot): (usize, &Hundredths)| path[i..].iter().map(|later| dot[1] - later[1]).max();
+    fn pulled_back(path: &[DotPosition]) -> i32 {
+        let drop = |(i, dot): (usize, &DotPosition)| path[i..].iter().map(|later| dot[1] - later[1]).max();
         path.iter().enumerate().filter_map(drop).max().unwrap_or(0)
     }
 

@@ -5,11 +5,11 @@
 //! is the same on every computer; they are taken out one by one; and a search goes outwards ring by ring until nothing
 //! nearer can come, where the other looks at everything within a reach that is known before.
 
-/// A position: across and down, in hundredths of a millimetre.
-pub type Hundredths = [i32; 2];
+/// Where a dot is: across and down, in hundredths of a millimetre.
+pub type DotPosition = [i32; 2];
 
 /// The Euclidean distance of two positions, hundredths of a millimetre.
-pub(super) fn distance(a: Hundredths, b: Hundredths) -> f64 {
+pub(super) fn distance(a: DotPosition, b: DotPosition) -> f64 {
     let (x, y) = (f64::from(a[0]) - f64::from(b[0]), f64::from(a[1]) - f64::from(b[1]));
     (x * x + y * y).sqrt()
 }
@@ -26,8 +26,8 @@ const MOST_RINGS: i32 = 10;
 
 /// Positions by cells; those that are removed are found no more.
 pub(super) struct PositionGrid<'a> {
-    positions: &'a [Hundredths],
-    low: Hundredths,
+    positions: &'a [DotPosition],
+    low: DotPosition,
     cell: i64,
     columns: i32,
     rows: i32,
@@ -36,7 +36,7 @@ pub(super) struct PositionGrid<'a> {
 }
 
 impl<'a> PositionGrid<'a> {
-    pub(super) fn new(positions: &'a [Hundredths]) -> Self {
+    pub(super) fn new(positions: &'a [DotPosition]) -> Self {
         let extreme =
             |axis: usize, pick: fn(i32, i32) -> i32| positions.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0);
         let low = [extreme(0, i32::min), extreme(1, i32::min)];
@@ -55,7 +55,7 @@ impl<'a> PositionGrid<'a> {
         grid
     }
 
-    fn cell_of(&self, position: Hundredths) -> [i32; 2] {
+    fn cell_of(&self, position: DotPosition) -> [i32; 2] {
         let index = |axis: usize, count: i32| {
             let cells = (i64::from(position[axis]) - i64::from(self.low[axis])).div_euclid(self.cell);
             cells.clamp(0, i64::from(count) - 1) as i32
@@ -70,7 +70,7 @@ impl<'a> PositionGrid<'a> {
     }
 
     /// The nearest position that was not removed and whose second coordinate is at most `lowest`; of several the first.
-    pub(super) fn nearest(&self, to: Hundredths, lowest: i32) -> Option<u32> {
+    pub(super) fn nearest(&self, to: DotPosition, lowest: i32) -> Option<u32> {
         let mut best: Option<(f64, u32)> = None;
         let last_row = self.cell_of([0, lowest])[1];
         for ring in 0..=self.columns.max(self.rows) {
@@ -141,7 +141,7 @@ impl<'a> PositionGrid<'a> {
 }
 
 /// Which quarter of all directions; half-open, so that each direction belongs to one.
-fn quadrant([x, y]: Hundredths, [to_x, to_y]: Hundredths) -> usize {
+fn quadrant([x, y]: DotPosition, [to_x, to_y]: DotPosition) -> usize {
     if to_x > x && to_y <= y {
         0
     } else if to_x >= x && to_y > y {
@@ -165,7 +165,7 @@ mod tests {
             to in (-100..500, -100..1_000),
             lowest in 0..900,
         ) {
-            let positions: Vec<Hundredths> = positions.into_iter().map(|(x, y)| [x, y]).collect();
+            let positions: Vec<DotPosition> = positions.into_iter().map(|(x, y)| [x, y]).collect();
             let to = [to.0, to.1];
             let mut grid = PositionGrid::new(&positions);
             let mut left: Vec<u32> = (0..positions.len() as u32).collect();
@@ -184,7 +184,7 @@ mod tests {
         fn neighbours_come_nearest_first_and_the_nearest_is_among_them(
             positions in prop::collection::btree_set((0..400, 0..900), 2..60),
         ) {
-            let positions: Vec<Hundredths> = positions.into_iter().map(|(x, y)| [x, y]).collect();
+            let positions: Vec<DotPosition> = positions.into_iter().map(|(x, y)| [x, y]).collect();
             for (number, found) in PositionGrid::new(&positions).neighbours().iter().enumerate() {
                 let far = |other: u32| distance(positions[number], positions[other as usize]);
                 prop_assert!(found.is_sorted_by(|&a, &b| far(a) <= far(b)));
@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn a_line_sees_the_line_beside_it() {
         // Two rows of dots 20 apart, a dot each 1: the six nearest of each dot are all in its own row.
-        let positions: Vec<Hundredths> = (0..100).flat_map(|x| [[x, 0], [x, 20]]).collect();
+        let positions: Vec<DotPosition> = (0..100).flat_map(|x| [[x, 0], [x, 20]]).collect();
         let neighbours = PositionGrid::new(&positions).neighbours();
         assert!(neighbours[100].iter().any(|&other| positions[other as usize][1] == 20));
     }

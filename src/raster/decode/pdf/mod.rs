@@ -106,6 +106,7 @@ impl Warnings {
                     InterpreterWarning::UnsupportedFont => found.fonts = true,
                     InterpreterWarning::ImageDecodeFailure => found.pictures = true,
                     InterpreterWarning::UnresolvedAnnotationAppearance => found.annotations = true,
+                    // kinds that later releases of the interpreter may add
                     _ => {}
                 }
             }
