@@ -164,7 +164,7 @@ pub use output::{DotFormat, DrawingFormat, Embossing, Format, write_dots};
 pub use page::spread::SheetGrid;
 pub use picture::Picture;
 pub use pipeline::trace::{Thresholds, Tracing};
-pub use pipeline::{Event, Key as KeySheets, Label, Position, Stage};
+pub use pipeline::{Event, KeySheets, Label, Position, Stage};
 pub use profile::{BuiltIn, Fault, FindFile, Key, NumberRange, Profile, Value};
 pub use raster::crop::Crop;
 pub use raster::decode::Limits;

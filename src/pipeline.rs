@@ -44,7 +44,7 @@ pub use finish::{is_made, title_of_key, title_of_overview};
 pub use given::{Given, GivenLines};
 pub use hand_lines::HandLines;
 pub use kept_lines::LineName;
-pub use key::Key;
+pub use key::KeySheets;
 pub use label::{Label, Position};
 pub use progress::{Event, Stage, Watch};
 pub use redraw::{dots_left_out, key_of_page};
@@ -134,7 +134,7 @@ pub fn convert_with_words<'p>(
 pub fn redraw(
     (page, lines): (&Page, &[LineName]),
     own: &Plan,
-    (key, translate): (Key, Option<&Translate>),
+    (key, translate): (KeySheets, Option<&Translate>),
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::fonts::Fonts;
 use crate::braille::Translate;
 use crate::page::{LANGUAGE, Page};
-use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, Key, Label, Position, TextReader, Words};
+use crate::pipeline::{self, Event, Fit, Given, GivenLines, HandLines, KeySheets, Label, Position, TextReader, Words};
 use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::raster::decode::Limits;
@@ -38,7 +38,7 @@ pub struct Options {
     language: Option<String>,
     labels: Vec<Label>,
     label_texts: bool,
-    key: Key,
+    key: KeySheets,
     page_number: Option<u32>,
     translate: Option<Arc<Translate>>,
     pub(super) fit: Fit,
@@ -68,7 +68,7 @@ impl Options {
             language: None,
             labels: Vec::new(),
             label_texts: false,
-            key: Key::default(),
+            key: KeySheets::default(),
             page_number: None,
             translate: None,
             fit: Fit::default(),
@@ -126,7 +126,7 @@ impl Options {
 
     /// When there is a key, which follows on sheets of its own in [`Drawing::key`](crate::Drawing::key): the
     /// colours that occur with their textures, and abbreviations. Default: where labels are abbreviated.
-    pub fn key(mut self, key: Key) -> Self {
+    pub fn key(mut self, key: KeySheets) -> Self {
         self.key = key;
         self
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::options::Cancelled;
 use crate::braille::Translate;
 use crate::page::{BrailleText, Page};
-use crate::pipeline::{self, Adapted, Drawing, Fit, Key as KeySheets, Request};
+use crate::pipeline::{self, Adapted, Drawing, Fit, KeySheets, Request};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::Limits;
 use crate::reading;

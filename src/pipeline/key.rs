@@ -26,7 +26,7 @@ use crate::{Error, Note};
 
 /// When there is a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Key {
+pub enum KeySheets {
     /// Where labels are abbreviated.
     #[default]
     Auto,

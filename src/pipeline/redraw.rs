@@ -4,7 +4,7 @@ use super::areas;
 use super::draw::{DrawnLines, Marks, draw_lines, left_out, told_left_out};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
-use super::key::Key;
+use super::key::KeySheets;
 use super::label::{Label, Position};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
@@ -50,12 +50,12 @@ pub(super) fn words<'a>(page: &'a Page, labels: &'a [Label]) -> Words<'a> {
 /// If a mark is off its sheet.
 pub fn key_of_page(
     page: &Page,
-    key: Key,
+    key: KeySheets,
     translate: Option<&Translate>,
     request: &Request<'_>,
 ) -> Result<(Vec<Page>, Vec<Note>), Error> {
     if page.braille.iter().any(|text| text.role == TextRole::Key) {
-        let told = (key == Key::Always).then_some(Note::NoKey("this sheet is one of a key itself"));
+        let told = (key == KeySheets::Always).then_some(Note::NoKey("this sheet is one of a key itself"));
         return Ok((Vec::new(), told.into_iter().collect()));
     }
     let labels = labels(page);

@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_1_SQRT_2;
 
-use super::key::{self, Entries, Key};
+use super::key::{self, Entries, KeySheets};
 use super::label::{CLEARANCE, Label};
 use super::request::Request;
 use super::texts::Text;
@@ -35,7 +35,7 @@ pub struct Words<'a> {
     /// Whether the texts of a drawing are labels too.
     pub own_texts: bool,
     /// When there is a key.
-    pub key: Key,
+    pub key: KeySheets,
     /// The page number of the first sheet.
     pub number: Option<u32>,
     /// What writes the words, if not the table of their code.
@@ -50,7 +50,7 @@ impl Words<'_> {
         self.title.is_some()
             || !self.labels.is_empty()
             || self.own_texts
-            || self.key == Key::Always
+            || self.key == KeySheets::Always
             || self.number.is_some()
     }
 }
@@ -251,7 +251,7 @@ impl<'a> Written<'a> {
             Some(entries) => key::sheets(&entries, layout, figure.source, request)?,
             None => (Vec::new(), Vec::new()),
         };
-        if words.key == Key::Always && sheets.is_empty() {
+        if words.key == KeySheets::Always && sheets.is_empty() {
             notes.push(Note::NoKey(match &self.translator {
                 _ if !request.plan.profile().braille.on => OFF,
                 None => NO_CODE_OF_WORDS,
@@ -278,9 +278,9 @@ impl<'a> Written<'a> {
             }
         }
         let is_wanted = match words.key {
-            Key::Auto => !abbreviations.is_empty(),
-            Key::Always => true,
-            Key::Never => false,
+            KeySheets::Auto => !abbreviations.is_empty(),
+            KeySheets::Always => true,
+            KeySheets::Never => false,
         };
         let translator = self.translator.as_ref().filter(|_| is_wanted)?;
         let occurs = |class: &Class| figure.textures.iter().any(|texture| texture.class == *class);
