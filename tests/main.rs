@@ -2,6 +2,7 @@
 //! golden::` runs a part of it. Only `tests/tidy`, which needs no library, stands alone.
 
 mod bars;
+mod bitmaps;
 mod braille;
 mod calibration;
 mod check;

@@ -281,7 +281,7 @@ pub(super) fn edges_of(
     let kind = match kind {
         Some(kind) => kind,
         None => {
-            own = run(watch, Stage::Edges, || PictureKind::of(raster));
+            own = run(watch, Stage::Edges, || PictureKind::of(raster, picture.lossy));
             &own
         }
     };

@@ -55,7 +55,7 @@ fn without_text(
     options: &Options<'_>,
     reader: Option<&TextReader>,
 ) -> Read {
-    let kind = PictureKind::of(&decoded.raster);
+    let kind = PictureKind::of(&decoded.raster, decoded.lossy);
     let is_drawing = kind.is_drawing;
     let working = decoded.raster.size();
     let finer = if is_drawing { finer(picture, &decoded, options) } else { None };

@@ -134,7 +134,7 @@ fn drawn(
     let raster = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
     let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
     let texts = texts(transform, target);
-    Ok(Picture { raster, source, drawing, texts, notes: left_out.notes() })
+    Ok(Picture { raster, lossy: None, source, drawing, texts, notes: left_out.notes() })
 }
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it

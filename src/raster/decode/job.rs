@@ -69,6 +69,8 @@ impl<'a> Options<'a> {
 pub struct Picture {
     /// The pixels at working size, upright.
     pub raster: Raster,
+    /// Of a picture with lossy compression by blocks, by which factor it was shrunk, at most 1; none without.
+    pub lossy: Option<f32>,
     /// What was known from the header.
     pub source: Header,
     /// The paths of a vector drawing that has not too many.
@@ -77,6 +79,14 @@ pub struct Picture {
     pub texts: Vec<DrawnText>,
     /// Remarks on what was lost.
     pub notes: Vec<Note>,
+}
+
+impl Picture {
+    /// The same, of which it is known that its compression lost something.
+    pub(super) fn with_loss(self) -> Self {
+        let shrunk = self.raster.size().width as f32 / self.source.size.width.max(1) as f32;
+        Self { lossy: Some(shrunk.min(1.0)), ..self }
+    }
 }
 
 /// What to do about a picture over a limit.
@@ -147,7 +157,7 @@ impl Job {
     /// The picture, when no rows are missing.
     pub(super) fn end(self, raster: Option<Raster>) -> Result<Picture, Error> {
         let raster = raster.ok_or_else(|| ends_early(self.format))?;
-        Ok(Picture { raster, source: self.source, drawing: None, texts: Vec::new(), notes: self.notes })
+        Ok(Picture { raster, lossy: None, source: self.source, drawing: None, texts: Vec::new(), notes: self.notes })
     }
 }
 

@@ -69,7 +69,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let across = Extent::scaled(part.left, part.size.width, eighths);
     let source = Extents { width: scaled.width, across, down: Extent::scaled(part.top, part.size.height, eighths) };
     let samples = Samples::new(layout, meaning, source, job.target, job.orientation);
-    job.end(samples.raster(&pixels))
+    Ok(job.end(samples.raster(&pixels))?.with_loss())
 }
 
 /// What the pixels are made of.

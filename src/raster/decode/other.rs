@@ -21,7 +21,21 @@ use crate::Error;
 use crate::units::Size;
 
 pub(super) fn webp(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
-    picture("WebP", WebPDecoder::new(Cursor::new(bytes)), options)
+    let picture = picture("WebP", WebPDecoder::new(Cursor::new(bytes)), options)?;
+    Ok(if is_lossy(bytes) { picture.with_loss() } else { picture })
+}
+
+/// Whether a WebP has lossy pixels: a chunk "VP8 " among those of the file, each with its name and length.
+fn is_lossy(bytes: &[u8]) -> bool {
+    let mut rest = bytes.get(12..).unwrap_or_default();
+    while let [a, b, c, d, e, f, g, h, data @ ..] = rest {
+        if [*a, *b, *c, *d] == *b"VP8 " {
+            return true;
+        }
+        let length = (u32::from_le_bytes([*e, *f, *g, *h]) as usize).saturating_add(1) & !1;
+        rest = data.get(length..).unwrap_or_default();
+    }
+    false
 }
 
 pub(super) fn tiff(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {

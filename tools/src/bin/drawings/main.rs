@@ -7,7 +7,7 @@
 //!   --from SEED        the first of their seeds (default 0): other pages, of the same kinds
 //!   --again FILE       instead: the pages named in this list, as --list names them
 //!   --kind NAME        only this kind
-//!   --input NAME       only svg, or only png
+//!   --input NAME       only svg, png or jpg
 //!   --list N           also the N worst pages, each with what makes it again
 //!   --keep DIR         writes the picture and the page of the listed ones into a folder
 //!   --profile NAME     default swell-a3
@@ -15,7 +15,7 @@
 //! ```
 //!
 //! **Scenes** (`scenes.rs`): twelve kinds of 900 x 600 units with strokes of 0.5, 1, 2, 3 and 6 units. **Input**: the drawing
-//! as SVG, and rendered as a PNG of 1200 px for its longer side. **Pages**: each has its own seed, one of four quarter
+//! as SVG, and rendered as a PNG and a JPEG of 1200 px for its longer side. **Pages**: each has its own seed, one of four quarter
 //! turns, and a figure from 60 to 250 mm wide in steps of 1 mm (the golden ratio spreads them evenly). **Truth**: outlines
 //! and the middle of strokes.
 #![allow(clippy::print_stdout, reason = "this is a program")]
@@ -28,6 +28,7 @@ use std::path::{Path, PathBuf};
 use scenes::{Kind, Point, Scene};
 use tactograph::marks::{Line, Run};
 use tactograph::{Options, Profile};
+use tactograph_tools::bitmap;
 use tactograph_tools::cores::on_all_cores;
 use tactograph_tools::drawn::{Shares, shares};
 
@@ -37,21 +38,28 @@ const STROKES: [f64; 5] = [0.5, 1.0, 2.0, 3.0, 6.0];
 const WIDTHS: [u32; 2] = [60, 250];
 /// A page is whole from this share of its contours on.
 const WHOLE: f64 = 0.99;
-/// Longer side of the PNG, px.
-const PNG_SIDE: u32 = 1200;
+/// Longer side of bitmaps, px.
+const SIDE: u32 = 1200;
+
+/// Quality of JPEGs, 1 to 100: as pictures on web pages are.
+const JPEG_QUALITY: u8 = 80;
 
 /// How a drawing is given to the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Input {
     Svg,
     Png,
+    Jpeg,
 }
 
 impl Input {
+    const ALL: [Self; 3] = [Self::Svg, Self::Png, Self::Jpeg];
+
     fn name(self) -> &'static str {
         match self {
             Self::Svg => "svg",
             Self::Png => "png",
+            Self::Jpeg => "jpg",
         }
     }
 }
@@ -72,7 +80,8 @@ impl Task {
         let svg = Scene::new(self.kind, self.stroke, self.seed).svg(self.turns);
         match self.input {
             Input::Svg => Ok(svg.into_bytes()),
-            Input::Png => png(&svg),
+            Input::Png => bitmap::png(&svg, SIDE),
+            Input::Jpeg => bitmap::jpeg(&svg, SIDE, JPEG_QUALITY),
         }
     }
 
@@ -84,7 +93,7 @@ impl Task {
             Some(Self {
                 kind: Kind::ALL.into_iter().find(|of| of.name() == kind)?,
                 stroke: stroke.parse().ok()?,
-                input: [Input::Svg, Input::Png].into_iter().find(|of| of.name() == input)?,
+                input: Input::ALL.into_iter().find(|of| of.name() == input)?,
                 seed: seed.strip_prefix("seed")?.parse().ok()?,
                 turns: turns.strip_prefix("turn")?.parse().ok()?,
                 width: width.split_once("mm")?.0.parse().ok()?,
@@ -136,7 +145,7 @@ impl Args {
                 "--profile" => read.profile = value()?,
                 "--input" => {
                     let name = value()?;
-                    let input = [Input::Svg, Input::Png].into_iter().find(|input| input.name() == name);
+                    let input = Input::ALL.into_iter().find(|input| input.name() == name);
                     read.input = Some(input.ok_or_else(|| format!("there is no input {name}"))?);
                 }
                 "--kind" => {
@@ -189,7 +198,7 @@ fn tasks(args: &Args) -> Vec<Task> {
                 let width = WIDTHS[0] + (spread * widths) as u32;
                 let turns = ((seed + s as u64) % 4) as u8;
                 let task = |input| Task { kind, stroke, input, seed, turns, width };
-                let inputs = [Input::Svg, Input::Png].into_iter();
+                let inputs = Input::ALL.into_iter();
                 tasks.extend(inputs.filter(|input| args.input.is_none_or(|only| only == *input)).map(task));
             }
         }
@@ -239,22 +248,11 @@ fn convert(picture: &[u8], profile: &str, width: f32) -> Result<Drawn, Box<dyn E
     })
 }
 
-fn png(svg: &str) -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
-    let tree = usvg::Tree::from_str(svg, &usvg::Options::default())?;
-    let size = tree.size();
-    let scale = PNG_SIDE as f32 / size.width().max(size.height());
-    let side = |side: f32| (side * scale).round() as u32;
-    let mut canvas =
-        resvg::tiny_skia::Pixmap::new(side(size.width()), side(size.height())).ok_or("the drawing has no size")?;
-    resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(scale, scale), &mut canvas.as_mut());
-    Ok(canvas.encode_png()?)
-}
-
 fn table(measured: &[(Task, Shares)]) -> String {
     let mut text = String::from(
         "| input | kind | pages | whole | mean drawn | worst drawn | mean beside | most beside |\n|---|---|---|---|---|---|---|---|\n",
     );
-    for input in [Input::Svg, Input::Png] {
+    for input in Input::ALL {
         let kinds = Kind::ALL.into_iter().map(Some).chain([None]);
         for kind in kinds {
             let of: Vec<&Shares> = measured
