@@ -21,6 +21,21 @@ fn lines(page: &Page) -> Vec<Vec<Point>> {
     runs.map(|run| run.points.iter().chain(run.points.first().filter(|_| run.closed)).map(path).collect()).collect()
 }
 
+/// Shapes in black outlines, as on worksheets.
+const WORKSHEET: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="900" height="600"><rect width="900" height="600" fill="#fff"/>
+<g fill="none" stroke="#222" stroke-width="4"><circle cx="150" cy="150" r="80"/><path d="M420 70L330 230L510 225Z"/>
+<path d="M620 80L800 86L796 220L616 214Z"/><circle cx="700" cy="430" r="90"/><path d="M60 340L560 350L540 520L90 540Z"/></g></svg>"##;
+
+#[test]
+fn a_noisy_scan_of_a_drawing_has_the_lines_of_the_drawing() {
+    let whole = lines(&page(&bitmap::png(WORKSHEET, 1000).expect("a PNG")));
+    for seed in [1, 2] {
+        let drawn = lines(&page(&bitmap::scan(WORKSHEET, 1000, seed).expect("a JPEG")));
+        let shares = shares(&whole, &drawn);
+        assert!(shares.drawn > 0.98 && shares.beside < 0.01, "seed {seed}: {shares:?}");
+    }
+}
+
 #[test]
 fn a_drawing_as_jpeg_has_the_lines_of_the_same_as_png() {
     let whole = lines(&page(&bitmap::png(MAP, 1200).expect("a PNG")));

@@ -75,7 +75,7 @@ fn without_text(
     let new = found.lines.iter().zip((0..).map(word)).map(|(line, string)| text(line, string, scale));
     let texts = decoded.texts.into_iter().chain(new).collect();
     let erased = found.erased_from(raster);
-    let raster = if finer.is_some() { shrunk(&erased, working) } else { erased };
+    let raster = if finer.is_some() { erased.shrunk(working) } else { erased };
     // without its letters it may be of another kind
     let is_flat = raster.is_flat();
     Read { picture: decode::Picture { raster, texts, notes, ..decoded }, is_flat, kind: None }
@@ -110,11 +110,6 @@ fn finer(picture: Picture<'_>, decoded: &decode::Picture, options: &Options<'_>)
     let working_size = |source: Header| Ok(wanted(source));
     let options = Options { working_size: &working_size, ..*options };
     decode::decode_picture(picture, &options).ok().map(|picture| picture.raster)
-}
-
-fn shrunk(raster: &Raster, size: Size) -> Raster {
-    let shrink = |plane: &Vec<f32>| crate::raster::shrink::shrink(plane, raster.size(), size).values;
-    Raster::new(size, raster.planes().as_ref().map(shrink))
 }
 
 /// A line as a text of the working picture, which is smaller by `scale`.

@@ -20,6 +20,7 @@ use std::sync::Arc;
 use pulp::{Arch, Simd, WithSimd};
 
 use super::plane::Plane;
+use super::planes::Raster;
 use crate::units::Size;
 
 /// What sums are made in: `f32`, or `f64` where a target may cover tens of thousands of rows, of which `f32` would lose
@@ -315,6 +316,13 @@ impl Plane {
     /// [`shrink`] for a plane that knows its size.
     pub fn shrunk(&self, size: Size) -> Self {
         shrink(&self.values, self.size, size)
+    }
+}
+
+impl Raster {
+    /// [`shrink`] of all planes.
+    pub fn shrunk(&self, size: Size) -> Self {
+        Self::new(size, self.planes().as_ref().map(|plane| shrink(plane, self.size(), size).values))
     }
 }
 

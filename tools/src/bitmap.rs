@@ -5,6 +5,8 @@ use std::error::Error;
 use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8, Transform};
 
+use crate::rng::Rng;
+
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
 /// A drawing as a PNG whose longer side has so many pixels.
@@ -21,15 +23,46 @@ pub fn png(svg: &str, side: u32) -> Result<Vec<u8>> {
 /// As [`png`].
 pub fn jpeg(svg: &str, side: u32, quality: u8) -> Result<Vec<u8>> {
     let canvas = pixels(svg, side)?;
+    encoded(&on_white(&canvas), &canvas, quality)
+}
+
+/// How dark the right side of a scan is, of the light on its left.
+const SHADE: f64 = 0.06;
+/// Standard deviation of the noise of a scan, in code values of 255.
+const NOISE: f64 = 4.0;
+
+/// The same as an old scanner or a telephone gives it: in uneven light, with noise that has a seed, as a JPEG of
+/// quality 80.
+///
+/// # Errors
+/// As [`png`].
+pub fn scan(svg: &str, side: u32, seed: u64) -> Result<Vec<u8>> {
+    let canvas = pixels(svg, side)?;
+    let mut rng = Rng::new(seed);
+    let mut rgb = on_white(&canvas);
+    for (at, pixel) in rgb.chunks_exact_mut(3).enumerate() {
+        let across = (at % canvas.width() as usize) as f64 / f64::from(canvas.width());
+        let noise = NOISE * rng.normal();
+        for value in pixel {
+            *value = (f64::from(*value) * (1.0 - SHADE * across) + noise).round().clamp(0.0, 255.0) as u8;
+        }
+    }
+    encoded(&rgb, &canvas, 80)
+}
+
+fn on_white(canvas: &Pixmap) -> Vec<u8> {
     let on_white = |pixel: &PremultipliedColorU8| {
         let white = 255 - pixel.alpha();
         [pixel.red() + white, pixel.green() + white, pixel.blue() + white]
     };
-    let rgb: Vec<u8> = canvas.pixels().iter().flat_map(on_white).collect();
+    canvas.pixels().iter().flat_map(on_white).collect()
+}
+
+fn encoded(rgb: &[u8], canvas: &Pixmap, quality: u8) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, quality);
     encoder.set_sampling_factor(SamplingFactor::F_2_2);
-    encoder.encode(&rgb, canvas.width().try_into()?, canvas.height().try_into()?, ColorType::Rgb)?;
+    encoder.encode(rgb, canvas.width().try_into()?, canvas.height().try_into()?, ColorType::Rgb)?;
     Ok(bytes)
 }
 

@@ -35,7 +35,14 @@ use crate::raster::residue::{Polarity, residue, square_max};
 use crate::units::{PxPoint, PxVector, Size};
 
 /// A picture with more noise than this standard deviation of a pixel, in units of strength, is taken for a photograph.
-const NOISY: f32 = 1.0;
+const NOISY: f32 = 3.0;
+/// Up to this noise pixels tell by themselves what is flat.
+const QUIET_ENOUGH: f32 = 1.0;
+/// ... otherwise squares of this side, px, whose means differ by no more than this from their neighbours', in units of
+/// strength. Scans of worksheets with noise of 4 to 8 of 255 have shares of 0.80 to 0.87 of them, of 100 photographs
+/// (BSDS500, train and val) none more than 0.45.
+const SQUARE: u32 = 4;
+const FLAT_SQUARES: f32 = 1.2;
 /// Two neighbouring pixels that differ by no more than this, in units of strength, are flat: a code value and a half.
 const FLAT: f32 = 0.6;
 /// ... or by no more than this many standard deviations of the noise.
@@ -118,10 +125,16 @@ fn radii(widest: f32) -> impl Iterator<Item = usize> {
 
 /// Whether a picture is a drawing: mostly of flat areas. `noise` is the standard deviation of a pixel.
 pub(super) fn is_drawing(raster: &Raster, noise: f32) -> bool {
-    if noise > NOISY {
-        return false;
+    if noise <= QUIET_ENOUGH && is_flat(raster, FLAT.max(FLAT_NOISE * noise)) {
+        return true;
     }
-    let tolerance = FLAT.max(FLAT_NOISE * noise);
+    // what a camera and a compression add goes where pixels are averaged, and the texture of a photograph stays
+    let size = Size::new(raster.size().width / SQUARE, raster.size().height / SQUARE);
+    noise <= NOISY && size.width.min(size.height) > 1 && is_flat(&raster.shrunk(size), FLAT_SQUARES)
+}
+
+/// Whether most neighbouring pixels differ by no more than a tolerance, in units of strength.
+fn is_flat(raster: &Raster, tolerance: f32) -> bool {
     let width = raster.size().width as usize;
     // every third row tells as much
     let rows = || (1..raster.size().height as usize).step_by(3);

@@ -7,7 +7,7 @@
 //!   --from SEED        the first of their seeds (default 0): other pages, of the same kinds
 //!   --again FILE       instead: the pages named in this list, as --list names them
 //!   --kind NAME        only this kind
-//!   --input NAME       only svg, png or jpg
+//!   --input NAME       only svg, png, jpg or scan
 //!   --list N           also the N worst pages, each with what makes it again
 //!   --keep DIR         writes the picture and the page of the listed ones into a folder
 //!   --profile NAME     default swell-a3
@@ -15,7 +15,7 @@
 //! ```
 //!
 //! **Scenes** (`scenes.rs`): twelve kinds of 900 x 600 units with strokes of 0.5, 1, 2, 3 and 6 units. **Input**: the drawing
-//! as SVG, and rendered as a PNG and a JPEG of 1200 px for its longer side. **Pages**: each has its own seed, one of four quarter
+//! as SVG, and rendered as a PNG, a JPEG and a scan (uneven light, noise, JPEG) of 1200 px for its longer side. **Pages**: each has its own seed, one of four quarter
 //! turns, and a figure from 60 to 250 mm wide in steps of 1 mm (the golden ratio spreads them evenly). **Truth**: outlines
 //! and the middle of strokes.
 #![allow(clippy::print_stdout, reason = "this is a program")]
@@ -50,16 +50,18 @@ enum Input {
     Svg,
     Png,
     Jpeg,
+    Scan,
 }
 
 impl Input {
-    const ALL: [Self; 3] = [Self::Svg, Self::Png, Self::Jpeg];
+    const ALL: [Self; 4] = [Self::Svg, Self::Png, Self::Jpeg, Self::Scan];
 
     fn name(self) -> &'static str {
         match self {
             Self::Svg => "svg",
             Self::Png => "png",
             Self::Jpeg => "jpg",
+            Self::Scan => "scan",
         }
     }
 }
@@ -82,6 +84,7 @@ impl Task {
             Input::Svg => Ok(svg.into_bytes()),
             Input::Png => bitmap::png(&svg, SIDE),
             Input::Jpeg => bitmap::jpeg(&svg, SIDE, JPEG_QUALITY),
+            Input::Scan => bitmap::scan(&svg, SIDE, self.seed),
         }
     }
 
