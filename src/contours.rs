@@ -119,7 +119,7 @@ impl<'a> Strengths<'a> {
     }
 }
 
-/// The way from the working picture to the source picture. Both axes have a scale of their own, as each side of the
+/// From the working picture to the source picture. Both axes have a scale of their own, as each side of the
 /// working picture is rounded to whole pixels.
 struct Scale {
     across: f64,

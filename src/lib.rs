@@ -111,6 +111,16 @@
 //!   about; [errors](Error::id), [notes](Note::id) and [rules](Rule::id) have ids that stay when their sentences
 //!   change.
 //!
+//! # Names and text
+//!
+//! * What is chosen from a list has `ALL`, `name` and `named`: [`Format`], [`DotFormat`], [`DrawingFormat`],
+//!   [`Depth`], [`KeySheets`], [`Class`]. [`Profile::named`] and [`medium::Device::named`] take the ids of profiles and
+//!   devices.
+//! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr): [`Crop`], [`Position`],
+//!   [`SheetGrid`].
+//! * What the library gives, and nobody gives to it, has a `name` or an `id`: [`Stage`], [`About`], [`Severity`],
+//!   [`Error`], [`Note`], [`Rule`].
+//!
 //! # What grows
 //!
 //! What is `#[non_exhaustive]` may get more cases or fields in a release that changes nothing else: errors, notes,

@@ -1,4 +1,4 @@
-//! The way from bytes to a page: the only module that names every stage.
+//! From bytes to a page: the only module that names every stage.
 //!
 //! A stage whose result the page does not need does not run; the caller is told which, and why.
 

@@ -104,7 +104,7 @@ fn sheet(page: &Page, wording: &Wording) -> String {
     let orientation = if width > height { "across" } else { "upright" };
     let [across, down] = size(page.figure.place);
     let values = [
-        ("way", orientation.into()),
+        ("orientation", orientation.into()),
         ("width", width.into()),
         ("height", height.into()),
         ("across", across),

@@ -20,7 +20,7 @@ const LONG: f32 = 0.6;
 /// Ends nearer than this close a line, mm.
 const CLOSED: f32 = 0.05;
 
-/// A side at which a rectangle may be open: its name, its ends, the way along the other three, and the distance of a
+/// A side at which a rectangle may be open: its name, its ends, the length of the other three, and the distance of a
 /// point to these.
 type OpenBox = (&'static str, [MmPoint; 2], f32, fn(MmPoint, MmRect) -> f32);
 
@@ -85,7 +85,7 @@ impl Shape {
         }
         let [first, last] = [self.path[0], self.path[self.path.len() - 1]];
         let near = |a: f32, b: f32| (a - b).abs() <= self.slack;
-        // the side's ends, the way round along the other three, and whether a point lies on one of these
+        // the side's ends, the length of the other three, and whether a point lies on one of these
         let at = |x: f32, y: f32| MmPoint::new(x, y);
         let sides: [OpenBox; 4] = [
             ("below", [at(min.x, max.y), max], width + 2.0 * height, |p, e| {
@@ -102,10 +102,10 @@ impl Shape {
             }),
         ];
         let is_end = |end: MmPoint, corner: MmPoint| near(end.x, corner.x) && near(end.y, corner.y);
-        sides.into_iter().find_map(|(name, [a, b], way, off)| {
+        sides.into_iter().find_map(|(name, [a, b], length, off)| {
             let ends = is_end(first, a) && is_end(last, b) || is_end(first, b) && is_end(last, a);
             let along = self.path.iter().all(|point| off(*point, self.extent) <= self.slack);
-            (ends && along && (self.length / way - 1.0).abs() <= AS_LONG).then_some(name)
+            (ends && along && (self.length / length - 1.0).abs() <= AS_LONG).then_some(name)
         })
     }
 
@@ -127,10 +127,12 @@ impl Shape {
             return wording
                 .say("shape-open", &[place, mm("width", width), mm("height", height), ("side", side.into())]);
         }
-        let way: MmVector = self.path[self.path.len() - 1] - self.path[0];
-        let straight = way.length() >= STRAIGHTNESS * self.length;
-        let (dx, dy) =
-            (way.x.abs() / way.length().max(f32::MIN_POSITIVE), way.y.abs() / way.length().max(f32::MIN_POSITIVE));
+        let chord: MmVector = self.path[self.path.len() - 1] - self.path[0];
+        let straight = chord.length() >= STRAIGHTNESS * self.length;
+        let (dx, dy) = (
+            chord.x.abs() / chord.length().max(f32::MIN_POSITIVE),
+            chord.y.abs() / chord.length().max(f32::MIN_POSITIVE),
+        );
         let (form, across) = match (straight, dx, dy) {
             (true, dx, _) if dx >= LEVEL => ("line-level", width / figure.width()),
             (true, _, dy) if dy >= LEVEL => ("line-upright", height / figure.height()),

@@ -23,7 +23,7 @@ const STRAIGHTNESS: f32 = 0.95;
 /// The gap between two dashes is at most so many times as long as the shorter of them: the dash patterns of drawing
 /// programs have gaps from a third to the whole of a dash, and a stroke's end looks shorter by its blur.
 const WIDEST_GAP: f32 = 1.5;
-/// Cosine between the direction of a dash and the way to the next one (18 degrees).
+/// Cosine between the direction of a dash and the direction of the next one (18 degrees).
 const AHEAD_COSINE: f32 = 0.95;
 /// Fewer than this are no row.
 const FEWEST: usize = 3;
@@ -92,7 +92,7 @@ impl Segments {
         Self(index)
     }
 
-    /// How far along a way it meets the first segment of a contour that counts, px.
+    /// How far along a segment it meets the first segment of a contour that counts, px.
     fn first_met(&self, displacement @ [from, to]: [PxPoint; 2], counts: impl Fn(usize) -> bool) -> Option<f32> {
         let mut nearest: Option<f32> = None;
         self.0.around(from.min(to), from.max(to), ON, |&(number, segment)| {
@@ -256,10 +256,10 @@ fn extend_ends(line: &mut Contour, period: f32, segments: &Segments, taken: &Has
     }
 }
 
-/// How far beyond its ends a way or a segment still meets another, px.
+/// How far beyond its ends a segment still meets another, px.
 const ON: f32 = 1e-3;
 
-/// How far along a way it meets a segment, px, if it does; an end of the segment belongs to it.
+/// How far along a segment it meets a segment, px, if it does; an end of the segment belongs to it.
 fn ahead([from, to]: [PxPoint; 2], [a, b]: [PxPoint; 2]) -> Option<f32> {
     let (displacement, segment) = (to - from, b - a);
     let (ahead, along) = crossing((from, displacement.try_normalize()?), (a, segment.try_normalize()?))?;

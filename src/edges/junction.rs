@@ -78,7 +78,7 @@ pub(super) fn straighten(contours: &mut [Contour], size: Size) {
     }
 }
 
-/// The vertices of a contour that are to lie on the straight way between two points.
+/// The vertices of a contour that are to lie on the segment between two points.
 struct Kink {
     contour: usize,
     vertices: Vec<usize>,
@@ -280,8 +280,8 @@ mod tests {
             straighten(&mut contours, SIZE);
             let off = contours[0].vertices.iter().map(|point| (point.at.y - 50.0).abs()).fold(0.0, f32::max);
             assert!(off < 0.1, "{off} px off");
-            let way = |contour: &Contour| contour.vertices.windows(2).all(|pair| pair[1].at.x > pair[0].at.x);
-            assert!(way(&contours[0]), "its vertices stay in order");
+            let in_order = |contour: &Contour| contour.vertices.windows(2).all(|pair| pair[1].at.x > pair[0].at.x);
+            assert!(in_order(&contours[0]), "its vertices stay in order");
         }
         // a corner of its own is none that another made, nor is what no other one comes near
         let corner = polyline(&[(5.0, 50.0), (50.0, 50.0), (80.0, 80.0)]);

@@ -35,7 +35,7 @@ const NARROW: f32 = 0.985;
 const WIDEST: f32 = -0.5;
 /// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
 const BEYOND: f32 = 1.5;
-/// An end goes on in another if the cosine between its direction and the way there is at least this (18 degrees).
+/// An end goes on in another if the cosine between its direction and the direction there is at least this (18 degrees).
 const AHEAD_COSINE: f32 = 0.95;
 /// A contour that goes straight on, or makes a wide corner, is at least so many times as long as another may be away
 /// from its end: the parts of letters and of arrowheads are not.
@@ -57,8 +57,8 @@ pub(super) type IsSeen<'a> = dyn Fn(PxPoint, PxPoint, f32, f32) -> bool + 'a;
 /// Contours whose ends make a sharp corner end at its tip, if one of them is a stroke; two strokes become one, as they
 /// do where one goes on in the other. `sigma` is the scale of the edge detector, px.
 ///
-/// `is_seen` tells whether the picture shows something along a way between two points that has at least a contrast,
-/// given with the width of the stroke.
+/// `is_seen` tells whether the picture shows something along the segment between two points that has at least a
+/// contrast, given with the width of the stroke.
 pub(super) fn meet(mut found: Vec<FoundContour>, sigma: f32, is_seen: &IsSeen<'_>) -> Vec<FoundContour> {
     let ends: Vec<End<Px>> = (0..found.len())
         .filter(|&number| !found[number].contour.closed && found[number].contour.vertices.len() > 2)
@@ -168,12 +168,12 @@ impl FoundContour {
 
     /// Leads an end straight to the tip of a corner. Beside the tip contrast cannot be measured: it is that before.
     fn lead_to(&mut self, tip: PxPoint, at_start: bool, sigma: f32) {
-        let [_, way] = self.heading(sigma);
+        let [_, trimmed] = self.heading(sigma);
         if at_start {
             self.contour.reverse();
         }
         let vertices = &mut self.contour.vertices;
-        while vertices.len() > 2 && vertices.last().is_some_and(|last| (last.at - tip).length() < way) {
+        while vertices.len() > 2 && vertices.last().is_some_and(|last| (last.at - tip).length() < trimmed) {
             vertices.pop();
         }
         self.contour.lead_to(tip);
@@ -254,8 +254,8 @@ fn wide_corner(a: &End<Px>, b: &End<Px>, found: &[FoundContour], sigma: f32) -> 
 
 /// Whether one end points at the other, and the other at it.
 fn goes_on(a: &End<Px>, b: &End<Px>) -> bool {
-    let way = (b.at - a.at).try_normalize().unwrap_or_default();
-    a.direction.dot(way) >= AHEAD_COSINE && -b.direction.dot(way) >= AHEAD_COSINE
+    let ahead = (b.at - a.at).try_normalize().unwrap_or_default();
+    a.direction.dot(ahead) >= AHEAD_COSINE && -b.direction.dot(ahead) >= AHEAD_COSINE
 }
 
 #[cfg(test)]

@@ -114,18 +114,18 @@ impl<T: Copy, U: Copy> Index<T, U> {
         }
     }
 
-    /// Calls `visit` with the entries in the cells that the way from `from` to `to` leads through, nearest cells first;
-    /// one entry can come several times. Only what lies in the area is seen.
+    /// Calls `visit` with the entries in the cells that the segment from `from` to `to` leads through, nearest cells
+    /// first; one entry can come several times. Only what lies in the area is seen.
     pub fn along(&self, from: Point2D<f32, U>, to: Point2D<f32, U>, mut visit: impl FnMut(&T)) {
         let place = |p: Point2D<f32, U>| ((p.x - self.origin.x) / self.cell, (p.y - self.origin.y) / self.cell);
         let ((x, y), (end_x, end_y)) = (place(from), place(to));
         let (mut column, mut row) = (x.floor() as i64, y.floor() as i64);
-        // Amanatides and Woo 1987: shares of the way at which it enters the next column and the next row
+        // Amanatides and Woo 1987: shares of the segment at which it enters the next column and the next row
         let axis = |at: f32, end: f32| {
-            let way = end - at;
-            let step = if way > 0.0 { 1_i64 } else { -1 };
-            let border = if way > 0.0 { at.floor() + 1.0 } else { at.floor() };
-            if way == 0.0 { (step, f32::INFINITY, 0.0) } else { (step, (border - at) / way, 1.0 / way.abs()) }
+            let delta = end - at;
+            let step = if delta > 0.0 { 1_i64 } else { -1 };
+            let border = if delta > 0.0 { at.floor() + 1.0 } else { at.floor() };
+            if delta == 0.0 { (step, f32::INFINITY, 0.0) } else { (step, (border - at) / delta, 1.0 / delta.abs()) }
         };
         let (step_x, mut next_x, each_x) = axis(x, end_x);
         let (step_y, mut next_y, each_y) = axis(y, end_y);
@@ -286,7 +286,7 @@ mod tests {
         #[test]
         fn along_a_way_nothing_that_it_crosses_is_missed(
             raw in prop::collection::vec((0.0_f32..40.0, 0.0_f32..30.0, -3.0_f32..3.0, -3.0_f32..3.0), 1..40),
-            way in (0.0_f32..40.0, 0.0_f32..30.0, -9.0_f32..9.0, -9.0_f32..9.0),
+            ray in (0.0_f32..40.0, 0.0_f32..30.0, -9.0_f32..9.0, -9.0_f32..9.0),
         ) {
             let mut nearby = Nearby::new(MmRect::new(MmPoint::zero(), MmPoint::new(40.0, 30.0)), 1.0);
             let inside = |x: f32, y: f32| MmPoint::new(x.clamp(0.0, 39.9), y.clamp(0.0, 29.9));
@@ -294,7 +294,7 @@ mod tests {
             for (index, &(a, b)) in segments.iter().enumerate() {
                 nearby.insert(Segment { a, b, half_width: 0.0, line: 0, index: index as u32, arc: 0.0 });
             }
-            let (from, to) = (inside(way.0, way.1), inside(way.0 + way.2, way.1 + way.3));
+            let (from, to) = (inside(ray.0, ray.1), inside(ray.0 + ray.2, ray.1 + ray.3));
             let mut seen = Vec::new();
             nearby.along(from, to, |segment| seen.push(segment.index as usize));
             for (index, &segment) in segments.iter().enumerate() {

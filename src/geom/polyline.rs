@@ -19,7 +19,7 @@ pub trait Located: Copy {
 
 /// A vertex whose attributes can be interpolated and turned round.
 pub trait Blend: Located {
-    /// The vertex a share, 0..=1, of the way from this one to `other`.
+    /// The vertex a share, 0..=1, of the segment from this one to `other`.
     #[must_use]
     fn between(&self, other: &Self, share: f32) -> Self;
 

@@ -1,6 +1,6 @@
 //! The fewest points within a tolerance.
 //!
-//! Among all ways of dropping points that keep the rest within the tolerance, the one that keeps the fewest (Imai and
+//! Of all choices of dropping points that keep the rest within the tolerance, the one that keeps the fewest (Imai and
 //! Iri 1988: a shortest path over the steps that are allowed). Which steps are allowed from a point is found by one
 //! walk along the line with a wedge of directions that narrows as it goes (Williams 1978), so that the whole is linear
 //! but for straight lines:
@@ -74,14 +74,15 @@ fn each_step<U>(
     let mut wedge: Option<[Vector2D<f32, U>; 2]> = None; // unit vectors along its two sides, by the sign of cross
     let mut reached = 0.0_f32; // farthest of the points passed
     for j in i + 1..points.len().min(i + 1 + longest) {
-        let way = points[j] - points[i];
-        let distance = way.length();
-        let inside = wedge
-            .is_none_or(|[low, high]| low.cross(way) >= 0.0 && way.cross(high) >= 0.0 && (low + high).dot(way) > 0.0);
+        let chord = points[j] - points[i];
+        let distance = chord.length();
+        let inside = wedge.is_none_or(|[low, high]| {
+            low.cross(chord) >= 0.0 && chord.cross(high) >= 0.0 && (low + high).dot(chord) > 0.0
+        });
         // A point that does not lie beyond all that were passed would leave those sticking out over its end.
         if j == i + 1 || (inside && distance >= reached) {
             let off = |[low, high]: [Vector2D<f32, U>; 2]| {
-                let (aside, open) = ((low + high).cross(way).abs(), low.cross(high) * distance);
+                let (aside, open) = ((low + high).cross(chord).abs(), low.cross(high) * distance);
                 (aside / open.max(f32::MIN_POSITIVE)).min(1.0)
             };
             visit(j, wedge.map_or(0.0, off));
@@ -90,13 +91,13 @@ fn each_step<U>(
         if distance <= tolerance {
             continue; // any direction passes it
         }
-        let (sin, unit) = (tolerance / distance, way / distance);
+        let (sin, unit) = (tolerance / distance, chord / distance);
         let (along, aside) = (unit * (1.0 - sin * sin).sqrt(), Vector2D::new(-unit.y, unit.x) * sin);
         let (low, high) = (along - aside, along + aside);
         wedge = Some(match wedge {
             None => [low, high],
             Some([old_low, old_high]) => {
-                if (old_low + old_high).dot(way) <= 0.0 {
+                if (old_low + old_high).dot(chord) <= 0.0 {
                     return; // it turns back
                 }
                 let low = if old_low.cross(low) > 0.0 { low } else { old_low };

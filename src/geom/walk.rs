@@ -1,4 +1,4 @@
-//! Going along polylines: vertex by vertex with the way gone, in a direction, and run by run.
+//! Going along polylines: vertex by vertex with the length gone, in a direction, and run by run.
 
 use lyon::geom::euclid::Vector2D;
 
@@ -74,7 +74,9 @@ mod tests {
         assert_eq!(corner(false).heading(6, false, [3.0, 5.0]), Some(-right));
         assert_eq!(corner(false).heading(4, true, [0.0, 3.0]), None, "it ends 2 mm from there");
         let over_the_seam = corner(true).heading(5, true, [1.0, 4.0]);
-        assert!(over_the_seam.is_some_and(|way| (way - MmVector::new(-1.0, -1.0) * 0.5_f32.sqrt()).length() < 1e-6));
+        assert!(
+            over_the_seam.is_some_and(|ahead| (ahead - MmVector::new(-1.0, -1.0) * 0.5_f32.sqrt()).length() < 1e-6)
+        );
     }
 
     #[test]

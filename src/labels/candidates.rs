@@ -60,7 +60,7 @@ const BESIDE_TEXT: f32 = 5.0;
 /// on: more than a step of a grid of dots, mm.
 const ON_THE_LEFT: f32 = 3.0;
 const ABOVE_OR_BELOW: f32 = 4.0;
-/// Blank between a label and the leader line of another, mm, beside what that lies off its straight way.
+/// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
 const TO_LEADER: f32 = 3.5;
 /// What rounding may add to a distance, mm.
 const HAIR: f32 = 0.01;
@@ -134,7 +134,7 @@ impl Candidate {
         self.stands != Stands::Alone
     }
 
-    /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight way.
+    /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight segment.
     pub(super) fn conflicts(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
         !(self.is_fixed() && other.is_fixed()) && self.is_too_near(other, spacing, off)
     }
@@ -223,7 +223,7 @@ impl<'a> Around<'a> {
         self.others.iter().all(is_clear)
     }
 
-    /// How far the marks of a leader line lie off its straight way, mm.
+    /// How far the marks of a leader line lie off its straight segment, mm.
     pub(super) fn leader_off(&self) -> f32 {
         self.params.leader_off
     }
@@ -296,8 +296,8 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
     let starts = || std::iter::once(nearest).chain(corners(place));
     let is_open = |from: &MmPoint| !room.is_parted(*from, anchor, end);
     let leads = |from: MmPoint| {
-        let way = anchor - from;
-        (way.length() > SHORTEST_LEADER).then(|| [from + way.normalize() * BEFORE_LEADER, anchor])
+        let chord = anchor - from;
+        (chord.length() > SHORTEST_LEADER).then(|| [from + chord.normalize() * BEFORE_LEADER, anchor])
     };
     // a label on the other side of a line names what is there, unless a line leads across; one that is nearer to what
     // another names is taken for the other's
@@ -305,15 +305,16 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
     let clear = || {
         // one that begins at a corner must not run along its own label
         let leaves = |[from, _]: &[MmPoint; 2]| to_box(*from, place) >= 0.7 * BEFORE_LEADER;
-        let ways = starts().filter(is_open).filter_map(leads).filter(leaves);
-        ways.into_iter()
-            .find(|[from, to]| room.is_free_way(*from, *to, end) && around.leads_to_own(place, [*from, *to]))
+        let segments = starts().filter(is_open).filter_map(leads).filter(leaves);
+        segments
+            .into_iter()
+            .find(|[from, to]| room.is_free_segment(*from, *to, end) && around.leads_to_own(place, [*from, *to]))
     };
     let (leader, crosses) = match is_near {
         true => (None, false),
         false if !is_point && is_beside_outline(nearest, place, around) => (None, false),
         false => match clear().or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
-            Some(way) => (Some(way), false),
+            Some(segment) => (Some(segment), false),
             None if !params.may_cross || is_open(&nearest) => return None,
             None => (Some(leads(nearest)?), true),
         },
@@ -346,8 +347,8 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands
 /// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it.
 fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> bool {
-    let way = around.anchor - nearest;
-    let is_straight = way.x == 0.0 || way.y == 0.0;
+    let chord = around.anchor - nearest;
+    let is_straight = chord.x == 0.0 || chord.y == 0.0;
     let outline = || around.room.only_line(nearest, around.anchor, WIDEST_OUTLINE);
     is_straight
         && outline().is_some_and(|blank| blank < SHORTEST_LEADER)
@@ -358,13 +359,13 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> bo
 /// The leader line of a label in the open to such an outline: it ends there, and crosses nothing.
 fn to_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> Option<[MmPoint; 2]> {
     let &Around { room, anchor, .. } = around;
-    let way = anchor - nearest;
-    let direction = (way.length() > 0.0).then(|| way.normalize())?;
+    let chord = anchor - nearest;
+    let direction = (chord.length() > 0.0).then(|| chord.normalize())?;
     let blank = room.only_line(nearest, anchor, WIDEST_OUTLINE).filter(|blank| *blank >= SHORTEST_LEADER)?;
     let (from, outline) = (nearest + direction * BEFORE_LEADER, nearest + direction * blank);
     // short of the outline nothing else is near; within another shape it would name that one
     let end = (outline - from).length().min(AT_END);
-    let is_clear = room.is_free_way(from, outline, end) && around.leads_to_own(place, [from, outline]);
+    let is_clear = room.is_free_segment(from, outline, end) && around.leads_to_own(place, [from, outline]);
     (is_clear && is_open(place, around)).then_some([from, outline])
 }
 
@@ -373,7 +374,7 @@ fn is_open(place: MmRect, around: &Around<'_>) -> bool {
     around.room.shut_in(place.center(), FURTHEST_OUTLINE).is_none()
 }
 
-/// Breadth of the line of an outline on the way across it, at most, mm: twice the widest line, for a slanted way.
+/// Breadth of the line of an outline across it, at most, mm: twice the widest line, for a slanted leader.
 const WIDEST_OUTLINE: f32 = 3.0;
 /// A label is in the open if it is not shut in by lines that are nearer than this on all sides, mm.
 const FURTHEST_OUTLINE: f32 = 60.0;
@@ -413,7 +414,7 @@ fn corners(place: MmRect) -> [MmPoint; 4] {
     [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from)
 }
 
-/// The best of the places, some way apart.
+/// The best of the places, some distance apart.
 fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {
     all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let mut kept: Vec<Candidate> = Vec::new();

@@ -19,7 +19,7 @@ pub struct Params {
     pub may_cross: bool,
     /// Step in which places are looked for; on a grid that of its dots.
     pub step: f32,
-    /// How far the marks of a leader line lie off its straight way, at most, mm: on a grid they stand on its dots.
+    /// How far the marks of a leader line lie off its straight segment, at most, mm: on a grid they stand on its dots.
     pub leader_off: f32,
 }
 

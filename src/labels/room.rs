@@ -124,7 +124,7 @@ impl Room {
 
     /// Whether a straight leader line would keep clear of other lines; `end` mm before its end it need not, as there is
     /// what it leads to.
-    pub(super) fn is_free_way(&self, from: MmPoint, to: MmPoint, end: f32) -> bool {
+    pub(super) fn is_free_segment(&self, from: MmPoint, to: MmPoint, end: f32) -> bool {
         !self.meets(&self.for_leader, from, to, end)
     }
 
@@ -136,12 +136,12 @@ impl Room {
     /// How far from the first point the only line begins that lies between two, if it is no broader than this, mm; none
     /// where there is none, or more than one.
     pub(super) fn only_line(&self, from: MmPoint, to: MmPoint, broadest: f32) -> Option<f32> {
-        let way = to - from;
-        let direction = way / way.length().max(SQUARE);
-        let begin = self.first_ink(from, direction, way.length())?;
+        let chord = to - from;
+        let direction = chord / chord.length().max(SQUARE);
+        let begin = self.first_ink(from, direction, chord.length())?;
         // the ink of the squares of one line is not interrupted
-        let steps = (2.0 * way.length() / SQUARE).ceil() as u32;
-        let mut along = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|along| *along <= way.length());
+        let steps = (2.0 * chord.length() / SQUARE).ceil() as u32;
+        let mut along = (0..=steps).map(|step| 0.5 * SQUARE * step as f32).filter(|along| *along <= chord.length());
         let last = along.rfind(|along| self.is_ink(from + direction * *along))?;
         (last - begin <= broadest).then_some(begin)
     }

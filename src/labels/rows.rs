@@ -16,7 +16,7 @@ const REACH: f32 = 12.0;
 /// ... and how far with leader lines straight to its texts, mm: past a row of other things below them, such as a
 /// legend.
 const FAR: f32 = 30.0;
-/// How far a label may be moved along its row, as a share of the way to its neighbour's anchor: its middle is then
+/// How far a label may be moved along its row, as a share of the distance to its neighbour's anchor: its middle is then
 /// still much nearer to its own.
 const ALONG: f32 = 0.3;
 /// Least blank between points and the labels below them, mm.
@@ -329,7 +329,7 @@ impl<'a> RowOfLabels<'a> {
 /// level one above: those of an axis through the middle are looked for on the left and below.
 const SECOND_SIDE: f32 = 0.6;
 
-/// Whether a label of a row can lie in its place: free, and with a free way for its leader line; without one on its
+/// Whether a label of a row can lie in its place: free, and with a free segment for its leader line; without one on its
 /// own side of all lines, and nearer to its own anchor than to that of another label.
 fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>) -> bool {
     let (around, place) = (&context.around[label], candidate.place);
@@ -337,7 +337,9 @@ fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>) -> bool {
     let nearest = anchor.clamp(place.min, place.max);
     let is_told = || match candidate.leader {
         _ if candidate.stands == Stands::InMargin => true,
-        Some([from, to]) => context.room.is_free_way(from, to, around.end) && around.leads_to_own(place, [from, to]),
+        Some([from, to]) => {
+            context.room.is_free_segment(from, to, around.end) && around.leads_to_own(place, [from, to])
+        }
         None => !context.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
     };
     context.params.holds(&place) && context.room.is_free(place) && is_told()

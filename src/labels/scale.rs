@@ -1,7 +1,7 @@
 //! Numbers along an axis: what their values are, and which of them stay where there is no room for all.
 
-/// How far a number may stand from where its value says, as a share of the way to the next: print is moved aside where
-/// an axis crosses.
+/// How far a number may stand from where its value says, as a share of the distance to the next: print is moved aside
+/// where an axis crosses.
 const OFF: f32 = 0.3;
 /// How far values may lie off even steps, as a share of a step: rounding.
 const UNEVEN: f64 = 0.01;

@@ -12,7 +12,7 @@ use crate::units::{MmPoint, MmVector};
 const REACH: f32 = 14.0;
 /// Shortest piece of a line across an axis that is a tick, mm: a piece as short as the line is wide has no direction.
 const SHORTEST: f32 = 2.0;
-/// How far beside a tick there is nothing, as a share of the way to the next number.
+/// How far beside a tick there is nothing, as a share of the distance to the next number.
 const BESIDE: f32 = 0.25;
 /// Step in which a tick is looked for, mm: a square of the room.
 const STEP: f32 = 0.5;

@@ -62,7 +62,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
     let text = context.wanted[label].anchor;
     let in_form = |(number, form): (usize, &super::forms::Form)| {
         let size = form.extent(context.cells);
-        // where it stands if it is free, and which way it goes where it is not
+        // where it stands if it is free, and in which direction it goes where it is not
         let (at, away) = match group.lies {
             Lies::Column(_) => {
                 let is_left = text.center().x < in_print.min.x;
@@ -84,8 +84,8 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
         let step = context.params.step.max(1.0);
         let steps = |reach: f32| (reach / step).floor() as i32;
         let across = (0..=steps(ASIDE)).flat_map(|by| [by, -by].into_iter().take(if by == 0 { 1 } else { 2 }));
-        let ways = (0..=steps(AWAY)).flat_map(|by| across.clone().map(move |aside| (aside, by)));
-        let moved = ways.filter_map(|(aside, by)| {
+        let offsets = (0..=steps(AWAY)).flat_map(|by| across.clone().map(move |aside| (aside, by)));
+        let moved = offsets.filter_map(|(aside, by)| {
             let by = MmVector::new(aside as f32, away * by as f32) * step;
             free(at + by, by.x.abs() + by.y.abs())
         });

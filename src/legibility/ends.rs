@@ -3,9 +3,9 @@
 use super::finding::FoundBreach;
 use super::limits::Limits;
 use super::marks::name_in;
+use super::paths::{Paths, point_at};
 use super::rules::BROKEN_LINE;
 use super::strokes::both;
-use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Index, Nearby};
 use crate::geom::{crossing, nearby, segment_distance};
 use crate::units::{Mm, MmPoint, MmRect, MmVector};
@@ -16,7 +16,7 @@ const BACK: f32 = 3.0;
 const STRAIGHT_COSINE: f32 = 0.906;
 /// Dots nearer than so many pitches are next to one another, also diagonally.
 const STEP: f32 = 1.6;
-/// A line no further than this from the way between two ends lies on it, mm: rounding.
+/// A line no further than this from the segment between two ends lies on it, mm: rounding.
 const TOUCH: f32 = 0.02;
 /// The two ends of one line are looked at if it is longer than so many of the gap.
 const LEAST_LENGTH: f32 = 4.0;
@@ -26,15 +26,15 @@ struct Tip {
     at: MmPoint,
     outwards: MmVector,
     radius: f32,
-    way: u32,
+    path: u32,
     is_dot: bool,
 }
 
-pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
     let most = limits.missed_gap();
     // the second row of a heavy line of dots ends where it does because of the first
-    let first_rows = (0..ways.ways.len()).filter(|way| !ways.ways[*way].second);
-    let tips: Vec<Tip> = first_rows.flat_map(|way| tips(ways, way)).collect();
+    let first_rows = (0..paths.paths.len()).filter(|path| !paths.paths[*path].second);
+    let tips: Vec<Tip> = first_rows.flat_map(|path| tips(paths, path)).collect();
     let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
     let mut near: Index<usize, Mm> = Index::new(area, most);
     tips.iter().enumerate().for_each(|(number, tip)| near.put_at(tip.at, number));
@@ -46,12 +46,12 @@ pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &L
             // dots that are next to one another are no gap
             let is_step =
                 || tip.is_dot && other.is_dot && (other.at - tip.at).length() < STEP * limits.spacing_of_dots();
-            let long = tip.way != other.way || ways.ways[tip.way as usize].length > LEAST_LENGTH * blank;
+            let long = tip.path != other.path || paths.paths[tip.path as usize].length > LEAST_LENGTH * blank;
             if id < number && blank > 0.0 && blank <= most && long && facing(tip, other) && !is_step() {
                 let between = (tip.at, other.at);
                 // also a line that passes in one of its vertices: on a grid of dots all lines cross so
                 let free = |segment: &nearby::Segment| {
-                    let (is_own, ends) = ([tip.way, other.way].contains(&segment.line), (segment.a, segment.b));
+                    let (is_own, ends) = ([tip.path, other.path].contains(&segment.line), (segment.a, segment.b));
                     if is_own { crossing(between, ends).is_none() } else { segment_distance(between, ends) > TOUCH }
                 };
                 let mut clear = true;
@@ -59,7 +59,7 @@ pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &L
                     clear &= free(segment);
                 });
                 if clear {
-                    found.push(broken(ways, names, tip, other, blank));
+                    found.push(broken(paths, names, tip, other, blank));
                 }
             }
         });
@@ -67,9 +67,9 @@ pub(super) fn findings(ways: &Ways, names: &[String], index: &Nearby, limits: &L
     found
 }
 
-fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> FoundBreach {
-    let line = |tip: &Tip| name_in(names, ways.ways[tip.way as usize].line);
-    let what = match tip.way == other.way {
+fn broken(paths: &Paths, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> FoundBreach {
+    let line = |tip: &Tip| name_in(names, paths.paths[tip.path as usize].line);
+    let what = match tip.path == other.path {
         true => format!("the two ends of {} are {blank:.1} mm apart, so that it may be closed or not", line(tip)),
         false => format!(
             "{} end {blank:.1} mm before one another, so that they may be one or two",
@@ -81,12 +81,12 @@ fn broken(ways: &Ways, names: &[String], tip: &Tip, other: &Tip, blank: f32) -> 
 }
 
 fn facing(a: &Tip, b: &Tip) -> bool {
-    let Some(way) = (b.at - a.at).try_normalize() else { return false };
-    a.outwards.dot(way) >= STRAIGHT_COSINE && b.outwards.dot(-way) >= STRAIGHT_COSINE
+    let Some(across) = (b.at - a.at).try_normalize() else { return false };
+    a.outwards.dot(across) >= STRAIGHT_COSINE && b.outwards.dot(-across) >= STRAIGHT_COSINE
 }
 
-fn tips(ways: &Ways, way: usize) -> Vec<Tip> {
-    let (segments, length) = (ways.segments_of(way), ways.ways[way].length);
+fn tips(paths: &Paths, path: usize) -> Vec<Tip> {
+    let (segments, length) = (paths.segments_of(path), paths.paths[path].length);
     let place = |arc: f32| {
         let at = segments.partition_point(|segment: &nearby::Segment| segment.arc <= arc).saturating_sub(1);
         segments.get(at).map(|segment| point_at(segment, arc))
@@ -94,8 +94,8 @@ fn tips(ways: &Ways, way: usize) -> Vec<Tip> {
     let tip = |(segment, at, arc): (nearby::Segment, MmPoint, f32)| {
         let back = place(if arc > 0.0 { (length - BACK).max(0.0) } else { BACK.min(length) })?;
         let outwards = (at - back).try_normalize()?;
-        let is_dot = ways.ways[way].dotted;
-        Some(Tip { at, outwards, radius: segment.half_width, way: way as u32, is_dot })
+        let is_dot = paths.paths[path].dotted;
+        Some(Tip { at, outwards, radius: segment.half_width, path: path as u32, is_dot })
     };
-    ways.tips(way).into_iter().filter_map(tip).collect()
+    paths.tips(path).into_iter().filter_map(tip).collect()
 }

@@ -7,7 +7,7 @@
 
 use super::finding::around;
 use super::joins::{self, BEND_LEAST, Join, arrives, free_parts};
-use super::ways::{Way, Ways, may_be_near, nearest, point_at};
+use super::paths::{Path, Paths, may_be_near, nearest, point_at};
 use crate::geom::nearby::Segment;
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::page::{Line, Pen};
@@ -15,11 +15,11 @@ use crate::units::{MmPoint, MmRect};
 
 /// Places of one line are compared this often, mm.
 const STEP: f32 = 0.25;
-/// Two places of one line with this much way between them, in distances, lie on the two sides of a bend: a corner of
-/// 30 degrees has the factor 1 / sin 15 = 3.9.
+/// Two places of one line with this much arc length between them, in distances, lie on the two sides of a bend: a
+/// corner of 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
-/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the way over
-/// the tip is nearly as long as the line.
+/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the length
+/// over the tip is nearly as long as the line.
 const CORNER: f32 = 6.1;
 const STRAIGHTNESS: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
@@ -45,10 +45,10 @@ pub struct Near {
     pub extent: MmRect,
 }
 
-/// A part of a way that is too near.
+/// A part of a path that is too near.
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
-    ways: (u32, u32),
+    paths: (u32, u32),
     from: f32,
     to: f32,
     gap: f32,
@@ -64,24 +64,24 @@ pub fn too_near(lines: &[Line], least: f32) -> Vec<Near> {
 /// The same of lines that join where one ends within `touch` mm of another, and that are broken where a step from dot
 /// to dot is longer than `step` mm; and whether these are all.
 pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32) -> (Vec<Near>, bool) {
-    let ways = Ways::of(lines, step);
-    let widest = ways.widest();
-    let index = ways.index(least + 2.0 * widest);
-    let joins = joins::joins(&ways, &index, least, touch);
+    let paths = Paths::of(lines, step);
+    let widest = paths.widest();
+    let index = paths.index(least + 2.0 * widest);
+    let joins = joins::joins(&paths, &index, least, touch);
     // the second row of a line of dots belongs to the first
     let are_rows = |a: &Segment, b: &Segment| {
-        let [a, b] = [a, b].map(|segment| ways.ways[segment.line as usize].line);
+        let [a, b] = [a, b].map(|segment| paths.paths[segment.line as usize].line);
         a == b && lines[a].runs.iter().any(|run| run.pen != Pen::Stroke)
     };
     let mut found: Vec<Stretch> = Vec::new();
-    let mut seen = vec![u32::MAX; ways.segments.len()];
-    for (number, segment) in ways.segments.iter().enumerate() {
+    let mut seen = vec![u32::MAX; paths.segments.len()];
+    for (number, segment) in paths.segments.iter().enumerate() {
         if found.len() >= MOST {
             break;
         }
         let reach = least + segment.half_width + widest;
         index.around(segment.a.min(segment.b), segment.a.max(segment.b), reach, |other| {
-            let id = ways.ways[other.line as usize].segments.start + other.index as usize;
+            let id = paths.paths[other.line as usize].segments.start + other.index as usize;
             let clearance = least + segment.half_width + other.half_width;
             if id >= number || !may_be_near(segment, other, clearance) || is_next(segment, other) {
                 return;
@@ -97,32 +97,32 @@ pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32)
                 return;
             }
             if other.line == segment.line {
-                let way = &ways.ways[segment.line as usize];
-                returns(&ways, way, &joins[segment.line as usize], (segment, other), clearance, distance, &mut found);
+                let path = &paths.paths[segment.line as usize];
+                returns(&paths, path, &joins[segment.line as usize], (segment, other), clearance, distance, &mut found);
             } else {
-                between(&ways, &joins, (segment, other), clearance, &mut found);
+                between(&paths, &joins, (segment, other), clearance, &mut found);
             }
         });
     }
     let are_all = found.len() < MOST;
-    (merged(found, &ways), are_all)
+    (merged(found, &paths), are_all)
 }
 
-/// Whether two segments of one way lie so near one another along it that they cannot be a return.
+/// Whether two segments of one path lie so near one another along it that they cannot be a return.
 fn is_next(segment: &Segment, other: &Segment) -> bool {
     segment.line == other.line && segment.arc - other.arc <= BEND_LEAST - (segment.b - segment.a).length()
 }
 
-/// The parts of two segments of two ways that are too near.
+/// The parts of two segments of two paths that are too near.
 fn between(
-    ways: &Ways,
+    paths: &Paths,
     joins: &[Vec<Join>],
     (segment, other): (&Segment, &Segment),
     clearance: f32,
     found: &mut Vec<Stretch>,
 ) {
-    let round = |way: u32| Some(&ways.ways[way as usize]).filter(|way| way.closed).map(|way| way.length);
-    let line = |of: &Segment| ways.ways[of.line as usize].line;
+    let round = |path: u32| Some(&paths.paths[path as usize]).filter(|path| path.closed).map(|path| path.length);
+    let line = |of: &Segment| paths.paths[of.line as usize].line;
     let parts =
         |of: &Segment, with: &Segment| free_parts(&joins[of.line as usize], round(of.line), of, line(with), clearance);
     for own in parts(segment, other) {
@@ -136,7 +136,7 @@ fn between(
             let within = within((a, b), (c, d), clearance - ROUNDING);
             let arc = |share: f32| own.0 + share * (own.1 - own.0);
             found.push(Stretch {
-                ways: (segment.line, other.line),
+                paths: (segment.line, other.line),
                 from: arc(within.from),
                 to: arc(within.to),
                 gap: distance - segment.half_width - other.half_width,
@@ -147,7 +147,7 @@ fn between(
     }
 }
 
-/// Shares of the way from one end of a segment to the other.
+/// Shares of the length from one end of a segment to the other.
 struct Within {
     from: f32,
     nearest: f32,
@@ -179,10 +179,10 @@ fn within((a, b): (MmPoint, MmPoint), (c, d): (MmPoint, MmPoint), reach: f32) ->
     Within { from: border(0.0), nearest, to: border(1.0) }
 }
 
-/// The places of a segment where its way comes back to an earlier one.
+/// The places of a segment where its path comes back to an earlier one.
 fn returns(
-    ways: &Ways,
-    way: &Way,
+    paths: &Paths,
+    path: &Path,
     joins: &[Join],
     (segment, other): (&Segment, &Segment),
     clearance: f32,
@@ -194,7 +194,7 @@ fn returns(
     if farthest <= BEND * least + BEND_LEAST {
         return;
     }
-    let round = way.closed.then_some(way.length);
+    let round = path.closed.then_some(path.length);
     let steps = (length / STEP).ceil().max(1.0);
     for k in 0..steps as u32 {
         let middle = (k as f32 + 0.5) / steps;
@@ -203,35 +203,35 @@ fn returns(
         if distance >= clearance - ROUNDING {
             continue;
         }
-        let along = way.between(here, there);
+        let along = path.between(here, there);
         let bend = along <= BEND * distance + BEND_LEAST
-            || (along <= CORNER * distance + BEND_LEAST && has_corner(ways, way, (here, at), (there, point)));
-        let joined = [here, there].iter().any(|arc| arrives(joins, round, *arc, way.line, clearance));
+            || (along <= CORNER * distance + BEND_LEAST && has_corner(paths, path, (here, at), (there, point)));
+        let joined = [here, there].iter().any(|arc| arrives(joins, round, *arc, path.line, clearance));
         if !bend && !joined {
             let share = |k: u32| (k as f32 / steps).min(1.0);
             let ends = (segment.a.lerp(segment.b, share(k)), segment.a.lerp(segment.b, share(k + 1)));
             let gap = distance - segment.half_width - other.half_width;
             let (from, to) = (segment.arc + share(k) * length, segment.arc + share(k + 1) * length);
-            found.push(Stretch { ways: (segment.line, segment.line), from, to, gap, at, ends });
+            found.push(Stretch { paths: (segment.line, segment.line), from, to, gap, at, ends });
         }
     }
 }
 
-/// Whether between two of its places a way has but two straight sides of a corner.
-fn has_corner(ways: &Ways, way: &Way, (s, a): (f32, MmPoint), (t, b): (f32, MmPoint)) -> bool {
+/// Whether between two of its places a path has but two straight sides of a corner.
+fn has_corner(paths: &Paths, path: &Path, (s, a): (f32, MmPoint), (t, b): (f32, MmPoint)) -> bool {
     let (from, to) = (s.min(t), s.max(t));
-    let over_start = way.closed && way.length - (to - from) < to - from;
-    let segments = &ways.segments[way.segments.clone()];
+    let over_start = path.closed && path.length - (to - from) < to - from;
+    let segments = &paths.segments[path.segments.clone()];
     let tips = segments.iter().filter(|segment| (from..to).contains(&segment.arc) != over_start);
     let farthest = tips.map(|segment| (segment.a - a).length() + (segment.a - b).length()).fold(0.0, f32::max);
-    farthest >= STRAIGHTNESS * way.between(s, t)
+    farthest >= STRAIGHTNESS * path.between(s, t)
 }
 
 /// One finding for each place where two lines are too near.
-fn merged(mut found: Vec<Stretch>, ways: &Ways) -> Vec<Near> {
-    found.sort_by(|a, b| a.ways.cmp(&b.ways).then(a.from.total_cmp(&b.from)).then(a.to.total_cmp(&b.to)));
+fn merged(mut found: Vec<Stretch>, paths: &Paths) -> Vec<Near> {
+    found.sort_by(|a, b| a.paths.cmp(&b.paths).then(a.from.total_cmp(&b.from)).then(a.to.total_cmp(&b.to)));
     let mut all: Vec<(Near, (u32, u32), f32)> = Vec::new();
-    for Stretch { ways: pair, from, to, gap, at, ends } in found {
+    for Stretch { paths: pair, from, to, gap, at, ends } in found {
         match all.last_mut() {
             Some((near, last, end)) if *last == pair && from - *end <= ONE => {
                 near.length += (to - from.max(*end)).max(0.0);
@@ -243,7 +243,7 @@ fn merged(mut found: Vec<Stretch>, ways: &Ways) -> Vec<Near> {
             }
             _ => {
                 let extent = around([ends.0, ends.1]).unwrap_or_else(MmRect::zero);
-                let lines = (ways.ways[pair.0 as usize].line, ways.ways[pair.1 as usize].line);
+                let lines = (paths.paths[pair.0 as usize].line, paths.paths[pair.1 as usize].line);
                 all.push((Near { lines, gap, at, length: to - from, extent }, pair, to));
             }
         }

@@ -1,44 +1,44 @@
 //! Where lines join: one ends on another, or they cross. Beside a join two lines may be near one another.
 
-use super::ways::{Ways, may_be_near, nearest, point_at};
+use super::paths::{Paths, may_be_near, nearest, point_at};
 use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::units::MmPoint;
 
-/// Where a line joins another it must have come from beyond the clearance within this way, in clearances: at 19.5
+/// Where a line joins another it must have come from beyond the clearance within this length, in clearances: at 19.5
 /// degrees or steeper, as the lines of drawings do.
 const APPROACH: f32 = 3.0;
-/// A line that comes back to itself within this way is bent, not joined, mm.
+/// A line that comes back to itself within this length is bent, not joined, mm.
 pub(super) const BEND_LEAST: f32 = 2.0;
 /// Lines cross in a vertex of both if it is on both within this, mm: a page has hundredths.
 const VERTEX: f32 = 0.005;
 /// Lines that cross twice are looked at this often between the crossings, mm.
 const STEP: f32 = 0.5;
 
-/// A place of a way where it joins another, or itself.
+/// A place of a path where it joins another, or itself.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Join {
     arc: f32,
-    /// The way that it joins.
+    /// The path that it joins.
     other: u32,
     /// The line of that: it is joined as a whole.
     line: usize,
 }
 
-/// The joins of every way. A line ends on another where their ink touches, or is no farther apart than `touch` mm. Two
+/// The joins of every path. A line ends on another where their ink touches, or is no farther apart than `touch` mm. Two
 /// lines that cross again before they have been apart only wind round one another: these are no joins.
-pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
-    let widest = ways.widest();
+pub(super) fn joins(paths: &Paths, index: &Nearby, least: f32, touch: f32) -> Vec<Vec<Join>> {
+    let widest = paths.widest();
     let of = |number: usize| {
         let mut found: Vec<Join> = Vec::new();
-        let way = &ways.ways[number];
+        let path = &paths.paths[number];
         let mut add = |arc: f32, there: f32, other: u32| {
-            let bent = other as usize == number && way.between(arc, there) <= BEND_LEAST;
+            let bent = other as usize == number && path.between(arc, there) <= BEND_LEAST;
             if !bent && !found.iter().any(|join| join.other == other && (join.arc - arc).abs() < 4.0 * VERTEX) {
-                found.push(Join { arc, other, line: ways.ways[other as usize].line });
+                found.push(Join { arc, other, line: paths.paths[other as usize].line });
             }
         };
-        for segment in ways.segments_of(number) {
+        for segment in paths.segments_of(number) {
             index.around(segment.a.min(segment.b), segment.a.max(segment.b), 0.0, |other| {
                 if !may_be_near(segment, other, 0.0) {
                     return;
@@ -49,7 +49,7 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
                 }
             });
         }
-        for (own, tip, arc) in ways.tips(number) {
+        for (own, tip, arc) in paths.tips(number) {
             index.around(tip, tip, own.half_width + widest + touch, |other| {
                 let (distance, _, there) = nearest(other, tip);
                 if distance <= own.half_width + other.half_width + touch {
@@ -59,7 +59,7 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
         }
         found
     };
-    let found: Vec<Vec<Join>> = (0..ways.ways.len()).map(of).collect();
+    let found: Vec<Vec<Join>> = (0..paths.paths.len()).map(of).collect();
     // two dots beside a line both touch it: they end on it, and do not wind round it
     let winds = |number: usize, join: &Join| {
         join.other as usize != number
@@ -67,7 +67,7 @@ pub(super) fn joins(ways: &Ways, index: &Nearby, least: f32, touch: f32) -> Vec<
                 let (from, to) = (join.arc.min(other.arc), join.arc.max(other.arc));
                 other.other == join.other
                     && to - from > touch.max(1.0)
-                    && follows(ways, number, (from, to), join.other, index, least)
+                    && follows(paths, number, (from, to), join.other, index, least)
             })
     };
     let kept = |(number, list): (usize, &Vec<Join>)| list.iter().filter(|join| !winds(number, join)).copied().collect();
@@ -80,9 +80,9 @@ fn longer(segment: &Segment) -> (MmPoint, MmPoint) {
     (segment.a - over, segment.b + over)
 }
 
-/// Whether a way stays within the least blank of another between two of its places.
-fn follows(ways: &Ways, way: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
-    let segments = ways.segments_of(way);
+/// Whether a path stays within the least blank of another between two of its places.
+fn follows(paths: &Paths, path: usize, (from, to): (f32, f32), other: u32, index: &Nearby, least: f32) -> bool {
+    let segments = paths.segments_of(path);
     let place = |arc: f32| {
         let at = segments.partition_point(|segment| segment.arc <= arc).saturating_sub(1);
         segments.get(at).map(|segment| point_at(segment, arc))
@@ -92,7 +92,7 @@ fn follows(ways: &Ways, way: usize, (from, to): (f32, f32), other: u32, index: &
     (1..steps).filter_map(|k| place(from + (to - from) * k as f32 / steps as f32)).all(near)
 }
 
-/// Whether a place of a way is on the way to a join with `line`.
+/// Whether a place of a path is on the stretch to a join with `line`.
 pub(super) fn arrives(joins: &[Join], length: Option<f32>, arc: f32, line: usize, clearance: f32) -> bool {
     let apart = |join: &Join| {
         let apart = (join.arc - arc).abs();
@@ -101,7 +101,7 @@ pub(super) fn arrives(joins: &[Join], length: Option<f32>, arc: f32, line: usize
     joins.iter().any(|join| join.line == line && apart(join) <= APPROACH * clearance)
 }
 
-/// The parts of a segment, as places along its way, that are not on the way to a join with `line`.
+/// The parts of a segment, as places along its path, that are not on the stretch to a join with `line`.
 pub(super) fn free_parts(
     joins: &[Join],
     length: Option<f32>,

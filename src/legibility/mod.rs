@@ -22,13 +22,13 @@ mod limits;
 mod mark;
 mod marks;
 mod overview;
+mod paths;
 mod report;
 mod rules;
 mod spaces;
 mod strokes;
 mod twins;
 mod verdict;
-mod ways;
 mod words;
 
 pub use finding::Finding;
@@ -82,8 +82,8 @@ impl<'a> Drawn<'a> {
 /// What the overview shows that the figure has not, and what it lacks, in words; none if they are alike.
 pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<String> {
     let felt = page.risen();
-    let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
-    let found = overview::findings(&felt, names, &ways, &ways.index(5.0), limits);
+    let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
+    let found = overview::findings(&felt, names, &paths, &paths.index(5.0), limits);
     let (first, count) = (found.first()?, found.len());
     let told = and_more(&first.what, count - 1, "such place");
     Some(format!("the overview is as it was: {told}; change it there too, or delete it"))
@@ -134,10 +134,10 @@ fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
     if let Some(overview) = &felt.overview {
         found.extend(strokes::findings(&overview.lines, &names.overview_lines, None, &page.medium, limits));
     }
-    let ways = ways::Ways::of(&felt.figure.lines, f32::INFINITY);
-    let index = ways.index(5.0);
-    found.extend(ends::findings(&ways, &names.lines, &index, limits));
-    found.extend(overview::findings(&felt, names, &ways, &index, limits));
+    let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
+    let index = paths.index(5.0);
+    found.extend(ends::findings(&paths, &names.lines, &index, limits));
+    found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));
     found.extend(left_out::findings(page));
     found

@@ -3,8 +3,8 @@
 use super::finding::{FoundBreach, around};
 use super::limits::{Limits, SHAPE};
 use super::marks::name_in;
+use super::paths::{Paths, point_at};
 use super::rules::{OVERVIEW, OVERVIEW_LACKS};
-use super::ways::{Ways, point_at};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::page::{Names, Overview, Page};
 use crate::units::{MmPoint, MmRect};
@@ -14,13 +14,13 @@ const STEP: f32 = 0.5;
 /// A line whose larger part is missing in the other picture is missing there.
 const MISSING: f32 = 0.5;
 
-/// `ways` are those of the figure, `index` their segments.
-pub(super) fn findings(page: &Page, names: &Names, ways: &Ways, index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
+/// `paths` are those of the figure, `index` their segments.
+pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
-    let of_overview = Ways::of(&overview.lines, f32::INFINITY);
+    let of_overview = Paths::of(&overview.lines, f32::INFINITY);
     let mut found = added(page, overview, (&of_overview, &names.overview_lines), (index, scale), limits);
-    found.extend(lacking(page, overview, (ways, &names.lines), (&of_overview, scale), limits));
+    found.extend(lacking(page, overview, (paths, &names.lines), (&of_overview, scale), limits));
     found
 }
 
@@ -28,14 +28,14 @@ pub(super) fn findings(page: &Page, names: &Names, ways: &Ways, index: &Nearby, 
 fn added(
     page: &Page,
     overview: &Overview,
-    (ways, names): (&Ways, &[String]),
+    (paths, names): (&Paths, &[String]),
     (index, scale): (&Nearby, f32),
     limits: &Limits,
 ) -> Vec<FoundBreach> {
     let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
     let of_line = |number: usize| {
-        let own = (0..ways.ways.len()).filter(|&way| ways.ways[way].line == number);
-        let segments = own.flat_map(|way| ways.segments_of(way));
+        let own = (0..paths.paths.len()).filter(|&path| paths.paths[path].line == number);
+        let segments = own.flat_map(|path| paths.segments_of(path));
         let Missing { length, places } = missing(segments, STEP, in_figure, index, scale * limits.spacing())?;
         let at = places.get(places.len() / 2).copied()?;
         let extent = around(places.iter().copied()).unwrap_or_else(MmRect::zero);
@@ -50,15 +50,15 @@ fn added(
 fn lacking(
     page: &Page,
     overview: &Overview,
-    (ways, names): (&Ways, &[String]),
-    (of_overview, scale): (&Ways, f32),
+    (paths, names): (&Paths, &[String]),
+    (of_overview, scale): (&Paths, f32),
     limits: &Limits,
 ) -> Vec<FoundBreach> {
     let index = of_overview.index(5.0);
     let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
-    let of_way = |way: usize| {
-        let of = ways.ways.get(way).filter(|of| of.closed)?;
-        let segments = ways.segments_of(way);
+    let of_path = |path: usize| {
+        let of = paths.paths.get(path).filter(|of| of.closed)?;
+        let segments = paths.segments_of(path);
         let extent = around(segments.iter().map(|segment| segment.a))?;
         let side = extent.width().min(extent.height()) / scale;
         if side < SHAPE {
@@ -73,7 +73,7 @@ fn lacking(
         );
         Some(FoundBreach::at(OVERVIEW_LACKS, segments.first()?.a, extent, side, what))
     };
-    (0..ways.ways.len()).filter_map(of_way).collect()
+    (0..paths.paths.len()).filter_map(of_path).collect()
 }
 
 /// What of a line is missing in another picture.

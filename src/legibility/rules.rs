@@ -12,6 +12,9 @@ pub enum Severity {
 }
 
 impl Severity {
+    /// All of them, the worst first.
+    pub const ALL: [Self; 2] = [Self::Error, Self::Warning];
+
     /// Its name, such as "error".
     pub fn name(self) -> &'static str {
         match self {

@@ -62,7 +62,7 @@ pub(super) fn cleared(
     best.taken()
 }
 
-/// Lines drawn in one way.
+/// Lines cleared with one set of parameters.
 struct Attempt {
     candidates: Arc<Candidates>,
     cleared: Vec<Cleared>,

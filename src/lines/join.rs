@@ -7,7 +7,7 @@ use crate::units::{Mm, MmVector};
 
 /// The direction of an end is taken over this much of its line, mm.
 const HEADING: f32 = 1.5;
-/// Least cosine between an end's heading and the way to the other end (45 degrees).
+/// Least cosine between an end's heading and the direction of the other end (45 degrees).
 const AHEAD_COSINE: f32 = 0.7;
 /// Least cosine between the headings of two ends, one of them turned round (60 degrees).
 const FACING: f32 = 0.5;

@@ -158,7 +158,7 @@ mod tests {
         ring.subdivide(SPACING);
         let mut lines = [ring];
         extend(&mut lines, MmRect::new(MmPoint::zero(), MmPoint::new(50.0, 50.0)), 3.0);
-        // both ends point at one another, and the way between them is drawn once
+        // both ends point at one another, and the segment between them is drawn once
         assert!(lines[0].closed);
         assert!((lines[0].length() - (4.0 * 30.0 - 2.0 * 2.0 + 8.0_f32.sqrt())).abs() < 0.1, "{}", lines[0].length());
     }

@@ -40,7 +40,7 @@ pub struct Params {
     pub marks_points: bool,
 }
 
-/// The longest way from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
+/// The greatest length from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
 /// much. Contours of photographs that meet at a flatter angle seldom do so in the picture.
 const APPROACH: f32 = 1.7;
 /// The same of drawings, where every crossing is meant: the curves of a chart, a connector between boxes. A straight
@@ -132,17 +132,18 @@ impl Params {
         if self.of_drawing { APPROACH_OF_DRAWINGS } else { APPROACH }
     }
 
-    /// The longest way from a junction until two lines of these half widths must be apart, mm.
+    /// The greatest length from a junction until two lines of these half widths must be apart, mm.
     pub(super) fn approach(&self, half_width: f32, other: f32) -> f32 {
         self.longest_approach() * (self.min_gap + half_width + other) - APPROACH_MARGIN
     }
 
-    /// The longest way from a junction until two lines of the least width must be apart, mm, with a margin for each.
+    /// The greatest length from a junction until two lines of the least width must be apart, mm, with a margin for
+    /// each.
     pub(super) fn min_approach(&self) -> f32 {
         self.longest_approach() * (self.min_gap + self.width_min) - 2.0 * APPROACH_MARGIN
     }
 
-    /// The longest way beyond a crossing that does not count as a line of its own, mm.
+    /// The greatest length beyond a crossing that does not count as a line of its own, mm.
     pub(super) fn max_stub(&self) -> f32 {
         APPROACH * self.max_spacing()
     }

@@ -11,8 +11,8 @@ use crate::units::MmVector;
 
 /// A closed line is as salient as an open one of this many times its length: it is a thing, not a part of one.
 const CLOSED: f32 = 1.5;
-/// Bends to and fro, radians per mm, that halve the saliency. A line that bends only one way, such as a ring, has none;
-/// fur and foliage have more than one bend of a quarter turn every 4 mm.
+/// Bends to and fro, radians per mm, that halve the saliency. A line that bends only to one side, such as a ring, has
+/// none; fur and foliage have more than one bend of a quarter turn every 4 mm.
 const WAVERING: f32 = 0.4;
 /// Directions for the bends are taken over this many vertices (2 mm), so that noise does not count.
 const SPAN: usize = 5;

@@ -12,7 +12,7 @@ pub(super) const SPACING: f32 = 0.4;
 /// Vertices farther apart than this, mm, get others between them: what looks at a line looks at its vertices.
 const LONGEST: f32 = 1.25 * SPACING;
 
-/// At a corner a line turns by at least 30 degrees (the cosine), over a short and a longer way, mm.
+/// At a corner a line turns by at least 30 degrees (the cosine), over a short and a longer length, mm.
 const CORNER: f32 = 0.866;
 const CORNER_ARMS: [f32; 2] = [0.15, 1.0];
 

@@ -17,7 +17,7 @@ const MIN_RUN: f32 = 2.0;
 /// Farthest that a line may lie from the curve of the vector drawing that it is, mm, beside what is lost by turning
 /// that into a polyline: together 0.02.
 const EXACT_TOLERANCE: f32 = 0.014;
-/// Places of a line with more way than this between them, mm, are kept apart by the clearance.
+/// Places of a line with more arc length than this between them, mm, are kept apart by the clearance.
 const NEAR: f32 = 12.0;
 
 /// Width of a line at a place of the given strength, mm: it grows with the strength and soon reaches its greatest value

@@ -57,6 +57,24 @@ pub enum Depth {
     Grey,
 }
 
+impl Depth {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Bilevel, Self::Grey];
+
+    /// Its name: "bilevel" or "grey".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bilevel => "bilevel",
+            Self::Grey => "grey",
+        }
+    }
+
+    /// The one of this name; none if there is none.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|depth| depth.name() == name)
+    }
+}
+
 /// Largest picture, in millions of pixels: A3 at the finest is 278.
 const MOST_MEGAPIXELS: u64 = 400;
 /// Pixels of a band, at 4 bytes each while it is rendered: an A4 sheet at 300 dpi is one band.

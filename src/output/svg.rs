@@ -292,7 +292,7 @@ fn glyph_path(glyphs: &[Glyph]) -> String {
     d
 }
 
-/// A disc as two half circles. The way across is twice the radius as written: were it rounded by itself, the arcs
+/// A disc as two half circles. The diameter is twice the radius as written: were it rounded by itself, the arcs
 /// would be a little more or less than half circles, and a disc of 1.294 mm 0.17 mm too high.
 fn push_disc(d: &mut String, at: MmPoint, diameter: f32) {
     let rounded = (50.0 * f64::from(diameter)).round() as f32 / 100.0;

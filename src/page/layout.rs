@@ -108,7 +108,7 @@ mod tests {
 
     const ASPECTS: [f32; 9] = [0.05, 0.3, 0.7, 1.0, 1.1, 1.5, 1.8, 4.0, 20.0];
 
-    /// All ways to have or not to have the parts of a page.
+    /// All combinations of having or not having the parts of a page.
     fn all_params() -> impl Iterator<Item = Params> {
         (0..16).map(|i| {
             let mut params = params();
@@ -163,7 +163,7 @@ mod tests {
                 let height_is_full = (bottom - (layout.sheet[1] - 10.0)).abs() < 0.01;
                 assert!(side_is_full || height_is_full, "{aspect}: the picture could be larger: {layout:?}");
                 if boxes[0].min.y > 10.01 {
-                    // at an end of the bar the way is longer than straight across
+                    // at an end of the bar the distance is longer than straight across
                     assert!(
                         gap < 5.0 * std::f32::consts::SQRT_2 + 1.5,
                         "{aspect}: further down than the mark needs: {gap}"
@@ -197,7 +197,7 @@ mod tests {
         };
         for overview in [true, false] {
             for aspect in ASPECTS {
-                let widths = Orientation::ALL.map(|way| with(way, aspect, overview).figure.width());
+                let widths = Orientation::ALL.map(|orientation| with(orientation, aspect, overview).figure.width());
                 assert!((widths[0] - widths[1].max(widths[2])).abs() < 1e-6, "{aspect}");
             }
         }

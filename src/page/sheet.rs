@@ -10,7 +10,7 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// Which way up a sheet lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Orientation {
-    /// The way in which the picture becomes larger; upright when there is no difference.
+    /// The orientation in which the picture becomes larger; upright when there is no difference.
     #[default]
     Auto,
     /// The longer side up and down.

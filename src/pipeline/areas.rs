@@ -13,8 +13,8 @@ use crate::units::{Mm, MmPoint, MmRect, Size};
 
 /// Side of a cell, mm, as that in which colours are sorted.
 const CELL: f32 = 1.0;
-/// Farthest that a cell lies from a sign of its area, mm: the gap beside the widest line and half of the way between
-/// two rows of the sparsest texture.
+/// Farthest that a cell lies from a sign of its area, mm: the gap beside the widest line and half of the distance
+/// between two rows of the sparsest texture.
 const REACH: f32 = 9.0;
 /// How much larger an area may become than the page says, as a share: cells are coarse.
 const LARGER: f32 = 1.02;

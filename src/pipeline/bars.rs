@@ -35,7 +35,7 @@ const NONE: f32 = 0.8;
 /// Distance of the places at which is looked, mm.
 const STEP: f32 = 0.5;
 
-/// Which way bars point: coordinates are across the bars and along them, from the base on.
+/// In which direction bars point: coordinates are across the bars and along them, from the base on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Direction {
     Up,

@@ -1,4 +1,4 @@
-//! The way from bytes to sorted colours: as for a page, but no further.
+//! From bytes to sorted colours: as for a page, but no further.
 
 use super::draw::{find_edges, sort_colours, working_size};
 use super::progress::Watch;

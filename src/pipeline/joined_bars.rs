@@ -35,7 +35,7 @@ enum Bars {
     Outline,
 }
 
-/// A way to draw a chart.
+/// A variant of drawing a chart.
 #[derive(Debug, Clone, Copy)]
 struct Variant {
     bars: Bars,
@@ -124,9 +124,9 @@ pub(super) struct Redraw<'a, T> {
 }
 
 impl<T> Redraw<'_, T> {
-    /// Draws a drawing whose bars are torn as `first`, drawn `at` this transform, in other ways, until they are whole:
-    /// for each variant and each transform. Gives what lacks least of them, and how it was drawn if it is not the
-    /// first.
+    /// Draws a drawing whose bars are torn as `first`, drawn `at` this transform, in other variants, until they are
+    /// whole: for each variant and each transform. Gives what lacks least of them, and how it was drawn if it is not
+    /// the first.
     pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<Instead>) {
         let Self { edges, tolerances, detail, draw, .. } = *self;
         let Some(chart) = Chart::of(edges) else { return (first, None) };

@@ -36,6 +36,25 @@ pub enum KeySheets {
     Never,
 }
 
+impl KeySheets {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Auto, Self::Always, Self::Never];
+
+    /// Its name: "auto", "always" or "never".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Always => "always",
+            Self::Never => "never",
+        }
+    }
+
+    /// The one of this name; none if there is none.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|sheets| sheets.name() == name)
+    }
+}
+
 /// Width and height of a patch, mm: what is within its outermost rows is more than the 20 x 12 mm that a texture
 /// needs to be told, also where its rows lie 5 mm apart.
 const PATCH: [f32; 2] = [32.0, 24.0];

@@ -1,5 +1,5 @@
 //! Ticks and marks of angles that are too short for a line and not on the page. A reader who expects them is misled,
-//! and a larger figure is the only way to have them, so they are told by what they are.
+//! and only a larger figure has them, so they are told by what they are.
 
 use std::f32::consts::FRAC_1_SQRT_2;
 
@@ -18,14 +18,14 @@ use crate::{About, Note};
 const ENDS_ON: f32 = 2.5;
 /// A place of a mark is drawn if a line is so near, mm: the ends of a tick are on its axis.
 const DRAWN: f32 = 1.2;
-/// ... that leads the same way but for 45 degrees: the cosine.
+/// ... that has the same direction but for 45 degrees: the cosine.
 const ALONG: f32 = FRAC_1_SQRT_2;
 /// A mark is drawn if at least this share of it is.
 const MOSTLY: f32 = 0.5;
 /// Places of a mark at which is looked.
 const PLACES: usize = 12;
-/// What is straight lies no farther from the way between its ends than this share of its length: an arc of 30 degrees
-/// lies 0.07 off.
+/// What is straight lies no farther from the segment between its ends than this share of its length: an arc of 30
+/// degrees lies 0.07 off.
 const STRAIGHT: f32 = 0.05;
 /// A mark of a right angle has one corner, and is straight otherwise but for this share of its length.
 const OFF_CORNER: f32 = 0.08;
@@ -73,7 +73,7 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
             continue;
         }
         let looked = (0..PLACES).map(|i| i * (points.len() - 1) / (PLACES - 1));
-        let drawn = looked.filter(|&i| is_along(&index, points[i], way_at(&points, i))).count();
+        let drawn = looked.filter(|&i| is_along(&index, points[i], direction_at(&points, i))).count();
         if drawn as f32 >= MOSTLY * PLACES as f32 {
             continue;
         }
@@ -91,17 +91,17 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
     marks
 }
 
-/// Which way a mark leads at one of its points.
-fn way_at(points: &[MmPoint], at: usize) -> MmVector {
+/// The direction of a mark at one of its points.
+fn direction_at(points: &[MmPoint], at: usize) -> MmVector {
     (points[(at + 1).min(points.len() - 1)] - points[at.saturating_sub(1)]).try_normalize().unwrap_or_default()
 }
 
-/// Whether a line is drawn at a place that leads this way there: half of a short tick lies near the axis that it
+/// Whether a line is drawn at a place that has this direction there: half of a short tick lies near the axis that it
 /// crosses.
-fn is_along(index: &Nearby, at: MmPoint, way: MmVector) -> bool {
+fn is_along(index: &Nearby, at: MmPoint, direction: MmVector) -> bool {
     let along = |segment: &Segment| {
         let other = (segment.b - segment.a).try_normalize().unwrap_or_default();
-        way.dot(other).abs() >= ALONG
+        direction.dot(other).abs() >= ALONG
     };
     index.nearest(at, DRAWN, along).is_some()
 }
@@ -110,8 +110,8 @@ fn is_along(index: &Nearby, at: MmPoint, way: MmVector) -> bool {
 fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], Option<OnLine>)) -> Option<Kind> {
     let line = PolylineRef { vertices: points, closed: false };
     let is_straight = simplify(line, STRAIGHT * length).len() == 2;
-    let way = points.last().zip(points.first()).map_or(MmVector::zero(), |(last, first)| *last - *first);
-    if is_straight && crossed.is_some_and(|(_, across)| way.cross(across).abs() >= ACROSS * length) {
+    let chord = points.last().zip(points.first()).map_or(MmVector::zero(), |(last, first)| *last - *first);
+    if is_straight && crossed.is_some_and(|(_, across)| chord.cross(across).abs() >= ACROSS * length) {
         return Some(Kind::Tick);
     }
     let ([Some((from, one)), Some((to, other))], true) = (ends, points.len() > 1) else {
@@ -202,9 +202,9 @@ mod tests {
         };
         let index = index_of(&[axis], area, ENDS_ON);
         let tick = [MmPoint::new(40.0, 49.0), MmPoint::new(40.0, 50.0), MmPoint::new(40.0, 51.0)];
-        assert!((0..3).all(|i| !is_along(&index, tick[i], way_at(&tick, i))));
+        assert!((0..3).all(|i| !is_along(&index, tick[i], direction_at(&tick, i))));
         let piece = [MmPoint::new(40.0, 50.5), MmPoint::new(41.0, 50.5)];
-        assert!((0..2).all(|i| is_along(&index, piece[i], way_at(&piece, i))));
+        assert!((0..2).all(|i| is_along(&index, piece[i], direction_at(&piece, i))));
     }
 
     #[test]

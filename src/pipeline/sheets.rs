@@ -1,4 +1,4 @@
-//! The way from bytes to a picture on several sheets.
+//! From bytes to a picture on several sheets.
 
 use super::draw::{Marks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};

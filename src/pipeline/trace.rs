@@ -1,4 +1,4 @@
-//! The way from bytes to contours as data: the first half of the way to a page.
+//! From bytes to contours as data: the first half of what a page takes.
 
 use super::draw::{DrawnLines, contours_of, draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::given::Given;

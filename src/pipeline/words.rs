@@ -360,7 +360,7 @@ pub(super) fn params(layout: &Layout, tiles: &[MmRect], plan: &Plan) -> Params {
     let may_cross = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
     let texture_clearance = blank_to_signs(&layout.medium);
     // the dots of a leader line reach half a step further than those of a label, and lie up to half of the diagonal of
-    // four dots off its way
+    // four dots off its place
     let leader_off = match &layout.medium {
         Medium::Print(_) => 0.0,
         Medium::Dots(dots) => 0.5 * dots.diameter() + dots.pitch * FRAC_1_SQRT_2,

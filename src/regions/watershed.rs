@@ -9,11 +9,11 @@ pub(super) fn basins(landscape: &Plane) -> (Vec<u32>, usize) {
     let mut down = descents(landscape);
     cross_plains(landscape, &mut down);
     let mut basin = vec![u32::MAX; down.len()];
-    let (mut count, mut way) = (0, Vec::new());
+    let (mut count, mut descent) = (0, Vec::new());
     for start in 0..down.len() {
         let mut at = start;
         while basin[at] == u32::MAX && down[at] as usize != at {
-            way.push(at);
+            descent.push(at);
             at = down[at] as usize;
         }
         if basin[at] == u32::MAX {
@@ -21,7 +21,7 @@ pub(super) fn basins(landscape: &Plane) -> (Vec<u32>, usize) {
             count += 1;
         }
         let number = basin[at];
-        way.drain(..).for_each(|cell| basin[cell] = number);
+        descent.drain(..).for_each(|cell| basin[cell] = number);
     }
     (basin, count as usize)
 }
@@ -54,7 +54,7 @@ fn descents(landscape: &Plane) -> Vec<u32> {
     down
 }
 
-/// Leads the cells of plains to the nearest way down, or all to one cell where there is none.
+/// Leads the cells of plains to the nearest descent, or all to one cell where there is none.
 fn cross_plains(landscape: &Plane, down: &mut [u32]) {
     let heights = &landscape.values;
     let is_stuck = |down: &[u32], cell: usize| down[cell] as usize == cell;

@@ -187,7 +187,7 @@ mod tests {
             let places: Vec<MmPoint> = all.iter().map(|p| p.at).collect();
             assert!(
                 places.iter().filter(near).any(|about| symmetric(*about)),
-                "{thirds} thirds of the way to dense have no such centre"
+                "{thirds} thirds of the distance to dense have no such centre"
             );
         }
     }

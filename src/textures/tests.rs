@@ -55,12 +55,12 @@ proptest! {
         seats in prop::collection::vec((0.0_f32..60.0, 0.0_f32..60.0, 0_u8..6), 2..12),
         lightness in 0.1_f32..0.9,
         side in 40.0_f32..150.0,
-        way in (0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0),
+        ends in (0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0),
     ) {
         let classes = areas(&seats, lightness);
         let area = MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(20.0 + side, 30.0 + side));
         let place = |x: f32, y: f32| MmPoint::new(20.0 + x * side, 30.0 + y * side);
-        let points = vec![place(way.0, way.1), place(way.2, way.3)];
+        let points = vec![place(ends.0, ends.1), place(ends.2, ends.3)];
         let line = Line { strength: 30.0, runs: vec![Run::stroke(1.0, points)] };
         let textures = fill(&classes, area, &[line], &PARAMS);
         let region_at = |at: MmPoint| {

@@ -17,7 +17,7 @@ percent = { $size ->
 }
 
 title = Die Seite heißt „{ $title }“.
-sheet = Ein Blatt im { $way ->
+sheet = Ein Blatt im { $orientation ->
     [across] Querformat
    *[upright] Hochformat
 }, { $width } mal { $height } mm, mit einer Abbildung von { $across } mal { $down } mm; sie hat { $lines ->

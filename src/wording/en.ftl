@@ -19,8 +19,8 @@ percent = { $size ->
 }
 
 title = The page is called "{ $title }".
-# $way: across or upright
-sheet = A sheet { $way ->
+# $orientation: across or upright
+sheet = A sheet { $orientation ->
     [across] that lies across
    *[upright] upright
 }, { $width } by { $height } mm, with a figure of { $across } by { $down } mm that has { $lines ->

@@ -17,7 +17,7 @@ percent = { $size ->
 }
 
 title = La página se llama «{ $title }».
-sheet = Una hoja { $way ->
+sheet = Una hoja { $orientation ->
     [across] horizontal
    *[upright] vertical
 }, de { $width } por { $height } mm, con una figura de { $across } por { $down } mm que tiene { $lines ->

@@ -17,7 +17,7 @@ percent = { $size ->
 }
 
 title = La page s’appelle « { $title } ».
-sheet = Une feuille { $way ->
+sheet = Une feuille { $orientation ->
     [across] en largeur
    *[upright] en hauteur
 }, de { $width } sur { $height } mm, avec une figure de { $across } sur { $down } mm qui compte { $lines ->

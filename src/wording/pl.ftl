@@ -17,7 +17,7 @@ percent = { $size ->
 }
 
 title = Strona nosi tytuł „{ $title }”.
-sheet = Arkusz { $way ->
+sheet = Arkusz { $orientation ->
     [across] poziomy
    *[upright] pionowy
 }, { $width } na { $height } mm, z rysunkiem { $across } na { $down } mm; liczba linii: { $lines }, liczba pól z fakturą:

@@ -90,11 +90,11 @@ proptest! {
         lightness in 0.1_f32..1.0,
         pitch in prop::sample::select(vec![1.27_f32, 1.6, 2.0, 2.5]),
         gap in 0_u32..3,
-        way in (-20_i32..20, -20_i32..20, -1_i32..2, -1_i32..2),
+        ray in (-20_i32..20, -20_i32..20, -1_i32..2, -1_i32..2),
     ) {
         let classes = areas(&seats, lightness);
         let place = |k: i32| {
-            let (x, y) = (way.0 + k * way.2, way.1 + k * way.3);
+            let (x, y) = (ray.0 + k * ray.2, ray.1 + k * ray.3);
             MmPoint::new(80.0 + x as f32 * pitch, 90.0 + y as f32 * pitch)
         };
         let lines = [line((0..20).map(place).collect())];
@@ -118,7 +118,7 @@ proptest! {
                 let class = region.map(|region| classes.regions[region as usize].class);
                 prop_assert_eq!(class, Some(texture.class), "{:?} is off its region", glyph.at);
                 for k in 0..20 {
-                    let (i, j) = (way.0 + k * way.2, way.1 + k * way.3);
+                    let (i, j) = (ray.0 + k * ray.2, ray.1 + k * ray.3);
                     let steps = (i - x).abs().max((j - y).abs());
                     prop_assert!(steps > gap as i32, "{:?} is too near to a line", glyph.at);
                 }

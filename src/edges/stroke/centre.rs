@@ -47,7 +47,7 @@ const SAME_GROUND: f32 = 0.25;
 const EVEN: f32 = 0.5;
 /// A stroke is at least this many times as long as wide; what is shorter is an area.
 pub(super) const LONG: f32 = 5.0;
-/// A stroke is lighter or darker than both its sides, or in another way beyond both, by at least this share of the step
+/// A stroke is lighter or darker than both its sides, or otherwise beyond both, by at least this share of the step
 /// between them. One that shows less leaves the edge where it is; and beside a sharpened edge there is a rim that is no
 /// stroke.
 const OF_STEP: f32 = 0.2;
@@ -188,12 +188,12 @@ fn changes(line: &Polyline<PxPoint>, contrasts: &[Contrast], apart: f32, least: 
     let n = contrasts.len();
     let near = |i: usize| median(around(line, i, NEAR_VERTICES).map(|k| contrasts[k].of_stroke()));
     let has: Vec<bool> = (0..n).map(|i| near(i) >= least).collect();
-    let way = |run: &Vec<usize>| -> f32 {
+    let length = |run: &Vec<usize>| -> f32 {
         run.windows(2).map(|pair| (line.vertices[pair[1]] - line.vertices[pair[0]]).length()).sum()
     };
     // runs that are too short belong to those before them
     let mut runs = runs(n, line.closed, |a, b| has[a] == has[b]);
-    runs.retain(|run| way(run) >= apart);
+    runs.retain(|run| length(run) >= apart);
     let before = runs.last().filter(|_| line.closed).into_iter().chain(&runs);
     let pairs = before.zip(runs.iter().skip(usize::from(!line.closed)));
     pairs.filter(|(before, run)| has[before[0]] != has[run[0]]).map(|(_, run)| run[0]).collect()
@@ -245,7 +245,7 @@ fn through_junctions(line: &Polyline<PxPoint>, junctions: &[PxPoint], reach: f32
         let [Some(((back, before), (_, far_before))), Some(((on, after), (_, far_after)))] = sides else { continue };
         let (a, b) = (line.vertices[before], line.vertices[after]);
         let [into, through, out] = [a - line.vertices[far_before], b - a, line.vertices[far_after] - b]
-            .map(|way| way.try_normalize().unwrap_or_default());
+            .map(|chord| chord.try_normalize().unwrap_or_default());
         if into.dot(through) < STRAIGHT_ON || through.dot(out) < STRAIGHT_ON {
             continue;
         }
@@ -277,13 +277,13 @@ fn extend_ends(line: &mut Polyline<PxPoint>, free: [bool; 2], residue: &Plane, w
 fn trim_end(line: &mut Polyline<PxPoint>, length: f32) {
     let mut left = length;
     while let [.., before, last] = line.vertices[..] {
-        let way = (last - before).length();
+        let length = (last - before).length();
         line.vertices.pop();
-        if way >= left {
-            line.vertices.push(last.lerp(before, left / way));
+        if length >= left {
+            line.vertices.push(last.lerp(before, left / length));
             return;
         }
-        left -= way;
+        left -= length;
     }
 }
 
@@ -431,10 +431,10 @@ mod tests {
     fn changes_of_contrast_on_a_ring_do_not_depend_on_where_it_begins() {
         // 80 px round; without contrast over 20 of them, and over 5 others, which are too few
         let side = |k: usize| match (k / 20, (k % 20) as f32) {
-            (0, way) => PxPoint::new(way, 0.0),
-            (1, way) => PxPoint::new(20.0, way),
-            (2, way) => PxPoint::new(20.0 - way, 20.0),
-            (_, way) => PxPoint::new(0.0, 20.0 - way),
+            (0, along) => PxPoint::new(along, 0.0),
+            (1, along) => PxPoint::new(20.0, along),
+            (2, along) => PxPoint::new(20.0 - along, 20.0),
+            (_, along) => PxPoint::new(0.0, 20.0 - along),
         };
         let is_stroke = |k: usize| !(30..50).contains(&k) && !(65..70).contains(&k);
         let of = |k: usize| Contrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };

@@ -21,13 +21,13 @@ use lyon::geom::euclid::Box2D;
 const FARTHEST: f32 = 6.0;
 /// It is followed in steps of this, px.
 const STEP: f32 = 1.0;
-/// The direction is taken over this much of the way, and over so much of the stroke before its end, px.
+/// The direction is taken over this much of the continuation, and over so much of the stroke before its end, px.
 const HEADING: f32 = 8.0;
 /// The middle of what is seen is looked for so far to both sides, px, beyond half the width of the stroke.
 const ASIDE: f32 = 1.5;
-/// ... and is at most this far from where the way would go straight on, px.
+/// ... and is at most this far from where it would go straight on, px.
 const TURN: f32 = 0.35;
-/// Half the distance over which the slope across the way is taken, px.
+/// Half the distance over which the slope across it is taken, px.
 const SLOPE: f32 = 0.5;
 /// What is seen has at least this share of the contrast of the stroke.
 const SEEN: f32 = 0.4;
@@ -41,24 +41,24 @@ const END: f32 = 6.0;
 /// An end that is at another one from the beginning goes on in it if the cosine between their directions is at least
 /// this (26 degrees).
 const AHEAD_COSINE: f32 = 0.9;
-/// A way that leads to another end goes on in it if that cosine is at most this: the two make a corner of at least 60
-/// degrees, as those of a triangle do. Otherwise it only ends there.
+/// A continuation that leads to another end goes on in it if that cosine is at most this: the two make a corner of at
+/// least 60 degrees, as those of a triangle do. Otherwise it only ends there.
 const SHARPEST: f32 = 0.5;
 /// Side of the cells of the index of points, px.
 const CELL: f32 = 8.0;
 
-/// A point of a stroke or of a way from one of its ends, in an index.
+/// A point of a stroke or of a continuation from one of its ends, in an index.
 #[derive(Debug, Clone, Copy)]
 struct Mark {
     stroke: usize,
-    /// The vertex of the stroke; none on a way.
+    /// The vertex of the stroke; none on a continuation.
     vertex: Option<usize>,
     at: PxPoint,
 }
 
 type Marks = Index<Mark, Px>;
 
-/// A way from an end of a stroke, and what it leads to.
+/// The continuation from an end of a stroke, and what it leads to.
 struct Continuation {
     points: Vec<ContourPoint>,
     met: Mark,
@@ -81,7 +81,7 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
     }
     let open = (0..strokes.len()).filter(|&number| !strokes[number].contour.closed);
     let ends: Vec<StrokeEnd> = open.flat_map(|number| [(number, true), (number, false)]).collect();
-    let (mut ways, mut met) = (Vec::new(), Vec::new());
+    let (mut continuations, mut met) = (Vec::new(), Vec::new());
     for end in ends {
         let Some(Continuation { mut points, met: to, direction }) = continuation(end, &strokes, &marks, planes, params)
         else {
@@ -96,9 +96,9 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
         for point in &points {
             marks.put_at(point.at, Mark { stroke: end.0, vertex: None, at: point.at });
         }
-        ways.push((end, points));
+        continuations.push((end, points));
     }
-    for ((number, at_start), points) in ways {
+    for ((number, at_start), points) in continuations {
         let contour = &mut strokes[number].contour;
         if at_start {
             contour.reverse();
@@ -132,7 +132,7 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
     leaving(&strokes[other].contour, at_start).map_or(1.0, |(_, leaving)| direction.dot(leaving))
 }
 
-/// The way on from an end of a stroke, if it leads to another one or to another part of the same.
+/// The continuation from an end of a stroke, if it leads to another one or to another part of the same.
 fn continuation(
     end: StrokeEnd,
     strokes: &[Stroke],
@@ -208,8 +208,8 @@ fn meets(
     nearest.map(|(_, mark)| mark)
 }
 
-/// How far aside the middle is of what is seen across a way: the mean of places, each weighted with the square of its
-/// slope. Of a stroke it is its middle, of the border of two areas the border.
+/// How far aside the middle is of what is seen across a continuation: the mean of places, each weighted with the square
+/// of its slope. Of a stroke it is its middle, of the border of two areas the border.
 fn middle(at: PxPoint, across: PxVector, reach: f32, planes: &[Plane]) -> f32 {
     let steps = (reach / SLOPE).ceil() as i32;
     let (mut sum, mut moment) = (0.0, 0.0);

@@ -102,7 +102,7 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
     follow::follow(strokes, planes, params)
 }
 
-/// Whether the picture shows something along a straight way: a stroke of a width, or the border of two areas, with at
+/// Whether the picture shows something along a segment: a stroke of a width, or the border of two areas, with at
 /// least a contrast.
 pub(super) fn is_seen([from, to]: [PxPoint; 2], width: f32, least: f32, planes: &[Plane]) -> bool {
     let displacement = to - from;

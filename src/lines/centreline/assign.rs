@@ -140,7 +140,7 @@ fn take_middle(
     }
 }
 
-/// The vertices from one to another, in a ring the shorter way round, as numbers that may go on beyond its last; the
+/// The vertices from one to another, in a ring along the shorter arc, as numbers that may go on beyond its last; the
 /// second alone if there are too many.
 fn between(i: usize, j: usize, polyline: &Polyline<Vertex>) -> std::ops::RangeInclusive<usize> {
     let (low, high) = (i.min(j), i.max(j));
@@ -166,8 +166,8 @@ fn give_way(
             continue;
         }
         assignments[stretch.polyline].removed[i] = true;
-        let way = polylines[stretch.polyline].vertices[i].at - opposite.at;
-        assignments[other].offsets[j].get_or_insert(way * 0.5);
+        let across = polylines[stretch.polyline].vertices[i].at - opposite.at;
+        assignments[other].offsets[j].get_or_insert(across * 0.5);
     }
 }
 
@@ -208,7 +208,9 @@ mod tests {
             let (stays, goes) = if turned { (&assigned[1], &assigned[0]) } else { (&assigned[0], &assigned[1]) };
             assert!(removed(stays) == 0 && removed(goes) == goes.removed.len());
             let moved: Vec<MmVector> = stays.offsets.iter().flatten().copied().collect();
-            assert!(moved.len() >= 49 && moved.iter().all(|way| (*way - MmVector::new(0.0, 1.5)).length() < 0.01));
+            assert!(
+                moved.len() >= 49 && moved.iter().all(|offset| (*offset - MmVector::new(0.0, 1.5)).length() < 0.01)
+            );
         }
     }
 

@@ -17,8 +17,8 @@ const PARALLEL: f32 = 0.8;
 const STEP_BACK: f32 = 0.3;
 /// The smaller of the two steps is at least this share of the larger.
 const ALIKE: f32 = 0.3;
-/// On one line, opposite sides are parted by a bend: the way along it is longer than the way across by this factor (a
-/// half circle's is 1.57), and by this length, mm.
+/// On one line, opposite sides are parted by a bend: the length along it is longer than the distance across by this
+/// factor (a half circle's is 1.57), and by this length, mm.
 const BEND: f32 = 1.4;
 const BEND_LEAST: f32 = 0.8;
 /// What rounding may change, as a share: where two sides have vertices straight across from one another, as on
@@ -54,7 +54,7 @@ pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &P
 /// What may be a side of a stroke.
 struct Sides<'a> {
     polylines: &'a [Polyline<Vertex>],
-    /// The way along each polyline to its vertices, mm.
+    /// The length along each polyline to its vertices, mm.
     arcs: Vec<Vec<f32>>,
     segments: Nearby,
     params: &'a Params,

@@ -109,13 +109,13 @@ fn fill_corners(distances: &mut [Option<f32>], normals: &[MmVector], arcs: &[f32
         let (None, Some(first), Some(last)) = (distances[run[0]], distances[before], distances[after]) else {
             continue;
         };
-        let way = |to: usize| (arcs[to] - arcs[before]).rem_euclid(total.max(f32::EPSILON));
-        let (length, width) = (way(after), first.abs() + last.abs());
+        let arc = |to: usize| (arcs[to] - arcs[before]).rem_euclid(total.max(f32::EPSILON));
+        let (length, width) = (arc(after), first.abs() + last.abs());
         let turns = normals[before].dot(normals[after]) <= TURN;
         // what has no length is no corner
         if turns && first.signum() == last.signum() && length > 0.0 && length <= CORNER * width {
             for &k in run {
-                distances[k] = Some(first + (last - first) * way(k) / length);
+                distances[k] = Some(first + (last - first) * arc(k) / length);
             }
             let beside = ((width * run.len() as f32 / length).ceil() as usize).min(distances.len());
             gaps.push(Gap { run: run.clone(), beside });
@@ -149,15 +149,15 @@ fn blunt_end<'a>(
     reach: f32,
     piece: impl Iterator<Item = &'a usize>,
 ) -> usize {
-    let mut way = 0.0;
+    let mut length = 0.0;
     let mut last: Option<MmPoint> = None;
     for (count, &i) in piece.enumerate() {
         let at = polyline.vertices[i].at;
-        way += last.map_or(0.0, |last| (at - last).length());
+        length += last.map_or(0.0, |last| (at - last).length());
         if assignment.offsets[i].is_some() {
             return count;
         }
-        if way > BLUNT * reach {
+        if length > BLUNT * reach {
             break;
         }
         last = Some(at);

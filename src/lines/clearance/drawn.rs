@@ -1,7 +1,8 @@
 //! The lines that are drawn so far, and what comes too near to them.
 //!
-//! Two lines may be near only on the way to a junction: where one of them ends on the other, or where they cross. The
-//! way from there until they are apart must be short, which keeps out lines that run into one another at a flat angle:
+//! Two lines may be near only close to a junction: where one of them ends on the other, or where they cross. The
+//! length from there until they are apart must be short, which keeps out lines that run into one another at a flat
+//! angle:
 //!
 //! ```text
 //!   ----------o----------   far enough          -----------o------   too flat: the
@@ -276,7 +277,7 @@ impl<'a> DrawnLines<'a> {
             })
     }
 
-    /// Whether a polyline is near to a line all the way between two of its junctions with it.
+    /// Whether a polyline is near to a line everywhere between two of its junctions with it.
     fn follows(&self, [a, b]: [&Junction; 2], vertices: &[Vertex], passage: &Passage) -> bool {
         let index = |arc: f32| passage.arcs.partition_point(|&other| other < arc).min(vertices.len());
         let between = &vertices[index(a.arc.min(b.arc))..index(a.arc.max(b.arc))];
@@ -286,7 +287,7 @@ impl<'a> DrawnLines<'a> {
         })
     }
 
-    /// Whether a line is near to a polyline all the way between two of their junctions. All of the polyline is looked
+    /// Whether a line is near to a polyline everywhere between two of their junctions. All of the polyline is looked
     /// at, as it may be near the line beyond the two. Where it ends at one of them and has just come from there, as the
     /// legs of a bar on its axis, it does not count.
     fn is_followed(&self, [a, b]: [&Junction; 2], vertices: &[Vertex], passage: &Passage) -> bool {

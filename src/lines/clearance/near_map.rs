@@ -21,7 +21,7 @@ impl NearMap {
     pub(super) fn new(area: MmRect, reach: f32) -> Self {
         let cells = |mm: f32| (mm / CELL).ceil().max(1.0) as usize;
         let (columns, rows) = (cells(area.width()), cells(area.height()));
-        // more by half the diagonal of a cell, rounded up, and half the way to the next mark
+        // more by half the diagonal of a cell, rounded up, and half the distance to the next mark
         let reach = reach + CELL + 0.5 * MARK;
         Self { area, reach, marked: vec![false; columns * rows], columns, rows }
     }

@@ -7,7 +7,7 @@ use crate::units::{MmPoint, MmVector};
 /// A line ends on another if it comes this near, mm: twice the tolerance of simplification, so that it is drawn so (see
 /// [`super::anchor`], which gives the other a vertex there), and far less than a finger notices.
 pub(super) const TOUCH: f32 = 0.1;
-/// Crossings of one line with this much way between them, mm, or less, are those of one spike.
+/// Crossings of one line with this much arc length between them, mm, or less, are those of one spike.
 pub(super) const SPIKE: f32 = 1.0;
 /// Crossings nearer than this, mm, are one.
 const SAME: f32 = 0.01;
@@ -69,7 +69,7 @@ pub(super) struct Passage {
 }
 
 impl Passage {
-    /// Length along the polyline between two arcs, of a ring the shorter way round, mm.
+    /// Length along the polyline between two arcs, of a ring along the shorter arc, mm.
     pub(super) fn between(&self, s: f32, t: f32) -> f32 {
         let apart = (s - t).abs();
         self.round.map_or(apart, |round| apart.min(round - apart))

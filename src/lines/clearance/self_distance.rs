@@ -114,7 +114,7 @@ mod tests {
     fn a_hairpin_comes_back_and_a_wide_bend_does_not() {
         let narrow = [(10.0, 10.0), (50.0, 10.0), (50.0, 13.0), (10.0, 13.0)];
         let back = first_return(&narrow, false).expect("the second arm is too near to the first");
-        // it is allowed the way round the bend
+        // it is allowed the arc round the bend
         assert!(back.start as f32 * 0.4 > 43.0, "{back:?}");
         assert_eq!(first_return(&[(10.0, 10.0), (50.0, 10.0), (50.0, 18.0), (10.0, 18.0)], false), None);
     }
@@ -137,7 +137,7 @@ mod tests {
         }
         // 12 degrees are too few
         assert!(first_return(&[(10.0, 50.0), (40.0, 50.0), (10.66, 43.76)], false).is_some());
-        // nor is a hairpin a corner that has the same distance after the same way
+        // nor is a hairpin a corner that has the same distance after the same arc length
         assert!(first_return(&[(10.0, 10.0), (22.0, 10.0), (22.0, 14.0), (10.0, 14.0)], false).is_some());
     }
 

@@ -59,8 +59,8 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     (shorter.length() + TIP < polyline.length()).then_some(shorter)
 }
 
-/// What is left of a line that is too near to others: its parts between, if `extended` with ways to the lines that they
-/// join.
+/// What is left of a line that is too near to others: its parts between, if `extended` with segments to the lines that
+/// they join.
 pub(super) fn split(
     polyline: &Polyline<Vertex>,
     states: &[State],
@@ -143,7 +143,7 @@ fn apart_stretches(states: &[State]) -> Vec<Range<usize>> {
     stretches
 }
 
-/// The stretches of vertices between those that are near to lines in such a way that some are too near. A stretch that
+/// The stretches of vertices between those that are near to lines so that some are too near. A stretch that
 /// is near, but nowhere too near, divides nothing.
 fn clear_stretches(states: &[State]) -> Vec<Range<usize>> {
     let mut stretches = Vec::new();

@@ -1,4 +1,4 @@
-//! Lines as ways: what a finger follows in one go, with the length along it at each of its segments.
+//! Lines as paths: what a finger follows in one go, with the length along it at each of its segments.
 
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -10,7 +10,7 @@ const SAME: f32 = 0.02;
 
 /// Joined strokes of one line, in order.
 #[derive(Debug)]
-pub(super) struct Way {
+pub(super) struct Path {
     /// Its segments in the list of all of them.
     pub(super) segments: std::ops::Range<usize>,
     /// Length, mm.
@@ -25,16 +25,16 @@ pub(super) struct Way {
     pub(super) second: bool,
 }
 
-/// All strokes of a list of lines. The `line` of a segment is the number of its way.
+/// All strokes of a list of lines. The `line` of a segment is the number of its path.
 #[derive(Debug, Default)]
-pub(super) struct Ways {
-    pub(super) ways: Vec<Way>,
+pub(super) struct Paths {
+    pub(super) paths: Vec<Path>,
     pub(super) segments: Vec<Segment>,
 }
 
-impl Ways {
-    /// The ways of all strokes; each row of dots is one along the middles of its dots, as far as no step is longer than
-    /// `step` mm.
+impl Paths {
+    /// The paths of all strokes; each row of dots is one along the middles of its dots, as far as no step is longer
+    /// than `step` mm.
     pub(super) fn of(lines: &[Line], step: f32) -> Self {
         let mut all = Self::default();
         for (line, of) in lines.iter().enumerate() {
@@ -53,9 +53,9 @@ impl Ways {
                 last = run.path().last();
             }
         }
-        for way in &mut all.ways {
-            let segments = &all.segments[way.segments.clone()];
-            way.closed = match (segments.first(), segments.last()) {
+        for path in &mut all.paths {
+            let segments = &all.segments[path.segments.clone()];
+            path.closed = match (segments.first(), segments.last()) {
                 (Some(first), Some(last)) => segments.len() > 2 && (first.a - last.b).length() <= SAME,
                 _ => false,
             };
@@ -65,7 +65,7 @@ impl Ways {
 
     fn begin(&mut self, line: usize, dotted: bool, second: bool) {
         let from = self.segments.len();
-        self.ways.push(Way { segments: from..from, length: 0.0, closed: false, line, dotted, second });
+        self.paths.push(Path { segments: from..from, length: 0.0, closed: false, line, dotted, second });
     }
 
     fn add_row(&mut self, run: &Run, (line, second): (usize, bool), step: f32) {
@@ -79,13 +79,13 @@ impl Ways {
     }
 
     fn add(&mut self, run: &Run) {
-        let number = self.ways.len().saturating_sub(1) as u32;
-        let Some(way) = self.ways.last_mut() else { return };
+        let number = self.paths.len().saturating_sub(1) as u32;
+        let Some(path) = self.paths.last_mut() else { return };
         let mut push = |a: MmPoint, b: MmPoint| {
-            let index = (self.segments.len() - way.segments.start) as u32;
-            self.segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number, index, arc: way.length });
-            way.length += (b - a).length();
-            way.segments.end = self.segments.len();
+            let index = (self.segments.len() - path.segments.start) as u32;
+            self.segments.push(Segment { a, b, half_width: 0.5 * run.width, line: number, index, arc: path.length });
+            path.length += (b - a).length();
+            path.segments.end = self.segments.len();
         };
         match run.points[..] {
             [only] => push(only, only),
@@ -93,9 +93,9 @@ impl Ways {
         }
     }
 
-    /// The segments of a way.
-    pub(super) fn segments_of(&self, way: usize) -> &[Segment] {
-        &self.segments[self.ways[way].segments.clone()]
+    /// The segments of a path.
+    pub(super) fn segments_of(&self, path: usize) -> &[Segment] {
+        &self.segments[self.paths[path].segments.clone()]
     }
 
     /// Half the width of the widest stroke, mm.
@@ -112,33 +112,33 @@ impl Ways {
         index
     }
 
-    /// The ends of a way, with their places along it; a ring has none.
-    pub(super) fn tips(&self, way: usize) -> Vec<(Segment, MmPoint, f32)> {
-        let segments = self.segments_of(way);
+    /// The ends of a path, with their places along it; a ring has none.
+    pub(super) fn tips(&self, path: usize) -> Vec<(Segment, MmPoint, f32)> {
+        let segments = self.segments_of(path);
         match (segments.first(), segments.last()) {
-            (Some(first), Some(last)) if !self.ways[way].closed => {
-                vec![(*first, first.a, 0.0), (*last, last.b, self.ways[way].length)]
+            (Some(first), Some(last)) if !self.paths[path].closed => {
+                vec![(*first, first.a, 0.0), (*last, last.b, self.paths[path].length)]
             }
             _ => Vec::new(),
         }
     }
 }
 
-impl Way {
-    /// The length along it between two of its places, the shorter way round a ring.
+impl Path {
+    /// The length along it between two of its places, the shorter arc of a ring.
     pub(super) fn between(&self, s: f32, t: f32) -> f32 {
         let apart = (s - t).abs();
         if self.closed { apart.min(self.length - apart) } else { apart }
     }
 }
 
-/// The place along a way of the point of a segment that is nearest to `at`, and the distance.
+/// The place along a path of the point of a segment that is nearest to `at`, and the distance.
 pub(super) fn nearest(segment: &Segment, at: MmPoint) -> (f32, MmPoint, f32) {
     let (distance, point) = nearest_on_segment(at, segment.a, segment.b);
     (distance, point, segment.arc + (point - segment.a).length())
 }
 
-/// The point of a segment at a place along its way.
+/// The point of a segment at a place along its path.
 pub(super) fn point_at(segment: &Segment, arc: f32) -> MmPoint {
     let length = (segment.b - segment.a).length();
     if length > 0.0 { segment.a.lerp(segment.b, ((arc - segment.arc) / length).clamp(0.0, 1.0)) } else { segment.a }
