@@ -211,13 +211,15 @@ fn outlines_of_regions_follow_every_flip_and_turn() {
         let outlines = |raster: &Raster| -> Vec<(f32, f32)> {
             let (transform, _) = sheet(raster.size());
             let tree = edges::find_with_regions(raster, &edge_params()).regions;
-            let traces =
-                tree.map(|tree| tree.outlines(transform.mm_per_px(), &params, &[], None).0).unwrap_or_default();
-            let points = |trace: &regions::TracedContour| {
-                let vertices = trace.vertices.iter().map(|point| point.at).collect();
-                Polyline { vertices, closed: trace.closed }.resampled(0.5).vertices
+            let outlines = tree.map(|tree| {
+                let chosen = tree.chosen(transform.mm_per_px(), &params, &[], regions::OfFigure::Unknown);
+                tree.outlines(transform.mm_per_px(), &params, &chosen).0
+            });
+            let points = |outline: &regions::RegionOutline| {
+                let vertices = outline.contour.vertices.iter().map(|point| point.at).collect();
+                Polyline { vertices, closed: outline.contour.closed }.resampled(0.5).vertices
             };
-            traces.iter().flat_map(points).map(|at| (at.x, at.y)).collect()
+            outlines.unwrap_or_default().iter().flat_map(points).map(|at| (at.x, at.y)).collect()
         };
         let before = outlines(&raster);
         looked_at += usize::from(!before.is_empty());

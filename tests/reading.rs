@@ -207,7 +207,7 @@ fn what_is_drawn_by_hand_is_read_by_its_kind() {
     let dots = page.labels.last().expect("a dot");
     assert_eq!((dots.diameter, dots.at.as_slice()), (1.5, &[MmPoint::new(100.0, 100.0)][..]));
     assert_eq!(page.figure.lines.len(), count + 1);
-    for what in ["1 disc", "1 filled shape", "in grey or colour", "\"Cup\"", "beyond the sheet"] {
+    for what in ["1 disc", "1 filled shape", "in grey or colour", "\"Cup\"", "beyond the sheet", "1 picture"] {
         assert!(told.contains(what), "{what}: {told}");
     }
 }

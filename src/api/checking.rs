@@ -61,7 +61,7 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
     let drawn = Drawn { document: &document, tree: &tree, mends };
     let limits = |page: &Page| match profile {
         Some(profile) => Ok::<_, Error>(Plan::new(profile)?.limits()),
-        None => Ok(Plan::new(&Profile::of_page(&page.origin)?)?.limits()),
+        None => Ok(Plan::new(&Profile::of_page(&page.origin)?.0)?.limits()),
     };
     let empty = || {
         let corner = MmPoint::new(tree.size().width(), tree.size().height()) * MM_PER_CSS_PX;
@@ -80,7 +80,11 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
                 Err(_) => Fingertip::NotAsked,
             };
             let checked = drawn.check(&read, &limits, fingertip);
-            Checked { notes: read.notes, ..checked }
+            let mut notes = read.notes;
+            if profile.is_none() {
+                notes.extend(Profile::of_page(&read.page.origin)?.1);
+            }
+            Checked { notes, ..checked }
         }
         None => {
             let sheet = empty()?;

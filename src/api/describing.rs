@@ -35,7 +35,7 @@ pub fn describe(
     let page = if read.areas.is_empty() && read.texts.is_empty() {
         read.page
     } else {
-        let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
+        let plan = Plan::new(&Profile::of_page(&read.page.origin)?.0)?;
         pipeline::adapted(&read, &plan, None)?.page
     };
     Ok(description::describe(&page, &checked.verdict, wording))

@@ -234,7 +234,9 @@ impl Options {
         let mut read = reading::read(svg.as_ref())?;
         let mut notes = std::mem::take(&mut read.notes);
         notes.extend(not_written(&std::mem::take(&mut read.texts)));
-        let plan = Plan::new(&Profile::of_page(&read.page.origin)?)?;
+        let (own, refused) = Profile::of_page(&read.page.origin)?;
+        notes.extend(refused);
+        let plan = Plan::new(&own)?;
         let (areas, told) = pipeline::areas_of(&read.page, &read.areas, &plan);
         self.given.areas = Some(areas);
         notes.extend(told);
@@ -319,7 +321,10 @@ impl Options {
         let Reading { page, mut notes, texts, .. } = reading::read(svg)?;
         notes.extend(not_written(&texts));
         notes.extend(pipeline::dots_left_out(&page));
-        let lines = HandLines::of_figure(&page, &Plan::new(&Profile::of_page(&page.origin)?)?);
+        let (own, refused) = Profile::of_page(&page.origin)?;
+        notes.extend(refused);
+        let lines = HandLines::of_figure(&page, &Plan::new(&own)?);
+        notes.extend(lines.told_outside());
         self.add_notes(notes);
         Ok(lines)
     }

@@ -107,7 +107,9 @@ fn rendered(svg: &[u8], options: &RenderOptions) -> Result<Drawing, Error> {
     if options.is_cancelled() {
         return Err(Error::Cancelled);
     }
-    let own = Plan::new(&Profile::of_page(&read.page.origin)?)?;
+    let (own, refused) = Profile::of_page(&read.page.origin)?;
+    notes.extend(refused);
+    let own = Plan::new(&own)?;
     let Adapted { page, lines, notes: more, of_places, abbreviates } = pipeline::adapted(&read, &own, translate)?;
     let cancelled = || options.is_cancelled();
     let request = |plan, mirrored| Request {
@@ -177,7 +179,7 @@ fn in_language(key: Vec<Page>, page: &Page) -> Vec<Page> {
 /// # Errors
 /// As [`render`].
 pub fn profile_of_page(svg: impl AsRef<[u8]>) -> Result<Profile, Error> {
-    Profile::of_page(&reading::read(svg.as_ref())?.page.origin)
+    Ok(Profile::of_page(&reading::read(svg.as_ref())?.page.origin)?.0)
 }
 
 /// The language of a page's words (BCP 47).

@@ -9,7 +9,7 @@ use super::finding::FoundBreach;
 use super::limits::{Limits, MediumLimits};
 use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
-use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_written};
+use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
 /// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
@@ -136,14 +136,6 @@ fn letters(document: &Document<'_>, typed: &[TypedText]) -> Vec<FoundBreach> {
         (!text.is_empty()).then_some(FoundBreach { rule, what, at, extent, measured: None, mended })
     };
     document.descendants().filter(is_text).filter_map(found).collect()
-}
-
-fn is_shown(node: &Node<'_, '_>) -> bool {
-    let hidden = |node: Node<'_, '_>| {
-        let style = node.attribute("style").unwrap_or("").replace(' ', "");
-        node.attribute("display") == Some("none") || style.contains("display:none") || node.tag_name().name() == "defs"
-    };
-    !node.ancestors().any(hidden)
 }
 
 /// Where a text stands, where nothing around it moves it and the drawing is in mm.

@@ -3,8 +3,8 @@
 //!
 //! Opening and closing by a disc (Serra 1982), through exact Euclidean distances (Felzenszwalb and Huttenlocher 2012).
 
-use resvg::tiny_skia::{Color, Pixmap, Transform};
-use usvg::Tree;
+use resvg::tiny_skia::{Color, Path, PathSegment, Pixmap, Transform};
+use usvg::{Fill, Group, Node, Paint, Tree};
 
 use super::finding::FoundBreach;
 use super::limits::{Limits, MediumLimits};
@@ -36,7 +36,7 @@ struct Ink {
 
 /// What is wrong with a drawing, or nothing if it is too large to be drawn.
 pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<FoundBreach> {
-    let Some(ink) = Ink::of(tree) else { return Vec::new() };
+    let Some(ink) = Ink::of(tree, is_dark) else { return Vec::new() };
     let (width, gap) = match limits.medium {
         MediumLimits::Print { line_width, line_gap, .. } => (line_width, line_gap),
         MediumLimits::Dots { pitch, line_gap, .. } => (0.5 * pitch, line_gap as f32 * pitch),
@@ -47,11 +47,7 @@ pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<FoundBreach> {
     found.extend(ink.places(LINE_GAP, LEAST_NARROW, ink.narrow(false, gap), |area| {
         format!("{area:.0} square mm of blank between black parts are narrower than {gap} mm")
     }));
-    let narrow = ink.narrow(true, BLOCK);
-    let block = ink.black.iter().zip(narrow).map(|(black, narrow)| *black && !narrow).collect();
-    found.extend(ink.places(FILLED, LEAST_BLOCK, block, |area| {
-        format!("a block of {area:.0} square mm is all black, of which only the edge is felt")
-    }));
+    found.extend(ink.blocks());
     if let MediumLimits::Print { max_black, .. } = limits.medium {
         let share = ink.black.iter().filter(|black| **black).count() as f32 / ink.black.len() as f32;
         let what = || format!("{:.0} % of the sheet is black; {:.0} % is the most", 100.0 * share, 100.0 * max_black);
@@ -60,8 +56,75 @@ pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<FoundBreach> {
     found
 }
 
+/// Large areas of a page that are all black. The page is only drawn if one of its shapes may be one: of its own marks
+/// none is.
+pub(super) fn blocks(tree: &Tree) -> Vec<FoundBreach> {
+    if !may_have_block(tree.root()) {
+        return Vec::new();
+    }
+    Ink::of(tree, is_black).map_or_else(Vec::new, |ink| ink.blocks())
+}
+
+/// Whether a filled path has a contour that could be a block: area and length are those of a square of its side, or of
+/// something broader.
+fn may_have_block(group: &Group) -> bool {
+    group.children().iter().any(|node| match node {
+        Node::Group(group) => may_have_block(group),
+        Node::Path(path) if path.is_visible() && path.fill().is_some_and(is_filled_black) => {
+            let geometry = path.data().clone().transform(path.abs_transform().post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX));
+            geometry.is_some_and(|geometry| has_block(&geometry))
+        }
+        Node::Path(_) | Node::Image(_) | Node::Text(_) => false,
+    })
+}
+
+fn is_filled_black(fill: &Fill) -> bool {
+    matches!(fill.paint(), Paint::Color(colour) if is_black(&[colour.red, colour.green, colour.blue]))
+}
+
+/// Whether a contour of a path, in mm, is as broad as a block. Curves count as their chords.
+fn has_block(path: &Path) -> bool {
+    let (mut contours, mut points) = (Vec::new(), Vec::new());
+    for segment in path.segments() {
+        match segment {
+            PathSegment::MoveTo(at) => contours.push(std::mem::replace(&mut points, vec![at])),
+            PathSegment::LineTo(at) | PathSegment::QuadTo(_, at) | PathSegment::CubicTo(_, _, at) => points.push(at),
+            PathSegment::Close => {}
+        }
+    }
+    contours.push(points);
+    contours.iter().any(|points| {
+        let sides = points.iter().zip(points.iter().cycle().skip(1));
+        let (twice_area, length) = sides.fold((0.0_f32, 0.0_f32), |(area, length), (a, b)| {
+            (area + a.x * b.y - b.x * a.y, length + (b.x - a.x).hypot(b.y - a.y))
+        });
+        // chords take a third off the area of a circle of four curves
+        0.5 * twice_area.abs() >= 0.6 * LEAST_BLOCK && twice_area.abs() >= 0.3 * BLOCK * length
+    })
+}
+
+/// A pixel that prints rather black than white.
+fn is_dark(pixel: &[u8]) -> bool {
+    pixel[..3].iter().map(|&channel| u32::from(channel)).sum::<u32>() < 3 * 128
+}
+
+/// A pixel that is black: areas that a person filled with a colour are to have its texture.
+fn is_black(pixel: &[u8]) -> bool {
+    pixel[..3].iter().all(|&channel| channel < 64)
+}
+
 impl Ink {
-    fn of(tree: &Tree) -> Option<Self> {
+    /// Areas that are all black and broader than a symbol.
+    fn blocks(&self) -> Vec<FoundBreach> {
+        let narrow = self.narrow(true, BLOCK);
+        let block = self.black.iter().zip(narrow).map(|(black, narrow)| *black && !narrow).collect();
+        self.places(FILLED, LEAST_BLOCK, block, |area| {
+            format!("a block of {area:.0} square mm is all black, of which only the edge is felt")
+        })
+    }
+
+    /// The pixels that `is_ink`; none if the drawing is too large.
+    fn of(tree: &Tree, is_ink: fn(&[u8]) -> bool) -> Option<Self> {
         let scale = MM_PER_CSS_PX * PX_PER_MM;
         let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (side * scale).ceil());
         if width.max(height) > LONGEST * PX_PER_MM {
@@ -70,8 +133,7 @@ impl Ink {
         let mut canvas = Pixmap::new(width as u32, height as u32)?;
         canvas.fill(Color::WHITE);
         resvg::render(tree, Transform::from_scale(scale, scale), &mut canvas.as_mut());
-        let dark = |pixel: &[u8]| pixel[..3].iter().map(|&channel| u32::from(channel)).sum::<u32>() < 3 * 128;
-        let black = canvas.data().chunks_exact(4).map(dark).collect();
+        let black = canvas.data().chunks_exact(4).map(is_ink).collect();
         Some(Self { size: Size::new(width as u32, height as u32), black })
     }
 

@@ -67,6 +67,10 @@ impl<'a> Drawn<'a> {
         let page = &read.page;
         let mut found = found(page, &read.names, limits);
         found.extend(drawn::findings(self.document, self.tree, &read.texts, limits));
+        // dots of a device are pressed one by one, whatever is drawn
+        if matches!(limits.medium, limits::MediumLimits::Print { .. }) {
+            found.extend(ink::blocks(self.tree));
+        }
         checked((found, self.mends), page, limits, felt)
     }
 

@@ -284,9 +284,10 @@ pub(super) const EMPTY: Rule = Rule {
 
 /// What `render` makes of a breach, where it puts it right on a page that somebody changed.
 pub(super) fn mended(rule: &Rule) -> Option<&'static str> {
-    const MENDED: [(Rule, &str); 3] = [
+    const MENDED: [(Rule, &str); 4] = [
         (LINE_WIDTH, "gives it the least width of the profile"),
         (TEXTURE_GAP, "leaves these marks out"),
+        (FILLED, "draws the outline of a filled shape as a line"),
         (BLACK_ONLY, "prints them black, or fills areas with the textures of their colours"),
     ];
     MENDED.iter().find(|(known, _)| known == rule).map(|(_, what)| *what)

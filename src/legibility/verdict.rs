@@ -12,6 +12,9 @@ use crate::wording::Wording;
 /// Side of the squares in which faulty area is counted, mm: a third of a fingertip.
 const SQUARE: f32 = 5.0;
 
+/// Where less than this share of the textured area can be judged, what is read right of it says nothing of the rest.
+const LEAST_JUDGED: f32 = 0.25;
+
 /// What is said of a page as a whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -104,6 +107,10 @@ impl Verdict {
         let textures = textures.map_or_else(
             || "none".to_owned(),
             |Textures { of_figure, judged, right, felt }| match judged > 0.0 {
+                true if judged < LEAST_JUDGED => {
+                    let values = [("share", percent(of_figure)), ("judged", percent(judged))];
+                    wording.say("verdict-textures-few", &values)
+                }
                 true => {
                     let near = ("near", percent(1.0 - judged));
                     let values =

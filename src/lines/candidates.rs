@@ -65,14 +65,15 @@ impl Candidates {
         polylines.retain(|polyline| polyline.length() >= params.min_length);
         polylines.iter_mut().for_each(Polyline::fill);
         let contours = polylines.len();
-        polylines.extend(outlines.on_the_sheet(transform, params));
+        let (of_regions, of_outlines): (Vec<_>, Vec<_>) = outlines.on_the_sheet(transform, params).into_iter().unzip();
+        polylines.extend(of_regions);
         junction::extend(&mut polylines, area, params.join_gap);
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let has_outlines = contours < polylines.len();
         let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
             _ if !has_outlines => Rank::Ordinary,
             _ if number < contours => Rank::of(line),
-            _ => Rank::Outline,
+            _ => of_outlines[number - contours],
         };
         let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
         let saliencies = saliency::saliencies(&polylines, params);

@@ -1,7 +1,6 @@
 //! Few shapes: where the maker of a page wants no more than some, the most salient ones stay.
 
 use super::clearance::Cleared;
-use super::outlines::Rank;
 use super::params::Params;
 use super::vertex::FoundIn;
 use crate::geom::components::DisjointSets;
@@ -22,7 +21,7 @@ pub(super) fn keep_first(drawn: &mut Vec<&Cleared>, most: usize, of_outlines: us
     let mut budget = Budget::new(most.saturating_sub(of_outlines), most);
     // a photograph's exact lines were added by a person
     let is_added = |line: &Cleared| line.polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
-    drawn.retain(|line| line.rank == Rank::Outline || is_added(line) || budget.has(line.polyline.closed));
+    drawn.retain(|line| line.rank.is_outline() || is_added(line) || budget.has(line.polyline.closed));
     budget.beyond
 }
 

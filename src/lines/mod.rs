@@ -33,7 +33,6 @@ mod tests;
 
 use candidates::Candidates;
 use clearance::Cleared;
-use outlines::Rank;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use vertex::{Vertex, nearby};
 
@@ -110,12 +109,12 @@ pub fn draw_with(
 /// Leaves out the lines beyond as many beside outlines as there are to be, and those that are too short beside them.
 fn keep_few_others(cleared: &mut Vec<Cleared>, outlines: &Outlines) {
     let Some((most, length)) = outlines.others else { return };
-    if !cleared.iter().any(|line| line.rank == Rank::Outline) {
+    if !cleared.iter().any(|line| line.rank.is_outline()) {
         return;
     }
     let mut count = 0;
     cleared.retain(|line| {
-        let is_outline = line.rank == Rank::Outline;
+        let is_outline = line.rank.is_outline();
         count += usize::from(!is_outline && line.polyline.length() >= length);
         is_outline || (count <= most && line.polyline.length() >= length)
     });

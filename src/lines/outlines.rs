@@ -3,14 +3,16 @@
 use super::params::Params;
 use super::vertex::{FoundIn, Vertex};
 use crate::geom::polyline::Polyline;
-use crate::regions::TracedContour;
+use crate::regions::{RegionOutline, TracePoint};
 use crate::units::PageTransform;
 
 /// What is drawn before, and in place of, ordinary lines.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outlines {
     /// The outlines, in pixels of the picture.
-    pub traces: Vec<TracedContour>,
+    pub outlines: Vec<RegionOutline>,
+    /// How many of the first regions are what the picture is about.
+    pub subjects: usize,
     /// How many shapes they are; neighbours share a border.
     pub shapes: usize,
     /// How many other lines are drawn, and the least length of each, mm; all if none.
@@ -24,8 +26,10 @@ pub(super) enum Rank {
     Ordinary,
     /// An outline of a region, or what is left of one.
     Outline,
-    /// A long stroke, which no outline may displace: it is thin, so that no region could have its shape.
+    /// A long stroke, which no such outline may displace: it is thin, so that no region could have its shape.
     Stroke,
+    /// An outline of what the picture is about.
+    Subject,
 }
 
 /// Least length of a stroke that goes before outlines, mm.
@@ -36,6 +40,11 @@ const STRAIGHTNESS: f32 = 0.97;
 const MOSTLY: f32 = 0.7;
 
 impl Rank {
+    /// Whether it is that of an outline of a region.
+    pub(super) fn is_outline(self) -> bool {
+        matches!(self, Self::Outline | Self::Subject)
+    }
+
     /// That of a line that is no outline.
     pub(super) fn of(polyline: &Polyline<Vertex>) -> Self {
         // in the middle of a stroke there is no step
@@ -51,21 +60,30 @@ impl Rank {
 }
 
 impl Outlines {
+    /// How many of the subjects have no outline on the sheet that is long enough for a line.
+    pub fn subjects_lacking(&self, transform: &PageTransform, least: f32) -> usize {
+        let has = |subject: usize| {
+            let own = self.outlines.iter().filter(|outline| outline.region == subject);
+            own.map(|outline| outline.contour.length()).fold(0.0, f32::max) * transform.mm_per_px() >= least
+        };
+        (0..self.subjects).filter(|subject| !has(*subject)).count()
+    }
+
     /// Those outlines on the sheet that are long enough for lines.
-    pub(super) fn on_the_sheet(&self, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
-        let line = |trace: &TracedContour| {
-            let vertex = |point: &crate::regions::TracePoint| Vertex {
+    pub(super) fn on_the_sheet(&self, transform: &PageTransform, params: &Params) -> Vec<(Polyline<Vertex>, Rank)> {
+        let line = |RegionOutline { contour, region }: &RegionOutline| {
+            let vertex = |point: &TracePoint| Vertex {
                 at: transform.to_mm(point.at),
                 strength: point.strength.max(params.least_strength),
                 contrast: [0.0; 3],
                 width: 0.0,
                 source: FoundIn::Pixels,
             };
-            let mut line = Polyline { vertices: trace.vertices.iter().map(vertex).collect(), closed: trace.closed };
+            let mut line = Polyline { vertices: contour.vertices.iter().map(vertex).collect(), closed: contour.closed };
             line = line.evened();
             line.fill();
-            line
+            (line, if *region < self.subjects { Rank::Subject } else { Rank::Outline })
         };
-        self.traces.iter().map(line).filter(|line| line.length() >= params.min_length).collect()
+        self.outlines.iter().map(line).filter(|(line, _)| line.length() >= params.min_length).collect()
     }
 }

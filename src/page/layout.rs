@@ -131,6 +131,22 @@ mod tests {
     }
 
     #[test]
+    fn a_larger_overview_fills_what_is_left_below_the_figure() {
+        let params = params();
+        let overview = |aspect: f32, most: f32| {
+            let layout = fit(aspect, f32::MAX, &Params { orientation: Orientation::Portrait, ..params });
+            let larger = layout.largest_overview(most, &params)?;
+            let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+            assert!(larger.max.y + border <= layout.sheet[1] - params.margin + 1e-3);
+            assert_eq!(larger.min.y, layout.overview.expect("there is one").min.y);
+            Some(larger.width() / layout.figure.width())
+        };
+        assert!((overview(2.0, 0.5).expect("there is room") - 0.5).abs() < 0.01);
+        assert_eq!(overview(0.7, 0.5), None, "the figure takes all the height that there is");
+        assert_eq!(overview(2.0, 0.2), None, "the own one is as large");
+    }
+
+    #[test]
     fn everything_keeps_inside_the_margins_at_any_shape() {
         for params in all_params() {
             for aspect in ASPECTS {

@@ -105,6 +105,18 @@ pub struct Layout {
 }
 
 impl Layout {
+    /// The largest overview that there is room for below the figure as things are, up to this share of the figure's
+    /// width and height, in hundredths; none if the own one is as large.
+    pub fn largest_overview(&self, most: f32, params: &Params) -> Option<MmRect> {
+        let own = self.overview.filter(|own| own.min.y > self.figure.max.y)?;
+        let border = params.frame.map_or(0.0, |frame| frame.width + frame.gap);
+        let below = self.sheet[1] - params.margin - border - own.min.y;
+        let beside = 2.0 * (own.center().x - params.margin - border);
+        let room = (below / self.figure.height()).min(beside / self.figure.width()).min(most);
+        let scale = (100.0 * room).floor() / 100.0;
+        if scale * self.figure.width() <= own.width() { None } else { self.overview_at(scale, params) }
+    }
+
     /// The overview at another share of the figure's width and height, if it lies below the figure and there is room
     /// for it as things are.
     pub fn overview_at(&self, scale: f32, params: &Params) -> Option<MmRect> {

@@ -7,7 +7,7 @@ use super::joined_bars::{self, BarTolerances, Instead, Redraw};
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
-use super::outlines::outlines_of;
+use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Read, read};
@@ -25,7 +25,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
-use crate::regions::{Areas, Detail, Mask};
+use crate::regions::{Areas, Chosen, Detail, Mask};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
@@ -128,9 +128,11 @@ pub(super) fn draw(
     let may_join = given.lines.is_none();
     let (drawn, (overview, mut classes)) = {
         let (edges, layout) = (edges.as_ref(), &layout);
-        let lines = |watch: &mut Watch<'_>| draw_lines(edges, may_join, layout, plan, watch);
+        let regions = edges.and_then(|edges| regions_of_figure(edges, layout, plan, watch));
+        let regions = regions.as_ref();
+        let lines = |watch: &mut Watch<'_>| draw_lines(edges, regions, may_join, layout, plan, watch);
         in_parallel(has_lines, watch, lines, |watch| {
-            let overview = draw_overview(edges, may_join, layout, plan, watch);
+            let overview = draw_overview(edges, regions, may_join, layout, plan, watch);
             (overview, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
         })
     };
@@ -150,7 +152,7 @@ pub(super) fn draw(
         calmed_around.iter().for_each(|subject| subject::blank_around(classes, subject, size));
     }
     let left_out = left_out(&drawn.lost, overview.lost.rings);
-    notes.extend(told_of_overview(&overview.lost, overview.marks.is_some()));
+    notes.extend(told_of_overview(&overview));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let of_drawing = edges.is_some_and(|edges| edges.of_drawing());
@@ -324,9 +326,11 @@ pub(super) struct DrawnLines {
     pub(super) instead: Option<Instead>,
 }
 
-/// The lines of the figure; bars of a chart may be drawn otherwise if they `may_join`.
+/// The lines of the figure, with the outlines of its `regions`; bars of a chart may be drawn otherwise if they
+/// `may_join`.
 pub(super) fn draw_lines(
     edges: Option<&Edges>,
+    regions: Option<&Chosen>,
     may_join: bool,
     layout: &Layout,
     plan: &Plan,
@@ -337,7 +341,7 @@ pub(super) fn draw_lines(
         Some(edges) if !edges.is_empty() => {
             let transform = PageTransform::new(edges.size, layout.figure);
             return run(watch, Stage::Lines, || {
-                let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
+                let (outlines, areas) = outlines_of_figure(edges, regions, &transform, plan);
                 let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
                     let params = lines::Params { detail, ..plan.lines() };
                     let mut drawn = lines::draw_with(edges, &outlines, transform, layout.figure, &params);

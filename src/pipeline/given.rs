@@ -6,7 +6,7 @@ use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::raster::crop::Crop;
-use crate::regions::{TracePoint, TracedContour};
+use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
 use crate::{Error, Note};
 
@@ -130,20 +130,20 @@ pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -
 }
 
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.
-pub(super) fn with_room(traces: Vec<TracedContour>, edges: &Edges) -> Vec<TracedContour> {
+pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges) -> Vec<RegionOutline> {
     let own = added(edges);
     if edges.erased.is_empty() && own.is_empty() {
-        return traces;
+        return outlines;
     }
     let near = near(&own);
     let gone = |point: &TracePoint| {
         is_in(share(point.at, edges.size), &edges.erased) || near.nearest(point.at, edges.room, |_| true).is_some()
     };
-    let parts = |trace: &TracedContour| {
-        let parts = outside(&trace.vertices, trace.closed, gone);
-        parts.into_iter().map(|(vertices, closed)| TracedContour { vertices, closed }).collect::<Vec<_>>()
+    let parts = |RegionOutline { contour, region }: &RegionOutline| {
+        let part = |(vertices, closed)| RegionOutline { contour: TracedContour { vertices, closed }, region: *region };
+        outside(&contour.vertices, contour.closed, gone).into_iter().map(part).collect::<Vec<_>>()
     };
-    traces.iter().flat_map(parts).collect()
+    outlines.iter().flat_map(parts).collect()
 }
 
 fn share(at: PxPoint, size: Size) -> [f32; 2] {
@@ -172,6 +172,7 @@ mod tests {
             vertices: row(y).map(|at| TracePoint { at, strength: 40.0 }).collect(),
             closed: false,
         };
+        let outline = |y: f32| RegionOutline { contour: outline(y), region: 0 };
         let room = |edges: &Edges| [22.0, 72.0].map(|y| with_room(vec![outline(y)], edges).len());
         assert_eq!(room(&edges), [1, 0], "only what was added takes room");
         erase(&mut edges, vec![[0.0, 0.6, 1.0, 0.65]]);

@@ -3,7 +3,6 @@
 use lyon::geom::euclid::Box2D;
 
 use super::kept_lines::LineName;
-use crate::Error;
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
@@ -11,6 +10,7 @@ use crate::lines::{Line, Pen, Run};
 use crate::page::Page;
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, PageTransform, Px, PxPoint, Size};
+use crate::{About, Error, Note};
 
 /// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +18,8 @@ pub struct HandLines {
     lines: Vec<HandLine>,
     /// Width of the figure by its height.
     aspect: f32,
+    /// How much of them lies outside of the figure and is left out, mm.
+    left_outside: f32,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +31,10 @@ struct HandLine {
     closed: bool,
 }
 
+/// Lines may lie this far outside of their figure, mm: a stroke has a width.
+const BESIDE: f32 = 0.5;
+/// Most steps in which a side of a line that leaves the figure is looked at.
+const MOST_STEPS: f32 = 10_000.0;
 /// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
 pub(super) const SAME_SHAPE: f32 = 0.03;
 
@@ -64,7 +70,10 @@ impl HandLines {
         });
         let mut lines: Vec<HandLine> = lines.collect();
         lines.iter_mut().for_each(HandLine::close);
-        Self { lines, aspect: width / height }
+        let before: f32 = lines.iter().map(|line| line.length([width, height])).sum();
+        let lines: Vec<HandLine> = lines.into_iter().flat_map(|line| line.inside([width, height])).collect();
+        let after: f32 = lines.iter().map(|line| line.length([width, height])).sum();
+        Self { lines, aspect: width / height, left_outside: (before - after).max(0.0) }
     }
 
     /// The same lines as contours of a picture of this size.
@@ -90,7 +99,11 @@ impl HandLines {
     ) -> Result<Edges, Error> {
         let is_by_hand = |line: &&HandLine| names.get(line.of_line).is_some_and(|name| name.by_hand);
         let (by_hand, others): (Vec<&HandLine>, Vec<&HandLine>) = self.lines.iter().partition(is_by_hand);
-        let own = |lines: Vec<&HandLine>| Self { lines: lines.into_iter().cloned().collect(), aspect: self.aspect };
+        let own = |lines: Vec<&HandLine>| Self {
+            lines: lines.into_iter().cloned().collect(),
+            aspect: self.aspect,
+            left_outside: 0.0,
+        };
         let kind = ChainKind { exact: true, drawn: true, added: true, ..ChainKind::default() };
         let mut first = own(by_hand).edges_of(size, kind)?;
         first.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.max(full_strength));
@@ -129,6 +142,13 @@ impl HandLines {
         Ok(())
     }
 
+    /// What is told of lines outside of the figure: there is no picture there that they could belong to.
+    pub fn told_outside(&self) -> Option<Note> {
+        let mm = self.left_outside.round();
+        let told = format!("{mm} mm of lines outside of the figure; move them into it, or make another page of them");
+        (mm >= 1.0).then_some(Note::NotOnPage(About::Lines, told))
+    }
+
     /// How many lines are shorter than a length in the figure, as shares of its width.
     pub(super) fn shorter_than(&self, share: f32) -> usize {
         let length = |line: &HandLine| {
@@ -165,6 +185,38 @@ impl HandLine {
             self.vertices.pop();
             self.closed = true;
         }
+    }
+
+    /// Its length in a figure of this width and height, mm.
+    fn length(&self, [width, height]: [f32; 2]) -> f32 {
+        let distance = |a: [f32; 2], b: [f32; 2]| ((b[0] - a[0]) * width).hypot((b[1] - a[1]) * height);
+        let ends = self.vertices.first().zip(self.vertices.last()).filter(|_| self.closed);
+        let back = ends.map_or(0.0, |(first, last)| distance(last.0, first.0));
+        back + self.vertices.windows(2).map(|pair| distance(pair[0].0, pair[1].0)).sum::<f32>()
+    }
+
+    /// Its parts inside the figure, of this width and height in mm.
+    fn inside(self, [width, height]: [f32; 2]) -> Vec<Self> {
+        let (x, y) = (BESIDE / width, BESIDE / height);
+        let is_outside = |&([a, b], _): &([f32; 2], f32)| a < -x || a > 1.0 + x || b < -y || b > 1.0 + y;
+        if !self.vertices.iter().any(is_outside) {
+            return vec![self];
+        }
+        let Self { of_line, mut vertices, closed } = self;
+        if closed {
+            vertices.extend(vertices.first().copied());
+        }
+        let mut fine = Vec::new();
+        for pair in vertices.windows(2) {
+            let [(a, strength), (b, other)] = [pair[0], pair[1]];
+            let length = ((b[0] - a[0]) * width).hypot((b[1] - a[1]) * height);
+            let steps = (length / BESIDE).ceil().clamp(1.0, MOST_STEPS);
+            let at = |k: f32| ([a[0] + (b[0] - a[0]) * k, a[1] + (b[1] - a[1]) * k], strength + (other - strength) * k);
+            fine.extend((0..steps as usize).map(|step| at(step as f32 / steps)));
+        }
+        fine.extend(vertices.last().filter(|_| !closed));
+        let parts = outside(&fine, closed, is_outside).into_iter();
+        parts.map(|(vertices, closed)| Self { of_line, vertices, closed }).collect()
     }
 }
 
@@ -317,6 +369,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn what_lies_outside_of_the_figure_is_cut_off() {
+        let line = |points: &[[f32; 2]], closed: bool| HandLine {
+            of_line: 0,
+            vertices: points.iter().map(|&at| (at, 40.0)).collect(),
+            closed,
+        };
+        let parts = |points: &[[f32; 2]], closed: bool| line(points, closed).inside([100.0, 50.0]);
+        let whole = [[0.0, 0.0], [1.004, 1.0]];
+        assert_eq!(parts(&whole, false), [line(&whole, false)], "half a stroke beyond the border stays");
+        assert_eq!(parts(&[[0.2, 1.3], [0.8, 1.3]], false), []);
+        let crossing = parts(&[[0.5, 0.5], [0.5, 1.5]], false);
+        assert_eq!(crossing.len(), 1);
+        assert!((crossing[0].length([100.0, 50.0]) - 25.0).abs() < 1.0, "{}", crossing[0].length([100.0, 50.0]));
+        let ring = parts(&[[0.2, 0.5], [0.2, 1.5], [0.8, 1.5], [0.8, 0.5]], true);
+        assert_eq!(ring.len(), 1, "a ring that leaves the figure is one open line");
+        let length = ring[0].length([100.0, 50.0]);
+        assert!(!ring[0].closed && (length - 110.0).abs() < 2.0, "{length}");
+    }
+
+    #[test]
     fn lines_beside_one_that_a_person_drew_give_way_and_those_that_meet_it_stay() {
         let name = |by_hand: bool| LineName { name: String::new(), by_hand };
         let line = |of_line: usize, ends: [[f32; 2]; 2]| HandLine {
@@ -332,7 +404,8 @@ mod tests {
             [[0.6, 0.1], [0.6, 0.495]],
             [[0.1, 0.1], [0.9, 0.1]],
         ];
-        let lines = HandLines { lines: ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect(), aspect: 1.0 };
+        let lines = ends.iter().zip(0..).map(|(ends, of)| line(of, *ends)).collect();
+        let lines = HandLines { lines, aspect: 1.0, left_outside: 0.0 };
         let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
         let edges =
             lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");

@@ -1,38 +1,69 @@
 //! Outlines of regions, for the figure and for the overview.
 
 use super::given::with_room;
+use super::progress::{Stage, Watch, run};
 use crate::edges::Edges;
 use crate::lines::Outlines;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::regions::Areas;
+use crate::regions::{self, Areas, Chosen, OfFigure, RegionOutline};
 use crate::units::PageTransform;
 
 /// How many lines an overview has beside outlines, and the least length of each, mm.
 const OTHERS: usize = 8;
 const OTHERS_LENGTH: f32 = 8.0;
 
-/// The outlines of the most telling regions, for a figure or an overview where `transform` puts it, and what they
-/// surround.
-pub(super) fn outlines_of(
+/// The regions that get an outline in the figure.
+pub(super) fn regions_of_figure(edges: &Edges, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Option<Chosen> {
+    let tree = edges.regions.as_ref()?;
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let params = params_of(edges, plan, false);
+    let choose = || tree.chosen(transform.mm_per_px(), &params, &edges.subjects, OfFigure::Unknown);
+    Some(run(watch, Stage::Regions, choose))
+}
+
+/// The outlines of the regions of a figure, where `transform` puts it, and the areas inside them.
+pub(super) fn outlines_of_figure(
     edges: &Edges,
+    chosen: Option<&Chosen>,
     transform: &PageTransform,
-    layout: &Layout,
     plan: &Plan,
-    of_overview: bool,
 ) -> (Outlines, Option<Areas>) {
-    let Some(tree) = &edges.regions else { return (Outlines::default(), None) };
-    let mut params = plan.regions(of_overview);
-    if edges.only_subjects {
-        params.most = edges.subjects.len();
-    }
-    // where there are to be few shapes, the overview has no others than the figure
-    let of_figure = (of_overview && params.drawn.is_some()).then(|| {
-        let of_figure = PageTransform::new(edges.size, layout.figure);
-        tree.chosen(of_figure.mm_per_px(), &plan.regions(false), &edges.subjects)
-    });
-    let (traces, areas) = tree.outlines(transform.mm_per_px(), &params, &edges.subjects, of_figure.as_deref());
-    let traces = with_room(traces, edges);
-    let others = of_overview.then_some((params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH));
-    (Outlines { traces, shapes: areas.count(), others }, Some(areas))
+    let Some((tree, chosen)) = edges.regions.as_ref().zip(chosen) else { return (Outlines::default(), None) };
+    let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params_of(edges, plan, false), chosen);
+    (outlines_with_room(outlines, &areas, None, edges), Some(areas))
+}
+
+/// The outlines of an overview, where `transform` puts it, of a figure with such regions: where there are to be few
+/// shapes, it has no others.
+pub(super) fn outlines_of_overview(
+    edges: &Edges,
+    of_figure: Option<&Chosen>,
+    transform: &PageTransform,
+    plan: &Plan,
+) -> Outlines {
+    let Some((tree, of_figure)) = edges.regions.as_ref().zip(of_figure) else { return Outlines::default() };
+    let params = params_of(edges, plan, true);
+    let of_figure = match params.drawn {
+        Some(_) => OfFigure::Only(&of_figure.regions),
+        None => OfFigure::Preferred(&of_figure.regions),
+    };
+    let chosen = tree.chosen(transform.mm_per_px(), &params, &edges.subjects, of_figure);
+    let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params, &chosen);
+    let others = (params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH);
+    outlines_with_room(outlines, &areas, Some(others), edges)
+}
+
+fn params_of(edges: &Edges, plan: &Plan, of_overview: bool) -> regions::Params {
+    let params = plan.regions(of_overview);
+    if edges.only_subjects { regions::Params { most: edges.subjects.len(), ..params } } else { params }
+}
+
+fn outlines_with_room(
+    outlines: Vec<RegionOutline>,
+    areas: &Areas,
+    others: Option<(usize, f32)>,
+    edges: &Edges,
+) -> Outlines {
+    Outlines { outlines: with_room(outlines, edges), subjects: edges.subjects.len(), shapes: areas.count(), others }
 }

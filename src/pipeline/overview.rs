@@ -2,19 +2,24 @@
 
 use super::dots;
 use super::joined_bars::{BarTolerances, Instead, Redraw};
-use super::outlines::outlines_of;
+use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
-use crate::Note;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
+use crate::regions::Chosen;
 use crate::units::{MmRect, PageTransform};
+use crate::{About, Note};
 
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
 const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
+/// Share of the figure's size for overviews of photographs where the sheet has room below the figure. At 0.5 they agree
+/// with what people outline to an F of .55, at 0.4 of .53 (`docs/photographs.md`), and one hand still covers them: 85
+/// mm of a figure as wide as an A4 sheet.
+const OF_PHOTOGRAPH: f32 = 0.5;
 /// An overview that lacks this share, as one of squared paper, is too small by far.
 const TOO_SMALL: f32 = 0.5;
 /// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
@@ -24,9 +29,11 @@ const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
 /// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure.
+/// larger, as far as the sheet has room below the figure; of a photograph it is larger wherever there is room. A figure
+/// with outlines of regions has those `of_figure`.
 pub(super) fn draw_overview(
     edges: Option<&Edges>,
+    of_figure: Option<&Chosen>,
     may_join: bool,
     layout: &Layout,
     plan: &Plan,
@@ -35,25 +42,8 @@ pub(super) fn draw_overview(
     let reason = match (layout.overview, edges) {
         (None, _) => "overview.on is off",
         (Some(place), Some(edges)) if !edges.is_empty() => {
-            let (Overview { place, lines, lost }, instead) = run(watch, Stage::Overview, || {
-                let detail = plan.lines().detail;
-                let mut best = draw_overview_at(place, edges, layout, plan, detail);
-                for place in larger_overviews(edges, layout, plan) {
-                    if is_enough(&best.lost) || best.lost.share() > TOO_SMALL {
-                        break;
-                    }
-                    let larger = draw_overview_at(place, edges, layout, plan, detail);
-                    if (larger.lost.rings, larger.lost.share()) < (best.lost.rings, best.lost.share()) {
-                        best = larger;
-                    }
-                }
-                match may_join {
-                    true => with_whole_bars(best, place, edges, layout, plan),
-                    false => (best, None),
-                }
-            });
-            let lost = if edges.of_drawing() { lost } else { Lost::default() };
-            return DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, instead };
+            let figure = Figure { edges, of_figure, layout, plan };
+            return run(watch, Stage::Overview, || figure.overview(place, may_join));
         }
         _ => "there are no contours",
     };
@@ -68,6 +58,8 @@ pub(super) struct DrawnOverview {
     pub(super) marks: Option<(MmRect, Vec<Line>)>,
     /// What of a drawing is not drawn.
     pub(super) lost: Lost,
+    /// How many of the things that the picture is about are too small for it.
+    pub(super) subjects_lacking: usize,
     /// How the bars of a chart are drawn that have no room as they are.
     pub(super) instead: Option<Instead>,
 }
@@ -78,62 +70,105 @@ struct Overview {
     lines: Vec<Line>,
     /// What is not drawn.
     lost: Lost,
+    subjects_lacking: usize,
 }
 
-/// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger one.
-fn with_whole_bars(
-    drawn: Overview,
-    place: MmRect,
-    edges: &Edges,
-    layout: &Layout,
-    plan: &Plan,
-) -> (Overview, Option<Instead>) {
-    if plan.lines().most_shapes.is_some() {
-        return (drawn, None);
+/// What an overview is drawn of.
+struct Figure<'a> {
+    edges: &'a Edges,
+    of_figure: Option<&'a Chosen>,
+    layout: &'a Layout,
+    plan: &'a Plan,
+}
+
+impl Figure<'_> {
+    fn overview(&self, place: MmRect, may_join: bool) -> DrawnOverview {
+        let detail = self.plan.lines().detail;
+        let mut best = self.draw_at(self.place_of_photograph().unwrap_or(place), detail);
+        for place in self.larger_places() {
+            if is_enough(&best.lost) || best.lost.share() > TOO_SMALL {
+                break;
+            }
+            let larger = self.draw_at(place, detail);
+            if (larger.lost.rings, larger.lost.share()) < (best.lost.rings, best.lost.share()) {
+                best = larger;
+            }
+        }
+        let (drawn, instead) = if may_join { self.with_whole_bars(best, place) } else { (best, None) };
+        let Overview { place, lines, lost, subjects_lacking } = drawn;
+        let lost = if self.edges.of_drawing() { lost } else { Lost::default() };
+        let subjects_lacking = if lines.is_empty() { 0 } else { subjects_lacking };
+        DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, subjects_lacking, instead }
     }
-    let places: Vec<MmRect> = std::iter::once(place).chain(larger_overviews(edges, layout, plan)).collect();
-    let transform = |place: &MmRect| PageTransform::new(edges.size, *place);
-    let transforms: Vec<PageTransform> = places.iter().map(transform).collect();
-    let draw = |edges: &Edges, at: &PageTransform, detail: f32| {
-        let place = transforms.iter().zip(&places).find(|(transform, _)| *transform == at).map_or(place, |(_, of)| *of);
-        draw_overview_at(place, edges, layout, plan, detail)
-    };
-    let first = transform(&drawn.place);
-    let (tolerances, detail) = (BarTolerances::of(layout, plan), plan.lines().detail);
-    let redraw = Redraw {
-        edges,
-        transforms: &transforms,
-        tolerances,
-        detail,
-        draw: &draw,
-        lines: &|drawn: &Overview| &drawn.lines,
-    };
-    redraw.whole(drawn, &first)
-}
 
-/// The overview's lines in this place, and what is not drawn.
-fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan, detail: f32) -> Overview {
-    let transform = PageTransform::new(edges.size, place);
-    let all = lines::Params { detail, ..plan.lines() };
-    let params = if edges.of_drawing() { all.of_overview() } else { all };
-    let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
-    let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
-    if drawn.lines.is_empty() {
-        // parts of rings say more than nothing
-        drawn = lines::draw_with(edges, &outlines, &transform, place, &lines::Params { whole_rings: false, ..params });
+    /// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger
+    /// one.
+    fn with_whole_bars(&self, drawn: Overview, place: MmRect) -> (Overview, Option<Instead>) {
+        let &Self { edges, layout, plan, .. } = self;
+        if plan.lines().most_shapes.is_some() {
+            return (drawn, None);
+        }
+        let places: Vec<MmRect> = std::iter::once(place).chain(self.larger_places()).collect();
+        let transform = |place: &MmRect| PageTransform::new(edges.size, *place);
+        let transforms: Vec<PageTransform> = places.iter().map(transform).collect();
+        let draw = |edges: &Edges, at: &PageTransform, detail: f32| {
+            let of_transform = transforms.iter().zip(&places).find(|(transform, _)| *transform == at);
+            let place = of_transform.map_or(place, |(_, place)| *place);
+            Figure { edges, ..*self }.draw_at(place, detail)
+        };
+        let first = transform(&drawn.place);
+        let (tolerances, detail) = (BarTolerances::of(layout, plan), plan.lines().detail);
+        let redraw = Redraw {
+            edges,
+            transforms: &transforms,
+            tolerances,
+            detail,
+            draw: &draw,
+            lines: &|drawn: &Overview| &drawn.lines,
+        };
+        redraw.whole(drawn, &first)
     }
-    Overview { place, lines: dots::of_overview(drawn.lines, place, layout, plan), lost: drawn.lost }
-}
 
-/// Where a larger overview of a drawing can lie on printed paper, from the smallest on.
-fn larger_overviews(edges: &Edges, layout: &Layout, plan: &Plan) -> Vec<MmRect> {
-    let params = plan.layout();
-    let own = match (&layout.medium, params.overview) {
-        (Medium::Print(_), Some(overview)) if edges.of_drawing() => overview.scale,
-        _ => return Vec::new(),
-    };
-    let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
-    scales.filter_map(|scale| layout.overview_at(scale, &params)).collect()
+    /// The overview's lines in this place, and what is not drawn.
+    fn draw_at(&self, place: MmRect, detail: f32) -> Overview {
+        let &Self { edges, of_figure, layout, plan } = self;
+        let transform = PageTransform::new(edges.size, place);
+        let all = lines::Params { detail, ..plan.lines() };
+        let params = if edges.of_drawing() { all.of_overview() } else { all };
+        let outlines = outlines_of_overview(edges, of_figure, &transform, plan);
+        let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+        if drawn.lines.is_empty() {
+            // parts of rings say more than nothing
+            let params = lines::Params { whole_rings: false, ..params };
+            drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+        }
+        Overview {
+            place,
+            lines: dots::of_overview(drawn.lines, place, layout, plan),
+            lost: drawn.lost,
+            subjects_lacking: outlines.subjects_lacking(&transform, params.min_length),
+        }
+    }
+
+    /// Where the overview of a photograph lies on printed paper that has more room below the figure than it needs.
+    fn place_of_photograph(&self) -> Option<MmRect> {
+        self.edges.regions.as_ref()?;
+        match self.layout.medium {
+            Medium::Print(_) => self.layout.largest_overview(OF_PHOTOGRAPH, &self.plan.layout()),
+            Medium::Dots(_) => None,
+        }
+    }
+
+    /// Where a larger overview of a drawing can lie on printed paper, from the smallest on.
+    fn larger_places(&self) -> Vec<MmRect> {
+        let params = self.plan.layout();
+        let own = match (&self.layout.medium, params.overview) {
+            (Medium::Print(_), Some(overview)) if self.edges.of_drawing() => overview.scale,
+            _ => return Vec::new(),
+        };
+        let scales = LARGER_OVERVIEWS.into_iter().filter(|scale| *scale > own);
+        scales.filter_map(|scale| self.layout.overview_at(scale, &params)).collect()
+    }
 }
 
 /// Whether an overview has all that matters of a drawing.
@@ -141,13 +176,23 @@ fn is_enough(lost: &Lost) -> bool {
     lost.rings == 0 && lost.share() < MAY_LACK
 }
 
-/// What the maker is told of what the overview of a drawing lacks.
-pub(super) fn told_of_overview(lost: &Lost, is_drawn: bool) -> impl Iterator<Item = Note> {
+/// What the maker is told of what an overview lacks.
+pub(super) fn told_of_overview(overview: &DrawnOverview) -> impl Iterator<Item = Note> {
+    let (lost, is_drawn) = (&overview.lost, overview.marks.is_some());
+    let subjects = (overview.subjects_lacking > 0).then(|| {
+        let (subjects, they_are) = match overview.subjects_lacking {
+            1 => ("the subject is".to_owned(), "it is"),
+            count => (format!("{count} of the subjects are"), "they are"),
+        };
+        let told =
+            format!("{subjects} not in the overview, as {they_are} too small for it; crop the picture around it");
+        Note::NotOnPage(About::Overview, told)
+    });
     let shapes = (lost.rings > 0).then_some(Note::ShapesNotInOverview(lost.rings));
     let percent = (100.0 * lost.share()).round() as u32;
     let lines = (lost.share() >= LACKS).then(|| match is_drawn {
         true => Note::LinesNotInOverview { percent, place: lost.place_name() },
         false => Note::NoRoomForOverview,
     });
-    shapes.into_iter().chain(lines)
+    subjects.into_iter().chain(shapes).chain(lines)
 }

@@ -92,7 +92,8 @@ pub(super) fn marks(
     let params = plan.lines();
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
-    let mut edges = HandLines::of_figure(page, own).edges_below(lines, size, blank, params.full_strength)?;
+    let hand_lines = HandLines::of_figure(page, own);
+    let mut edges = hand_lines.edges_below(lines, size, blank, params.full_strength)?;
     if let MediumParams::Dots { device, .. } = plan.medium()
         && !device.has_heights()
     {
@@ -103,18 +104,19 @@ pub(super) fn marks(
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     request.go_on()?;
     // the lines of a page stay lines of their own
-    let DrawnLines { lines: mut drawn, .. } = draw_lines(Some(&edges), false, &layout, plan, watch);
+    let DrawnLines { lines: mut drawn, .. } = draw_lines(Some(&edges), None, false, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().or(Some(&edges));
-    let overview = draw_overview(edges_of_overview, false, &layout, plan, watch);
+    let overview = draw_overview(edges_of_overview, None, false, &layout, plan, watch);
     let left_out = left_out(&drawn.lost, overview.lost.rings);
     let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
+    notes.extend(hand_lines.told_outside());
     if plan.profile().figure.lines {
         let (stand_for, shares) =
             kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
         keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }
-    notes.extend(told_of_overview(&overview.lost, overview.marks.is_some()));
+    notes.extend(told_of_overview(&overview));
     notes.extend(dots_left_out(page));
     let mut classes = plan.profile().figure.textures.then(|| areas::of_page(page));
     // the ground of a page that has none already is another area

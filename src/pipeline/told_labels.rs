@@ -16,7 +16,7 @@ pub(super) const NO_CODE: &str = "there is no braille code for their language";
 pub(super) const NO_CODE_OF_WORDS: &str = "there is no braille code for the language of the words";
 pub(super) const NOTHING_TO_TELL: &str =
     "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
-const NO_ROOM: &str = "there is no room for them";
+const NO_ROOM: &str = "there is no room";
 /// ... of numbers along an axis of which every so many-th stands.
 const EVERY: [(i64, &str); 3] = [
     (2, "there is room for every second number along an axis only"),

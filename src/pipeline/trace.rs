@@ -3,6 +3,7 @@
 use super::draw::{DrawnLines, contours_of, draw_lines, edges_of, enough_pixels, told_left_out, working_size};
 use super::given::Given;
 use super::joined_bars;
+use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
 use super::request::{Fit, Request};
@@ -122,8 +123,9 @@ pub fn trace<'p>(
         None => Trace { size: source, polylines: Vec::new() },
         Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),
         Some(edges) => {
+            let regions = regions_of_figure(edges, &layout, plan, watch);
             let DrawnLines { lines: drawn, instead, .. } =
-                draw_lines(Some(edges), given.lines.is_none(), &layout, plan, watch);
+                draw_lines(Some(edges), regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
             notes.extend(told_left_out(&drawn, Some(edges), &layout));
             notes.extend(joined_bars::told(instead, None));
             let transform = PageTransform::new(edges.size, layout.figure);

@@ -31,8 +31,12 @@ pub use keys::{
 pub use kind::{NumberRange, Value};
 pub use plan::Plan;
 
-use crate::Error;
+use crate::listing::first_few;
+use crate::{About, Error, Note};
 use inherit::ProfileOrigin;
+
+/// Most values of a page's profile that are not taken and are told one by one.
+const MOST_REFUSED: usize = 5;
 
 impl Profile {
     /// Every key there is, in a fixed order.
@@ -113,8 +117,9 @@ impl Profile {
 
     /// The profile that a page was made with, from how it says that it was made: the profile of its name with every
     /// value that stands there. What is missing, or of an unknown name, is that of the default profile; values that do
-    /// not go together (of another version) all give way to those of the profile of that name.
-    pub(crate) fn of_page(origin: &[(String, String)]) -> Result<Self, Error> {
+    /// not go together (of another version) all give way to those of the profile of that name. Also says what was not
+    /// taken.
+    pub(crate) fn of_page(origin: &[(String, String)]) -> Result<(Self, Option<Note>), Error> {
         let value = |value: &str| value.trim_matches('"').to_owned();
         let name = origin.iter().find(|(known, _)| known == "profile").map(|(_, name)| value(name));
         let named = name.as_deref().and_then(|name| Self::named(name).ok());
@@ -122,13 +127,25 @@ impl Profile {
             Some(profile) => profile,
             None => Self::named(built_in()[0].name)?,
         };
-        let base = profile.clone();
-        for (key, said) in origin {
-            // what an older version wrote may not be there any more
-            let _ = profile.set_from(key, &value(said), "the page");
+        let (base, mut refused) = (profile.clone(), Vec::<String>::new());
+        // what another version wrote may not be there any more, and not all that is said of a page are keys
+        for (key, said) in origin.iter().filter(|(key, _)| index_of(key).is_ok()) {
+            if profile.set_from(key, &value(said), "the page").is_err() {
+                refused.push(format!("{key} = {said}"));
+            }
         }
         profile.name = name.unwrap_or(profile.name);
-        Ok(if profile.check().is_ok() { profile } else { base })
+        let goes_together = profile.check().is_ok();
+        if !goes_together {
+            refused = vec!["all values together, as they do not fit one another".to_owned()];
+        }
+        let told = (!refused.is_empty()).then(|| {
+            let (refused, name) = (first_few(&refused, MOST_REFUSED, String::clone), &base.name);
+            let told =
+                format!("of what the page says of its profile, this is not taken: {refused}; {name} counts there");
+            Note::TakenAs(About::Marks, told)
+        });
+        Ok((if goes_together { profile } else { base }, told))
     }
 
     /// Every parameter as (path, value), in the order of [`Profile::keys`]; numbers are the shortest decimals that read

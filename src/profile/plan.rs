@@ -41,7 +41,7 @@ struct Shapes {
 /// Numbers that scored best on photographs (`docs/photographs.md`). In an overview two lines are far apart beside the
 /// size of things, and what is a little too near gives way ([`lines`]): to forbid it would leave few shapes.
 const FIGURE_SHAPES: Shapes = Shapes { most: 8, least_gain: 0.2, most_near: 0.3, spacing: 1.0, narrowest: 1.0 };
-const OVERVIEW_SHAPES: Shapes = Shapes { most: 7, least_gain: 0.2, most_near: 0.1, spacing: 0.8, narrowest: 0.7 };
+const OVERVIEW_SHAPES: Shapes = Shapes { most: 7, least_gain: 0.17, most_near: 0.1, spacing: 0.8, narrowest: 0.7 };
 
 impl Profile {
     /// Distance of dots as the device has it, mm; profiles may be a hundredth off.

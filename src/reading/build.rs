@@ -12,6 +12,7 @@ use super::shapes::{disc, glyph};
 use super::tally::{Tally, What};
 use super::words::{PageWords, language};
 use crate::devices::{Device, DotArea};
+use crate::listing::counted;
 use crate::output::layer::{self, Layer};
 use crate::page::{
     BrailleText, Class, DotMedium, Dots, Figure, Height, Line, Medium, Names, Overview, Page, Palette, Parts, Pen,
@@ -51,12 +52,12 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print): (Marks<'_>, Vec<PrintText>),
+    (marks, print, pictures): (Marks<'_>, Vec<PrintText>, usize),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
 ) -> Result<Built, Error> {
-    let Marks { marks, transforms, clipped, pictures, patterned, far, .. } = marks;
+    let Marks { marks, transforms, clipped, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, sheet);
@@ -89,12 +90,12 @@ pub(super) fn page(
     let mut notes: Vec<Note> = tally.notes().collect();
     let left_out = |what: String| Note::NotOnPage(About::Marks, what);
     let more = [
-        (pictures, "pictures on the page: convert them to lines first"),
-        (far, "marks that reach far beyond the sheet"),
-        (clipped, "clip paths, masks and filters: what they cut off is there"),
-        (patterned, "gradients and patterns, which are taken as black"),
+        (pictures, format!("{}: convert what is in a picture to lines first", counted(pictures, "picture"))),
+        (far, format!("{} far beyond the sheet", counted(far, "mark"))),
+        (clipped, format!("clip paths, masks and filters ({clipped}): what they cut off is there")),
+        (patterned, format!("gradients and patterns ({patterned}), which are taken as black")),
     ];
-    notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(n, what)| left_out(format!("{n} {what}"))));
+    notes.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(_, what)| left_out(what)));
     let [width, height] = sheet;
     let is_on_sheet = |text: &PrintText| (0.0..=width).contains(&text.at.x) && (0.0..=height).contains(&text.at.y);
     parts.print = print.into_iter().filter(is_on_sheet).collect();

@@ -256,3 +256,11 @@ pub(super) fn layer_of(node: Node<'_, '_>) -> Option<Layer> {
 pub(super) fn label_of<'a>(node: Node<'a, '_>) -> Option<&'a str> {
     node.attribute((INKSCAPE, "label"))
 }
+/// Whether an element is drawn: neither it nor what is around it is hidden.
+pub(crate) fn is_shown(node: &Node<'_, '_>) -> bool {
+    let hidden = |node: Node<'_, '_>| {
+        let style = node.attribute("style").unwrap_or("").replace(' ', "");
+        node.attribute("display") == Some("none") || style.contains("display:none") || node.tag_name().name() == "defs"
+    };
+    !node.ancestors().any(hidden)
+}

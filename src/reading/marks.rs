@@ -58,8 +58,6 @@ pub(super) struct Marks<'a> {
     pub(super) transforms: HashMap<String, Transform>,
     /// How many groups are cut by a clip path, or changed by a mask or a filter.
     pub(super) clipped: usize,
-    /// How many pictures lie on the page.
-    pub(super) pictures: usize,
     /// How many paths have a gradient or a pattern.
     pub(super) patterned: usize,
     /// How many paths reach so far that they are on no sheet.
@@ -89,7 +87,6 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<Marks<'a>, 
         marks: Vec::new(),
         transforms: HashMap::new(),
         clipped: 0,
-        pictures: 0,
         patterned: 0,
         far: 0,
         texts: HashMap::new(),
@@ -128,9 +125,8 @@ impl<'a> Marks<'a> {
             match node {
                 usvg::Node::Group(group) => self.add_group(group, around, elements)?,
                 usvg::Node::Path(path) => self.add_path(path, around, elements)?,
-                usvg::Node::Image(_) => self.pictures += 1,
-                // without fonts there is none
-                usvg::Node::Text(_) => {}
+                // without fonts there are no letters, and pictures are not read: the document tells of them
+                usvg::Node::Image(_) | usvg::Node::Text(_) => {}
             }
         }
         Ok(())

@@ -27,7 +27,10 @@ mod tally;
 mod typed;
 mod words;
 
+use usvg::roxmltree::Node;
 use usvg::{ImageHrefResolver, Tree};
+
+pub(crate) use document::is_shown;
 
 use crate::output::svg;
 use crate::page::{Names, Page};
@@ -92,8 +95,11 @@ pub fn read(svg: &[u8]) -> Result<Reading, Error> {
         return Err(Error::NotAPage("its sheet is smaller than 5 mm or larger than 2500 mm; check its size in mm"));
     }
     let words = words::of(&document);
+    let is_picture = |node: &Node<'_, '_>| node.tag_name().name() == "image" && is_shown(node);
+    let pictures = document.descendants().filter(is_picture).count();
     let (texts, print, told) = typed::sorted(elements.texts(), &marks.texts);
-    let Built { page, names, by_hand, mut notes, areas } = build::page((marks, print), words, &elements, sheet)?;
+    let Built { page, names, by_hand, mut notes, areas } =
+        build::page((marks, print, pictures), words, &elements, sheet)?;
     notes.extend(told);
     let is_changed = !svg::is_as_written(svg);
     Ok(Reading { page, names, by_hand, notes, areas, is_changed, texts })

@@ -80,12 +80,16 @@ pub(super) fn told(names: &[Name]) -> Vec<String> {
         let nth = of_name.and_then(|ids| ids.get(name.id.as_str())).copied().unwrap_or(1);
         match &name.shown {
             None if all > 1 => format!("{} {nth} without a name", name.kind),
-            None => format!("a {} without a name", name.kind),
+            None => format!("{} {} without a name", article(name.kind), name.kind),
             Some(shown) if all > 1 => format!("{shown} (\"{}\")", name.id),
             Some(shown) => shown.clone(),
         }
     };
     names.iter().map(tell).collect()
+}
+
+fn article(noun: &str) -> &'static str {
+    if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" }
 }
 
 #[cfg(test)]
@@ -108,6 +112,7 @@ mod tests {
         assert_eq!(lines("<path id=\"a\" inkscape:label=\" the  roof \"/>"), ["line \"the roof\""]);
         assert_eq!(lines("<path/>"), ["a line without a name"]);
         assert_eq!(lines("<path/><path id=\"unnamed-4\"/>"), ["line 1 without a name", "line 2 without a name"]);
+        assert_eq!(article("area"), "an");
         let copies = "<path id=\"line-7\" inkscape:label=\"line 7\"/><path id=\"b\" inkscape:label=\"line 7\"/>";
         assert_eq!(lines(copies), ["line 7 (\"line-7\")", "line 7 (\"b\")"]);
     }

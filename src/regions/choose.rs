@@ -31,6 +31,30 @@ pub struct Params {
     pub smoothing: f32,
 }
 
+/// What the regions of the figure mean for another picture of them, such as the overview.
+#[derive(Debug, Clone, Copy)]
+pub enum OfFigure<'a> {
+    /// Nothing: it is the figure that is drawn.
+    Unknown,
+    /// They come before others that tell as much, so that a finger finds in the figure what it felt in the overview.
+    Preferred(&'a [u32]),
+    /// There are no others.
+    Only(&'a [u32]),
+}
+
+/// Regions that get an outline.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Chosen {
+    /// Their numbers, the first first.
+    pub regions: Vec<u32>,
+    /// How many tell enough for an outline beside these, and are beyond the most that are drawn.
+    pub beyond: usize,
+}
+
+/// What a region of the figure counts more than others in an overview. On 50 photographs of BSDS500 (val) 1.5 gives an
+/// F of .551 with .250 of the lines closed, 1 .551 and .24, 2 .550 and .241; with no others than those of the figure it
+/// is .547 and .22.
+const PREFERRED: f64 = 1.5;
 /// Difference of colour at which contrast is one half.
 const HALF_CONTRAST: f64 = 20.0;
 /// Exponent of the compactness.
@@ -91,20 +115,20 @@ impl PartialEq for Candidate {
 impl Eq for Candidate {}
 
 /// The numbers of the most telling regions, the first first, after those of `subjects`, which come first whatever they
-/// tell; if they are among the most telling ones, the others stay the same. With `among` no others than those are
-/// looked at. `mm` is the side of a cell on the sheet.
-pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], among: Option<&[u32]>) -> Vec<u32> {
+/// tell; if they are among the most telling ones, the others stay the same. `mm` is the side of a cell on the sheet.
+pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of_figure: OfFigure<'_>) -> Vec<u32> {
     if !subjects.is_empty() {
-        let plain = choose(tree, mm, params, &[], among);
+        let plain = choose(tree, mm, params, &[], of_figure);
         if subjects.iter().all(|subject| plain.contains(subject)) {
             let others = plain.into_iter().filter(|node| !subjects.contains(node));
             return subjects.iter().copied().chain(others).collect();
         }
     }
     let members = Members::of(tree);
-    let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(of, tree.basin.len(), mm), of.area));
+    let score = |node: u32| of_figure.factor(node) * score(&tree.nodes[node as usize], tree.basin.len(), mm);
+    let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(node), of.area));
     let mut heap: BinaryHeap<Candidate> = scores
-        .filter(|(node, gain, _)| *gain > 0.0 && among.is_none_or(|among| among.contains(node)))
+        .filter(|(_, gain, _)| *gain > 0.0)
         .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 })
         .collect();
     let (mut chosen, mut first) = (subjects.to_vec(), None);
@@ -118,8 +142,8 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], am
         // chosen is out for good. (Gains fall as more is chosen but for an outline that was near to one and is the same
         // as the next; it waits behind its older gain.)
         if candidate.round < chosen.len() {
-            let own = score(&tree.nodes[candidate.node as usize], tree.basin.len(), mm);
-            if let Some(gain) = gain(own, &members.outline(tree, candidate.node), &near, tree, params) {
+            if let Some(gain) = gain(score(candidate.node), &members.outline(tree, candidate.node), &near, tree, params)
+            {
                 heap.push(Candidate { gain, round: chosen.len(), ..candidate });
             }
             continue;
@@ -135,6 +159,23 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], am
         near.add(&members.outline(tree, candidate.node), tree);
     }
     chosen
+}
+
+impl OfFigure<'_> {
+    /// By how much the score of a region is multiplied.
+    fn factor(self, node: u32) -> f64 {
+        match self {
+            Self::Unknown => 1.0,
+            Self::Preferred(regions) => {
+                if regions.contains(&node) {
+                    PREFERRED
+                } else {
+                    1.0
+                }
+            }
+            Self::Only(regions) => f64::from(u8::from(regions.contains(&node))),
+        }
+    }
 }
 
 /// How near a cell of the halved grid is to an outline.

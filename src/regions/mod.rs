@@ -31,9 +31,9 @@ mod traces;
 mod tree;
 mod watershed;
 
-pub use choose::Params;
+pub use choose::{Chosen, OfFigure, Params};
 pub use grid::RegionGrid;
 pub use heights::Heights;
 pub use mask::Mask;
-pub use trace::{Areas, TracePoint, TracedContour};
+pub use trace::{Areas, RegionOutline, TracePoint, TracedContour};
 pub use tree::{Detail, Tree};

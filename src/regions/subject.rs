@@ -1,6 +1,6 @@
 //! The region that a place of the picture is meant to name.
 
-use super::choose::{Params, choose, score, survives_opening};
+use super::choose::{OfFigure, Params, choose, score, survives_opening};
 use super::mask::Mask;
 use super::members::Members;
 use super::tree::Tree;
@@ -17,7 +17,7 @@ impl Tree {
     /// All regions that tell enough for an outline, on a sheet with so many millimetres for a pixel, the most telling
     /// first.
     pub fn most_telling(&self, mm_per_px: f32, params: &Params) -> Vec<u32> {
-        choose(self, self.mm_of_cell(mm_per_px), params, &[], None)
+        choose(self, self.mm_of_cell(mm_per_px), params, &[], OfFigure::Unknown)
     }
 
     /// The region that a place of the picture names: the smallest around it of the [most telling](Tree::most_telling)

@@ -24,6 +24,15 @@ impl Located for TracePoint {
 /// A traced contour.
 pub type TracedContour = Polyline<TracePoint>;
 
+/// A piece of the outline of a chosen region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RegionOutline {
+    /// Where it runs, in pixels of the picture.
+    pub contour: TracedContour,
+    /// Whose it is: the place of the region among those that are chosen, from 0 on.
+    pub region: usize,
+}
+
 /// The areas inside the outlines of chosen regions, cell by cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Areas {

@@ -107,6 +107,8 @@ verdict = Verdict: { $errors ->
 }.
 verdict-textures = textures cover { $share } of the figure: of the { $judged } of them that could be judged a fingertip of 1 mm
     reads { $right } right; the other { $near } lie so near to lines and borders that nothing is said of them
+verdict-textures-few = textures cover { $share } of the figure: only { $judged } of them could be judged, as the others lie so near
+    to lines and borders; that is too little to say how a fingertip reads them
 verdict-textures-near = textures cover { $share } of the figure: none of them could be judged, as all lie too near to lines and
     borders, so nothing is said of whether a fingertip can tell them
 verdict-textures-large = textures cover { $share } of the figure: none of them could be judged, as the page is too large for the

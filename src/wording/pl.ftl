@@ -101,6 +101,8 @@ verdict = Ocena: { $errors ->
 }.
 verdict-textures = faktury zajmują { $share } rysunku: z { $judged } z nich, które dało się ocenić, opuszek palca o średnicy 1 mm
     odczytuje dobrze { $right }; pozostałe { $near } leży tak blisko linii i brzegów, że nic się o tym nie mówi
+verdict-textures-few = faktury zajmują { $share } rysunku: tylko { $judged } z nich dało się ocenić, bo pozostałe leżą zbyt blisko
+    linii i brzegów; to za mało, by powiedzieć, jak odczytuje je opuszek palca
 verdict-textures-near = faktury zajmują { $share } rysunku: niczego z nich nie dało się ocenić, bo wszystkie leżą zbyt blisko linii
     i brzegów, więc nie wiadomo, czy można je rozróżnić
 verdict-textures-large = faktury zajmują { $share } rysunku: niczego z nich nie dało się ocenić, bo strona jest za duża dla modelu

@@ -93,6 +93,11 @@ fn rules_of_the_codes() {
         ("en", "SEA LEVEL RISE, 2 m", "⠠⠠⠠⠎⠑⠁⠀⠇⠑⠧⠑⠇⠀⠗⠊⠎⠑⠂⠠⠄⠀⠼⠃⠀⠍"),
         // a minus sign is one at the beginning too
         ("de", "-5 °C", "⠈⠤⠼⠑⠈⠴⠉"),
+        // scales and divisions: a number after spaces has its sign again, as liblouis has it; the dot of times, too
+        ("de", "1 : 50 000", "⠼⠁⠈⠒⠼⠑⠚⠀⠼⠚⠚⠚"),
+        ("de", "12 : 3 = 4", "⠼⠁⠃⠈⠒⠼⠉⠀⠈⠶⠼⠙"),
+        ("de", "1: 50", "⠼⠁⠠⠒⠀⠼⠑⠚"),
+        ("de", "3 · 4", "⠼⠉⠄⠼⠙"),
         ("it", "nord-sud", "⠝⠕⠗⠙⠤⠎⠥⠙"),
     ] {
         let table = Code::of_language(language).and_then(Code::table).expect("a table");

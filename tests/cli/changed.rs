@@ -38,6 +38,22 @@ fn textures_give_way_to_a_line_that_is_drawn_and_a_page_that_nobody_changed_stay
 }
 
 #[test]
+fn lines_outside_of_the_figure_and_values_that_a_profile_refuses_are_told() {
+    let place = with_page("swell-a4");
+    let svg = place.text("cup.svg");
+    let outside = "<path fill=\"none\" stroke=\"#000\" stroke-width=\"1\" d=\"M40,270H100\"/>";
+    place.put("more.svg", svg.replacen("</svg>", &format!("{outside}</svg>"), 1).as_bytes());
+    let told = done(&place, &["render", "more.svg", "--profile", "index-basic-d", "-o", "dots.svg"]);
+    assert!(told.contains("60 mm of lines outside of the figure"), "{told}");
+    let key = "lines.min_gap = ";
+    let (before, after) = svg.split_once(key).expect("a page says its profile");
+    let (_, rest) = after.split_once('\n').expect("one a line");
+    place.put("odd.svg", format!("{before}{key}999\n{rest}").as_bytes());
+    let told = done(&place, &["render", "odd.svg", "-o", "even.svg"]);
+    assert!(told.contains("is not taken: lines.min_gap = 999"), "{told}");
+}
+
+#[test]
 fn an_overview_that_fits_no_longer_is_told() {
     let place = Place::new();
     place.put("landscape.svg", &samples::read("landscape.svg"));
