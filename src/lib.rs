@@ -143,6 +143,7 @@ mod listing;
 mod note;
 mod output;
 mod page;
+mod paper;
 mod picture;
 mod pipeline;
 mod profile;

@@ -103,6 +103,11 @@ const LOSSY: f32 = 0.3;
 const LOSSY_CHROMA: f32 = 0.25;
 
 impl PictureKind {
+    /// Standard deviation of a pixel in lightness, 0..=100.
+    pub fn noise_of_lightness(&self) -> f32 {
+        self.noise.lightness
+    }
+
     /// Standard deviation of a pixel.
     fn noise_of_pixel(&self) -> f32 {
         self.lossy.map_or(self.noise.pixel, |shrunk| self.noise.pixel.max(LOSSY * shrunk))

@@ -4,6 +4,7 @@ use super::progress::{Event, Stage, Watch, run};
 use super::text_reader::TextReader;
 use crate::edges::PictureKind;
 use crate::lettering::{FoundLine, Lettering};
+use crate::paper::{Capture, Paper};
 use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header, Options};
@@ -41,28 +42,62 @@ pub(super) fn read(
 ) -> Result<Read, Error> {
     let picture = run(watch, Stage::Decode, || decode::decode_picture(given, options))?;
     let is_flat = picture.raster.is_flat();
+    if is_flat {
+        return Ok(Read { picture, is_flat, kind: None });
+    }
+    // a drawing of paths alone was never on paper
+    let is_painted = picture.drawing.as_ref().is_some_and(|drawing| drawing.pixel_areas.is_empty());
+    let may_be_paper = !is_painted && !options.keep_ground;
+    let (known, paper) = if may_be_paper || !options.keep_text {
+        run(watch, Stage::Decode, || on_white_paper(picture, may_be_paper))
+    } else {
+        (Read { picture, is_flat, kind: None }, None)
+    };
     if options.keep_text {
         watch(Event::Skip(Stage::Text, "letters are drawn"));
-    } else if !is_flat {
-        return Ok(run(watch, Stage::Text, || without_text(picture, given, options, reader)));
+        return Ok(known);
     }
-    Ok(Read { picture, is_flat, kind: None })
+    Ok(run(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)))
+}
+
+/// What kind of picture it is; of a drawing that was scanned, on white paper in even light, with the paper that it was
+/// on.
+fn on_white_paper(picture: decode::Picture, may_be_paper: bool) -> (Read, Option<Paper>) {
+    let kind = PictureKind::of(&picture.raster, picture.lossy);
+    let paper = if kind.is_drawing && may_be_paper {
+        let capture = Capture { noise: kind.noise_of_lightness(), lossy: picture.lossy.is_some() };
+        Paper::of(&picture.raster, capture)
+    } else {
+        None
+    };
+    let Some(found) = &paper else { return (Read { picture, is_flat: false, kind: Some(kind) }, None) };
+    let raster = found.divided(&picture.raster);
+    let (colour, darkest) = (found.colour, (100.0 * found.darkest).round() as u32);
+    let mut notes = picture.notes;
+    notes.push(Note::GroundAsPaper { colour, darkest });
+    let (kind, is_flat) = (PictureKind::of(&raster, picture.lossy), raster.is_flat());
+    (Read { picture: decode::Picture { raster, notes, ..picture }, is_flat, kind: Some(kind) }, paper)
 }
 
 fn without_text(
-    decoded: decode::Picture,
+    known: Read,
+    paper: Option<&Paper>,
     picture: Picture<'_>,
     options: &Options<'_>,
     reader: Option<&TextReader>,
 ) -> Read {
-    let kind = PictureKind::of(&decoded.raster, decoded.lossy);
-    let is_drawing = kind.is_drawing;
+    let Read { picture: decoded, is_flat, kind } = known;
+    let is_drawing = kind.as_ref().is_some_and(|kind| kind.is_drawing);
     let working = decoded.raster.size();
     let finer = if is_drawing { finer(picture, &decoded, options) } else { None };
+    let finer = match (finer, paper) {
+        (Some(finer), Some(paper)) => Some(paper.divided(&finer)),
+        (finer, _) => finer,
+    };
     let raster = finer.as_ref().unwrap_or(&decoded.raster);
     let found = Lettering::find(raster, is_drawing);
     if found.is_empty() {
-        return Read { picture: decoded, is_flat: false, kind: Some(kind) };
+        return Read { picture: decoded, is_flat, kind };
     }
     let scale = working.width as f32 / raster.size().width as f32;
     let mut notes = decoded.notes;
