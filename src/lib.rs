@@ -257,6 +257,9 @@ pub mod internals {
     pub mod page {
         pub use crate::page::*;
     }
+    pub mod paper {
+        pub use crate::paper::*;
+    }
     pub mod pipeline {
         pub use crate::pipeline::*;
     }

@@ -90,7 +90,7 @@ impl PictureKind {
     /// Of a picture; of one with lossy compression with the factor, at most 1, by which it was shrunk.
     pub fn of(raster: &Raster, lossy: Option<f32>) -> Self {
         let noise = Noise::of(raster);
-        Self { is_drawing: stroke::is_drawing(raster, noise.pixel), noise, lossy }
+        Self { is_drawing: stroke::is_drawing(raster, noise.pixel, lossy.is_some()), noise, lossy }
     }
 }
 

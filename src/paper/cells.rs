@@ -63,9 +63,8 @@ impl Cells {
 
     /// The parts that are flat and have no step in them.
     pub(super) fn parts(&self) -> Vec<Vec<usize>> {
-        let is_alike = |a: usize, b: usize| {
-            self.logs.iter().all(|plane| (plane.values[a] - plane.values[b]).abs() <= self.step)
-        };
+        let is_alike =
+            |a: usize, b: usize| self.logs.iter().all(|plane| (plane.values[a] - plane.values[b]).abs() <= self.step);
         let mut is_taken: Vec<bool> = self.flat.iter().map(|flat| !flat).collect();
         let mut parts = Vec::new();
         for first in 0..is_taken.len() {

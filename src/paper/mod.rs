@@ -97,7 +97,9 @@ impl Paper {
         // those that begin first stay first among equals
         parts.sort_by_key(|part| std::cmp::Reverse(part.len()));
         parts.truncate(MOST_PARTS);
-        if parts.iter().any(|part| is_white(&cells, part)) {
+        // where most is clean, nothing is to be found
+        let white: usize = parts.iter().filter(|part| is_white(&cells, part)).map(Vec::len).sum();
+        if 2 * white > parts.iter().map(Vec::len).sum() {
             return None;
         }
         let paper = parts.iter().find_map(|part| Self::with(&cells, part))?;
@@ -120,7 +122,9 @@ impl Paper {
         for _ in 0..ROUNDS {
             let is_like = |cell: usize| {
                 let off = |(plane, surface): (&Plane, &Plane)| (plane.values[cell] - surface.values[cell]).abs();
-                cells.flat[cell] && is_near[cell] && cells.logs.iter().zip(&surface).map(off).all(|off| off <= SAME_LIGHT)
+                cells.flat[cell]
+                    && is_near[cell]
+                    && cells.logs.iter().zip(&surface).map(off).all(|off| off <= SAME_LIGHT)
             };
             let more: Vec<usize> = (0..is_paper.len()).filter(|&cell| !is_paper[cell] && is_like(cell)).collect();
             if more.is_empty() {
@@ -135,6 +139,10 @@ impl Paper {
         };
         let lighter = (0..is_paper.len()).filter(|&cell| is_lighter(cell)).count();
         if lighter as f32 > LIGHTER_SHARE * cells.size.area() as f32 {
+            return None;
+        }
+        let all: Vec<usize> = (0..is_paper.len()).filter(|&cell| is_paper[cell]).collect();
+        if is_white(cells, &all) {
             return None;
         }
         let dark = cells.luminance(&is_paper, 0.02)?;

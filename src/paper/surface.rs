@@ -28,7 +28,8 @@ pub(super) fn through(cells: &Cells, is_known: &[bool]) -> Vec<Plane> {
     let weight = known.clone().blurred(SMOOTH);
     let of_plane = |plane: &Plane| {
         let base = quadratic(plane, is_known);
-        let off = plane.values.iter().zip(&base).zip(&known.values).map(|((value, base), known)| known * (value - base));
+        let off =
+            plane.values.iter().zip(&base).zip(&known.values).map(|((value, base), known)| known * (value - base));
         let off = Plane { size, values: off.collect() }.blurred(SMOOTH);
         let near = off.values.iter().zip(&weight.values).zip(is_known);
         let near = near.map(|((off, weight), &is)| if is { off / weight } else { 0.0 }).collect();

@@ -87,8 +87,15 @@ impl Task {
     fn scan(&self, scene: &Scene) -> Result<Vec<u8>, Fault> {
         let mut rng = Rng::new(self.seed ^ 0x5ca9 ^ ((self.kind as u64) << 20) ^ ((self.variant as u64) << 40));
         let light = Light::Across(0.7);
-        let mut capture =
-            Capture { light, paper: WHITE, cast: 0.0, noise: 3.0, quality: 80, side: 1600, seed: rng.below(1 << 30) as u64 };
+        let mut capture = Capture {
+            light,
+            paper: WHITE,
+            cast: 0.0,
+            noise: 3.0,
+            quality: 80,
+            side: 1600,
+            seed: rng.below(1 << 30) as u64,
+        };
         (VARIANTS[self.variant].1)(&mut capture, &mut rng);
         bitmap::captured(&scene.svg(), &capture)
     }
@@ -149,7 +156,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let results: Vec<[Counts; 2]> =
         results.into_iter().collect::<Result<_, _>>().map_err(|error: Fault| error.to_string())?;
     print!("{}", table(&tasks, &results));
-    let wrong = |counts: &Counts| (counts.stained + counts.area - counts.right) as f64 / (counts.blank + counts.area) as f64;
+    let wrong =
+        |counts: &Counts| (counts.stained + counts.area - counts.right) as f64 / (counts.blank + counts.area) as f64;
     let mut all: Vec<(&Task, &[Counts; 2])> = tasks.iter().zip(&results).collect();
     all.sort_by(|a, b| wrong(&b.1[1]).total_cmp(&wrong(&a.1[1])));
     for (task, [before, after]) in all.into_iter().take(args.list) {

@@ -127,12 +127,14 @@ impl Scene {
     /// A closed shape: paper, or an area of a colour, with an outline.
     fn area(&mut self, path: &str, fill: Option<(Class, &str)>, outline: f64) {
         let truth = fill.map_or(Truth::Blank, |(class, _)| Truth::Area(class));
-        let stroke = if outline > 0.0 { format!(r##" stroke="#222" stroke-width="{outline}""##) } else { String::new() };
+        let stroke =
+            if outline > 0.0 { format!(r##" stroke="#222" stroke-width="{outline}""##) } else { String::new() };
         let fill = fill.map_or("#fff", |(_, colour)| colour);
         let _ = write!(self.drawing, r#"<path d="{path}" fill="{fill}"{stroke}/>"#);
         let [r, g, b] = truth.colour();
         let wide = outline.max(2.0);
-        let _ = write!(self.truth, r#"<path d="{path}" fill="rgb({r},{g},{b})" stroke="black" stroke-width="{wide}"/>"#);
+        let _ =
+            write!(self.truth, r#"<path d="{path}" fill="rgb({r},{g},{b})" stroke="black" stroke-width="{wide}"/>"#);
     }
 
     fn stroke(&mut self, path: &str, width: f64) {
