@@ -100,7 +100,7 @@ fn paper_in_uneven_light_is_blank_and_areas_keep_their_textures() {
         let in_areas = signs(&page, [60.0, 380.0, 380.0, 560.0]) + signs(&page, [450.0, 60.0, 850.0, 330.0]);
         assert_eq!(all, in_areas, "{name}: signs on blank paper");
         let shares = shares(&whole, &lines(&page));
-        assert!(shares.drawn > 0.98 && shares.beside < 0.01, "{name}: {shares:?}");
+        assert!(shares.drawn > 0.95 && shares.beside < 0.01, "{name}: {shares:?}");
         let (kept, told) = photographed(AREAS, &capture, true);
         assert!(!told && signs(&kept, [0.0, 0.0, 900.0, 600.0]) > all, "{name}: the ground was to be kept");
     }

@@ -58,7 +58,7 @@ fn light_that_falls_off_is_divided_out_and_a_bar_keeps_its_grey() {
         let white = paper.divided(&scan);
         for (place, wanted) in PLACES {
             let found = mean(&white, 0, place);
-            assert!((found - wanted).abs() < 0.05 * wanted, "{place:?}: {found} is not {wanted}");
+            assert!((found - wanted).abs() < 0.1 * wanted, "{place:?}: {found} is not {wanted}");
         }
         assert!((0.3..0.8).contains(&paper.darkest), "{}", paper.darkest);
         // a finer picture of the same
