@@ -92,6 +92,11 @@ impl PictureKind {
         let noise = Noise::of(raster);
         Self { is_drawing: stroke::is_drawing(raster, noise.pixel, lossy.is_some()), noise, lossy }
     }
+
+    /// The same kind with the noise of what the picture has become.
+    pub fn again_of(&self, raster: &Raster) -> Self {
+        Self { noise: Noise::of(raster), ..self.clone() }
+    }
 }
 
 /// Standard deviation of a pixel of a drawing with lossy compression, at least, in units of strength, before it is
