@@ -2,8 +2,8 @@
 //! paper, scans or photographs them, and sorts the colours of each, with its ground taken for paper and as it is.
 //!
 //! ```text
-//! cargo run --release -p tactograph-tools --bin scans        the table (about 450 scans, a minute)
-//!   --scans N          so many scans for each kind and variant (default 3)
+//! cargo run --release -p tactograph-tools --bin scans        the table (147 scans, a minute)
+//!   --scans N          so many scans for each kind and variant (default 1)
 //!   --from SEED        the first of their seeds (default 0): other scans, of the same kinds
 //!   --list N           also the N worst scans
 //!   --keep DIR         writes each scan, and what is true of it, into a folder
@@ -125,7 +125,7 @@ struct Args {
 
 impl Args {
     fn read(mut args: impl Iterator<Item = String>) -> Result<Self, String> {
-        let mut read = Self { scans: 3, from: 0, list: 0, keep: None };
+        let mut read = Self { scans: 1, from: 0, list: 0, keep: None };
         while let Some(arg) = args.next() {
             let mut value = || args.next().ok_or_else(|| format!("{arg} needs a value"));
             let whole = |text: String| text.parse::<u64>().map_err(|_| format!("{text} is no whole number"));
@@ -231,18 +231,15 @@ fn table(tasks: &[Task], results: &[[Counts; 2]]) -> String {
         let of: Vec<&[Counts; 2]> = tasks.iter().zip(results).filter(|(task, _)| is_in(task)).map(|(_, c)| c).collect();
         let stained = |at: usize| shares(&of, &|counts| (counts[at].stained, counts[at].blank));
         let right = |at: usize| shares(&of, &|counts| (counts[at].right, counts[at].area));
-        let most = |shares: &[f64]| shares.iter().copied().fold(0.0, f64::max);
-        let least = |shares: &[f64]| shares.iter().copied().fold(1.0, f64::min);
-        let mean = |shares: &[f64]| shares.iter().sum::<f64>() / shares.len().max(1) as f64;
-        text += &format!(
-            "| {name} | {:.3} | {:.3} | {:.3} | {:.3} | {:.3} | {:.3} |\n",
-            mean(&stained(0)),
-            mean(&stained(1)),
-            most(&stained(1)),
-            mean(&right(0)),
-            mean(&right(1)),
-            least(&right(1)),
-        );
+        let told = |value: Option<f64>| value.map_or_else(|| "-".into(), |value| format!("{value:.3}"));
+        let mean =
+            |shares: &[f64]| told((!shares.is_empty()).then(|| shares.iter().sum::<f64>() / shares.len() as f64));
+        let most = |shares: &[f64]| told(shares.iter().copied().reduce(f64::max));
+        let least = |shares: &[f64]| told(shares.iter().copied().reduce(f64::min));
+        let (before, after, worst) = (mean(&stained(0)), mean(&stained(1)), most(&stained(1)));
+        text += &format!("| {name} | {before} | {after} | {worst} ");
+        let (before, after, worst) = (mean(&right(0)), mean(&right(1)), least(&right(1)));
+        text += &format!("| {before} | {after} | {worst} |\n");
     };
     for (number, (name, _)) in VARIANTS.iter().enumerate() {
         row(name, &|task| task.variant == number);
