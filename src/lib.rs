@@ -153,6 +153,7 @@ mod listing;
 mod note;
 mod output;
 mod page;
+mod paper;
 mod picture;
 mod pipeline;
 mod profile;
@@ -265,6 +266,9 @@ pub mod internals {
     }
     pub mod page {
         pub use crate::page::*;
+    }
+    pub mod paper {
+        pub use crate::paper::*;
     }
     pub mod pipeline {
         pub use crate::pipeline::*;

@@ -76,6 +76,19 @@ pub enum Note {
         /// Where in the figure the largest of them is, in words.
         place: &'static str,
     },
+    /// The ground of a scan or photograph of a drawing is taken for the paper that it is on, and is blank.
+    #[error(
+        "the ground, {} where it is lightest, is taken for paper and is blank{}; keep the ground to draw it in its \
+         colour",
+        hexadecimal(*.colour),
+        shade(*.darkest)
+    )]
+    GroundAsPaper {
+        /// Its colour where it is lightest, as sRGB red, green and blue.
+        colour: [u8; 3],
+        /// The light of its darkest part, in percent of that of its lightest.
+        darkest: u32,
+    },
     /// Text in the pixels of the picture is not read, though it should have been: why, in the words of the reader.
     #[error("the texts in the pixels are not read: {0}")]
     TextsNotRead(String),
@@ -316,6 +329,7 @@ impl Note {
             Self::FirstPageOnly { .. } => "first-page-only",
             Self::TextsLeftOut(..) => "texts-left-out",
             Self::LetteringLeftOut { .. } => "lettering-left-out",
+            Self::GroundAsPaper { .. } => "ground-as-paper",
             Self::TextsNotRead(..) => "texts-not-read",
             Self::NoBrailleCode(..) => "no-braille-code",
             Self::NotInBraille { .. } => "not-in-braille",
@@ -382,6 +396,20 @@ fn listed(texts: &[String]) -> String {
 
 fn character_at(character: char, at: usize, is_of_one_text: bool) -> String {
     if is_of_one_text { format!("{character:?} (character {at})") } else { format!("{character:?}") }
+}
+
+fn hexadecimal([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// How dark paper is where light falls off, as the rest of a sentence.
+fn shade(darkest: u32) -> String {
+    /// Nobody sees less, percent.
+    const SEEN: u32 = 95;
+    if darkest > SEEN {
+        return String::new();
+    }
+    format!(", as if light were even: its darkest part has {darkest} percent of the light of its lightest")
 }
 
 fn it_or_them(count: usize) -> &'static str {

@@ -1,7 +1,7 @@
 //! Drawings as bitmaps that lost something: their pages have the lines of those that did not.
 
-use tactograph::{Options, Page, Profile};
-use tactograph_tools::bitmap;
+use tactograph::{Note, Options, Page, Profile};
+use tactograph_tools::bitmap::{self, Capture, Light};
 use tactograph_tools::drawn::{Point, shares};
 
 /// A map in pale colours with thin grey borders: colours that are as light as one another, so that only chroma differs.
@@ -49,5 +49,74 @@ fn a_drawing_as_jpeg_has_the_lines_of_the_same_as_png() {
         assert!(shares.drawn > 0.99 && shares.beside < 0.01, "quality {quality}: {shares:?}");
         let ratio = length(&drawn) / length(&whole);
         assert!((0.97..1.03).contains(&ratio), "quality {quality}: {ratio} of the length");
+    }
+}
+
+/// A grey and a light yellow area beside outlines.
+const AREAS: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="900" height="600"><rect width="900" height="600" fill="#fff"/>
+<g stroke="#222" stroke-width="3"><circle cx="200" cy="180" r="120" fill="none"/><path d="M60 380H380V560H60Z" fill="#aaa"/>
+<path d="M450 60H850V330H450Z" fill="#fff2b0"/><path d="M500 400L830 420L700 560Z" fill="none"/></g></svg>"##;
+
+/// The page of a photograph, with its ground as it is or taken for paper, and whether that is told.
+fn photographed(svg: &str, capture: &Capture, keep_ground: bool) -> (Page, bool) {
+    let profile = Profile::named("swell-a4").expect("it is built in");
+    let picture = bitmap::captured(svg, capture).expect("a JPEG");
+    let options = Options::new(profile).keep_ground(keep_ground);
+    let drawing = tactograph::convert(picture.as_slice(), &options).expect("a page");
+    let told = drawing.notes.iter().any(|note| matches!(note, Note::GroundAsPaper { .. }));
+    (drawing.page, told)
+}
+
+/// How many signs of textures lie in a part of the figure, given in units of 900 x 600.
+fn signs(page: &Page, [left, top, right, bottom]: [f32; 4]) -> usize {
+    let place = page.figure.place;
+    let scale = place.width() / 900.0;
+    let is_in = |at: tactograph::MmPoint| {
+        let [x, y] = [(at.x - place.min.x) / scale, (at.y - place.min.y) / scale];
+        (left..right).contains(&x) && (top..bottom).contains(&y)
+    };
+    page.figure.textures.iter().flat_map(|texture| &texture.glyphs).filter(|glyph| is_in(glyph.at)).count()
+}
+
+const PHOTOGRAPH: Capture =
+    Capture { light: Light::Across(0.5), paper: [255; 3], cast: 0.0, noise: 3.0, quality: 80, side: 1400, seed: 5 };
+
+#[test]
+fn paper_in_uneven_light_is_blank_and_areas_keep_their_textures() {
+    for (name, capture) in [
+        ("across", PHOTOGRAPH),
+        ("around", Capture { light: Light::Around(0.5), ..PHOTOGRAPH }),
+        ("a shadow", Capture { light: Light::Shadow(0.6, 0.2), ..PHOTOGRAPH }),
+        ("cream", Capture { paper: [0xf4, 0xea, 0xd2], ..PHOTOGRAPH }),
+        ("even grey", Capture { light: Light::Even, paper: [0xd0, 0xce, 0xc8], ..PHOTOGRAPH }),
+    ] {
+        let whole = lines(&page(&bitmap::png(AREAS, 1400).expect("a PNG")));
+        let (page, told) = photographed(AREAS, &capture, false);
+        assert!(told, "{name}: not told");
+        let areas = [[80.0, 400.0, 360.0, 540.0], [470.0, 80.0, 830.0, 310.0]];
+        let all = signs(&page, [0.0, 0.0, 900.0, 600.0]);
+        let [grey, yellow] = areas.map(|area| signs(&page, area));
+        assert!(grey > 20 && yellow > 20, "{name}: {grey}, {yellow}");
+        let in_areas = signs(&page, [60.0, 380.0, 380.0, 560.0]) + signs(&page, [450.0, 60.0, 850.0, 330.0]);
+        assert_eq!(all, in_areas, "{name}: signs on blank paper");
+        let shares = shares(&whole, &lines(&page));
+        assert!(shares.drawn > 0.95 && shares.beside < 0.01, "{name}: {shares:?}");
+        let (kept, told) = photographed(AREAS, &capture, true);
+        assert!(!told && signs(&kept, [0.0, 0.0, 900.0, 600.0]) > all, "{name}: the ground was to be kept");
+    }
+}
+
+#[test]
+fn clean_drawings_and_meant_grounds_are_not_taken_for_paper() {
+    let even = Capture { light: Light::Even, noise: 2.0, ..PHOTOGRAPH };
+    assert!(!photographed(AREAS, &even, false).1, "white paper");
+    let poster = AREAS.replace("fill=\"#fff\"", "fill=\"#9ec9e8\"");
+    let (page, told) = photographed(&poster, &PHOTOGRAPH, false);
+    assert!(!told && signs(&page, [520.0, 340.0, 800.0, 400.0]) > 10, "a blue ground");
+    let grey = AREAS.replace("fill=\"#fff\"", "fill=\"#ccc\"");
+    for picture in [bitmap::png(&grey, 1200).expect("a PNG"), bitmap::jpeg(&grey, 1200, 80).expect("a JPEG")] {
+        let profile = Profile::named("swell-a4").expect("it is built in");
+        let drawing = tactograph::convert(picture.as_slice(), &Options::new(profile)).expect("a page");
+        assert!(!drawing.notes.iter().any(|note| matches!(note, Note::GroundAsPaper { .. })), "a painted ground");
     }
 }

@@ -195,6 +195,13 @@ impl Options {
         self
     }
 
+    /// Draws the ground of a scan or photograph of a drawing in its colour, as a poster's; otherwise, where it can be paper in
+    /// uneven light or tinted paper, it is blank, and told. Default: false.
+    pub fn keep_ground(mut self, keep: bool) -> Self {
+        self.fit.keep_ground = keep;
+        self
+    }
+
     /// Takes the lines of the figure from a page, an SVG that [`Page::to_svg`] wrote and somebody may have changed, or
     /// from any SVG with a layer (a group) that is called "lines"; or from a picture of lines, black on white and of
     /// the shape of the part that is drawn, along the middle of its strokes. Colours, textures, overview and frame are

@@ -90,7 +90,12 @@ impl PictureKind {
     /// Of a picture; of one with lossy compression with the factor, at most 1, by which it was shrunk.
     pub fn of(raster: &Raster, lossy: Option<f32>) -> Self {
         let noise = Noise::of(raster);
-        Self { is_drawing: stroke::is_drawing(raster, noise.pixel), noise, lossy }
+        Self { is_drawing: stroke::is_drawing(raster, noise.pixel, lossy.is_some()), noise, lossy }
+    }
+
+    /// The same kind with the noise of what the picture has become.
+    pub fn again_of(&self, raster: &Raster) -> Self {
+        Self { noise: Noise::of(raster), ..self.clone() }
     }
 }
 
@@ -103,6 +108,11 @@ const LOSSY: f32 = 0.3;
 const LOSSY_CHROMA: f32 = 0.25;
 
 impl PictureKind {
+    /// Standard deviation of a pixel in lightness, 0..=100.
+    pub fn noise_of_lightness(&self) -> f32 {
+        self.noise.lightness
+    }
+
     /// Standard deviation of a pixel.
     fn noise_of_pixel(&self) -> f32 {
         self.lossy.map_or(self.noise.pixel, |shrunk| self.noise.pixel.max(LOSSY * shrunk))

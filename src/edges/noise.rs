@@ -48,7 +48,7 @@ pub(super) struct Noise {
     /// Standard deviation of a pixel in the noisiest plane after weighting, in units of strength.
     pub(super) pixel: f32,
     /// Standard deviation of a pixel in lightness.
-    lightness: f32,
+    pub(super) lightness: f32,
     /// Standard deviation of a pixel in all planes together, after weighting.
     total: f32,
 }

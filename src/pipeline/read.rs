@@ -4,6 +4,7 @@ use super::progress::{Event, Stage, Watch, run};
 use super::text_reader::TextReader;
 use crate::edges::PictureKind;
 use crate::lettering::{FoundLine, Lettering};
+use crate::paper::{Capture, Paper};
 use crate::picture::Picture;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header, Options};
@@ -39,30 +40,65 @@ pub(super) fn read(
     reader: Option<&TextReader>,
     watch: &mut Watch<'_>,
 ) -> Result<Read, Error> {
-    let picture = run(watch, Stage::Decode, || decode::decode_picture(given, options))?;
-    let is_flat = picture.raster.is_flat();
+    let (known, paper) = run(watch, Stage::Decode, || decoded(given, options))?;
     if options.keep_text {
         watch(Event::Skip(Stage::Text, "letters are drawn"));
-    } else if !is_flat {
-        return Ok(run(watch, Stage::Text, || without_text(picture, given, options, reader)));
+    } else if !known.is_flat {
+        return Ok(run(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
     }
-    Ok(Read { picture, is_flat, kind: None })
+    Ok(known)
+}
+
+/// A decoded picture; if it is a drawing that was scanned, on white paper in even light, with the paper that it was on.
+fn decoded(given: Picture<'_>, options: &Options<'_>) -> Result<(Read, Option<Paper>), Error> {
+    let picture = decode::decode_picture(given, options)?;
+    let is_flat = picture.raster.is_flat();
+    // a drawing of paths alone was never on paper
+    let is_painted = picture.drawing.as_ref().is_some_and(|drawing| drawing.pixel_areas.is_empty());
+    let may_be_paper = !is_painted && !options.keep_ground;
+    Ok(match is_flat || options.keep_text && !may_be_paper {
+        true => (Read { picture, is_flat, kind: None }, None),
+        false => on_white_paper(picture, may_be_paper),
+    })
+}
+
+/// What kind of picture it is, and its paper divided out where it may be on paper.
+fn on_white_paper(picture: decode::Picture, may_be_paper: bool) -> (Read, Option<Paper>) {
+    let kind = PictureKind::of(&picture.raster, picture.lossy);
+    let paper = if kind.is_drawing && may_be_paper {
+        let capture = Capture { noise: kind.noise_of_lightness(), lossy: picture.lossy.is_some() };
+        Paper::of(&picture.raster, capture)
+    } else {
+        None
+    };
+    let Some(found) = &paper else { return (Read { picture, is_flat: false, kind: Some(kind) }, None) };
+    let raster = found.divided(&picture.raster);
+    let (colour, darkest) = (found.colour, (100.0 * found.darkest).round() as u32);
+    let mut notes = picture.notes;
+    notes.push(Note::GroundAsPaper { colour, darkest });
+    let (kind, is_flat) = (kind.again_of(&raster), raster.is_flat());
+    (Read { picture: decode::Picture { raster, notes, ..picture }, is_flat, kind: Some(kind) }, paper)
 }
 
 fn without_text(
-    decoded: decode::Picture,
+    known: Read,
+    paper: Option<&Paper>,
     picture: Picture<'_>,
     options: &Options<'_>,
     reader: Option<&TextReader>,
 ) -> Read {
-    let kind = PictureKind::of(&decoded.raster, decoded.lossy);
-    let is_drawing = kind.is_drawing;
+    let Read { picture: decoded, is_flat, kind } = known;
+    let is_drawing = kind.as_ref().is_some_and(|kind| kind.is_drawing);
     let working = decoded.raster.size();
     let finer = if is_drawing { finer(picture, &decoded, options) } else { None };
+    let finer = match (finer, paper) {
+        (Some(finer), Some(paper)) => Some(paper.divided(&finer)),
+        (finer, _) => finer,
+    };
     let raster = finer.as_ref().unwrap_or(&decoded.raster);
     let found = Lettering::find(raster, is_drawing);
     if found.is_empty() {
-        return Read { picture: decoded, is_flat: false, kind: Some(kind) };
+        return Read { picture: decoded, is_flat, kind };
     }
     let scale = working.width as f32 / raster.size().width as f32;
     let mut notes = decoded.notes;
@@ -76,9 +112,9 @@ fn without_text(
     let texts = decoded.texts.into_iter().chain(new).collect();
     let erased = found.erased_from(raster);
     let raster = if finer.is_some() { erased.shrunk(working) } else { erased };
-    // without its letters it may be of another kind
-    let is_flat = raster.is_flat();
-    Read { picture: decode::Picture { raster, texts, notes, ..decoded }, is_flat, kind: None }
+    // without its letters it may be of another kind, unless it is on paper
+    let (is_flat, kind) = (raster.is_flat(), paper.and_then(|_| kind.map(|kind| kind.again_of(&raster))));
+    Read { picture: decode::Picture { raster, texts, notes, ..decoded }, is_flat, kind }
 }
 
 /// What the maker is told of texts in pixels that somebody has read: a word that was read wrongly is found by reading

@@ -22,6 +22,8 @@ pub struct Fit {
     pub page: Option<u32>,
     /// Whether the letters of drawings are drawn as lines.
     pub keep_text: bool,
+    /// Whether the ground of a scan is drawn as it is, and not taken for paper.
+    pub keep_ground: bool,
 }
 
 /// How much wider than there is room for a figure may be asked for, mm: less than is printed exactly. Widths that the
@@ -79,8 +81,9 @@ impl Fit {
         let width = self.width.map(|width| ("width asked for in mm", width.to_string()));
         let mirrored = self.mirrored.then(|| (MIRRORED, "true".to_owned()));
         let text = self.keep_text.then(|| ("text kept", "true".to_owned()));
+        let ground = self.keep_ground.then(|| ("ground kept", "true".to_owned()));
         let page = self.page.map(|page| ("page of the document", page.to_string()));
-        [page, part, width, mirrored, text].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
+        [page, part, width, mirrored, text, ground].into_iter().flatten().map(|(name, value)| (name.to_owned(), value))
     }
 }
 
@@ -113,7 +116,7 @@ impl Request<'_> {
 
     /// How the picture is decoded.
     pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> Options<'b> {
-        let Fit { crop, page, keep_text, .. } = self.fit;
-        Options { limits: self.limits, fonts: self.fonts, crop, page, keep_text, working_size }
+        let Fit { crop, page, keep_text, keep_ground, .. } = self.fit;
+        Options { limits: self.limits, fonts: self.fonts, crop, page, keep_text, keep_ground, working_size }
     }
 }

@@ -27,6 +27,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("devices", &["units"]),   // embossers and pin displays: only what they can do
     ("raster", &["units", "picture", "geom"]),
     ("lettering", &["units", "geom", "raster"]), // text in pixels; the picture without it
+    ("paper", &["units", "geom", "raster"]),     // light and colour of what a drawing is on
     ("regions", &["units", "geom", "raster"]),   // knows traces, not how they are found
     ("edges", &["units", "geom", "raster", "regions"]),
     ("classes", &["units", "geom", "raster"]),
@@ -84,6 +85,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "braille",
             "raster",
             "lettering",
+            "paper",
             "regions",
             "edges",
             "classes",

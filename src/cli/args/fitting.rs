@@ -72,12 +72,19 @@ pub(in crate::cli) struct Fitting {
     /// of letters in the pixels of any picture. With this they are drawn like all else.
     #[arg(long, hide_short_help = true)]
     keep_text: bool,
+
+    /// Draws the ground of scans in its colour
+    ///
+    /// Of a scan or photograph of a drawing the ground is taken for paper, and is blank, even where the paper is cream
+    /// or grey, or lies in a shadow. With this it has the texture of its colour, as that of a poster should.
+    #[arg(long, hide_short_help = true)]
+    keep_ground: bool,
 }
 
 impl Fitting {
     /// Puts what these options say of the picture on its sheet into those of the library.
     pub(in crate::cli) fn add_to(&self, options: Options) -> Options {
-        let options = options.mirrored(self.mirror).keep_text(self.keep_text);
+        let options = options.mirrored(self.mirror).keep_text(self.keep_text).keep_ground(self.keep_ground);
         let options = self.crop.into_iter().fold(options, Options::crop);
         self.width_mm.into_iter().fold(options, Options::width_mm)
     }

@@ -53,6 +53,8 @@ pub struct Options<'a> {
     pub page: Option<u32>,
     /// Whether letters of drawings are drawn; if not, texts are left out and given as data.
     pub keep_text: bool,
+    /// Whether the ground of a scan stays as it is, and is not taken for paper.
+    pub keep_ground: bool,
     /// The working size for a source: never larger than the source unless it is a drawing.
     pub working_size: &'a dyn Fn(Header) -> Result<Size, Error>,
 }
@@ -60,7 +62,8 @@ pub struct Options<'a> {
 impl<'a> Options<'a> {
     /// All of the first page with its letters, within the default limits, where there are no fonts.
     pub fn whole(working_size: &'a dyn Fn(Header) -> Result<Size, Error>) -> Self {
-        Self { limits: Limits::default(), fonts: &Arc::default, crop: None, page: None, keep_text: true, working_size }
+        let (limits, fonts) = (Limits::default(), &Arc::default);
+        Self { limits, fonts, crop: None, page: None, keep_text: true, keep_ground: true, working_size }
     }
 }
 
