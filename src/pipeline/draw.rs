@@ -137,7 +137,7 @@ pub(super) fn draw(
     request.go_on()?;
     let DrawnLines { lines: drawn, areas, instead } = drawn;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
-    notes.extend(lost_marks::told(&drawn.lost.marks, plan));
+    notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
@@ -345,15 +345,15 @@ pub(super) fn draw_lines(
                     let is_all = plan.lines().most_shapes.is_none();
                     if is_all {
                         let widest = plan.lines().max_spacing();
-                        drawn.lost.signs = lost_signs::of(edges, &drawn.lines, transform, widest);
+                        drawn.lost.signs = lost_signs::of(edges, &drawn, transform, widest);
                     }
                     if matches!(layout.medium, Medium::Dots(_)) {
                         drawn.lines = by_hand_first(drawn.lines, edges, transform);
                     }
                     let mut drawn = dots::pressed(drawn, layout.figure, layout, plan);
                     if is_all {
-                        drawn.lost.marks =
-                            lost_marks::of(edges, &drawn.lines, layout.figure, transform, plan.lines().min_length);
+                        let least = plan.lines().min_length;
+                        drawn.lost.marks = lost_marks::of(edges, &drawn, layout.figure, transform, least);
                     }
                     drawn
                 };

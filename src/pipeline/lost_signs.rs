@@ -9,7 +9,7 @@ use crate::edges::Edges;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::labels::NEAR;
-use crate::lines::{Line, LostSign, Pen, Run};
+use crate::lines::{Line, Lines, LostSign, Pen, Run};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note};
@@ -23,12 +23,15 @@ pub(super) const MOVED: f32 = 3.0;
 
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
-pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
+pub(super) fn of(edges: &Edges, drawn: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
     if !edges.of_drawing() {
         return Vec::new();
     }
+    let lines = &drawn.lines;
     let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent);
-    let drawn: Vec<MmRect> = rings.chain(lines.iter().flat_map(beads)).collect();
+    // what becomes of points that are handed on is told where they are drawn
+    let points = drawn.marks.points.iter().map(|point| MmRect::new(point.at, point.at).inflate(point.radius, point.radius));
+    let drawn: Vec<MmRect> = rings.chain(lines.iter().flat_map(beads)).chain(points).collect();
     let mut lost: Vec<LostSign> = Vec::new();
     for chain in edges.chains.iter().filter(|chain| chain.closed) {
         let points: Vec<MmPoint> =

@@ -122,7 +122,8 @@ fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan, 
         // parts of rings say more than nothing
         drawn = lines::draw_with(edges, &outlines, &transform, place, &lines::Params { whole_rings: false, ..params });
     }
-    Overview { place, lines: dots::of_overview(drawn.lines, place, layout, plan), lost: drawn.lost }
+    let drawn = dots::of_overview(drawn, place, layout, plan);
+    Overview { place, lines: drawn.lines, lost: drawn.lost }
 }
 
 /// Where a larger overview of a drawing can lie on printed paper, from the smallest on.

@@ -153,7 +153,7 @@ impl Plan {
             whole_rings: false,
             of_drawing: false,
             widen_bars: false,
-            marks_points: matches!(self.medium(), MediumParams::Print(_)),
+            hands_marks_on: matches!(self.medium(), MediumParams::Dots { .. }),
         }
     }
 
