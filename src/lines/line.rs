@@ -81,6 +81,11 @@ impl Run {
         Self { width: diameter, points, closed: false, pen: Pen::Dots(height) }
     }
 
+    /// Whether it is as broad as a filled point, and part of a line.
+    pub fn is_bead(&self) -> bool {
+        self.pen == Pen::Stroke && self.width > 2.0 * self.length()
+    }
+
     /// Length, mm; of a row of dots, from the first centre to the last.
     pub fn length(&self) -> f32 {
         self.polyline().length()
@@ -102,5 +107,11 @@ impl Line {
     /// Length, mm.
     pub fn length(&self) -> f32 {
         self.runs.iter().map(Run::length).sum()
+    }
+
+    /// The filled points on a printed line: pieces that are broader than long.
+    pub fn beads(&self) -> impl Iterator<Item = &Run> {
+        let more = self.runs.len() > 1;
+        self.runs.iter().filter(move |run| more && run.is_bead())
     }
 }

@@ -24,6 +24,7 @@ mod marks;
 mod outlines;
 mod params;
 mod points;
+mod row_marks;
 mod saliency;
 mod ticks;
 mod vertex;

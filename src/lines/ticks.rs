@@ -72,8 +72,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
         let is_other = |line: u32| line as usize != tick.number && line as usize != tick.base;
         let line = &polylines[tick.number].vertices;
         let ends = [line.first(), line.last()].into_iter().zip(tick.stands).filter(|(_, stands)| stands.is_none());
-        ends.filter_map(|(end, _)| end)
-            .all(|end| all.nearest(end.at, FREE, |segment| is_other(segment.line)).is_none())
+        ends.filter_map(|(end, _)| end).all(|end| all.nearest(end.at, FREE, |segment| is_other(segment.line)).is_none())
     });
     ticks.sort_by_key(|tick| tick.base);
     let mut taken = vec![false; polylines.len()];

@@ -46,7 +46,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
     for line in after {
         // few lines are near, and the others need not be looked at
         let mut own: BTreeMap<u32, f32> = BTreeMap::new();
-        for (a, b) in row(line).iter().flat_map(steps_of) {
+        for (a, b) in row(line).into_iter().flat_map(steps_of) {
             let length = (b - a).length() * scale;
             let count = (length / STEP).ceil().max(1.0);
             for k in 0..count as u32 {
@@ -61,7 +61,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
         own.into_iter().for_each(|(line, of)| lengths[line as usize] += of);
     }
     let share = |(line, kept): (&Line, f32)| {
-        let length: f32 = row(line).iter().map(Run::length).sum();
+        let length: f32 = row(line).into_iter().map(Run::length).sum();
         if length > 0.0 { kept / length } else { 1.0 }
     };
     (stand_for, before.iter().zip(lengths).map(share).collect())
@@ -76,9 +76,13 @@ fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
 }
 
 /// The runs of a line, without the second row of a heavy line of dots.
-fn row(line: &Line) -> &[Run] {
+fn row(line: &Line) -> Vec<&Run> {
     let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-    if is_dotted { &line.runs[..1] } else { &line.runs }
+    if is_dotted {
+        line.runs.iter().take(1).chain(line.row_ticks().map(|(run, _)| run)).collect()
+    } else {
+        line.runs.iter().collect()
+    }
 }
 
 /// Names the lines that are lost, those that a person drew first, and more of them: our own are numbered. None if none

@@ -157,7 +157,9 @@ fn told_of_scale(scale: &LostScale) -> Note {
     let at = format!("the first at {:.0}, {:.0} mm", first.x, first.y);
     let told = match (every, ticks - lost) {
         (1, 0) => format!("all {ticks} ticks of a scale ({at}): there is no room for fingers between them"),
-        (1, _) => format!("{lost} of the {ticks} ticks of a scale ({at}): there is no room for them beside other lines"),
+        (1, _) => {
+            format!("{lost} of the {ticks} ticks of a scale ({at}): there is no room for them beside other lines")
+        }
         _ => format!(
             "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every {} one \
              is drawn; say so in a label",
@@ -256,7 +258,10 @@ mod tests {
         assert_eq!(super::told(&Lost::default(), &plan), []);
         let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
         let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
-        assert!(told(48, 5).contains("48 of the 60 ticks of a scale (the first at 20, 30 mm)") && told(48, 5).contains("every 5th"));
+        assert!(
+            told(48, 5).contains("48 of the 60 ticks of a scale (the first at 20, 30 mm)")
+                && told(48, 5).contains("every 5th")
+        );
         assert!(told(60, 1).contains("all 60 ticks") && told(2, 1).contains("beside other lines"));
     }
 }

@@ -8,7 +8,7 @@ use crate::dots::params::ROUNDED_OFF;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Dots anywhere that are nearer than this, in steps, to one that is there are left out.
-const LEAST_STEP: f32 = 0.75;
+pub(super) const LEAST_STEP: f32 = 0.75;
 /// Dots of a grid are whole steps apart; elsewhere rounding takes something off a distance.
 const ROUNDING: f32 = 1e-3;
 
@@ -104,8 +104,7 @@ impl Lattice<'_> {
                 // six dots a step apart lie a step from the middle
                 let ring = |steps: i32| {
                     (0..6 * steps).map(move |k| {
-                        let (sin, cos) =
-                            (first + std::f32::consts::TAU * k as f32 / (6 * steps) as f32).sin_cos();
+                        let (sin, cos) = (first + std::f32::consts::TAU * k as f32 / (6 * steps) as f32).sin_cos();
                         [middle[0] + steps as f32 * cos, middle[1] + steps as f32 * sin]
                     })
                 };

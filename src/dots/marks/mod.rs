@@ -14,7 +14,7 @@
 mod lattice;
 mod scale;
 
-use self::lattice::{Disc, Field, Owner};
+use self::lattice::{Disc, Field, LEAST_STEP, Owner};
 use super::cell::GridPoint;
 use super::params::{LEAST_DOTS, Params};
 use crate::lines::{LineMarks, PointMark, TickMark};
@@ -169,16 +169,14 @@ impl Places<'_> {
         if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
             return false;
         }
-        let hidden: Vec<(GridPoint, Owner)> = match point.is_filled {
-            true => Vec::new(),
-            false => {
-                let dots = self.field.around(middle, radius as f32 + 1.0);
-                let is_inside = |dot: GridPoint| match lattice {
-                    Lattice::Grid { .. } => inside.contains(&dot),
-                    Lattice::Free { .. } => lattice.steps(dot, middle) < radius as f32 - 0.25,
-                };
-                dots.filter(|(_, dot, _)| is_inside(*dot)).map(|(_, dot, owner)| (dot, owner)).collect()
-            }
+        let hidden: Vec<(GridPoint, Owner)> = {
+            let dots = self.field.around(middle, radius as f32 + 1.0);
+            let is_hidden = |dot: GridPoint| match lattice {
+                Lattice::Grid { .. } => !point.is_filled && inside.contains(&dot),
+                // between the dots of the row those of the point would be uneven
+                Lattice::Free { .. } => lattice.steps(dot, middle) < radius as f32 + LEAST_STEP,
+            };
+            dots.filter(|(_, dot, _)| is_hidden(*dot)).map(|(_, dot, owner)| (dot, owner)).collect()
         };
         if !self.rows_stay(&hidden) {
             return false;

@@ -22,9 +22,11 @@ pub(super) fn selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
     let shortest = scale.iter().map(TickMark::length).fold(f32::INFINITY, f32::min);
     let long: Vec<usize> = (0..scale.len()).filter(|&i| scale[i].length() >= LONG * shortest).collect();
     let first = long.first().copied().unwrap_or(0);
-    let of_long = long.windows(2).map(|pair| pair[1] - pair[0]).min().filter(|&every| {
-        long.windows(2).all(|pair| pair[1] - pair[0] == every)
-    });
+    let of_long = long
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .min()
+        .filter(|&every| long.windows(2).all(|pair| pair[1] - pair[0] == every));
     for every in of_long.into_iter().filter(|every| *every > 1).chain(EVERY) {
         if !all.iter().any(|(other, _)| *other == every) {
             all.push((every, (first % every..scale.len()).step_by(every).collect()));
