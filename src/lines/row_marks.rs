@@ -29,6 +29,7 @@ impl Line {
     }
 
     /// The ticks on a line of dots: rows that lead away from it, each with the place where it stands.
+    #[doc(hidden)]
     pub fn row_ticks(&self) -> impl Iterator<Item = (&Run, MmPoint)> {
         let first = self.first_row();
         let tick = move |run| {
@@ -43,6 +44,7 @@ impl Line {
     }
 
     /// The points on a line of dots.
+    #[doc(hidden)]
     pub fn row_points(&self) -> impl Iterator<Item = PointMark> {
         let first = self.first_row();
         self.runs.iter().skip(1).filter_map(move |run| {

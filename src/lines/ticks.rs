@@ -273,4 +273,25 @@ mod tests {
         assert_eq!(lengths(10.0, &ticks, Some(beside)), [6.0; 3], "one is in the way of a line");
         assert_eq!(lengths(10.0, &[(60.0, 66.0); 3], None), [6.0; 3], "on no line");
     }
+
+    #[test]
+    fn ticks_of_a_scale_are_taken_in_order_and_those_parted_by_a_point_are_one() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let mut lines = vec![
+            line((60.0, 47.0), (60.0, 53.0)),
+            line((20.0, 47.0), (20.0, 53.0)),
+            // two halves of one, on both sides of the axis
+            line((40.0, 47.0), (40.0, 50.0)),
+            line((40.0, 53.0), (40.0, 50.0)),
+            line((10.0, 50.0), (90.0, 50.0)),
+        ];
+        // the side of a box ends on another line
+        lines.extend([line((70.0, 44.0), (70.0, 50.0)), line((65.0, 44.0), (78.0, 44.0))]);
+        let scales = take(&mut lines, area, &PARAMS);
+        let [scale] = &scales[..] else { panic!("{scales:?}") };
+        let ticks: Vec<(f32, f32)> = scale.iter().map(|tick| (tick.at.x, tick.length())).collect();
+        assert_eq!(ticks, [(20.0, 6.0), (40.0, 6.0), (60.0, 6.0)]);
+        assert!(scale.iter().all(|tick| tick.ends[0].is_some_and(|end| end.y < 50.0)), "the same side is the left one");
+        assert_eq!(lines.len(), 3, "the axis and the box");
+    }
 }

@@ -236,7 +236,7 @@ mod tests {
     #[test]
     fn an_axis_is_not_the_tick_that_crosses_it() {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        let axis = Line {
+        let axis = crate::lines::Line {
             strength: 1.0,
             runs: vec![crate::lines::Run::stroke(1.0, vec![MmPoint::new(10.0, 50.0), MmPoint::new(90.0, 50.0)])],
         };
