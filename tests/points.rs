@@ -111,6 +111,9 @@ fn a_number_line_of_dots_has_its_ticks_and_points() {
         let (least, lost) = if device == "dot-pad" { (10, 1) } else { (11, 0) };
         assert_eq!((filled, hollow), (2, 1), "{device}");
         assert!(ticks >= least, "{device}: {ticks} ticks");
+        let words = &page.page.description;
+        let points = "2 filled points lie on lines. 1 hollow point lies on a line.";
+        assert!(words.contains(points) && words.contains(&format!("{ticks} ticks stand on lines.")), "{words}");
         let of_scale = told(&page).iter().filter(|note| note.contains(" ticks of a scale")).count();
         assert_eq!(of_scale, lost, "{device}: {:#?}", told(&page));
         let checked = tactograph::check(page.page.to_svg(), None).expect("a page");
@@ -189,7 +192,7 @@ fn marks_are_kept_where_a_page_is_laid_out_anew() {
 fn sheets_of_dots_have_the_ticks_and_points_of_their_parts() {
     let profile = Profile::named("index-basic-d").expect("it is built in");
     let options = Options::new(profile);
-    let grid = Some(SheetGrid { across: 2, down: 1 });
+    let grid = Some(SheetGrid::new(2, 1).expect("a grid"));
     let sheets = tactograph::convert_to_sheets(svg(&with_hollow()).as_bytes(), grid, &options).expect("sheets");
     let all: Vec<[usize; 3]> = sheets.pages.iter().map(|page| marks_of(&page.figure.lines)).collect();
     let sum = |kind: usize| all.iter().map(|of| of[kind]).sum::<usize>();

@@ -44,7 +44,8 @@ impl Candidates {
         params: &Params,
     ) -> Self {
         let mut polylines = on_the_sheet(edges, transform, params);
-        let points = if params.of_drawing { points::take(&mut polylines, params) } else { Vec::new() };
+        let takes_points = params.of_drawing && params.takes_points;
+        let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
         let mut polylines = join::join(polylines, params.join_gap);
         let mut scales = Vec::new();
         // an overview is felt for its shapes

@@ -39,6 +39,8 @@ pub struct Params {
     /// Whether points and ticks on lines are handed on as [`LineMarks`](super::LineMarks), and not drawn: where lines
     /// become dots, so do they.
     pub hands_marks_on: bool,
+    /// Whether small round shapes on lines are points; otherwise they are shapes as all others.
+    pub takes_points: bool,
 }
 
 /// The longest way from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
@@ -71,6 +73,7 @@ impl Params {
         of_drawing: false,
         widen_bars: false,
         hands_marks_on: false,
+        takes_points: true,
     };
 
     /// The same with lines no wider than needed, so that more of them have room.

@@ -169,6 +169,7 @@ impl Plan {
             of_drawing: false,
             widen_bars: false,
             hands_marks_on: matches!(self.medium(), MediumParams::Dots { .. }),
+            takes_points: true,
         }
     }
 

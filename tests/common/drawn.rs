@@ -18,4 +18,5 @@ pub(crate) const LINES: lines::Params = lines::Params {
     of_drawing: false,
     widen_bars: false,
     hands_marks_on: false,
+    takes_points: true,
 };

@@ -164,7 +164,9 @@ impl Places<'_> {
         let Some((row, number, middle)) = self.nearest(point.at, |_, _, _| true) else { return false };
         let Params { pitch, diameter, .. } = *self.params;
         let least = ((HOLLOW + diameter) / (2.0 * pitch)).ceil() as i32;
-        let radius = least.max((point.radius / pitch).round() as i32).max(1);
+        // the side of a disc is that of its outermost dots, and a ring is drawn along its middle
+        let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
+        let radius = least.max((own / pitch).round() as i32).max(1);
         let Disc { around, inside } = lattice.disc(middle, self.along(row, number), radius);
         if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
             return false;
