@@ -76,8 +76,11 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
         let around = std::f32::consts::TAU * point.radius;
-        // a ring of dots is as large as it is, and a disc is told from a ring
-        let has_room = !params.hands_marks_on && around >= params.min_length;
+        let has_room = match params.hands_marks_on {
+            // without a hole a disc would be a ring
+            true => !point.is_filled && !params.is_dot(around),
+            false => around >= params.min_length,
+        };
         let is_pointed_at = matches!(arms[..], [Arm { way: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
             continue;
