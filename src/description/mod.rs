@@ -96,7 +96,7 @@ fn marks_on_lines<'a>(page: &'a Page, wording: &'a Wording) -> impl Iterator<Ite
     all.into_iter().filter(|(_, count)| *count > 0).map(|(what, count)| wording.say(what, &[("count", count.into())]))
 }
 
-/// The rows of one tick stand this near to one another, in diameters of a dot: on a slanting line not quite in one place.
+/// The rows of one tick stand so near to one another, in diameters of a dot: on a slanting line not in one place.
 const SAME_TICK: f32 = 1.5;
 
 /// How many ticks a line of dots has: those that cross it have a row on each side.

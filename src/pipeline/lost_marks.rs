@@ -161,8 +161,8 @@ fn told_of_scale(scale: &LostScale) -> Note {
             format!("{lost} of the {ticks} ticks of a scale ({at}): there is no room for them beside other lines")
         }
         _ => format!(
-            "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every {} one \
-             is drawn; say so in a label",
+            "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every \
+             {} one is drawn; say so in a label",
             ordinal(every)
         ),
     };
