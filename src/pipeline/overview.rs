@@ -136,18 +136,25 @@ impl Figure<'_> {
         let all = lines::Params { detail, ..plan.lines() };
         let params = if edges.of_drawing() { all.of_overview() } else { all };
         let outlines = outlines_of_overview(edges, of_figure, &transform, plan);
-        let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
-        if drawn.lines.is_empty() {
-            // parts of rings say more than nothing
-            let params = lines::Params { whole_rings: false, ..params };
-            drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+        let draw = |params: lines::Params| {
+            let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+            if drawn.lines.is_empty() {
+                // parts of rings say more than nothing
+                let params = lines::Params { whole_rings: false, ..params };
+                drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+            }
+            dots::of_overview(drawn, place, layout, plan)
+        };
+        let mut drawn = draw(params);
+        if !drawn.marks.points.is_empty() && drawn.lost.rings > 0 {
+            // what has no room as a point may have room as it is
+            let plain = draw(lines::Params { takes_points: false, ..params });
+            if plain.lost.rings < drawn.lost.rings {
+                drawn = plain;
+            }
         }
-        Overview {
-            place,
-            lines: dots::of_overview(drawn.lines, place, layout, plan),
-            lost: drawn.lost,
-            subjects_lacking: outlines.subjects_lacking(&transform, params.min_length),
-        }
+        let subjects_lacking = outlines.subjects_lacking(&transform, params.min_length);
+        Overview { place, lines: drawn.lines, lost: drawn.lost, subjects_lacking }
     }
 
     /// Where the overview of a photograph lies on printed paper that has more room below the figure than it needs.
