@@ -187,7 +187,7 @@ impl Places<'_> {
             return false;
         }
         for &(dot, owner) in &hidden {
-            self.field.take_out(|other, of| other == dot && of == owner, dot, 1.0);
+            self.field.take_out(|other, of| lattice.are_one(other, dot) && of == owner, dot, 1.0);
             if let Owner::Row(row, _) = owner {
                 self.placed.hidden[row].push(lattice.to_mm(dot));
             }
