@@ -1,4 +1,5 @@
-//! A smooth surface through what is known of the cells: a quadratic one, and on it a membrane that goes through the rest.
+//! A smooth surface through what is known of the cells: a quadratic one, and on it a membrane that goes through the
+//! rest.
 //!
 //! The quadratic surface is that of light that falls off across or around; within a wide area, where a membrane is
 //! taut, it goes on bending. The membrane follows the edges of shadows.
