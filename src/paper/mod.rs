@@ -7,10 +7,11 @@
 //! ```
 //!
 //! Correction of the background, as document imaging has it, takes for paper whatever is brightest around each
-//! place: by a closing, or by a mode of each tile, or by a polynomial that darker pixels hardly pull. There a bar or a map that
-//! is wider than the tool becomes paper itself. Here paper is what is connected: light falls off and shadows of hands
-//! have soft edges, a tint that somebody printed has a step. What is found so is interpolated below the rest. On scans
-//! of maps, charts and worksheets (`tools/src/bin/scans`, a first version of each, one scan of each kind and variant):
+//! place: by a closing, or by a mode of each tile, or by a polynomial that darker pixels hardly pull. There a bar or a
+//! map that is wider than the tool becomes paper itself. Here paper is what is connected: light falls off and shadows
+//! of hands have soft edges, a tint that somebody printed has a step. What is found so is interpolated below the rest.
+//! On scans of maps, charts and worksheets (the program `scans`, one of each kind and variant, a first version of each
+//! way):
 //!
 //! | | blank paper with a texture | areas of the right class |
 //! |---|---|---|

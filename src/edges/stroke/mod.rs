@@ -19,7 +19,6 @@ mod flat;
 mod follow;
 mod skeleton;
 
-use pulp::Arch;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 pub(super) use self::centre::Stroke;
