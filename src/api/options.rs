@@ -195,8 +195,8 @@ impl Options {
         self
     }
 
-    /// Draws the ground of a scan or photograph of a drawing in its colour, as a poster's; otherwise, where it can be paper in
-    /// uneven light or tinted paper, it is blank, and told. Default: false.
+    /// Draws the ground of a scan or photograph of a drawing in its colour, as a poster's; otherwise, where it can be
+    /// paper in uneven light or tinted paper, it is blank, and told. Default: false.
     pub fn keep_ground(mut self, keep: bool) -> Self {
         self.fit.keep_ground = keep;
         self

@@ -1,16 +1,17 @@
-//! The paper under a drawing that was scanned or photographed: what it would be without the drawing is found and divided
-//! out, so that paper is white wherever it lies, in a shadow too, and ink keeps its colour.
+//! The paper under a drawing that was scanned or photographed: what it would be without the drawing is found and
+//! divided out, so that paper is white wherever it lies, in a shadow too, and ink keeps its colour.
 //!
 //! ```text
 //! Raster -> cells (means, what is flat) -> parts (flat, without steps) -> one of them is paper
 //!   -> surface (of its light, across all else) <-> more paper (what is as light as the surface) -> Paper -> divided
 //! ```
 //!
-//! Correction of the background, as document imaging has it, takes for paper whatever is brightest around each place:
-//! by a closing, or by a mode of each tile, or by a polynomial that darker pixels hardly pull. There a bar or a map that
-//! is wider than the tool becomes paper itself. Here paper is what is connected: light falls off and shadows of hands
-//! have soft edges, a tint that somebody printed has a step. What is found so is interpolated below the rest. On scans
-//! of maps, charts and worksheets (`tools/src/bin/scans`, a first version of each, one scan of each kind and variant):
+//! Correction of the background, as document imaging has it, takes for paper whatever is brightest around each
+//! place: by a closing, or by a mode of each tile, or by a polynomial that darker pixels hardly pull. There a bar or a
+//! map that is wider than the tool becomes paper itself. Here paper is what is connected: light falls off and shadows
+//! of hands have soft edges, a tint that somebody printed has a step. What is found so is interpolated below the rest.
+//! On scans of maps, charts and worksheets (the program `scans`, one of each kind and variant, a first version of each
+//! way):
 //!
 //! | | blank paper with a texture | areas of the right class |
 //! |---|---|---|
@@ -59,8 +60,8 @@ pub struct Paper {
 const PAINTED: f32 = 0.05;
 /// Light that falls by less than this is even, as a share of linear light.
 const EVEN: f32 = 0.07;
-/// Paper as light as this everywhere, in HSL lightness of its cells, is white already.
-const WHITE: f32 = 0.95;
+/// Paper as light as this everywhere, in HSL lightness of its cells, is blank already (`colours.white_from` is 0.92).
+const WHITE: f32 = 0.935;
 /// ... but for so many cells of a hundred.
 const NOT_WHITE: f32 = 0.02;
 /// Least share of the picture that one part of the paper has. Maps with a narrow margin have a tenth.

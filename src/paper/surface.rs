@@ -1,4 +1,5 @@
-//! A smooth surface through what is known of the cells: a quadratic one, and on it a membrane that goes through the rest.
+//! A smooth surface through what is known of the cells: a quadratic one, and on it a membrane that goes through the
+//! rest.
 //!
 //! The quadratic surface is that of light that falls off across or around; within a wide area, where a membrane is
 //! taut, it goes on bending. The membrane follows the edges of shadows.
@@ -126,7 +127,7 @@ fn from_coarser(plane: &Plane, is_known: &[bool]) -> Vec<f32> {
     let (across, down) = (half.width as f32 / size.width as f32, half.height as f32 / size.height as f32);
     let width = size.width as usize;
     let at = |cell: usize| ((cell % width) as f32 + 0.5, (cell / width) as f32 + 0.5);
-    (0..size.len()).map(|cell| at(cell)).map(|(x, y)| coarse.at(x * across, y * down)).collect()
+    (0..size.len()).map(at).map(|(x, y)| coarse.at(x * across, y * down)).collect()
 }
 
 /// Each value as the mean of its four neighbours; beyond the edge the nearest counts.

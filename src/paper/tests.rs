@@ -1,3 +1,5 @@
+//! Paper in uneven light, tinted, and what is none.
+
 use super::*;
 
 const SIZE: Size = Size { width: 240, height: 160 };
