@@ -164,6 +164,7 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
     for (vertex, arc) in contour.walk(tip, at_start).take_while(|(vertex, _)| is_there(number, *vertex)) {
         match to_others(contour.vertices[vertex].at) {
             distance if distance <= ON => onto = Some((vertex, arc)),
+            // beside the other one, but not on it: it may touch it further on
             distance if distance <= BESIDE => {}
             // it leaves the other one
             _ => return onto.filter(|(_, arc)| *arc > ALONG).map(|(vertex, _)| vertex),

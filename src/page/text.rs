@@ -11,6 +11,7 @@ impl Display for Page {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "sheet {} x {}", self.sheet[0], self.sheet[1])?;
         match &self.medium {
+            // the sheet says all
             Medium::Print(_) => {}
             Medium::Dots(DotMedium { area: DotArea::Grid(grid), .. }) => {
                 writeln!(f, "grid of {} x {} dots", grid.columns.len(), grid.rows.len())?;

@@ -185,6 +185,7 @@ impl Chart {
             match apart.iter_mut().find(overlap) {
                 // the parts of a stacked bar
                 Some(other) if (width(other) - width(&bar)).abs() <= 2.0 * SAME => other.top = other.top.max(bar.top),
+                // of bars that overlap the narrower stays, which came first
                 Some(_) => {}
                 None => apart.push(bar),
             }

@@ -49,10 +49,11 @@ pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<Stretch> {
     let mut before = false;
     for k in start..start + n {
         let here = wanted[k % n];
-        match found.last_mut() {
-            Some(stretch) if here && before => stretch.count += 1,
-            _ if here => found.push(Stretch { first: k, count: 1, whole_ring: false }),
-            Some(_) | None => {}
+        if here {
+            match found.last_mut() {
+                Some(stretch) if before => stretch.count += 1,
+                _ => found.push(Stretch { first: k, count: 1, whole_ring: false }),
+            }
         }
         before = here;
     }
