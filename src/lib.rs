@@ -116,10 +116,13 @@
 //! * What is chosen from a list has `ALL`, `name` and `named`: [`Format`], [`DotFormat`], [`DrawingFormat`],
 //!   [`Depth`], [`KeySheets`], [`Class`]. [`Profile::named`] and [`medium::Device::named`] take the ids of profiles and
 //!   devices.
-//! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr): [`Crop`], [`Position`],
-//!   [`SheetGrid`].
-//! * What the library gives, and nobody gives to it, has a `name` or an `id`: [`Stage`], [`About`], [`Severity`],
-//!   [`Error`], [`Note`], [`Rule`].
+//! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr) and written with
+//!   [`Display`](std::fmt::Display): [`Crop`], [`Position`], [`SheetGrid`], [`marks::Sign`].
+//! * What the library gives, and nobody gives to it by its name, has a `name` or an `id`: [`Stage`], [`About`],
+//!   [`Severity`], [`marks::Height`] and [`marks::TextRole`] with `ALL`, [`felt::FeltAs`], [`Error`], [`Note`],
+//!   [`Rule`].
+//! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) too; `named` gives none
+//!   where nothing has that name, but for [`Profile::named`], whose error says which profiles there are.
 //!
 //! # What grows
 //!

@@ -63,12 +63,6 @@ impl Height {
     }
 }
 
-impl std::fmt::Display for Height {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
 impl Run {
     /// A stroke along a path, a ring if the path comes back to where it began.
     pub fn stroke(width: f32, path: Vec<MmPoint>) -> Self {

@@ -204,13 +204,13 @@ impl TextRole {
     /// All of them, in the order of a page's layers.
     pub const ALL: [Self; 4] = [Self::Title, Self::Number, Self::Label, Self::Key];
 
-    /// Its name, such as "braille title".
+    /// Its name in plain words, such as "title".
     pub fn name(self) -> &'static str {
         match self {
-            Self::Title => "braille title",
-            Self::Label => "braille label",
-            Self::Key => "braille key",
-            Self::Number => "braille page number",
+            Self::Title => "title",
+            Self::Label => "label",
+            Self::Key => "key",
+            Self::Number => "page number",
         }
     }
 }

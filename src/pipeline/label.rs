@@ -45,6 +45,16 @@ impl FromStr for Position {
     }
 }
 
+/// As it is parsed: `30%`, `412.5`.
+impl std::fmt::Display for Position {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Percent(percent) => write!(f, "{percent}%"),
+            Self::Pixels(at) => write!(f, "{at}"),
+        }
+    }
+}
+
 impl Position {
     /// Share of the side, 0 to 1 within the picture.
     pub(super) fn share(self, pixels: u32) -> f32 {
@@ -132,6 +142,13 @@ mod tests {
             label(Position::Pixels(5.0), Position::Pixels(6.0), "plum, ripe"),
         ];
         assert_eq!(labels, expected);
+    }
+
+    #[test]
+    fn positions_read_back_as_they_are_written() {
+        for text in ["30%", "0.5%", "412.5", "-7"] {
+            assert_eq!(text.parse::<Position>().map(|position| position.to_string()), Ok(text.to_owned()));
+        }
     }
 
     #[test]

@@ -31,6 +31,20 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// All of them, in the order in which they run.
+    pub const ALL: [Self; 10] = [
+        Self::Decode,
+        Self::Text,
+        Self::Edges,
+        Self::Regions,
+        Self::Lines,
+        Self::Overview,
+        Self::Hues,
+        Self::Classes,
+        Self::Textures,
+        Self::Page,
+    ];
+
     /// Its name in plain words.
     pub fn name(self) -> &'static str {
         match self {
