@@ -100,6 +100,9 @@
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
 //!   any of the four, or both wait for each other for ever. In a browser there are no threads, and a function
 //!   of JavaScript needs a wrapper that promises so.
+//! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
+//!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
+//!   settings cannot be asked for again; a class that has properties keeps what it was given.
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
@@ -123,6 +126,14 @@
 //!   [`Rule`].
 //! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) too; `named` gives none
 //!   where nothing has that name, but for [`Profile::named`], whose error says which profiles there are.
+//!
+//! # Words
+//!
+//! * maker: the person who makes the page. Told: reported in a [`Note`].
+//! * ring: a closed line.
+//! * glyph: one rhombus or dot of a texture. Sign: the kind of glyph, and its direction, that stands for a [`Class`] of
+//!   colours.
+//! * seen from the back: with left and right exchanged, as for a machine that presses dots from the back of the sheet.
 //!
 //! # What grows
 //!

@@ -32,7 +32,8 @@ impl SheetGrid {
 
     /// All grids, those of fewer sheets first; of as many sheets, the nearer to a square.
     pub fn by_number() -> impl Iterator<Item = Self> {
-        let all = (1..=Self::MOST).flat_map(|across| (1..=Self::MOST).filter_map(move |down| Self::new(across, down).ok()));
+        let all =
+            (1..=Self::MOST).flat_map(|across| (1..=Self::MOST).filter_map(move |down| Self::new(across, down).ok()));
         let mut all: Vec<Self> = all.collect();
         all.sort_by_key(|grid| (grid.across * grid.down, grid.across.abs_diff(grid.down)));
         all.into_iter()

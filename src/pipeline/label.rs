@@ -22,9 +22,10 @@ pub struct Label {
 /// A place along a side of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Position {
-    /// Share of the side, 0 to 100.
+    /// Percent of the side: 0 is the left or upper edge, 100 the other. What is outside is off the picture, which a
+    /// note tells.
     Percent(f32),
-    /// Pixels of the picture.
+    /// Pixels of the picture from its left or upper edge.
     Pixels(f32),
 }
 

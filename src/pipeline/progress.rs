@@ -70,7 +70,7 @@ pub enum Event {
     Begin(Stage),
     /// A stage that began is done.
     End(Stage),
-    /// A stage, or a part of it, is not needed for this page, and why.
+    /// A stage, or a part of it, is not needed for this page, and why: a text in English, which may change.
     Skip(Stage, &'static str),
 }
 

@@ -24,7 +24,8 @@ pub enum Shape {
         length: f32,
         /// Short diagonal, mm.
         thickness: f32,
-        /// Direction of the long diagonal: degrees counter-clockwise from the x axis as a reader sees the page.
+        /// Direction of the long diagonal: degrees counter-clockwise from the x axis as a reader sees the page,
+        /// from 0 to below 180.
         degrees: f32,
     },
     /// A disc.
@@ -43,7 +44,7 @@ pub struct Texture {
     pub sign: Sign,
     /// The region's mean colour as sRGB red, green and blue.
     pub colour: [u8; 3],
-    /// The region's area, gaps and all, mm^2.
+    /// The region's area, including the gaps between glyphs, mm^2.
     pub area: f32,
     /// Its glyphs, row by row.
     pub glyphs: Vec<Glyph>,
