@@ -75,11 +75,7 @@ mod tests {
     use super::super::tests::{clear_all, polyline};
     use super::*;
     use crate::lines::saliency::saliency;
-    use crate::units::MmPoint;
-
-    fn area() -> MmRect {
-        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
-    }
+    use crate::lines::tests::area;
 
     fn stroke(points: &[(f32, f32)], strength: f32) -> (Polyline<Vertex>, Rank) {
         let mut line = polyline(points, false);

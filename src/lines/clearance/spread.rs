@@ -156,12 +156,9 @@ impl All<'_> {
 mod tests {
     use super::super::tests::polyline;
     use super::*;
+    use crate::lines::tests::area;
 
     const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
-
-    fn area() -> MmRect {
-        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
-    }
 
     /// Bars of this width on an axis, with gaps of this width between them.
     fn chart(bars: usize, width: f32, gap: f32) -> Vec<Polyline<Vertex>> {
