@@ -5,9 +5,9 @@ use std::collections::HashSet;
 
 use super::contour::{Contour, ContourPoint, crossing};
 use super::tips::FoundContour;
-use crate::geom::first_eigenvector;
 use crate::geom::link::{End, Part, Thread, link};
 use crate::geom::nearby::Index;
+use crate::geom::{first_eigenvector, right_of};
 use crate::units::{Px, PxPoint, PxVector};
 use lyon::geom::euclid::Box2D;
 
@@ -132,7 +132,7 @@ fn around(ring: &Contour, sigma: f32, least: f32) -> Option<([PxPoint; 2], f32)>
         let places = || points().map(|at| (at - centre).dot(direction));
         (places().fold(f32::MAX, f32::min), places().fold(f32::MIN, f32::max))
     };
-    let ((from, to), (left, right)) = (extent(along), extent(PxVector::new(-along.y, along.x)));
+    let ((from, to), (left, right)) = (extent(along), extent(right_of(along)));
     let breadth = right - left;
     // blur puts the sides of a thin stroke a scale of the detector from its middle
     let width = (breadth * breadth - 4.0 * sigma * sigma).max(1.0).sqrt();

@@ -3,7 +3,7 @@
 use super::palette::Sign;
 use super::params::Params;
 use crate::classes::Class;
-use crate::geom::{nearest_on_segment, segment_distance};
+use crate::geom::{nearest_on_segment, right_of, segment_distance};
 use crate::units::{MmPoint, MmVector};
 
 /// A mark of a texture.
@@ -125,7 +125,7 @@ impl Glyph {
             Shape::Rhombus { length, thickness, degrees } => (unit(degrees), length, thickness),
             Shape::Dot { diameter } => (MmVector::new(1.0, 0.0), diameter, diameter),
         };
-        let across = MmVector::new(-along.y, along.x);
+        let across = right_of(along);
         let (along, across) = (along * (0.5 * length), across * (0.5 * thickness));
         [self.at + along, self.at + across, self.at - along, self.at - across]
     }

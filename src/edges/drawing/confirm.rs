@@ -6,9 +6,10 @@ use super::proposal::{Confirmed, Proposal, Stretch, stretches};
 use crate::edges::edgel::Edgel;
 use crate::edges::params::Params;
 use crate::geom::polyline::Polyline;
+use crate::geom::right_of;
 use crate::raster::Raster;
 use crate::raster::lab;
-use crate::units::{PxPoint, PxVector, Size};
+use crate::units::{PxPoint, Size};
 
 /// Distance from an outline at which the two sides are compared, px: an edge is spread over a pixel by rendering and
 /// over another by interpolation, at most 1.2 to each side.
@@ -73,7 +74,7 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> Seen {
         return nothing;
     }
     // with y down, right of the direction (x, y) is (-y, x)
-    let right = PxVector::new(-along.y, along.x);
+    let right = right_of(along);
     let colour = |distance: f32| picture.colour(at + right * distance);
     match stroke {
         None => step(colour).unwrap_or(nothing),

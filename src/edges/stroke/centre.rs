@@ -5,6 +5,7 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
+use crate::geom::right_of;
 use crate::geom::walk::runs;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
@@ -310,7 +311,7 @@ fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
     let view = line.view();
     let [before, after] = [-2, 2].map(|step| view.next(i, step).or(view.next(i, step / 2)).unwrap_or(i));
     let along = (line.vertices[after] - line.vertices[before]).try_normalize().unwrap_or(PxVector::zero());
-    PxVector::new(-along.y, along.x)
+    right_of(along)
 }
 
 /// The profile of the residue across the line at a vertex, as far as `reach`.

@@ -13,6 +13,7 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::params::Params;
 use crate::geom::link::{End, Thread, link};
 use crate::geom::nearby::Index;
+use crate::geom::right_of;
 use crate::raster::plane::Plane;
 use crate::units::{Px, PxPoint, PxVector};
 use lyon::geom::euclid::Box2D;
@@ -157,7 +158,7 @@ fn continuation(
     let (mut at, mut unseen) = (last.at, 0);
     for step in 1..=(FARTHEST * params.min_length / STEP) as usize {
         let straight = at + direction * STEP;
-        let across = PxVector::new(-direction.y, direction.x);
+        let across = right_of(direction);
         let aside = middle(straight, across, 0.5 * width + ASIDE, planes);
         at = straight + across * aside.clamp(-TURN, TURN);
         let height = contrast_across(at, across, *width, planes);

@@ -10,9 +10,9 @@
 use std::collections::HashSet;
 
 use super::assign::Assignment;
-use crate::geom::crossing;
 use crate::geom::polyline::{Polyline, smooth};
 use crate::geom::walk::runs;
+use crate::geom::{crossing, right_of};
 use crate::lines::junction;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
@@ -67,7 +67,7 @@ fn shifted(polyline: &Polyline<Vertex>, assignment: &Assignment, indices: &[usiz
         return part;
     }
     let tangents = (0..indices.len()).map(|k| part.tangent(k));
-    let normals: Vec<MmVector> = tangents.map(|tangent| MmVector::new(-tangent.y, tangent.x)).collect();
+    let normals: Vec<MmVector> = tangents.map(right_of).collect();
     let distance = |(&i, normal): (&usize, &MmVector)| {
         assignment.offsets[i].map(|offset| offset.length().copysign(offset.dot(*normal)))
     };
