@@ -16,7 +16,7 @@ use lyon::geom::euclid::Box2D;
 const LONGEST: f32 = 6.0;
 /// The ring around a dash whose two sides were found is at most so many times as broad: beyond that it is an area.
 const BROADEST: f32 = 1.2;
-/// ... and at least so many times as long: a dot has no direction.
+/// The ring around a dash is at least so many times as long as broad: a dot has no direction.
 const ELONGATED: f32 = 1.5;
 /// The ends of a dash are at least this share of its length apart: it may bend a little with the line.
 const STRAIGHTNESS: f32 = 0.95;

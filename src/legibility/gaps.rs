@@ -18,8 +18,8 @@ const STEP: f32 = 0.25;
 /// Two places of one line with this much arc length between them, in distances, lie on the two sides of a bend: a
 /// corner of 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
-/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the length
-/// over the tip is nearly as long as the line.
+/// The factor of a corner with straight sides, which lie on two sides down to 19 degrees: 1 / sin 9.5 = 6.1. Straight
+/// are sides if the length over the tip is nearly as long as the line.
 const CORNER: f32 = 6.1;
 const STRAIGHTNESS: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.

@@ -3,18 +3,19 @@
 use super::glyph::{Glyph, Point};
 use crate::geom::components::DisjointSets;
 
-/// Two letters of a text: the higher one is at most so much higher (j beside x).
+/// Of two letters of a text, the higher one is at most so many times as high (j beside x).
 const HEIGHTS: f32 = 2.3;
-/// ... strokes at most so much wider; at small sizes a stroke's width is uncertain by a pixel.
+/// Strokes of two letters differ in width at most by this factor, and by so many pixels more, as at small sizes a width
+/// is uncertain by one.
 const STROKES: f32 = 1.7;
 const STROKE_UNSURE: f32 = 0.8;
-/// ... contrast at most so much less.
+/// Of two letters, the fainter one has at least this share of the contrast of the other.
 const CONTRASTS: f32 = 0.6;
-/// ... colours at most so far apart, in contrasts.
+/// Colours of two letters are at most so far apart, in contrasts.
 const COLOURS: f32 = 0.5;
-/// ... with a gap of at most so many heights of the higher one.
+/// The gap between two letters is at most so many heights of the higher one.
 const GAP: f32 = 1.0;
-/// ... and overlap at least so much of the lower one across the direction.
+/// Two letters overlap across the direction by at least this share of the lower one.
 const OVERLAP: f32 = 0.5;
 
 /// A letter as it lies along a direction: from where to where along it and across it.
@@ -24,7 +25,7 @@ pub(super) struct Placed {
     pub(super) of: usize,
     /// From where to where it reaches in the direction of the text, px.
     pub(super) along: [f32; 2],
-    /// ... and across it, downwards.
+    /// From where to where it reaches across the direction of the text, downwards, px.
     pub(super) across: [f32; 2],
 }
 

@@ -66,7 +66,7 @@ pub(super) struct TextLine {
     pub(super) height: f32,
     /// From where to where it reaches in its direction, px.
     pub(super) along: [f32; 2],
-    /// ... and across it.
+    /// From where to where it reaches across its direction, px.
     pub(super) across: [f32; 2],
     /// Mean colour of the letters.
     pub(super) colour: [f32; 3],

@@ -41,7 +41,7 @@ struct Variant {
     bars: Bars,
     /// Whether its gridlines are drawn.
     has_grid: bool,
-    /// What it lacks by itself, as a share of the chart's lines.
+    /// Penalty of the variant itself, as a share of the length of the chart's lines.
     lacks: f32,
 }
 
@@ -63,7 +63,7 @@ const VARIANTS: [Variant; 6] = [
 /// The contours of a chart that rows of bars do not replace.
 struct Kept {
     edges: Edges,
-    /// As what kind of contour what is replaced was found, and its mean strength; none if nothing is.
+    /// Kind and mean strength of the contours that are replaced; none if none is.
     replaced: Option<(ChainKind, f32)>,
     /// Stretches of the base that stay, from and to along it, px.
     ground: Vec<(f32, f32)>,
@@ -258,7 +258,7 @@ impl Chart {
         wanted
     }
 
-    /// What is drawn otherwise; none if nothing is.
+    /// The contours of the chart in this variant; none if the variant changes nothing.
     fn drawn(
         &self,
         edges: &Edges,
@@ -378,8 +378,8 @@ impl Chart {
         gaps
     }
 
-    /// Whether a place of a contour, which runs in a direction there, is a side or a top of a bar of these rows or of
-    /// one that is too low, or what is between two of one row.
+    /// Whether the place `at`, where the contour runs along `direction`, is on a side or the top of a bar in `rows` or
+    /// `low`, or between two bars of one row.
     fn is_replaced(&self, at: PxPoint, direction: PxVector, rows: &[Row], low: &[Bar]) -> bool {
         let (across, along) = self.direction.of(at);
         if along <= self.base + SAME {
@@ -448,7 +448,7 @@ fn kept_runs(
     let of_all = runs(&out);
     if of_all.len() > 1 {
         let is_end = |i: usize| !chain.closed && (i == 0 || i + 1 == of_all.len());
-        // what crosses a bar goes on; what is left of one goes
+        // a gap where a contour only crosses a bar is closed; short remains of a bar's side are dropped
         for (i, run) in of_all.iter().enumerate().filter(|(_, run)| length(run) < CROSSES) {
             let is_base = !out[run[0]] && run.iter().all(|&at| is_of_base(at));
             if !(is_base || out[run[0]] && is_end(i)) {

@@ -14,7 +14,7 @@ use crate::units::{PxPoint, Size};
 /// Distance from an outline at which the two sides are compared, px: an edge is spread over a pixel by rendering and
 /// over another by interpolation, at most 1.2 to each side.
 const FAR: f32 = 1.25;
-/// ... and close to it, where the step must be seen already, or it is not here.
+/// Distance from an outline, px, at which the step must be seen already, or it is not here.
 const CLOSE: f32 = 0.75;
 /// Least share of the step at [`FAR`] that is seen at [`CLOSE`]: at least three quarters where the edge is here (in the
 /// middle of a pixel it is least), half where it is [`CLOSE`] away.

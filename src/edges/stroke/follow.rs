@@ -26,13 +26,13 @@ const STEP: f32 = 1.0;
 const HEADING: f32 = 8.0;
 /// The middle of what is seen is looked for so far to both sides, px, beyond half the width of the stroke.
 const ASIDE: f32 = 1.5;
-/// ... and is at most this far from where it would go straight on, px.
+/// The middle of what is seen is at most this far from where the stroke would go straight on, px.
 const TURN: f32 = 0.35;
 /// Half the distance over which the slope across it is taken, px.
 const SLOPE: f32 = 0.5;
 /// What is seen has at least this share of the contrast of the stroke.
 const SEEN: f32 = 0.4;
-/// ... but for so many steps one after the other.
+/// For so many steps one after the other less contrast is seen, and the stroke still goes on.
 const UNSEEN: usize = 2;
 /// Another stroke is met where its middle is at most half of both widths and this far away, px.
 const MEETS: f32 = 1.0;

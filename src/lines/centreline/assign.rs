@@ -25,8 +25,8 @@ pub(super) struct Assignment {
     pub(super) removed: Vec<bool>,
 }
 
-/// Decides for every two polylines which of them goes to the middle all along their strokes and which gives way, so
-/// that two rings that lie in one another become one ring and not a spiral of halves.
+/// Decides for every pair of polylines which one becomes the centreline all along their strokes; the other is removed.
+/// Decided for a pair as a whole, so that two nested rings become one ring and not two halves of a spiral.
 pub(super) fn assign(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
@@ -98,8 +98,8 @@ fn decided_first(a: &Stretch, b: &Stretch, rank: &[usize]) -> Ordering {
         .then((a.polyline, a.from).cmp(&(b.polyline, b.from)))
 }
 
-/// A stretch goes to the middle; the other side goes. What stronger stretches have left of it must be long enough
-/// itself.
+/// Makes a stretch the centreline and removes the opposite side. If stronger stretches took a part of it, the remainder
+/// must have the least length, too.
 fn take_middle(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],

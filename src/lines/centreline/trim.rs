@@ -24,7 +24,7 @@ const BLUNT: f32 = 2.0;
 /// A gap between two stretches of a side is a corner if it is at most so many widths of the stroke long: at an angle of
 /// 60 degrees the outer side has none opposite for 3.5 widths.
 const CORNER: f32 = 4.0;
-/// ... and if the line turns there by at least 30 degrees: cosine.
+/// Such a gap is a corner only if the line turns there by at least 30 degrees: cosine.
 const TURN: f32 = 0.866;
 /// The direction of a centreline is taken over this much of it, mm.
 const HEADING: f32 = 3.0;

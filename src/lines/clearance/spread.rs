@@ -16,8 +16,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A line between two that are too near on both sides takes some rounds to find its place.
 const ROUNDS: usize = 12;
-/// ... and where a round moves them, all together, by more than this share of what the round before did, there is no
-/// place for all: where there is, each round leaves about half of what is missing.
+/// The rounds end where one moves the lines, all together, by more than this share of what the round before did: there
+/// is no place for all then. Where there is, each round leaves about half of what is missing.
 const LESS: f32 = 0.9;
 
 /// The lines, moved apart. None if no two are so little too near that this helps.
@@ -31,7 +31,7 @@ pub(in crate::lines) fn spread(
         lines.iter().map(|line| line.vertices.iter().map(|vertex| vertex.at).collect()).collect()
     };
     let own = places(&lines);
-    // what joins what stays as it is
+    // junctions are found once, before lines move: which lines join does not change
     let at_first = drawn(&lines, area, params);
     let passages: Vec<Passage> = lines
         .par_iter()
