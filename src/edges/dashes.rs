@@ -43,7 +43,7 @@ struct Dash {
 }
 
 /// Dashes that follow one another.
-struct Row<'a> {
+struct DashRow<'a> {
     dashes: Vec<&'a Dash>,
     /// Both ends of each dash, in the order of the row.
     ends: Vec<[PxPoint; 2]>,
@@ -62,12 +62,12 @@ pub(super) fn united(found: Vec<FoundContour>, sigma: f32, least: f32) -> (Vec<F
     let ends: Vec<End<Px>> = (0..).zip(&dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
     let longest_gap = WIDEST_GAP * LONGEST * least;
     let segments = Segments::of(&found, longest_gap);
-    let rows: Vec<Row> = link(dashes.len(), &ends, longest_gap, |a, b| cost(a, b, &dashes))
+    let rows: Vec<DashRow> = link(dashes.len(), &ends, longest_gap, |a, b| cost(a, b, &dashes))
         .iter()
-        .map(|thread| Row::of(thread, &dashes))
+        .map(|thread| DashRow::of(thread, &dashes))
         .filter(|row| row.is_even() && !row.is_hidden(&segments))
         .collect();
-    let taken: HashSet<usize> = rows.iter().flat_map(Row::numbers).collect();
+    let taken: HashSet<usize> = rows.iter().flat_map(DashRow::numbers).collect();
     let mut lines: Vec<FoundContour> = rows.iter().map(|row| row.line(&found)).collect();
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
         extend_ends(&mut line.contour, row.period(), &segments, &taken);
@@ -167,7 +167,7 @@ fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
         .then_some(distance)
 }
 
-impl<'a> Row<'a> {
+impl<'a> DashRow<'a> {
     fn of(thread: &Thread, dashes: &'a [Dash]) -> Self {
         let ends = |part: &Part| {
             let [start, last] = dashes[part.polyline].ends;

@@ -206,7 +206,7 @@ impl Instead {
 
 /// Bars side by side that have no gaps for fingers, and where their outline begins and ends across: at an axis that is
 /// as near, or at their own sides.
-struct Row {
+struct BarRow {
     bars: Vec<Bar>,
     ends: [End; 2],
 }
@@ -272,11 +272,11 @@ impl Chart {
         let joins = bars != Bars::Apart;
         let row = |bars: &[Bar]| {
             let ends = [self.end(&bars[0], gap_px, false), self.end(&bars[bars.len() - 1], gap_px, true)];
-            Row { bars: bars.to_vec(), ends }
+            BarRow { bars: bars.to_vec(), ends }
         };
-        let mut rows: Vec<Row> = high.chunk_by(|a, b| joins && b.from - a.to <= gap_px).map(row).collect();
-        let is_at_axis = |row: &Row| row.ends.iter().any(|end| end.is_axis);
-        let apart: Vec<Row> = rows.extract_if(.., |row| !joins && !is_at_axis(row)).collect();
+        let mut rows: Vec<BarRow> = high.chunk_by(|a, b| joins && b.from - a.to <= gap_px).map(row).collect();
+        let is_at_axis = |row: &BarRow| row.ends.iter().any(|end| end.is_axis);
+        let apart: Vec<BarRow> = rows.extract_if(.., |row| !joins && !is_at_axis(row)).collect();
         if rows.is_empty() && low.is_empty() && has_grid {
             return None;
         }
@@ -304,7 +304,7 @@ impl Chart {
 
     /// The contours without those that rows of bars and low bars replace, and without gridlines where there is to be
     /// no grid.
-    fn kept(&self, edges: &Edges, has_grid: bool, rows: &[Row], low: &[Bar]) -> Kept {
+    fn kept(&self, edges: &Edges, has_grid: bool, rows: &[BarRow], low: &[Bar]) -> Kept {
         let mut others = Edges { dashed: edges.dashed, erased: edges.erased.clone(), ..Edges::none(edges.size) };
         let (mut sum, mut count, mut kind, mut ground) = (0.0, 0, None, Vec::new());
         for chain in &edges.chains {
@@ -360,10 +360,10 @@ impl Chart {
     }
 
     /// The base of rows where nothing of what is left runs along it: what bars stood on was theirs, too.
-    fn gaps_of_base(&self, rows: &[Row], mut ground: Vec<(f32, f32)>) -> Vec<Vec<PxPoint>> {
+    fn gaps_of_base(&self, rows: &[BarRow], mut ground: Vec<(f32, f32)>) -> Vec<Vec<PxPoint>> {
         ground.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut gaps = Vec::new();
-        for Row { ends: [first, last], .. } in rows {
+        for BarRow { ends: [first, last], .. } in rows {
             let mut until = first.at;
             for &(from, to) in ground.iter().chain([&(last.at, last.at)]) {
                 if from - until > SAME && until < last.at {
@@ -380,7 +380,7 @@ impl Chart {
 
     /// Whether the place `at`, where the contour runs along `direction`, is on a side or the top of a bar in `rows` or
     /// `low`, or between two bars of one row.
-    fn is_replaced(&self, at: PxPoint, direction: PxVector, rows: &[Row], low: &[Bar]) -> bool {
+    fn is_replaced(&self, at: PxPoint, direction: PxVector, rows: &[BarRow], low: &[Bar]) -> bool {
         let (across, along) = self.direction.of(at);
         if along <= self.base + SAME {
             return false;
@@ -397,7 +397,7 @@ impl Chart {
                 // the direction at a corner is that of neither
                 || is_top && beside
         };
-        let between = |row: &Row| {
+        let between = |row: &BarRow| {
             let inside = across > row.ends[0].at + SAME && across < row.ends[1].at - SAME;
             let nearest = |bar: &&Bar| (across - bar.from).abs().min((across - bar.to).abs());
             let in_bar = row.bars.iter().any(|bar| across > bar.from && across < bar.to);
@@ -408,9 +408,9 @@ impl Chart {
     }
 
     /// Where lines are: the outline of each row, and between every two of its bars if they are `touching`.
-    fn paths(&self, rows: &[Row], touching: bool) -> Vec<Vec<PxPoint>> {
+    fn paths(&self, rows: &[BarRow], touching: bool) -> Vec<Vec<PxPoint>> {
         let mut paths = Vec::new();
-        for Row { bars, ends: [first, last] } in rows {
+        for BarRow { bars, ends: [first, last] } in rows {
             let mut outline = vec![(first.at, bars[0].top)];
             if !first.is_axis {
                 outline.insert(0, (first.at, self.base));
@@ -481,8 +481,8 @@ mod tests {
         Chart { direction: Direction::Up, base: 0.0, bars: BARS.to_vec(), sides, grid: Vec::new() }
     }
 
-    fn row(ends: [End; 2]) -> Row {
-        Row { bars: BARS.to_vec(), ends }
+    fn row(ends: [End; 2]) -> BarRow {
+        BarRow { bars: BARS.to_vec(), ends }
     }
 
     /// Paths as places across and along bars.

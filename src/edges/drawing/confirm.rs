@@ -2,7 +2,7 @@
 
 use pulp::Arch;
 
-use super::proposal::{Confirmed, Proposal, Stretch, stretches};
+use super::proposal::{Confirmed, Proposal, SegmentRun, stretches};
 use crate::edges::edgel::Edgel;
 use crate::edges::params::Params;
 use crate::geom::polyline::Polyline;
@@ -182,7 +182,7 @@ fn bridged(shown: &[bool], lengths: &[f32], hidden: f32, closed: bool) -> Vec<bo
 }
 
 /// A stretch of a line with what is seen there; what is hidden has the least strength that is drawn.
-fn part(line: &Polyline<PxPoint>, seen: &[Seen], stretch: &Stretch, least: f32) -> Polyline<Edgel> {
+fn part(line: &Polyline<PxPoint>, seen: &[Seen], stretch: &SegmentRun, least: f32) -> Polyline<Edgel> {
     let n = seen.len();
     let strength_of = |i: usize| Seen { strength: seen[i % n].strength.max(least), ..seen[i % n] };
     // a vertex has the mean of the segments on both sides, as far as they belong to the stretch
