@@ -20,7 +20,7 @@ pub struct Trace {
     pub polylines: Vec<Polyline>,
 }
 
-/// One contour.
+/// One contour: points and what is known of each as separate lists, for other programs.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Polyline {
@@ -29,7 +29,7 @@ pub struct Polyline {
     /// Its points, in pixels of the source picture.
     pub points: Vec<PxPoint>,
     /// Height of the colour step at each point, in units of lightness with the chroma axes of CIELAB counted twice:
-    /// black against white is 100.
+    /// 0 and up. Black against white is 100; saturated colours beside one another have more.
     pub strength: Vec<f32>,
     /// For a line of the page, its width in mm from each point to the next; the last point of an open line has that of
     /// the piece before it.

@@ -203,6 +203,14 @@ pub enum Error {
         /// The most.
         most: u32,
     },
+    /// Contours of no such strengths can be asked for.
+    #[error("thresholds of {low} and {high} are not known; give two numbers from 0 up, the first not above the second")]
+    NoSuchThresholds {
+        /// The strength down to which a contour goes on.
+        low: f32,
+        /// The strength that it has somewhere.
+        high: f32,
+    },
     /// The text says no part of a picture.
     #[error(
         "give four numbers x,y,width,height, each in whole pixels or in percent of the picture from 0% to 100%, such \
@@ -212,6 +220,9 @@ pub enum Error {
     /// The text says no grid of sheets.
     #[error("give how many sheets across and down, from 1x2 to 9x9, such as 2x2")]
     NotASheetGrid,
+    /// The text is no sign of a texture.
+    #[error("give dot, or rhombus and a direction from 0 to below 180 degrees, such as rhombus 45")]
+    NotASign,
     /// The text says no place along a side of a picture.
     #[error("give a number of pixels, such as 412.5, or a percentage, such as 30%")]
     NotAPosition,
@@ -320,8 +331,10 @@ impl Error {
             Self::TooFine { .. } => "too-fine",
             Self::WrongPixels { .. } => "wrong-pixels",
             Self::NoSuchDpi { .. } => "no-such-dpi",
+            Self::NoSuchThresholds { .. } => "no-such-thresholds",
             Self::NotACrop => "not-a-crop",
             Self::NotASheetGrid => "not-a-sheet-grid",
+            Self::NotASign => "not-a-sign",
             Self::NotAPosition => "not-a-position",
             Self::NotLabels(..) => "not-labels",
             Self::NotASvgPage(..) => "not-a-svg-page",

@@ -100,6 +100,9 @@
 //!   that holds a lock which these functions take (Python's interpreter lock, say) has to let go of it before it calls
 //!   any of the four, or both wait for each other for ever. In a browser there are no threads, and a function
 //!   of JavaScript needs a wrapper that promises so.
+//! * Setters of [`Options`] take the options and give them back. Three read a file and can fail ([`Options::lines`],
+//!   [`Options::add_lines`], [`Options::areas`]), and then the options are gone: a class calls them on a clone. Most
+//!   settings cannot be asked for again; a class that has properties keeps what it was given.
 //! * Decoders are other people's code. Should one panic on a file, it is caught and told as [`Error::Undecodable`];
 //!   before that the panic hook of the process runs, whose default writes to standard error: a program that wants
 //!   silence sets its own. WebAssembly cannot catch a panic: there the instance ends, and a new one has to be made.
@@ -116,10 +119,21 @@
 //! * What is chosen from a list has `ALL`, `name` and `named`: [`Format`], [`DotFormat`], [`DrawingFormat`],
 //!   [`Depth`], [`KeySheets`], [`Class`]. [`Profile::named`] and [`medium::Device::named`] take the ids of profiles and
 //!   devices.
-//! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr): [`Crop`], [`Position`],
-//!   [`SheetGrid`].
-//! * What the library gives, and nobody gives to it, has a `name` or an `id`: [`Stage`], [`About`], [`Severity`],
-//!   [`Error`], [`Note`], [`Rule`].
+//! * What has a syntax of its own is parsed with [`FromStr`](std::str::FromStr) and written with
+//!   [`Display`](std::fmt::Display): [`Crop`], [`Position`], [`SheetGrid`], [`marks::Sign`].
+//! * What the library gives, and nobody gives to it by its name, has a `name` or an `id`: [`Stage`], [`About`],
+//!   [`Severity`], [`marks::Height`] and [`marks::TextRole`] with `ALL`, [`felt::FeltAs`], [`Error`], [`Note`],
+//!   [`Rule`].
+//! * What may be refused gives a [`Result`] with the crate's [`Error`], constructors (`new`) too; `named` gives none
+//!   where nothing has that name, but for [`Profile::named`], whose error says which profiles there are.
+//!
+//! # Words
+//!
+//! * maker: the person who makes the page. Told: reported in a [`Note`].
+//! * ring: a closed line.
+//! * glyph: one rhombus or dot of a texture. Sign: the kind of glyph, and its direction, that stands for a [`Class`] of
+//!   colours.
+//! * seen from the back: with left and right exchanged, as for a machine that presses dots from the back of the sheet.
 //!
 //! # What grows
 //!

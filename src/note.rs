@@ -363,6 +363,21 @@ impl Note {
 }
 
 impl About {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::Marks,
+        Self::Lines,
+        Self::Widths,
+        Self::Areas,
+        Self::Signs,
+        Self::Texts,
+        Self::Braille,
+        Self::Leaders,
+        Self::Print,
+        Self::Dots,
+        Self::Overview,
+    ];
+
     /// Its name, such as "lines".
     pub fn name(self) -> &'static str {
         match self {

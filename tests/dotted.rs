@@ -80,7 +80,7 @@ fn every_dot_is_one_that_the_device_presses_and_none_is_pressed_twice() {
             DotArea::Grid(grid) => {
                 let mut places = BTreeSet::new();
                 for (at, height) in &all {
-                    assert!(places.insert(cell(*at, grid, name)), "{name}: a dot is pressed twice, {at:?} {height}");
+                    assert!(places.insert(cell(*at, grid, name)), "{name}: a dot is pressed twice, {at:?} {height:?}");
                 }
                 assert_eq!(DotMatrix::of(page).map(|matrix| matrix.count()), Some(all.len()), "{name}");
             }

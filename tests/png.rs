@@ -143,9 +143,9 @@ fn too_many_pixels_are_refused_before_they_are_drawn() {
     assert!(matches!(error, Error::TooFine { dpi: 1200, .. }), "{error}");
     assert!(write(&page, dpi(Dpi::LEAST), Depth::Bilevel).is_ok());
     for n in [0, Dpi::LEAST - 1, Dpi::MOST + 1, u32::MAX] {
-        assert_eq!(Dpi::new(n), None);
+        assert_eq!(Dpi::new(n).map_err(|error| error.id()), Err("no-such-dpi"));
     }
-    assert_eq!(Dpi::new(300), Some(Dpi::default()));
+    assert_eq!(Dpi::new(300), Ok(Dpi::default()));
 }
 
 /// Heights are greys, whatever is asked for.

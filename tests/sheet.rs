@@ -92,11 +92,11 @@ fn holds(made: &Drawing, name: &str, profile: &Profile) {
         let blank = overview.place.min.y - page.figure.place.max.y - border;
         assert!((blank - profile.overview.gap).abs() < ROUNDING, "{name}: {blank} mm to the overview");
         let scale = overview.place.width() / page.figure.place.width();
-        // that of a drawing may need more room
+        // that of a drawing may need more room, and that of a photograph takes some where there is any
         let most = if apart::is_drawing(&name) {
             profile.overview.scale.max(LARGEST_OVERVIEW)
         } else {
-            profile.overview.scale
+            1.25 * profile.overview.scale
         };
         let fits = (profile.overview.scale - ROUNDING..=most + ROUNDING).contains(&scale);
         assert!(fits, "{name}: an overview of {scale}");

@@ -197,7 +197,7 @@ fn higher_thresholds_leave_less() {
 #[test]
 fn thresholds_that_make_no_sense_cannot_be_made() {
     let bad = [(3.0, 2.0), (-1.0, 2.0), (-2.0, -1.0), (f32::NAN, 1.0), (1.0, f32::NAN), (1.0, f32::INFINITY)];
-    assert!(bad.iter().all(|&(low, high)| Thresholds::new(low, high).is_none()));
+    assert!(bad.iter().all(|&(low, high)| Thresholds::new(low, high).is_err()));
 }
 
 #[test]

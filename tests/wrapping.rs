@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex};
 use tactograph::marks::{Figure, Parts};
 use tactograph::medium::{Device, DotArea, DotMedium, Medium};
 use tactograph::{
-    Calibration, Checked, Class, Crop, Description, DotFormat, Drawing, Embossing, Error, Event, Fault, Felt, Finding,
-    Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, Picture, Position, Profile,
+    Calibration, Checked, Class, Crop, Description, DotFormat, Dpi, Drawing, Embossing, Error, Event, Fault, Felt,
+    Finding, Fonts, Key, KeySheets, Label, Limits, MmPoint, MmRect, Note, Options, Page, Picture, Position, Profile,
     RenderOptions, Rule, Sheets, Size, Stage, Trace, Traced, Tracing, felt, write_dots, write_pdf,
 };
 
@@ -143,7 +143,7 @@ fn question_marks_work_from_a_name_to_a_page() {
         let options = Options::new(profile).crop("0,0,100%,50%".parse()?);
         let page = tactograph::convert(&png(), &options)?.page;
         tactograph::feel(page.to_svg(), 1.0)?;
-        page.to_png(96.try_into()?, Default::default(), &Fonts::none())
+        page.to_png(Dpi::new(96)?, Default::default(), &Fonts::none())
     }
     assert!(all().is_ok_and(|png| png.starts_with(b"\x89PNG")));
     fn boxed() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {

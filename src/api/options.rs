@@ -111,7 +111,7 @@ impl Options {
     /// Labels in braille, each beside its point of the picture: apart from lines and from one another, with a
     /// leader line where they lie further away, abbreviated where there is no room for more. The page tells
     /// what is left out, and why, in [`Note::LabelsLeftOut`](crate::Note::LabelsLeftOut). They are in the language of
-    /// the title. Default: none.
+    /// the title. At most 300 of at most 1000 characters each; what is beyond is told, too. Default: none.
     pub fn labels(mut self, labels: Vec<Label>) -> Self {
         self.labels = labels;
         self
@@ -132,7 +132,9 @@ impl Options {
     }
 
     /// The page number in braille of the first sheet, at the top on the right; those that follow (an overview on a
-    /// sheet of its own, the key) have the next. Default: none, but a key of several sheets is numbered from 1.
+    /// sheet of its own, the key) have the next. A number
+    /// that has no room beside the title is left out, and told. Default: none, but a key of several sheets is numbered
+    /// from 1.
     pub fn page_number(mut self, number: u32) -> Self {
         self.page_number = Some(number);
         self

@@ -116,13 +116,3 @@ impl Format {
         }
     }
 }
-
-impl TryFrom<u32> for Dpi {
-    type Error = Error;
-
-    /// # Errors
-    /// [`Error::NoSuchDpi`] outside of [`Dpi::LEAST`]..=[`Dpi::MOST`].
-    fn try_from(dpi: u32) -> Result<Self, Error> {
-        Self::new(dpi).ok_or(Error::NoSuchDpi { dpi, least: Self::LEAST, most: Self::MOST })
-    }
-}

@@ -51,7 +51,8 @@ pub(super) struct Capitals {
     pub(super) letter: Vec<u8>,
     /// Before several.
     pub(super) word: Vec<u8>,
-    /// Before what follows them in the same word and is none. Without it each of them has the sign of one there.
+    /// Ends a word of capitals where something else follows in the same word (the terminator). Without it each capital
+    /// of such a word has its own sign.
     pub(super) end: Option<Vec<u8>>,
     /// Signs that do not end a word of capitals.
     pub(super) through: Vec<char>,

@@ -6,7 +6,7 @@ use crate::units::{MmPoint, MmVector};
 
 /// Marks in the coordinates of a sample, a block or a sheet, mm.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Marks {
+pub(super) struct SheetMarks {
     pub(super) lines: Vec<Line>,
     pub(super) textures: Vec<Texture>,
     pub(super) frame: Vec<MmPoint>,
@@ -17,7 +17,7 @@ pub(super) struct Marks {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Block {
     pub(super) size: MmVector,
-    pub(super) marks: Marks,
+    pub(super) marks: SheetMarks,
     /// Index of its section.
     pub(super) section: usize,
     /// Whether it begins a new row.
@@ -38,7 +38,7 @@ pub(super) type Sheet = Vec<(Block, MmVector)>;
 #[derive(Debug)]
 pub(super) struct TooLarge(pub(super) MmVector);
 
-impl Marks {
+impl SheetMarks {
     /// Adds the marks of `other`, translated by `by`.
     pub(super) fn add(&mut self, other: &Self, by: MmVector) {
         let moved = |points: &[MmPoint]| points.iter().map(|&at| at + by).collect::<Vec<_>>();

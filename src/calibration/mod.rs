@@ -22,7 +22,7 @@ mod flow;
 mod headings;
 mod samples;
 
-use flow::{Block, Marks, Sheet};
+use flow::{Block, Sheet, SheetMarks};
 pub use headings::title;
 use headings::{Decides, heading_of, listed, told, words_of};
 
@@ -187,7 +187,7 @@ fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: 
     let profile = plan.profile();
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
     let place = MmRect::new(MmPoint::new(margin, margin), MmPoint::new(width - margin, height - margin));
-    let mut marks = Marks::default();
+    let mut marks = SheetMarks::default();
     for (block, corner) in sheet {
         marks.add(&block.marks, *corner + place.min.to_vector());
     }

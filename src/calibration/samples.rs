@@ -1,6 +1,6 @@
 //! The samples themselves, each with its label.
 
-use super::flow::{Block, Marks};
+use super::flow::{Block, SheetMarks};
 use super::headings::BLANK as LABEL_GAP;
 use crate::braille::{self, CellSize};
 use crate::classes::Class;
@@ -26,7 +26,7 @@ fn label(cells: &[u8], diameter: f32) -> Block {
     let labels = vec![Dots { diameter, at: CellSize::MARBURG.dots(cells, diameter) }];
     Block {
         size: CellSize::MARBURG.extent(cells.len(), diameter),
-        marks: Marks { labels, ..Marks::default() },
+        marks: SheetMarks { labels, ..SheetMarks::default() },
         ..Block::default()
     }
 }
@@ -88,7 +88,7 @@ pub(super) fn frame(params: &FrameParams) -> Block {
     let inner = MmRect::new(corner, corner + MmVector::from(FRAMED));
     let at = frames::printed(inner, &FrameParams { gap: 0.0, ..*params }).at;
     let size = MmVector::from(FRAMED) + MmVector::splat(2.0 * params.width);
-    Block { size, marks: Marks { frame: at, ..Marks::default() }, ..Block::default() }
+    Block { size, marks: SheetMarks { frame: at, ..SheetMarks::default() }, ..Block::default() }
 }
 
 /// Side of a texture's sample, mm: three rows of the sparse texture, which has every other row, fit into it.
@@ -101,7 +101,7 @@ pub(super) fn side(params: &textures::Params) -> f32 {
 pub(super) fn texture(class: Class, lightness: f32, density: f32, side: f32, params: &textures::Params) -> Block {
     let area = MmRect::new(MmPoint::zero(), MmPoint::new(side, side));
     let textures = vec![textures::sample(class, lightness, density, area, params)];
-    Block { size: area.size().to_vector(), marks: Marks { textures, ..Marks::default() }, ..Block::default() }
+    Block { size: area.size().to_vector(), marks: SheetMarks { textures, ..SheetMarks::default() }, ..Block::default() }
 }
 
 /// Two samples, one above the other.

@@ -81,24 +81,17 @@ fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32) -> Option<f32> {
     (same_sides && distance <= MAX_CORNER_GAP * sigma && in_front).then_some(cost)
 }
 
-/// The contours of a thread as one; each is taken from `left`.
+/// The contours of a thread as one, with points in the gaps; each is taken from `left`.
 fn concatenate(thread: &Thread, left: &mut [Option<Contour>]) -> Option<Contour> {
-    let mut parts = thread.parts.iter().filter_map(|part| {
-        let contour = left[part.polyline].take()?;
-        Some(if part.reversed { contour.reversed() } else { contour })
-    });
-    let mut whole = parts.next()?;
-    if whole.closed {
-        return Some(whole);
-    }
-    for contour in parts {
-        if let (Some(last), Some(first)) = (whole.vertices.last().copied(), contour.vertices.first()) {
-            whole.vertices.extend(between(&last, first));
+    let mut whole = thread.concatenate(left, |before, next| {
+        if let (Some(last), Some(first)) = (before.last().copied(), next.first()) {
+            before.extend(between(&last, first));
         }
-        whole.vertices.extend(contour.vertices);
-    }
-    whole.closed = thread.closed && whole.vertices.len() > 3;
-    if whole.closed
+        before.extend(next);
+    })?;
+    // the gap of a ring that is closed by links; one that was a ring before has none
+    if thread.closed
+        && whole.closed
         && let [first, .., last] = whole.vertices[..]
     {
         whole.vertices.extend(between(&last, &first));

@@ -1,7 +1,7 @@
 //! Contours while they are refined, and lines fitted to parts of them.
 
-use crate::geom::first_eigenvector;
 use crate::geom::polyline::{Blend, Located, Polyline};
+use crate::geom::{first_eigenvector, mix};
 use crate::units::{Px, PxPoint, PxVector};
 
 /// A point of a contour with the properties of its edge there.
@@ -53,13 +53,12 @@ impl Located for ContourPoint {
 
 impl Blend for ContourPoint {
     fn between(&self, other: &Self, share: f32) -> Self {
-        let mix = |a: f32, b: f32| a + (b - a) * share;
         Self {
             at: self.at.lerp(other.at, share),
-            strength: mix(self.strength, other.strength),
-            contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
-            blur: mix(self.blur, other.blur),
-            position_sigma: mix(self.position_sigma, other.position_sigma),
+            strength: mix(self.strength, other.strength, share),
+            contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i], share)),
+            blur: mix(self.blur, other.blur, share),
+            position_sigma: mix(self.position_sigma, other.position_sigma, share),
         }
     }
 

@@ -291,7 +291,7 @@ mod tests {
     }
     #[test]
     fn the_tip_of_a_wedge_is_where_its_sides_meet_though_they_move_one_another_outwards() {
-        const BLUR: f32 = 1.5; // that of the points
+        const BLUR: f32 = 1.5; // of the points of the test's contours
         // where the slope across a bar is greatest whose sides are this far from its middle
         let steepest = |half: f32| {
             let slope =

@@ -5,9 +5,9 @@ use std::collections::HashSet;
 
 use super::contour::{Contour, ContourPoint, crossing};
 use super::tips::FoundContour;
-use crate::geom::first_eigenvector;
 use crate::geom::link::{End, Part, Thread, link};
 use crate::geom::nearby::Index;
+use crate::geom::{first_eigenvector, right_of};
 use crate::units::{Px, PxPoint, PxVector};
 use lyon::geom::euclid::Box2D;
 
@@ -16,7 +16,7 @@ use lyon::geom::euclid::Box2D;
 const LONGEST: f32 = 6.0;
 /// The ring around a dash whose two sides were found is at most so many times as broad: beyond that it is an area.
 const BROADEST: f32 = 1.2;
-/// ... and at least so many times as long: a dot has no direction.
+/// The ring around a dash is at least so many times as long as broad: a dot has no direction.
 const ELONGATED: f32 = 1.5;
 /// The ends of a dash are at least this share of its length apart: it may bend a little with the line.
 const STRAIGHTNESS: f32 = 0.95;
@@ -43,7 +43,7 @@ struct Dash {
 }
 
 /// Dashes that follow one another.
-struct Row<'a> {
+struct DashRow<'a> {
     dashes: Vec<&'a Dash>,
     /// Both ends of each dash, in the order of the row.
     ends: Vec<[PxPoint; 2]>,
@@ -62,12 +62,12 @@ pub(super) fn united(found: Vec<FoundContour>, sigma: f32, least: f32) -> (Vec<F
     let ends: Vec<End<Px>> = (0..).zip(&dashes).flat_map(|(polyline, dash)| dash.both_ends(polyline)).collect();
     let longest_gap = WIDEST_GAP * LONGEST * least;
     let segments = Segments::of(&found, longest_gap);
-    let rows: Vec<Row> = link(dashes.len(), &ends, longest_gap, |a, b| cost(a, b, &dashes))
+    let rows: Vec<DashRow> = link(dashes.len(), &ends, longest_gap, |a, b| cost(a, b, &dashes))
         .iter()
-        .map(|thread| Row::of(thread, &dashes))
+        .map(|thread| DashRow::of(thread, &dashes))
         .filter(|row| row.is_even() && !row.is_hidden(&segments))
         .collect();
-    let taken: HashSet<usize> = rows.iter().flat_map(Row::numbers).collect();
+    let taken: HashSet<usize> = rows.iter().flat_map(DashRow::numbers).collect();
     let mut lines: Vec<FoundContour> = rows.iter().map(|row| row.line(&found)).collect();
     for (row, line) in rows.iter().zip(&mut lines).filter(|(row, _)| !row.closed) {
         extend_ends(&mut line.contour, row.period(), &segments, &taken);
@@ -132,7 +132,7 @@ fn around(ring: &Contour, sigma: f32, least: f32) -> Option<([PxPoint; 2], f32)>
         let places = || points().map(|at| (at - centre).dot(direction));
         (places().fold(f32::MAX, f32::min), places().fold(f32::MIN, f32::max))
     };
-    let ((from, to), (left, right)) = (extent(along), extent(PxVector::new(-along.y, along.x)));
+    let ((from, to), (left, right)) = (extent(along), extent(right_of(along)));
     let breadth = right - left;
     // blur puts the sides of a thin stroke a scale of the detector from its middle
     let width = (breadth * breadth - 4.0 * sigma * sigma).max(1.0).sqrt();
@@ -167,7 +167,7 @@ fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
         .then_some(distance)
 }
 
-impl<'a> Row<'a> {
+impl<'a> DashRow<'a> {
     fn of(thread: &Thread, dashes: &'a [Dash]) -> Self {
         let ends = |part: &Part| {
             let [start, last] = dashes[part.polyline].ends;

@@ -26,11 +26,11 @@ const LARGEST: f32 = 0.65;
 /// middles of whose sides lie on a circle, ten are.
 const SEEN: usize = 14;
 const PARTS: usize = 24;
-/// ... and in so many pairs of parts that lie opposite: at the round end of a stroke there are three.
+/// Least pairs of opposite parts of the circle in which points are seen: at the round end of a stroke there are three.
 const OPPOSITE: usize = 5;
-/// ... that lie no farther from it than this, px.
+/// The points that are seen lie no farther from the circle than this, px.
 const OFF: f32 = 0.9;
-/// ... and whose normals lead to its middle: the cosine (20 degrees).
+/// The normals of the points that are seen lead to the middle of the circle: the cosine (20 degrees).
 const RADIAL: f32 = 0.94;
 /// The edges of an outline are at least so far apart, px, and it leaves a hole of this share of the radius.
 const OUTLINE: f32 = 1.5;

@@ -3,8 +3,9 @@
 use std::ops::Range;
 
 use crate::geom::polyline::{Located, Polyline, PolylineRef};
+use crate::geom::right_of;
 use crate::regions::Tree;
-use crate::units::{Px, PxPoint, PxVector, Size};
+use crate::units::{Px, PxPoint, Size};
 
 /// An edge element: a point of a contour.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,7 +146,7 @@ const THIN: f32 = 1.5;
 fn offset(chain: PolylineRef<'_, Edgel>, distance: f32) -> Polyline<PxPoint> {
     let moved = |i: usize| {
         let along = chain.tangent(i);
-        chain.vertices[i].at + PxVector::new(-along.y, along.x) * distance
+        chain.vertices[i].at + right_of(along) * distance
     };
     Polyline { vertices: (0..chain.vertices.len()).map(moved).collect(), closed: chain.closed }
 }

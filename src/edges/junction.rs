@@ -26,13 +26,15 @@ const TOO_CLOSE: f32 = 0.2;
 /// Side of the cells of the index of points, px.
 const CELL: f32 = 8.0;
 
-/// A contour may have a kink for this much to both sides of the end of another, px, which is no farther from it.
+/// A contour may have a kink beside the end of another over this much to both sides of it, px; it is straightened where
+/// both sides of the kink are parts of one straight line. The end is no farther from it than this, too.
 const KINK: f32 = 9.0;
-/// ... if it is straight for this much before and after it, px,
+/// A contour with a kink is straight for this much before and after it, px.
 const STRAIGHT_LENGTH: f32 = 12.0;
-/// no farther off a line than this (RMS), px,
+/// A contour is straight if it is no farther off a line than this (RMS), px.
 const EVEN: f32 = 0.3;
-/// and the two lines are one: cosine between them at least (6 degrees), and how far one lies beside the other, px.
+/// The straight parts before and after a kink are one line: least cosine between them (6 degrees), and how far one may
+/// lie beside the other, px.
 const COLLINEAR: f32 = 0.9945;
 const IN_LINE: f32 = 0.75;
 
@@ -164,6 +166,7 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
     for (vertex, arc) in contour.walk(tip, at_start).take_while(|(vertex, _)| is_there(number, *vertex)) {
         match to_others(contour.vertices[vertex].at) {
             distance if distance <= ON => onto = Some((vertex, arc)),
+            // beside the other one, but not on it: it may touch it further on
             distance if distance <= BESIDE => {}
             // it leaves the other one
             _ => return onto.filter(|(_, arc)| *arc > ALONG).map(|(vertex, _)| vertex),

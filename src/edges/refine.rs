@@ -9,6 +9,7 @@
 //! and blur are both measured, so the shift is known and is undone.
 
 use super::contour::{Contour, ContourPoint};
+use crate::geom::{self, right_of};
 use crate::units::{PxPoint, PxVector};
 
 /// Half lengths of the windows that are tried, in scales.
@@ -47,12 +48,11 @@ struct Fit {
 impl Fit {
     /// This fit mixed with that of a wider window, which gets the weight `share`.
     fn mixed(&self, wider: &Self, share: f32) -> Self {
-        let mix = |a: f32, b: f32| a + (b - a) * share;
         Self {
             at: self.at.lerp(wider.at, share),
             direction: self.direction.lerp(wider.direction, share),
-            curvature: mix(self.curvature, wider.curvature),
-            confidence: mix(self.confidence, wider.confidence),
+            curvature: geom::mix(self.curvature, wider.curvature, share),
+            confidence: geom::mix(self.confidence, wider.confidence, share),
             rms: wider.rms,
         }
     }
@@ -67,7 +67,7 @@ impl Fit {
             0.0
         };
         // away from the centre, which lies on the right where the curvature is positive
-        let right = PxVector::new(-self.direction.y, self.direction.x);
+        let right = right_of(self.direction);
         self.at - right * (shift * self.confidence * self.curvature.signum())
     }
 }

@@ -4,11 +4,11 @@
 use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 
-/// A line comes back to itself where its end is at most half its width and this far from its own middle, px.
+/// An end meets its own line where it is no farther from the middle of the stroke than half its width and this, px.
 const NEAR: f32 = 2.0;
-/// ... or so far ahead, where an edge that meets a stroke ends before it.
+/// An end meets its own line also where that is so far ahead, px: an edge that meets a stroke ends before it.
 const AHEAD_LENGTH: f32 = 8.0;
-/// ... and goes on in it: cosine between their directions at least (37 degrees).
+/// An end that meets its own line goes on in it: least cosine between their directions (37 degrees).
 const SMOOTH: f32 = 0.8;
 /// Directions are taken over this much of a line, px, but for what is near the place, which may be bent.
 const HEADING: f32 = 8.0;

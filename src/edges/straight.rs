@@ -17,7 +17,8 @@ const HEADING: f32 = 8.0;
 /// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15
 /// degrees).
 const STRAIGHT_COSINE: f32 = 0.966;
-/// ... and not in the other side if it is at most this (45 degrees).
+/// An end that goes straight on in one side of a corner does not go on in the other: cosine between their directions at
+/// most (45 degrees).
 const ASIDE: f32 = 0.707;
 /// A stroke ends at most this much, px, and half its own width and this many scales of the edge detector, before the
 /// contour that takes its place.
@@ -39,9 +40,9 @@ struct Onward {
     cosine: f32,
 }
 
-/// Contours of which each side between two corners belongs to the strokes that go straight on in it at both corners,
-/// and all of an open one behind a corner to the end that goes straight on there; what is left of the contour ends at
-/// the corner. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
+/// Gives sides of contours to the strokes that go straight on in them: a side between two corners if strokes go on in
+/// it at both, all of an open contour beyond a corner if one goes on there. What is left of the contour ends at the
+/// corner. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
 pub(super) fn give_back(found: Vec<FoundContour>, sigma: f32, least: f32) -> Vec<FoundContour> {
     let piece = |found: FoundContour| Piece { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();

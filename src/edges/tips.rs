@@ -20,18 +20,18 @@ pub(super) struct FoundContour {
 /// roof whose sides make 33 degrees, found with the largest square, are 17 px apart.
 const APART_WIDTHS: f32 = 2.0;
 const APART: f32 = 18.0;
-/// ... if one of them is an edge, so many scales of the edge detector.
+/// The same for ends of which one is that of an edge, in scales of the edge detector.
 const APART_SCALES: f32 = 4.0;
 /// The direction of an end is taken over so many widths of the stroke, and this much more, px.
 const HEADING_WIDTHS: f32 = 2.0;
 const HEADING: f32 = 6.0;
-/// ... of an edge over so many scales, but for the last ones, which are bent.
+/// The direction of an end of an edge is taken over so many scales, but for the last ones, which are bent.
 const HEADING_SCALES: f32 = 6.0;
 const BENT_SCALES: f32 = 1.5;
 /// Cosine between the directions of two ends that make a corner: at most 60 degrees between its sides, and at least 10.
 const WIDE: f32 = 0.5;
 const NARROW: f32 = 0.985;
-/// ... and of other corners at least this (120 degrees).
+/// Least cosine between the directions of two ends that make any other corner (120 degrees).
 const WIDEST: f32 = -0.5;
 /// The tip lies at most so many times the greatest distance between the ends beyond them or before them.
 const BEYOND: f32 = 1.5;
@@ -45,7 +45,7 @@ const SHORT: f32 = 8.0;
 /// On the way to the tip there is at least this share of the contrast that the contour has at its end.
 const SEEN: f32 = 0.3;
 
-/// ... but for the last of it, px, where the tip is too thin to be seen.
+/// The contrast need not be seen over the last of the way to the tip, px, where the tip is too thin.
 const POINTED: f32 = 4.0;
 
 /// Places nearer than this, px, are one: two ends that were led to one tip.

@@ -1,6 +1,8 @@
-//! Ends of open polylines that continue one another are linked, and the polylines strung together end by end.
+//! Ends of open polylines that continue one another are linked, and the polylines concatenated.
 
 use lyon::geom::euclid::{Point2D, Vector2D};
+
+use super::polyline::{Blend, Polyline};
 
 /// An end of an open polyline.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +35,28 @@ pub struct Thread {
     pub parts: Vec<Part>,
     /// Whether the end of the last is linked to the start of the first.
     pub closed: bool,
+}
+
+impl Thread {
+    /// Its polylines as one; each is taken from `left`, and `append` adds the vertices of one to those before it. A ring
+    /// that was one before stays as it is. None if nothing is left of it.
+    pub fn concatenate<V: Blend>(
+        &self,
+        left: &mut [Option<Polyline<V>>],
+        append: impl Fn(&mut Vec<V>, Vec<V>),
+    ) -> Option<Polyline<V>> {
+        let mut parts = self.parts.iter().filter_map(|part| {
+            let polyline = left[part.polyline].take()?;
+            Some(if part.reversed { polyline.reversed() } else { polyline })
+        });
+        let mut whole = parts.next()?;
+        if whole.closed {
+            return Some(whole);
+        }
+        parts.for_each(|polyline| append(&mut whole.vertices, polyline.vertices));
+        whole.closed = self.closed && whole.vertices.len() > 3;
+        Some(whole)
+    }
 }
 
 /// Strings `count` polylines together by their `ends`, of which each polyline has both, its start first, or none; what
@@ -183,6 +207,18 @@ mod tests {
     fn the_two_ends_of_one_polyline_may_be_linked() {
         let threads = link(1, &ends(&[(at(0., 0.), at(1., 0.))]), 2.0, |_, _| Some(1.0));
         assert_eq!(threads, [Thread { parts: vec![Part { polyline: 0, reversed: false }], closed: true }]);
+    }
+
+    #[test]
+    fn linked_polylines_become_one_in_the_direction_of_the_first() {
+        let lines = [(at(0., 0.), at(4., 0.)), (at(9., 0.), at(5., 0.)), (at(9., 1.), at(0., 1.))];
+        let mut left: Vec<_> = lines.iter().map(|&(from, to)| Some(Polyline::open(vec![from, to]))).collect();
+        let threads = by_distance(&lines, 1.5);
+        assert_eq!(threads.len(), 1);
+        let ring = threads[0].concatenate(&mut left, |before, next| before.extend(next)).expect("it is left");
+        let expected = [at(0., 0.), at(4., 0.), at(5., 0.), at(9., 0.), at(9., 1.), at(0., 1.)];
+        assert_eq!((ring.vertices, ring.closed), (expected.to_vec(), true));
+        assert!(threads[0].concatenate(&mut left, |before, next| before.extend(next)).is_none(), "it was taken");
     }
 
     #[test]

@@ -23,6 +23,18 @@ pub fn first_eigenvector<U>(xx: f32, xy: f32, yy: f32) -> Option<Vector2D<f32, U
     Vector2D::from(along).try_normalize()
 }
 
+/// The vector turned by a right angle to its right, with y down.
+#[inline(always)]
+pub fn right_of<U>(vector: Vector2D<f32, U>) -> Vector2D<f32, U> {
+    Vector2D::new(-vector.y, vector.x)
+}
+
+/// The number a share, 0..=1, of the step from `a` to `b`.
+#[inline(always)]
+pub fn mix(a: f32, b: f32, share: f32) -> f32 {
+    a + (b - a) * share
+}
+
 /// Distance from `p` to the segment `a`-`b`, and the nearest point on it.
 pub fn nearest_on_segment<U>(p: Point2D<f32, U>, a: Point2D<f32, U>, b: Point2D<f32, U>) -> (f32, Point2D<f32, U>) {
     let ab = b - a;

@@ -15,6 +15,7 @@
 use lyon::geom::euclid::{Point2D, Vector2D};
 
 use super::polyline::PolylineRef;
+use super::right_of;
 
 /// The longest step, in points. Only straight lines reach it; they keep one point more for it.
 const LOOK_AHEAD: usize = 512;
@@ -92,7 +93,7 @@ fn each_step<U>(
             continue; // any direction passes it
         }
         let (sin, unit) = (tolerance / distance, chord / distance);
-        let (along, aside) = (unit * (1.0 - sin * sin).sqrt(), Vector2D::new(-unit.y, unit.x) * sin);
+        let (along, aside) = (unit * (1.0 - sin * sin).sqrt(), right_of(unit) * sin);
         let (low, high) = (along - aside, along + aside);
         wedge = Some(match wedge {
             None => [low, high],

@@ -13,7 +13,7 @@ const APPROACH: (u32, u32) = (2, 4);
 /// Where dots can be anywhere, one that falls on a dot of another line is left out: a line that ends on another ends so
 /// much before it, in pitches.
 const TOUCH: f32 = 1.75;
-/// ... and one that it crosses has a hole; a step longer than this, in pitches, is one.
+/// A line that another crosses has a hole there: a step longer than this, in pitches, is one.
 const BROKEN: f32 = 1.5;
 
 /// A dot of a line.

@@ -19,7 +19,7 @@ pub struct Finding {
     pub place: String,
     /// The box around all of it.
     pub extent: Option<MmRect>,
-    /// What was measured, in the unit of the rule's number.
+    /// What was measured, in the unit that [`Checked::limit`](super::Checked::limit) gives for the rule.
     pub measured: Option<f32>,
     /// What `render` makes of it, where that puts it right: then it is a warning only.
     pub mended: Option<&'static str>,

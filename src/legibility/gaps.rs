@@ -18,8 +18,8 @@ const STEP: f32 = 0.25;
 /// Two places of one line with this much arc length between them, in distances, lie on the two sides of a bend: a
 /// corner of 30 degrees has the factor 1 / sin 15 = 3.9.
 const BEND: f32 = 4.0;
-/// ... or, of a corner with straight sides, down to 19 degrees: 1 / sin 9.5 = 6.1. Straight are sides if the length
-/// over the tip is nearly as long as the line.
+/// The factor of a corner with straight sides, which lie on two sides down to 19 degrees: 1 / sin 9.5 = 6.1. Straight
+/// are sides if the length over the tip is nearly as long as the line.
 const CORNER: f32 = 6.1;
 const STRAIGHTNESS: f32 = 0.92;
 /// Numbers of a page have two digits after the point, and those of two lines are added up, mm.
@@ -47,7 +47,7 @@ pub struct Near {
 
 /// A part of a path that is too near.
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
+struct NearStretch {
     paths: (u32, u32),
     from: f32,
     to: f32,
@@ -73,7 +73,7 @@ pub(super) fn too_near_joined(lines: &[Line], least: f32, touch: f32, step: f32)
         let [a, b] = [a, b].map(|segment| paths.paths[segment.line as usize].line);
         a == b && lines[a].runs.iter().any(|run| run.pen != Pen::Stroke)
     };
-    let mut found: Vec<Stretch> = Vec::new();
+    let mut found: Vec<NearStretch> = Vec::new();
     let mut seen = vec![u32::MAX; paths.segments.len()];
     for (number, segment) in paths.segments.iter().enumerate() {
         if found.len() >= MOST {
@@ -119,7 +119,7 @@ fn between(
     joins: &[Vec<Join>],
     (segment, other): (&Segment, &Segment),
     clearance: f32,
-    found: &mut Vec<Stretch>,
+    found: &mut Vec<NearStretch>,
 ) {
     let round = |path: u32| Some(&paths.paths[path as usize]).filter(|path| path.closed).map(|path| path.length);
     let line = |of: &Segment| paths.paths[of.line as usize].line;
@@ -135,7 +135,7 @@ fn between(
             }
             let within = within((a, b), (c, d), clearance - ROUNDING);
             let arc = |share: f32| own.0 + share * (own.1 - own.0);
-            found.push(Stretch {
+            found.push(NearStretch {
                 paths: (segment.line, other.line),
                 from: arc(within.from),
                 to: arc(within.to),
@@ -187,7 +187,7 @@ fn returns(
     (segment, other): (&Segment, &Segment),
     clearance: f32,
     least: f32,
-    found: &mut Vec<Stretch>,
+    found: &mut Vec<NearStretch>,
 ) {
     let (length, others) = ((segment.b - segment.a).length(), (other.b - other.a).length());
     let farthest = (segment.arc + length - other.arc).abs().max((other.arc + others - segment.arc).abs());
@@ -212,7 +212,7 @@ fn returns(
             let ends = (segment.a.lerp(segment.b, share(k)), segment.a.lerp(segment.b, share(k + 1)));
             let gap = distance - segment.half_width - other.half_width;
             let (from, to) = (segment.arc + share(k) * length, segment.arc + share(k + 1) * length);
-            found.push(Stretch { paths: (segment.line, segment.line), from, to, gap, at, ends });
+            found.push(NearStretch { paths: (segment.line, segment.line), from, to, gap, at, ends });
         }
     }
 }
@@ -228,10 +228,10 @@ fn has_corner(paths: &Paths, path: &Path, (s, a): (f32, MmPoint), (t, b): (f32, 
 }
 
 /// One finding for each place where two lines are too near.
-fn merged(mut found: Vec<Stretch>, paths: &Paths) -> Vec<Near> {
+fn merged(mut found: Vec<NearStretch>, paths: &Paths) -> Vec<Near> {
     found.sort_by(|a, b| a.paths.cmp(&b.paths).then(a.from.total_cmp(&b.from)).then(a.to.total_cmp(&b.to)));
     let mut all: Vec<(Near, (u32, u32), f32)> = Vec::new();
-    for Stretch { paths: pair, from, to, gap, at, ends } in found {
+    for NearStretch { paths: pair, from, to, gap, at, ends } in found {
         match all.last_mut() {
             Some((near, last, end)) if *last == pair && from - *end <= ONE => {
                 near.length += (to - from.max(*end)).max(0.0);

@@ -82,7 +82,8 @@ struct Missing {
     places: Vec<MmPoint>,
 }
 
-/// What is missing of these segments where `there` leads to, if it is the larger part: what has nothing within `reach`.
+/// The part of these segments that has nothing within `reach` in the other picture, if it is the larger part; `there`
+/// leads into that picture.
 fn missing<'a>(
     segments: impl Iterator<Item = &'a Segment>,
     step: f32,

@@ -103,7 +103,9 @@ impl All {
                     note(&mut self.textures, (mark.part, None), number, mark, blank);
                 }
             }
+            // its own leader line
             (Part::Braille(text), Part::Leader(of)) if text == of => {}
+            // the other order of this pair tells it
             (Part::Braille(text), Part::Braille(of)) if of > text => {}
             (Part::Braille(_), _) => {
                 if mark.may_be_within(other, BRAILLE_GAP) {

@@ -3,32 +3,33 @@
 use super::glyph::{Glyph, Point};
 use crate::geom::components::DisjointSets;
 
-/// Two letters of a text: the higher one is at most so much higher (j beside x).
+/// Of two letters of a text, the higher one is at most so many times as high (j beside x).
 const HEIGHTS: f32 = 2.3;
-/// ... strokes at most so much wider; at small sizes a stroke's width is uncertain by a pixel.
+/// Strokes of two letters differ in width at most by this factor, and by so many pixels more, as at small sizes a width
+/// is uncertain by one.
 const STROKES: f32 = 1.7;
 const STROKE_UNSURE: f32 = 0.8;
-/// ... contrast at most so much less.
+/// Of two letters, the fainter one has at least this share of the contrast of the other.
 const CONTRASTS: f32 = 0.6;
-/// ... colours at most so far apart, in contrasts.
+/// Colours of two letters are at most so far apart, in contrasts.
 const COLOURS: f32 = 0.5;
-/// ... with a gap of at most so many heights of the higher one.
+/// The gap between two letters is at most so many heights of the higher one.
 const GAP: f32 = 1.0;
-/// ... and overlap at least so much of the lower one across the direction.
+/// Two letters overlap across the direction by at least this share of the lower one.
 const OVERLAP: f32 = 0.5;
 
 /// A letter as it lies along a direction: from where to where along it and across it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Placed {
+pub(super) struct RotatedLetter {
     /// Which of the glyphs it is.
     pub(super) of: usize,
     /// From where to where it reaches in the direction of the text, px.
     pub(super) along: [f32; 2],
-    /// ... and across it, downwards.
+    /// From where to where it reaches across the direction of the text, downwards, px.
     pub(super) across: [f32; 2],
 }
 
-impl Placed {
+impl RotatedLetter {
     pub(super) fn height(&self) -> f32 {
         self.across[1] - self.across[0]
     }
@@ -45,10 +46,10 @@ pub(super) fn axes(angle: f32) -> [Point; 2] {
 }
 
 /// Letters as they lie at an angle (degrees counter-clockwise), in the order along it.
-pub(super) fn placed(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Placed> {
+pub(super) fn placed(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<RotatedLetter> {
     let [along, across] = axes(angle);
-    let place = |&of: &usize| Placed { of, along: glyphs[of].reach(along), across: glyphs[of].reach(across) };
-    let mut placed: Vec<Placed> = which.iter().map(place).collect();
+    let place = |&of: &usize| RotatedLetter { of, along: glyphs[of].reach(along), across: glyphs[of].reach(across) };
+    let mut placed: Vec<RotatedLetter> = which.iter().map(place).collect();
     placed.sort_by(|a, b| a.along[0].total_cmp(&b.along[0]).then(a.across[0].total_cmp(&b.across[0])));
     placed
 }
@@ -67,7 +68,7 @@ fn alike(a: &Glyph, b: &Glyph) -> bool {
 }
 
 /// Whether `b` can follow `a` in a text.
-fn follows(a: &Placed, b: &Placed) -> bool {
+fn follows(a: &RotatedLetter, b: &RotatedLetter) -> bool {
     let (low, high) = (a.height().min(b.height()), a.height().max(b.height()));
     let overlap = a.across[1].min(b.across[1]) - a.across[0].max(b.across[0]);
     let apart = b.along[0] - a.along[1];
@@ -114,7 +115,7 @@ pub(super) fn groups(glyphs: &[Glyph], which: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// Chains at an angle, of at least two.
-pub(super) fn chains(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Vec<Placed>> {
+pub(super) fn chains(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Vec<RotatedLetter>> {
     let placed = placed(glyphs, which, angle);
     // the nearest that can follow each, and the nearest that each can follow
     let mut next: Vec<Option<(f32, usize)>> = vec![None; placed.len()];

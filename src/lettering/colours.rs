@@ -20,6 +20,7 @@ impl<'a> Colours<'a> {
     pub(super) fn at(&self, cell: usize) -> [f32; 3] {
         match &self.planes[..] {
             [l, a, b] => [l.values[cell], a.values[cell], b.values[cell]],
+            // of a photograph, or grey
             _ => lab::pixel(self.raster, cell),
         }
     }

@@ -4,7 +4,7 @@
 //! text from rows of anything else best is that hardly anything else lies around it (clutter), that its colour is even
 //! and its contrast high; then that its shapes are unlike one another.
 
-use super::chain::{Placed, distance, placed};
+use super::chain::{RotatedLetter, distance, placed};
 use super::glyph::{Glyph, LARGEST};
 
 /// Least height of letters, px.
@@ -59,14 +59,14 @@ impl Strictness {
 #[derive(Debug, Clone)]
 pub(super) struct TextLine {
     /// Its letters, in their order.
-    pub(super) letters: Vec<Placed>,
+    pub(super) letters: Vec<RotatedLetter>,
     /// Degrees counter-clockwise from left to right.
     pub(super) angle: f32,
     /// Height of its letters without what hangs below, px.
     pub(super) height: f32,
     /// From where to where it reaches in its direction, px.
     pub(super) along: [f32; 2],
-    /// ... and across it.
+    /// From where to where it reaches across its direction, px.
     pub(super) across: [f32; 2],
     /// Mean colour of the letters.
     pub(super) colour: [f32; 3],
@@ -98,8 +98,8 @@ pub(super) fn median(mut values: Vec<f32>) -> f32 {
 }
 
 /// The angle of the line that letters stand on, relative to that at which they lie (Theil 1950 and Sen 1968).
-fn slope(letters: &[Placed]) -> f32 {
-    let height = median(letters.iter().map(Placed::height).collect());
+fn slope(letters: &[RotatedLetter]) -> f32 {
+    let height = median(letters.iter().map(RotatedLetter::height).collect());
     let mut slopes = Vec::new();
     for (i, a) in letters.iter().enumerate() {
         for b in &letters[i + 1..] {
@@ -113,10 +113,10 @@ fn slope(letters: &[Placed]) -> f32 {
 }
 
 /// The line that a chain of letters is, if their heights, gaps and strokes are those of text.
-pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32) -> Option<TextLine> {
+pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
     let (letters, angle) = straightened(glyphs, chain, angle);
     let n = letters.len();
-    let mut heights: Vec<f32> = letters.iter().map(Placed::height).collect();
+    let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
     heights.sort_by(f32::total_cmp);
     let height = heights[(3 * n / 4).min(n - 1)];
     let stroke = median(letters.iter().map(|letter| glyphs[letter.of].stroke).collect());
@@ -126,7 +126,7 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32) -> Option<Tex
     }
     let gaps = letters.windows(2).map(|pair| pair[1].along[0] - pair[0].along[1]).collect();
     // words of letters that touch stand further apart
-    let is_spaced = median(letters.iter().map(Placed::width).collect()) <= 1.3 * height;
+    let is_spaced = median(letters.iter().map(RotatedLetter::width).collect()) <= 1.3 * height;
     if median(gaps) > if is_spaced { 0.45 * height + 1.0 } else { 0.9 * height } {
         return None;
     }
@@ -136,7 +136,8 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[Placed], angle: f32) -> Option<Tex
     if high - low > 2.2 * height {
         return None;
     }
-    let share = |of: &dyn Fn(&Placed) -> bool| letters.iter().filter(|letter| of(letter)).count() as f32 / n as f32;
+    let share =
+        |of: &dyn Fn(&RotatedLetter) -> bool| letters.iter().filter(|letter| of(letter)).count() as f32 / n as f32;
     let at_top = share(&|letter| (letter.across[0] - top).abs() <= tolerance(height));
     let aligned = on_line(&letters, height).max(0.9 * at_top);
     let complex = share(&|letter| !glyphs[letter.of].is_solid());
@@ -170,22 +171,22 @@ fn tolerance(height: f32) -> f32 {
 }
 
 /// Share of letters that stand on the line, as most do.
-fn on_line(letters: &[Placed], height: f32) -> f32 {
+fn on_line(letters: &[RotatedLetter], height: f32) -> f32 {
     let bottom = median(letters.iter().map(|letter| letter.across[1]).collect());
-    let stands = |letter: &&Placed| (letter.across[1] - bottom).abs() <= tolerance(height);
+    let stands = |letter: &&RotatedLetter| (letter.across[1] - bottom).abs() <= tolerance(height);
     letters.iter().filter(stands).count() as f32 / letters.len() as f32
 }
 
 /// Letters of a chain as they lie at the angle of the line that they stand on, and that angle; as they are, where that
 /// does not set more of them on the line: short words seem to be aslant where letters hang below it.
-fn straightened(glyphs: &[Glyph], chain: &[Placed], angle: f32) -> (Vec<Placed>, f32) {
+fn straightened(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> (Vec<RotatedLetter>, f32) {
     let turn = if chain.len() < 3 { 0.0 } else { slope(chain) };
     if turn.abs() <= 0.7 {
         return (chain.to_vec(), angle);
     }
     let which: Vec<usize> = chain.iter().map(|letter| letter.of).collect();
     let turned = placed(glyphs, &which, angle - turn);
-    let height = median(chain.iter().map(Placed::height).collect());
+    let height = median(chain.iter().map(RotatedLetter::height).collect());
     let most = if chain.len() < 6 { 0.1 } else { -0.01 };
     if on_line(&turned, height) > on_line(chain, height) + most {
         (turned, angle - turn)

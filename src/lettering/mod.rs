@@ -56,7 +56,7 @@ impl Lettering {
         let colours = Colours::new(raster, is_drawing);
         let strict = if is_drawing { Strictness::Drawing } else { Strictness::Photograph };
         let mut found = Self { lines: Vec::new(), mask: vec![false; size.len()] };
-        let mut taken = Taken { size, cells: vec![false; size.len()] };
+        let mut taken = TextCover { size, cells: vec![false; size.len()] };
         let mut all: Vec<TextLine> = Vec::new();
         for plane in &colours.planes {
             let levels = Levels::of(plane);
@@ -119,12 +119,12 @@ impl Lettering {
 }
 
 /// Where there are lines already.
-struct Taken {
+struct TextCover {
     size: Size,
     cells: Vec<bool>,
 }
 
-impl Taken {
+impl TextCover {
     /// Adds a line, unless one is there already.
     fn add(&mut self, line: &TextLine) -> bool {
         let (mut all, mut before) = (0, 0);

@@ -1,11 +1,11 @@
 //! How many of the shapes in a row are unlike. Letters of a text are unlike one another; windows, bricks, ticks, dots
 //! and dashes are alike.
 
-use super::chain::Placed;
+use super::chain::RotatedLetter;
 use super::glyph::Glyph;
 
 /// Whether letters in a row are as unlike as those of a text.
-pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[Placed], width: usize) -> bool {
+pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> bool {
     let n = letters.len();
     let wanted = match n {
         0..=3 => n.min(2),
@@ -17,8 +17,8 @@ pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[Placed], width: usize) -> 
 }
 
 /// Number of unlike shapes, and how many letters have the commonest one.
-fn shapes(glyphs: &[Glyph], letters: &[Placed], width: usize) -> (usize, usize) {
-    let alike = |a: &Placed, b: &Placed| {
+fn shapes(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> (usize, usize) {
+    let alike = |a: &RotatedLetter, b: &RotatedLetter| {
         let near = |a: f32, b: f32| (a - b).abs() <= (0.13 * a.max(b)).max(1.3);
         let (first, second) = (&glyphs[a.of], &glyphs[b.of]);
         let (few, many) = (first.cells.len().min(second.cells.len()), first.cells.len().max(second.cells.len()));
@@ -28,7 +28,7 @@ fn shapes(glyphs: &[Glyph], letters: &[Placed], width: usize) -> (usize, usize) 
             && (first.solidity() - second.solidity()).abs() <= 0.1
             && same_pixels(first, second, width)
     };
-    let mut kinds: Vec<&Placed> = Vec::new();
+    let mut kinds: Vec<&RotatedLetter> = Vec::new();
     let mut most = 0;
     for letter in letters {
         if !kinds.iter().any(|kind| alike(kind, letter)) {

@@ -41,7 +41,7 @@ pub(super) fn cleared(
     if best.drawn() < HOPELESS * best.wanted() {
         return Attempt::of(&of_merged, area, merged, false).taken();
     }
-    // both sides of every bar
+    // the most that could be drawn: bars with both sides
     let most = wanted(&of_wide);
     let thin = wide.thin();
     let of_thin = || Arc::new(candidates(&thin));

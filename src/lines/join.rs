@@ -27,7 +27,7 @@ pub(super) fn join(polylines: Vec<Polyline<Vertex>>, gap: f32) -> Vec<Polyline<V
     let lengths: Vec<f32> = polylines.iter().map(Polyline::length).collect();
     let threads = link(polylines.len(), &ends(&polylines), gap, |a, b| cost(a, b, &lengths, gap));
     let mut left: Vec<Option<Polyline<Vertex>>> = polylines.into_iter().map(Some).collect();
-    threads.into_iter().filter_map(|thread| strung(&thread, &mut left)).collect()
+    threads.into_iter().filter_map(|thread| concatenate(&thread, &mut left)).collect()
 }
 
 /// Both ends of every open polyline.
@@ -104,23 +104,17 @@ fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
     }
 }
 
-/// The polylines of a thread as one; each is taken from `left`.
-fn strung(thread: &Thread, left: &mut [Option<Polyline<Vertex>>]) -> Option<Polyline<Vertex>> {
-    let mut parts = thread.parts.iter().filter_map(|part| {
-        let polyline = left[part.polyline].take()?;
-        Some(if part.reversed { polyline.reversed() } else { polyline })
-    });
-    let mut whole = parts.next()?;
-    if whole.closed {
-        return Some(whole);
+/// The polylines of a thread as one that bends over its gaps; each is taken from `left`.
+fn concatenate(thread: &Thread, left: &mut [Option<Polyline<Vertex>>]) -> Option<Polyline<Vertex>> {
+    let mut whole = thread.concatenate(left, |before, next| {
+        let seam = before.len();
+        before.extend(next);
+        meet_halfway(before, seam);
+    })?;
+    // one that was a ring before has no gap
+    if thread.closed || !whole.closed {
+        whole.fill();
     }
-    for polyline in parts {
-        let seam = whole.vertices.len();
-        whole.vertices.extend(polyline.vertices);
-        meet_halfway(&mut whole.vertices, seam);
-    }
-    whole.closed = thread.closed && whole.vertices.len() > 3;
-    whole.fill();
     Some(whole)
 }
 

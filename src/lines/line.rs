@@ -7,7 +7,7 @@ use crate::units::MmPoint;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// Mean height of the colour step of its contour, in units of lightness with the chroma axes of CIELAB counted
-    /// twice: black against white is 100.
+    /// twice: 0 and up. Black against white is 100; saturated colours beside one another have more.
     pub strength: f32,
     /// Pieces in order; each begins where the one before it ends.
     pub runs: Vec<Run>,
@@ -60,12 +60,6 @@ impl Height {
             Self::Middle => "middle",
             Self::High => "high",
         }
-    }
-}
-
-impl std::fmt::Display for Height {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
     }
 }
 

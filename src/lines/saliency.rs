@@ -18,7 +18,8 @@ const WAVERING: f32 = 0.4;
 const SPAN: usize = 5;
 /// Lengths of full strength that a line must be worth at the detail 0, in least lengths: 120 mm on a sheet with 8 mm.
 const OUTLINES: f32 = 15.0;
-/// ... but not more than this share of the saliency of the page's first line, as pages and overviews differ in size.
+/// What a line must be worth is at most this share of the saliency of the page's first line, as pages and overviews
+/// differ in size.
 const OF_FIRST: f32 = 0.25;
 
 /// The saliency of each of some lines.

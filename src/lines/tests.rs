@@ -20,6 +20,11 @@ impl Numbers {
     }
 }
 
+/// A square of 100 mm, in which lines are drawn.
+pub(super) fn area() -> MmRect {
+    MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
+}
+
 /// Lines of 10 to 70 mm from anywhere in a square of 100 mm, with bends down to a radius of about a millimetre.
 fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
     let mut numbers = Numbers(seed);
@@ -40,7 +45,7 @@ fn wandering(seed: u32) -> Vec<Polyline<Vertex>> {
 }
 
 fn cleared(seed: u32) -> Vec<clearance::Cleared> {
-    let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+    let area = area();
     let mut polylines = wandering(seed);
     junction::extend(&mut polylines, area, PARAMS.join_gap);
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
@@ -130,7 +135,7 @@ fn two_lines_that_cross_steeply_both_stay_whole() {
     let at = MmPoint::new;
     let mut polylines = vec![straight(at(10.0, 50.0), at(90.0, 50.0)), straight(at(40.0, 20.0), at(60.0, 75.0))];
     polylines.iter_mut().for_each(|polyline| weight::assign(polyline, &PARAMS));
-    let area = MmRect::new(MmPoint::zero(), at(100.0, 100.0));
+    let area = area();
     let lines = clear(polylines.clone(), area);
     assert_eq!(lines.len(), 2);
     assert!(

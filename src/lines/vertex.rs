@@ -3,8 +3,8 @@
 use super::params::Params;
 use crate::edges::{ChainKind, Edgel};
 use crate::geom::nearby::{Nearby, Segment};
-use crate::geom::nearest_on_segment;
 use crate::geom::polyline::{Blend, Located, Polyline, PolylineRef, smooth};
+use crate::geom::{mix, nearest_on_segment};
 use crate::units::{Mm, MmPoint, MmRect, PageTransform};
 
 /// Distance of the vertices of a line in the making, mm: a few to the width of the thinnest line.
@@ -51,12 +51,11 @@ impl Located for Vertex {
 
 impl Blend for Vertex {
     fn between(&self, other: &Self, share: f32) -> Self {
-        let mix = |a: f32, b: f32| a + (b - a) * share;
         Self {
             at: self.at.lerp(other.at, share),
-            strength: mix(self.strength, other.strength),
-            contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i])),
-            width: mix(self.width, other.width),
+            strength: mix(self.strength, other.strength, share),
+            contrast: std::array::from_fn(|i| mix(self.contrast[i], other.contrast[i], share)),
+            width: mix(self.width, other.width, share),
             source: if self.source == other.source { self.source } else { FoundIn::Pixels },
         }
     }

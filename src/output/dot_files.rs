@@ -9,9 +9,9 @@ use crate::page::{BrailleText, DotMedium, Medium, Page, TextRole};
 /// What an Index embosser is told beside the dots; other devices ignore it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Embossing {
-    /// How many copies it makes, 1 to 999.
+    /// How many copies it makes, 1 to 999; [`Error::CannotPress`] outside of it.
     pub copies: u16,
-    /// How hard it strikes, 1 to 3.
+    /// How hard it strikes, 1 to 3; [`Error::CannotPress`] outside of it.
     pub impact: u8,
 }
 

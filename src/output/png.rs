@@ -29,9 +29,13 @@ impl Dpi {
     /// Finest: the finest that laser printers draw.
     pub const MOST: u32 = 1200;
 
-    /// None outside [`Dpi::LEAST`]..=[`Dpi::MOST`].
-    pub fn new(dpi: u32) -> Option<Self> {
-        (Self::LEAST..=Self::MOST).contains(&dpi).then_some(Self(dpi))
+    /// So many.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchDpi`] outside of [`Dpi::LEAST`]..=[`Dpi::MOST`].
+    pub fn new(dpi: u32) -> Result<Self, Error> {
+        let (least, most) = (Self::LEAST, Self::MOST);
+        (least..=most).contains(&dpi).then_some(Self(dpi)).ok_or(Error::NoSuchDpi { dpi, least, most })
     }
 
     fn pixels(self, mm: f32) -> u32 {

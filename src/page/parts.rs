@@ -16,7 +16,8 @@ pub const LANGUAGE: &str = "en";
 /// The name by which a page's origin says that left and right are exchanged.
 pub const MIRRORED: &str = "mirrored";
 
-/// A finished page.
+/// A finished page. Its marks are those of [`Parts`], to which it derefs; [`convert`](crate::convert) makes it of a
+/// picture, and `Page::new` of parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Page {
     pub(super) parts: Parts,
@@ -47,7 +48,8 @@ pub struct Parts {
     pub figure: Figure,
     /// The smaller picture of lines only, if there is one.
     pub overview: Option<Overview>,
-    /// Braille and other dots that name or number what is on the page; one entry a size. Few pages have any.
+    /// Braille and other dots that name or number what is on the page; one entry for each
+    /// size of dots. Few pages have any.
     pub labels: Vec<Dots>,
     /// Words in braille: the title, and labels in the figure.
     pub braille: Vec<BrailleText>,
@@ -123,7 +125,7 @@ pub struct PrintText {
     pub string: String,
     /// Where its first letter stands on its line.
     pub at: MmPoint,
-    /// Size of the letters, mm.
+    /// Font size (em), mm.
     pub size: f32,
 }
 
@@ -165,7 +167,7 @@ pub struct Overview {
 }
 
 impl Figure {
-    /// Share of the figure that the textures of a class cover, gaps and all, 0..=1.
+    /// Share of the figure that the textures of a class cover, including the gaps between glyphs, 0..=1.
     pub fn share(&self, class: Class) -> f32 {
         let areas = self.textures.iter().filter(|texture| texture.class == class).map(|texture| texture.area);
         (areas.sum::<f32>() / self.place.area().max(f32::MIN_POSITIVE)).min(1.0)
@@ -204,13 +206,13 @@ impl TextRole {
     /// All of them, in the order of a page's layers.
     pub const ALL: [Self; 4] = [Self::Title, Self::Number, Self::Label, Self::Key];
 
-    /// Its name, such as "braille title".
+    /// Its name in plain words, such as "title".
     pub fn name(self) -> &'static str {
         match self {
-            Self::Title => "braille title",
-            Self::Label => "braille label",
-            Self::Key => "braille key",
-            Self::Number => "braille page number",
+            Self::Title => "title",
+            Self::Label => "label",
+            Self::Key => "key",
+            Self::Number => "page number",
         }
     }
 }

@@ -20,16 +20,20 @@ impl SheetGrid {
     /// Most sheets across or down: the label of a row is a letter, that of a column a digit.
     pub const MOST: u32 = 9;
 
-    /// `across` sheets by `down` sheets; none unless both are from 1 to [`SheetGrid::MOST`] and there are at least two
-    /// sheets.
-    pub fn new(across: u32, down: u32) -> Option<Self> {
+    /// `across` sheets by `down` sheets.
+    ///
+    /// # Errors
+    /// [`Error::NotASheetGrid`] unless both are from 1 to [`SheetGrid::MOST`] and there are at least two sheets.
+    pub fn new(across: u32, down: u32) -> Result<Self, Error> {
         let good = |count| (1..=Self::MOST).contains(&count);
-        (good(across) && good(down) && across * down > 1).then_some(Self { across, down })
+        let fits = good(across) && good(down) && across * down > 1;
+        fits.then_some(Self { across, down }).ok_or(Error::NotASheetGrid)
     }
 
     /// All grids, those of fewer sheets first; of as many sheets, the nearer to a square.
     pub fn by_number() -> impl Iterator<Item = Self> {
-        let all = (1..=Self::MOST).flat_map(|across| (1..=Self::MOST).filter_map(move |down| Self::new(across, down)));
+        let all =
+            (1..=Self::MOST).flat_map(|across| (1..=Self::MOST).filter_map(move |down| Self::new(across, down).ok()));
         let mut all: Vec<Self> = all.collect();
         all.sort_by_key(|grid| (grid.across * grid.down, grid.across.abs_diff(grid.down)));
         all.into_iter()
@@ -49,7 +53,7 @@ impl FromStr for SheetGrid {
     fn from_str(text: &str) -> Result<Self, Error> {
         let counts =
             text.split_once(['x', 'X']).and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-        counts.and_then(|(across, down)| Self::new(across, down)).ok_or(Error::NotASheetGrid)
+        counts.ok_or(Error::NotASheetGrid).and_then(|(across, down)| Self::new(across, down))
     }
 }
 

@@ -11,6 +11,7 @@ impl Display for Page {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "sheet {} x {}", self.sheet[0], self.sheet[1])?;
         match &self.medium {
+            // the sheet says all
             Medium::Print(_) => {}
             Medium::Dots(DotMedium { area: DotArea::Grid(grid), .. }) => {
                 writeln!(f, "grid of {} x {} dots", grid.columns.len(), grid.rows.len())?;
@@ -50,7 +51,7 @@ impl Display for Page {
         }
         self.labels.iter().try_for_each(|label| write_dots(f, "label", label))?;
         self.braille.iter().try_for_each(|text| {
-            writeln!(f, "{} {}", text.role.name(), text.lines.join(" "))?;
+            writeln!(f, "braille {} {}", text.role.name(), text.lines.join(" "))?;
             write_dots(f, "braille", &text.dots)?;
             text.leader.iter().try_for_each(|run| {
                 write!(f, "leader line")?;
@@ -82,7 +83,7 @@ fn write_line(f: &mut Formatter<'_>, line: &Line) -> Result {
 fn write_run(f: &mut Formatter<'_>, run: &Run) -> Result {
     match run.pen {
         Pen::Stroke => write!(f, "  {:.2} wide:", run.width)?,
-        Pen::Dots(height) => write!(f, "  dots {:.2} wide, {height}:", run.width)?,
+        Pen::Dots(height) => write!(f, "  dots {:.2} wide, {}:", run.width, height.name())?,
     }
     for at in run.polyline().path() {
         write!(f, " {:.2},{:.2}", at.x, at.y)?;

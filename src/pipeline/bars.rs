@@ -16,7 +16,7 @@ const STRAIGHT_WITHIN: f32 = 1.5;
 const LEAST: usize = 4;
 /// Share of a bar's side that a contour covers at least: a curve may run before it.
 const COVERED: f32 = 0.7;
-/// ... which ends so far below its top at most, px: in a bitmap corners are round.
+/// A bar's side ends at most so far below its top, px: in a bitmap corners are round.
 const BELOW_TOP: f32 = 8.0;
 /// Widths of bars differ by this factor at most from their median: a frame around all of them is no bar.
 const ALIKE: f32 = 2.0;
@@ -28,7 +28,7 @@ const GROUND: f32 = 0.4;
 const MOST: usize = 4000;
 /// Of a short path at most this share may be missing.
 const MOST_MISSING: f32 = 0.5;
-/// ... and of one that may as well not be drawn at all.
+/// Of a path that may as well not be drawn at all, at most this share may be missing.
 const MOST_OF_NONE: f32 = 0.2;
 /// What of a path is missing at least where it is not drawn at all: its ends may lie on another line.
 const NONE: f32 = 0.8;
@@ -185,6 +185,7 @@ impl Chart {
             match apart.iter_mut().find(overlap) {
                 // the parts of a stacked bar
                 Some(other) if (width(other) - width(&bar)).abs() <= 2.0 * SAME => other.top = other.top.max(bar.top),
+                // of bars that overlap the narrower stays, which came first
                 Some(_) => {}
                 None => apart.push(bar),
             }

@@ -22,9 +22,10 @@ pub struct Label {
 /// A place along a side of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Position {
-    /// Share of the side, 0 to 100.
+    /// Percent of the side: 0 is the left or upper edge, 100 the other. What is outside is off the picture, which a
+    /// note tells.
     Percent(f32),
-    /// Pixels of the picture.
+    /// Pixels of the picture from its left or upper edge.
     Pixels(f32),
 }
 
@@ -42,6 +43,16 @@ impl FromStr for Position {
         };
         let number = number.parse().ok().filter(|number: &f32| number.is_finite());
         number.map(position).ok_or(Error::NotAPosition)
+    }
+}
+
+/// As it is parsed: `30%`, `412.5`.
+impl std::fmt::Display for Position {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Percent(percent) => write!(f, "{percent}%"),
+            Self::Pixels(at) => write!(f, "{at}"),
+        }
     }
 }
 
@@ -132,6 +143,13 @@ mod tests {
             label(Position::Pixels(5.0), Position::Pixels(6.0), "plum, ripe"),
         ];
         assert_eq!(labels, expected);
+    }
+
+    #[test]
+    fn positions_read_back_as_they_are_written() {
+        for text in ["30%", "0.5%", "412.5", "-7"] {
+            assert_eq!(text.parse::<Position>().map(|position| position.to_string()), Ok(text.to_owned()));
+        }
     }
 
     #[test]

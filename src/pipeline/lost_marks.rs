@@ -19,7 +19,7 @@ use crate::{About, Note};
 const ENDS_ON: f32 = 2.5;
 /// A place of a mark is drawn if a line is so near, mm: the ends of a tick are on its axis.
 const DRAWN: f32 = 1.2;
-/// ... that has the same direction but for 45 degrees: the cosine.
+/// A line by which a place of a mark is drawn differs in its direction from the mark by at most 45 degrees: the cosine.
 const ALONG: f32 = FRAC_1_SQRT_2;
 /// A mark is drawn if at least this share of it is.
 const MOSTLY: f32 = 0.5;
@@ -30,7 +30,7 @@ const PLACES: usize = 12;
 const STRAIGHT: f32 = 0.05;
 /// A mark of a right angle has one corner, and is straight otherwise but for this share of its length.
 const OFF_CORNER: f32 = 0.08;
-/// ... and its corner has at most this cosine (70 to 110 degrees).
+/// The corner of a mark of a right angle has at most this cosine (70 to 110 degrees).
 const RIGHT: f32 = 0.35;
 /// The legs of an angle differ in their direction by at least 10 degrees: the sine.
 const LEG: f32 = 0.17;

@@ -16,10 +16,10 @@ use crate::{About, Note};
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
 const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
-/// Share of the figure's size for overviews of photographs where the sheet has room below the figure. At 0.5 they agree
-/// with what people outline to an F of .55, at 0.4 of .53 (`docs/photographs.md`), and one hand still covers them: 85
-/// mm of a figure as wide as an A4 sheet.
-const OF_PHOTOGRAPH: f32 = 0.5;
+/// How many times as large as the profile asks for the overview of a photograph is where the sheet has room below the
+/// figure. At 0.5 of the figure it agrees with what people outline to an F of .55, at 0.4 of .53
+/// (`docs/photographs.md`), and one hand still covers it: 85 mm of a figure as wide as an A4 sheet.
+const OF_PHOTOGRAPH: f32 = 1.25;
 /// An overview that lacks this share, as one of squared paper, is too small by far.
 const TOO_SMALL: f32 = 0.5;
 /// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
@@ -159,10 +159,14 @@ impl Figure<'_> {
 
     /// Where the overview of a photograph lies on printed paper that has more room below the figure than it needs.
     fn place_of_photograph(&self) -> Option<MmRect> {
-        self.edges.regions.as_ref()?;
-        match self.layout.medium {
-            Medium::Print(_) => self.layout.largest_overview(OF_PHOTOGRAPH, &self.plan.layout()),
-            Medium::Dots(_) => None,
+        let params = self.plan.layout();
+        // few shapes need no more room
+        let is_full = self.edges.regions.is_some() && self.plan.lines().most_shapes.is_none();
+        match (&self.layout.medium, params.overview) {
+            (Medium::Print(_), Some(overview)) if is_full => {
+                self.layout.largest_overview(OF_PHOTOGRAPH * overview.scale, &params)
+            }
+            _ => None,
         }
     }
 

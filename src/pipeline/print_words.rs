@@ -10,7 +10,7 @@ use crate::{About, Note};
 
 /// Sizes of letters that are tried, mm: 3 is 8.5 points, as captions are printed; 2.5 is 7.
 const SIZES: [f32; 2] = [3.0, 2.5];
-/// ... above a label, whose blank of 3 mm has room for no more.
+/// Sizes of letters that are tried above a label, mm, whose blank of 3 mm has room for no more.
 const OF_LABELS: [f32; 1] = [2.5];
 /// From the letters' line to the dots below, mm: tails of letters take a fifth of their size, 0.6 mm, and as much is
 /// left blank, so that ink that rises a little does not touch a dot.

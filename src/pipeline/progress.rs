@@ -31,6 +31,20 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// All of them, in the order in which they run.
+    pub const ALL: [Self; 10] = [
+        Self::Decode,
+        Self::Text,
+        Self::Edges,
+        Self::Regions,
+        Self::Lines,
+        Self::Overview,
+        Self::Hues,
+        Self::Classes,
+        Self::Textures,
+        Self::Page,
+    ];
+
     /// Its name in plain words.
     pub fn name(self) -> &'static str {
         match self {
@@ -56,7 +70,7 @@ pub enum Event {
     Begin(Stage),
     /// A stage that began is done.
     End(Stage),
-    /// A stage, or a part of it, is not needed for this page, and why.
+    /// A stage, or a part of it, is not needed for this page, and why: a text in English, which may change.
     Skip(Stage, &'static str),
 }
 

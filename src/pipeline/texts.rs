@@ -13,7 +13,8 @@ pub struct Text {
     pub string: String,
     /// The box around it, mm on the sheet.
     pub place: MmRect,
-    /// Direction in which it is read, degrees counter-clockwise from left to right.
+    /// Direction in which it is read, degrees counter-clockwise from left to right; whole turns do not
+    /// count.
     pub angle: f32,
     /// Size of its font, mm; of letters in pixels 1.6 times their height.
     pub size: f32,

@@ -77,10 +77,13 @@ pub struct Thresholds {
 
 impl Thresholds {
     /// A contour goes on as long as it has the strength `low`, and is kept if it has the strength `high` somewhere.
-    /// With 0 and 0 everything is kept that is long enough (at full resolution 6 pixels). None unless 0 <= `low` <=
-    /// `high` and both are finite.
-    pub fn new(low: f32, high: f32) -> Option<Self> {
-        (0.0 <= low && low <= high && high.is_finite()).then_some(Self { low, high })
+    /// With 0 and 0 everything is kept that is long enough (at full resolution 6 pixels).
+    ///
+    /// # Errors
+    /// [`Error::NoSuchThresholds`] unless 0 <= `low` <= `high` and both are finite.
+    pub fn new(low: f32, high: f32) -> Result<Self, Error> {
+        let fit = 0.0 <= low && low <= high && high.is_finite();
+        fit.then_some(Self { low, high }).ok_or(Error::NoSuchThresholds { low, high })
     }
 }
 

@@ -11,8 +11,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::Raster;
 use super::plane::Plane;
+use super::{Planes, Raster};
 
 /// Weight of a difference of chroma, relative to one of lightness.
 const CHROMA: f32 = 2.0;
@@ -50,19 +50,20 @@ pub fn whole(raster: &Raster) -> Vec<Plane> {
 pub fn whole_lightness(raster: &Raster) -> Plane {
     let size = raster.size();
     let mut values = vec![0.0; size.len()];
-    match raster.planes().as_slice() {
-        [red, green, blue] => Arch::new().dispatch(LightnessRow { from: [red, green, blue], to: &mut values }),
-        [grey, ..] => Arch::new().dispatch(GreyRow { from: grey, to: &mut values }),
-        [] => {}
+    match raster.planes() {
+        Planes::Colour([red, green, blue]) => {
+            Arch::new().dispatch(LightnessRow { from: [red, green, blue], to: &mut values });
+        }
+        Planes::Grey(grey) => Arch::new().dispatch(GreyRow { from: grey, to: &mut values }),
     }
     Plane { size, values }
 }
 
 /// L and, for colour pictures, 2a and 2b of one pixel.
 pub fn pixel(raster: &Raster, at: usize) -> [f32; 3] {
-    match raster.planes().as_slice() {
-        [red, green, blue] => colour([red[at], green[at], blue[at]]),
-        grey => [grey.first().map_or(0.0, |grey| lightness(grey[at])), 0.0, 0.0],
+    match raster.planes() {
+        Planes::Colour([red, green, blue]) => colour([red[at], green[at], blue[at]]),
+        Planes::Grey(grey) => [lightness(grey[at]), 0.0, 0.0],
     }
 }
 

@@ -3,7 +3,7 @@
 use super::palette::Sign;
 use super::params::Params;
 use crate::classes::Class;
-use crate::geom::{nearest_on_segment, segment_distance};
+use crate::geom::{nearest_on_segment, right_of, segment_distance};
 use crate::units::{MmPoint, MmVector};
 
 /// A mark of a texture.
@@ -24,7 +24,8 @@ pub enum Shape {
         length: f32,
         /// Short diagonal, mm.
         thickness: f32,
-        /// Direction of the long diagonal: degrees counter-clockwise from the x axis as a reader sees the page.
+        /// Direction of the long diagonal: degrees counter-clockwise from the x axis as a reader sees the page,
+        /// from 0 to below 180.
         degrees: f32,
     },
     /// A disc.
@@ -43,7 +44,7 @@ pub struct Texture {
     pub sign: Sign,
     /// The region's mean colour as sRGB red, green and blue.
     pub colour: [u8; 3],
-    /// The region's area, gaps and all, mm^2.
+    /// The region's area, including the gaps between glyphs, mm^2.
     pub area: f32,
     /// Its glyphs, row by row.
     pub glyphs: Vec<Glyph>,
@@ -124,7 +125,7 @@ impl Glyph {
             Shape::Rhombus { length, thickness, degrees } => (unit(degrees), length, thickness),
             Shape::Dot { diameter } => (MmVector::new(1.0, 0.0), diameter, diameter),
         };
-        let across = MmVector::new(-along.y, along.x);
+        let across = right_of(along);
         let (along, across) = (along * (0.5 * length), across * (0.5 * thickness));
         [self.at + along, self.at + across, self.at - along, self.at - across]
     }

@@ -1,5 +1,8 @@
 //! Which sign stands for which class.
 
+use std::str::FromStr;
+
+use crate::Error;
 use crate::classes::Class;
 
 /// Two rows of rhombuses whose directions are nearer than this, degrees, cannot be told apart. Chosen by us: the
@@ -54,7 +57,7 @@ impl std::fmt::Display for Sign {
 
 impl Sign {
     /// The sign that is written so, such as `rhombus 45` or `dot`; none if the text is no sign.
-    pub fn named(text: &str) -> Option<Self> {
+    pub(crate) fn named(text: &str) -> Option<Self> {
         let mut words = text.split_whitespace();
         let sign = match (words.next(), words.next().map(str::parse::<f32>)) {
             (Some("dot"), None) => Self::Dot,
@@ -65,6 +68,18 @@ impl Sign {
             _ => return None,
         };
         words.next().is_none().then_some(sign)
+    }
+}
+
+impl FromStr for Sign {
+    type Err = Error;
+
+    /// From `rhombus 45` or `dot`.
+    ///
+    /// # Errors
+    /// [`Error::NotASign`] for any other text.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        Self::named(text).ok_or(Error::NotASign)
     }
 }
 
@@ -116,10 +131,10 @@ mod tests {
     #[test]
     fn signs_read_back_as_they_are_written() {
         for text in ["dot", "rhombus 0", "rhombus 22.5", "rhombus 135"] {
-            assert_eq!(Sign::named(text).map(|sign| sign.to_string()).as_deref(), Some(text));
+            assert_eq!(text.parse::<Sign>().map(|sign| sign.to_string()), Ok(text.to_owned()));
         }
         for text in ["", "dots", "dot 1", "rhombus", "rhombus 180", "rhombus -1", "rhombus NaN", "rhombus 1 2", "45"] {
-            assert_eq!(Sign::named(text), None, "{text}");
+            assert_eq!(text.parse::<Sign>(), Err(Error::NotASign), "{text}");
         }
     }
 

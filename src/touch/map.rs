@@ -33,12 +33,12 @@ const ROW: u32 = 44;
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Look {
     felt: Option<Class>,
-    mark: Mark,
+    mark: Symbol,
     pale: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Mark {
+enum Symbol {
     None,
     Wrong,
     Unclear,
@@ -90,26 +90,26 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
 fn look(cell: &Cell) -> Option<Look> {
     let meant = cell.meant?;
     let mark = if !cell.judged {
-        Mark::None
+        Symbol::None
     } else if !cell.clear {
-        Mark::Unclear
+        Symbol::Unclear
     } else if cell.felt != Some(meant) {
-        Mark::Wrong
+        Symbol::Wrong
     } else {
-        Mark::None
+        Symbol::None
     };
     Some(Look { felt: cell.felt, mark, pale: !cell.judged })
 }
 
 fn legend(signs: &Signs) -> Vec<(&'static str, Look)> {
-    let plain = |felt| Look { felt, mark: Mark::None, pale: false };
+    let plain = |felt| Look { felt, mark: Symbol::None, pale: false };
     let mut legend: Vec<_> = Class::ALL
         .iter()
         .filter(|class| signs.sign(**class).is_some())
         .map(|&class| (word(Some(class)), plain(Some(class))))
         .collect();
-    legend.push(("WRONG", Look { mark: Mark::Wrong, ..plain(None) }));
-    legend.push(("UNCLEAR", Look { mark: Mark::Unclear, ..plain(None) }));
+    legend.push(("WRONG", Look { mark: Symbol::Wrong, ..plain(None) }));
+    legend.push(("UNCLEAR", Look { mark: Symbol::Unclear, ..plain(None) }));
     let first = legend.first().and_then(|(_, look)| look.felt);
     legend.push(("NOT JUDGED", Look { pale: true, ..plain(first) }));
     legend
@@ -151,9 +151,9 @@ fn colour(look: Look, signs: &Signs, x: f32, y: f32) -> [f32; 3] {
     let own = if on_pattern { own.map(|value| 0.35 * value) } else { own.map(|value| 0.5 * value + 127.5) };
     let own = if look.pale { own.map(|value| 0.35 * value + 0.65 * 255.0) } else { own };
     let marked = match look.mark {
-        Mark::None => false,
-        Mark::Wrong => (off(x) - off(y)).abs() < 1.3 && off(x) < 4.5,
-        Mark::Unclear => (from_dot - 4.0).abs() < 1.0,
+        Symbol::None => false,
+        Symbol::Wrong => (off(x) - off(y)).abs() < 1.3 && off(x) < 4.5,
+        Symbol::Unclear => (from_dot - 4.0).abs() < 1.0,
     };
     if marked { [0.0; 3] } else { own }
 }
@@ -225,7 +225,7 @@ mod tests {
         let rhombus = |degrees| Some(Sign::Rhombus { degrees });
         let swapped = Signs::of_layers(&[(Class::Blue, rhombus(90.0)), (Class::Yellow, rhombus(0.0))]);
         for (class, upright) in [(Class::Blue, true), (Class::Yellow, false)] {
-            let look = Look { felt: Some(class), mark: Mark::None, pale: false };
+            let look = Look { felt: Some(class), mark: Symbol::None, pale: false };
             let at = |x: u32, y: u32| colour(look, &swapped, x as f32 + 0.5, y as f32 + 0.5).map(f32::to_bits);
             let same = |k: u32| if upright { at(k, 0) == at(k, 7) } else { at(0, k) == at(7, k) };
             let differs = |k: u32| if upright { at(k, 0) != at(0, 0) } else { at(0, k) != at(0, 0) };

@@ -3,9 +3,9 @@
 use super::measure::{BLANK, Feel, directed_from};
 use crate::page::{Class, Palette, Sign};
 
-/// A reading is unclear where the coherence is this near to the threshold, as a share of it ...
+/// A reading is unclear where the coherence is this near to the threshold, as a share of it.
 const NEAR_COHERENCE: f32 = 0.15;
-/// ... or the direction this near to the middle between two classes, degrees.
+/// A reading is unclear, too, where the direction is this near to the middle between two classes, degrees.
 const NEAR_DEGREES: f32 = 4.0;
 
 /// The signs that a reader of a page expects: a class that has none is never felt.

@@ -176,7 +176,7 @@ fn sheets_have_their_numbers() {
         let sheets: Vec<&Page> = std::iter::once(&drawing.page).chain(&drawing.overview).chain(&drawing.key).collect();
         assert!(sheets.len() > 1, "{profile}");
         for (number, page) in (12..).zip(sheets) {
-            let text = page.braille.iter().find(|text| text.role.name() == "braille page number");
+            let text = page.braille.iter().find(|text| text.role == TextRole::Number);
             let text = text.unwrap_or_else(|| panic!("{profile}: sheet {number} has no number"));
             assert_eq!(text.text, number.to_string());
             let size = CellGrid::of(&page.medium, CellSize::MARBURG).size();

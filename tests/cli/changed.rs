@@ -41,7 +41,9 @@ fn textures_give_way_to_a_line_that_is_drawn_and_a_page_that_nobody_changed_stay
 fn lines_outside_of_the_figure_and_values_that_a_profile_refuses_are_told() {
     let place = with_page("swell-a4");
     let svg = place.text("cup.svg");
-    let outside = "<path fill=\"none\" stroke=\"#000\" stroke-width=\"1\" d=\"M40,270H100\"/>";
+    let figure = read(&place, "cup.svg").figure.place;
+    let (x, y) = (figure.min.x + 20.0, figure.max.y + 3.0);
+    let outside = format!("<path fill=\"none\" stroke=\"#000\" stroke-width=\"1\" d=\"M{x},{y}h60\"/>");
     place.put("more.svg", svg.replacen("</svg>", &format!("{outside}</svg>"), 1).as_bytes());
     let told = done(&place, &["render", "more.svg", "--profile", "index-basic-d", "-o", "dots.svg"]);
     assert!(told.contains("60 mm of lines outside of the figure"), "{told}");

@@ -71,7 +71,7 @@ fn stages(group: &mut BenchmarkGroup<'_, WallTime>, bytes: &[u8], plan: &Plan) -
     let sorted = classes::sort(raster, &contours, &plan.classes(px_per_mm));
     let page = page(bytes, plan)?;
     let drawing = svg::write(&page);
-    let dpi = Dpi::new(150).ok_or("150 pixels to an inch are too many or too few")?;
+    let dpi = Dpi::new(150)?;
 
     bench(group, "decode", || decode(bytes, plan));
     bench(group, "edges", || edges::find(raster, &plan.edges(px_per_mm)));

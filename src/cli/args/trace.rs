@@ -128,6 +128,6 @@ enum Stage {
 fn thresholds(text: &str) -> Result<Thresholds, String> {
     let numbers =
         text.split_once(',').and_then(|(low, high)| Some((low.trim().parse().ok()?, high.trim().parse().ok()?)));
-    let thresholds = numbers.and_then(|(low, high)| Thresholds::new(low, high));
+    let thresholds = numbers.and_then(|(low, high)| Thresholds::new(low, high).ok());
     thresholds.ok_or_else(|| "give two numbers from 0 up, the first not above the second, such as 3,6".into())
 }

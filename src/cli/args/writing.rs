@@ -96,7 +96,10 @@ impl Writing {
 
 fn dpi(text: &str) -> Result<Dpi, String> {
     let (least, most) = (Dpi::LEAST, Dpi::MOST);
-    text.parse().ok().and_then(Dpi::new).ok_or_else(|| format!("give a whole number from {least} to {most}"))
+    text.parse()
+        .ok()
+        .and_then(|dpi| Dpi::new(dpi).ok())
+        .ok_or_else(|| format!("give a whole number from {least} to {most}"))
 }
 
 fn format() -> impl TypedValueParser<Value = Format> {

@@ -2,18 +2,19 @@
 
 use pulp::Arch;
 
-use super::proposal::{Confirmed, Proposal, Stretch, stretches};
+use super::proposal::{Confirmed, Proposal, SegmentRun, stretches};
 use crate::edges::edgel::Edgel;
 use crate::edges::params::Params;
 use crate::geom::polyline::Polyline;
+use crate::geom::right_of;
 use crate::raster::Raster;
 use crate::raster::lab;
-use crate::units::{PxPoint, PxVector, Size};
+use crate::units::{PxPoint, Size};
 
 /// Distance from an outline at which the two sides are compared, px: an edge is spread over a pixel by rendering and
 /// over another by interpolation, at most 1.2 to each side.
 const FAR: f32 = 1.25;
-/// ... and close to it, where the step must be seen already, or it is not here.
+/// Distance from an outline, px, at which the step must be seen already, or it is not here.
 const CLOSE: f32 = 0.75;
 /// Least share of the step at [`FAR`] that is seen at [`CLOSE`]: at least three quarters where the edge is here (in the
 /// middle of a pixel it is least), half where it is [`CLOSE`] away.
@@ -73,7 +74,7 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> Seen {
         return nothing;
     }
     // with y down, right of the direction (x, y) is (-y, x)
-    let right = PxVector::new(-along.y, along.x);
+    let right = right_of(along);
     let colour = |distance: f32| picture.colour(at + right * distance);
     match stroke {
         None => step(colour).unwrap_or(nothing),
@@ -181,7 +182,7 @@ fn bridged(shown: &[bool], lengths: &[f32], hidden: f32, closed: bool) -> Vec<bo
 }
 
 /// A stretch of a line with what is seen there; what is hidden has the least strength that is drawn.
-fn part(line: &Polyline<PxPoint>, seen: &[Seen], stretch: &Stretch, least: f32) -> Polyline<Edgel> {
+fn part(line: &Polyline<PxPoint>, seen: &[Seen], stretch: &SegmentRun, least: f32) -> Polyline<Edgel> {
     let n = seen.len();
     let strength_of = |i: usize| Seen { strength: seen[i % n].strength.max(least), ..seen[i % n] };
     // a vertex has the mean of the segments on both sides, as far as they belong to the stretch

@@ -23,14 +23,14 @@ pub(super) struct Confirmed {
 
 /// Segments that follow one another, in a ring perhaps over its first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stretch {
+pub(super) struct SegmentRun {
     pub(super) first: usize,
     pub(super) count: usize,
     /// Whether it is all of a ring.
     pub(super) whole_ring: bool,
 }
 
-impl Stretch {
+impl SegmentRun {
     /// Numbers of its segments; those of a ring go on after the last.
     pub(super) fn indices(&self) -> std::ops::Range<usize> {
         self.first..self.first + self.count
@@ -38,21 +38,22 @@ impl Stretch {
 }
 
 /// The longest stretches of segments that are wanted.
-pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<Stretch> {
+pub(super) fn stretches(wanted: &[bool], closed: bool) -> Vec<SegmentRun> {
     let n = wanted.len();
     if n > 0 && wanted.iter().all(|wanted| *wanted) {
-        return vec![Stretch { first: 0, count: n, whole_ring: closed }];
+        return vec![SegmentRun { first: 0, count: n, whole_ring: closed }];
     }
     // a ring is gone round from a segment that is not wanted
     let start = if closed { wanted.iter().position(|wanted| !wanted).unwrap_or(0) } else { 0 };
-    let mut found: Vec<Stretch> = Vec::new();
+    let mut found: Vec<SegmentRun> = Vec::new();
     let mut before = false;
     for k in start..start + n {
         let here = wanted[k % n];
-        match found.last_mut() {
-            Some(stretch) if here && before => stretch.count += 1,
-            _ if here => found.push(Stretch { first: k, count: 1, whole_ring: false }),
-            Some(_) | None => {}
+        if here {
+            match found.last_mut() {
+                Some(stretch) if before => stretch.count += 1,
+                _ => found.push(SegmentRun { first: k, count: 1, whole_ring: false }),
+            }
         }
         before = here;
     }

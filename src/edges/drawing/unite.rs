@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use super::proposal::{Confirmed, Stretch, stretches};
+use super::proposal::{Confirmed, SegmentRun, stretches};
 use crate::edges::edgel::{Edgel, Edges};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -58,7 +58,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
     }
     let n = cover.len();
     let free: Vec<bool> = cover.iter().map(Option::is_none).collect();
-    let part = |stretch: Stretch| {
+    let part = |stretch: SegmentRun| {
         let vertex = |i: usize| line.vertices[i % line.vertices.len()];
         let mut vertices: Vec<Edgel> = (stretch.first..=stretch.first + stretch.count).map(vertex).collect();
         for (end, beyond) in

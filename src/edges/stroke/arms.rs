@@ -14,16 +14,16 @@ const BENT: f32 = -0.5;
 /// An arm with a free end that is no longer than this, px, beyond the stroke's own half width, is a spur that thinning
 /// left.
 const SPUR: f32 = 3.0;
-/// ... with the half width counted so often, as the spur may lead into a corner of the stroke's end.
+/// The length of a spur counts the stroke's half width so often, as it may lead into a corner of the stroke's end.
 const CORNER: f32 = 1.5;
 /// To the tip of a corner it is this many half widths of the stroke over the sine of half its angle, at most.
 const TIP: f32 = 2.5;
-/// ... of which the least that counts is that of a corner of 15 degrees.
+/// Least sine of half the angle of a corner that counts: that of a corner of 15 degrees.
 const SHARPEST: f32 = 0.13;
 /// A spur leads to the tip if the cosine between it and the outer half of the angle is at least this (37 degrees).
 const TO_TIP: f32 = 0.8;
-/// ... where there is a corner: the sum of the directions of its sides is at least this long (120 degrees). On a
-/// straight line the sum has no direction, and a short branch would be a spur to its tip.
+/// There is a corner where the sum of the directions of its sides is at least this long (120 degrees). On a straight
+/// line the sum has no direction, and a short branch would be a spur to its tip.
 const CORNERED: f32 = 1.0;
 
 /// A line of pixels, which may lead through junctions.

@@ -5,6 +5,7 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::corner;
 use crate::edges::params::Params;
 use crate::geom::polyline::{Polyline, smooth};
+use crate::geom::right_of;
 use crate::geom::walk::runs;
 use crate::raster::plane::Plane;
 use crate::units::{PxPoint, PxVector, Size};
@@ -38,8 +39,8 @@ const BEYOND: f32 = 1.5;
 /// A stroke is at least this many least lengths of a contour long; shorter ones, such as those of letters, could not be
 /// lines anyway.
 const SHORTEST: f32 = 3.0;
-/// ... but one with the same ground on both sides: the end of an axis beyond a bar is part of a longer line. Between
-/// two areas there is an edge that is longer.
+/// A stroke with the same ground on both sides is at least so many least lengths long: the end of an axis beyond a bar
+/// is part of a longer line. Between two areas there is an edge that is longer.
 const SHORTEST_APART: f32 = 1.5;
 /// The ground on both sides is the same if the step between them is at most this share of the contrast with it.
 const SAME_GROUND: f32 = 0.25;
@@ -310,7 +311,7 @@ fn right(line: &Polyline<PxPoint>, i: usize) -> PxVector {
     let view = line.view();
     let [before, after] = [-2, 2].map(|step| view.next(i, step).or(view.next(i, step / 2)).unwrap_or(i));
     let along = (line.vertices[after] - line.vertices[before]).try_normalize().unwrap_or(PxVector::zero());
-    PxVector::new(-along.y, along.x)
+    right_of(along)
 }
 
 /// The profile of the residue across the line at a vertex, as far as `reach`.
@@ -350,7 +351,7 @@ struct Contrast {
     height: f32,
     /// Whether it is a stroke's, or only the border's of two areas.
     is_stroke: bool,
-    /// Whether it is that of a stroke with the same ground on both sides.
+    /// Whether the colours on both sides of the stroke are the same.
     is_apart: bool,
 }
 

@@ -13,6 +13,7 @@ use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::params::Params;
 use crate::geom::link::{End, Thread, link};
 use crate::geom::nearby::Index;
+use crate::geom::right_of;
 use crate::raster::plane::Plane;
 use crate::units::{Px, PxPoint, PxVector};
 use lyon::geom::euclid::Box2D;
@@ -25,13 +26,13 @@ const STEP: f32 = 1.0;
 const HEADING: f32 = 8.0;
 /// The middle of what is seen is looked for so far to both sides, px, beyond half the width of the stroke.
 const ASIDE: f32 = 1.5;
-/// ... and is at most this far from where it would go straight on, px.
+/// The middle of what is seen is at most this far from where the stroke would go straight on, px.
 const TURN: f32 = 0.35;
 /// Half the distance over which the slope across it is taken, px.
 const SLOPE: f32 = 0.5;
 /// What is seen has at least this share of the contrast of the stroke.
 const SEEN: f32 = 0.4;
-/// ... but for so many steps one after the other.
+/// For so many steps one after the other less contrast is seen, and the stroke still goes on.
 const UNSEEN: usize = 2;
 /// Another stroke is met where its middle is at most half of both widths and this far away, px.
 const MEETS: f32 = 1.0;
@@ -49,19 +50,19 @@ const CELL: f32 = 8.0;
 
 /// A point of a stroke or of a continuation from one of its ends, in an index.
 #[derive(Debug, Clone, Copy)]
-struct Mark {
+struct IndexedPoint {
     stroke: usize,
     /// The vertex of the stroke; none on a continuation.
     vertex: Option<usize>,
     at: PxPoint,
 }
 
-type Marks = Index<Mark, Px>;
+type PointIndex = Index<IndexedPoint, Px>;
 
 /// The continuation from an end of a stroke, and what it leads to.
 struct Continuation {
     points: Vec<ContourPoint>,
-    met: Mark,
+    met: IndexedPoint,
     /// Where it leads at its end.
     direction: PxVector,
 }
@@ -73,10 +74,10 @@ type StrokeEnd = (usize, bool);
 pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params) -> Vec<Stroke> {
     let Some(size) = planes.first().map(|plane| plane.size) else { return strokes };
     let picture = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
-    let mut marks = Marks::new(picture, CELL);
+    let mut marks = PointIndex::new(picture, CELL);
     for (number, stroke) in strokes.iter().enumerate() {
         for (vertex, point) in stroke.contour.vertices.iter().enumerate() {
-            marks.put_at(point.at, Mark { stroke: number, vertex: Some(vertex), at: point.at });
+            marks.put_at(point.at, IndexedPoint { stroke: number, vertex: Some(vertex), at: point.at });
         }
     }
     let open = (0..strokes.len()).filter(|&number| !strokes[number].contour.closed);
@@ -94,7 +95,7 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
             None => points.extend(points.last().copied().map(|last| ContourPoint { at: to.at, ..last })),
         }
         for point in &points {
-            marks.put_at(point.at, Mark { stroke: end.0, vertex: None, at: point.at });
+            marks.put_at(point.at, IndexedPoint { stroke: end.0, vertex: None, at: point.at });
         }
         continuations.push((end, points));
     }
@@ -112,7 +113,7 @@ pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params
 }
 
 /// The end of an open stroke that a mark is near.
-fn end_at(strokes: &[Stroke], mark: Mark) -> Option<StrokeEnd> {
+fn end_at(strokes: &[Stroke], mark: IndexedPoint) -> Option<StrokeEnd> {
     let Stroke { contour, width, .. } = &strokes[mark.stroke];
     let vertex = mark.vertex.filter(|_| !contour.closed)?;
     let [to_start, to_end] =
@@ -136,7 +137,7 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
 fn continuation(
     end: StrokeEnd,
     strokes: &[Stroke],
-    marks: &Marks,
+    marks: &PointIndex,
     planes: &[Plane],
     params: &Params,
 ) -> Option<Continuation> {
@@ -157,7 +158,7 @@ fn continuation(
     let (mut at, mut unseen) = (last.at, 0);
     for step in 1..=(FARTHEST * params.min_length / STEP) as usize {
         let straight = at + direction * STEP;
-        let across = PxVector::new(-direction.y, direction.x);
+        let across = right_of(direction);
         let aside = middle(straight, across, 0.5 * width + ASIDE, planes);
         at = straight + across * aside.clamp(-TURN, TURN);
         let height = contrast_across(at, across, *width, planes);
@@ -184,12 +185,12 @@ fn meets(
     (number, at_start): StrokeEnd,
     walked: f32,
     strokes: &[Stroke],
-    marks: &Marks,
+    marks: &PointIndex,
     widest: f32,
-) -> Option<Mark> {
+) -> Option<IndexedPoint> {
     let Stroke { contour, width, .. } = &strokes[number];
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
-    let mut nearest: Option<(f32, Mark)> = None;
+    let mut nearest: Option<(f32, IndexedPoint)> = None;
     marks.around(at, at, 0.5 * (width + widest) + MEETS, |mark| {
         let distance = (mark.at - at).length();
         let reach = 0.5 * (width + strokes[mark.stroke].width) + MEETS;

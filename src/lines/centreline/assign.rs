@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::opposite::{Opposite, Opposites};
-use super::stretch::{MIN_STRETCH, Stretch};
+use super::stretch::{MIN_STRETCH, StrokeSide};
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
@@ -25,16 +25,16 @@ pub(super) struct Assignment {
     pub(super) removed: Vec<bool>,
 }
 
-/// Decides for every two polylines which of them goes to the middle all along their strokes and which gives way, so
-/// that two rings that lie in one another become one ring and not a spiral of halves.
+/// Decides for every pair of polylines which one becomes the centreline all along their strokes; the other is removed.
+/// Decided for a pair as a whole, so that two nested rings become one ring and not two halves of a spiral.
 pub(super) fn assign(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
-    mut stretches: Vec<Stretch>,
+    mut stretches: Vec<StrokeSide>,
     params: &Params,
 ) -> Vec<Assignment> {
     let rank = ranks(polylines, params);
-    let winner = |stretch: &Stretch| rank[stretch.polyline].min(rank[stretch.other]);
+    let winner = |stretch: &StrokeSide| rank[stretch.polyline].min(rank[stretch.other]);
     let stays_whole = things(polylines, opposites, &stretches, params);
     stretches.retain(|stretch| {
         let loser = if rank[stretch.polyline] == winner(stretch) { stretch.other } else { stretch.polyline };
@@ -70,7 +70,7 @@ fn ranks(polylines: &[Polyline<Vertex>], params: &Params) -> Vec<usize> {
 fn things(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
-    stretches: &[Stretch],
+    stretches: &[StrokeSide],
     params: &Params,
 ) -> Vec<bool> {
     let (mut sides, mut close) = (vec![0; polylines.len()], vec![false; polylines.len()]);
@@ -89,21 +89,21 @@ fn things(
 }
 
 /// The order in which stretches are decided: by their winner, first as that sees it, and the most salient first.
-fn decided_first(a: &Stretch, b: &Stretch, rank: &[usize]) -> Ordering {
-    let winner = |stretch: &Stretch| rank[stretch.polyline].min(rank[stretch.other]);
-    let is_loser = |stretch: &Stretch| rank[stretch.polyline] != winner(stretch);
+fn decided_first(a: &StrokeSide, b: &StrokeSide, rank: &[usize]) -> Ordering {
+    let winner = |stretch: &StrokeSide| rank[stretch.polyline].min(rank[stretch.other]);
+    let is_loser = |stretch: &StrokeSide| rank[stretch.polyline] != winner(stretch);
     (winner(a), is_loser(a))
         .cmp(&(winner(b), is_loser(b)))
         .then(b.saliency.total_cmp(&a.saliency))
         .then((a.polyline, a.from).cmp(&(b.polyline, b.from)))
 }
 
-/// A stretch goes to the middle; the other side goes. What stronger stretches have left of it must be long enough
-/// itself.
+/// Makes a stretch the centreline and removes the opposite side. If stronger stretches took a part of it, the remainder
+/// must have the least length, too.
 fn take_middle(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
-    stretch: &Stretch,
+    stretch: &StrokeSide,
     assignments: &mut [Assignment],
 ) {
     let vertices = &polylines[stretch.polyline].vertices;
@@ -157,7 +157,7 @@ fn between(i: usize, j: usize, polyline: &Polyline<Vertex>) -> std::ops::RangeIn
 fn give_way(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
-    stretch: &Stretch,
+    stretch: &StrokeSide,
     assignments: &mut [Assignment],
 ) {
     for (i, opposite) in stretch.opposites(opposites) {

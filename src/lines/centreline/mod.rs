@@ -38,6 +38,7 @@ pub(super) fn merge(polylines: Vec<Polyline<Vertex>>, area: MmRect, params: &Par
 #[cfg(test)]
 mod testing {
     use super::*;
+    pub(super) use crate::lines::tests::area;
     use crate::lines::vertex::{FoundIn, SPACING};
     use crate::units::MmPoint;
 
@@ -70,10 +71,6 @@ mod testing {
         let count = bar.vertices.len();
         bar.vertices.rotate_left(start % count);
         bar
-    }
-
-    pub(super) fn area() -> MmRect {
-        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
     }
 }
 

@@ -2,9 +2,9 @@
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use crate::geom::crossing;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
+use crate::geom::{crossing, right_of};
 use crate::lines::corner::is_corner;
 use crate::lines::params::Params;
 use crate::lines::vertex::{Vertex, dot};
@@ -93,7 +93,7 @@ impl<'a> Sides<'a> {
         let reach = self.params.widest_stroke();
         let mut best: Option<(f32, Opposite)> = None;
         for side in [1.0, -1.0] {
-            let across = MmVector::new(-tangent.y, tangent.x) * (side * best.map_or(reach, |(distance, _)| distance));
+            let across = right_of(tangent) * (side * best.map_or(reach, |(distance, _)| distance));
             let ray = (here.at, here.at + across);
             self.segments.along(ray.0, ray.1, |segment| {
                 // longer by a rounding: a line that leads through a vertex exactly crosses both segments, not neither

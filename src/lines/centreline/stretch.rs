@@ -10,7 +10,7 @@ use crate::lines::vertex::Vertex;
 pub(super) const MIN_STRETCH: f32 = 1.5;
 
 /// A stretch of one polyline along which it has opposites on one other.
-pub(super) struct Stretch {
+pub(super) struct StrokeSide {
     pub(super) polyline: usize,
     pub(super) other: usize,
     pub(super) from: usize,
@@ -20,7 +20,7 @@ pub(super) struct Stretch {
     pub(super) saliency: f32,
 }
 
-impl Stretch {
+impl StrokeSide {
     /// Its vertices with their opposites.
     pub(super) fn opposites(&self, all: &[Opposites]) -> impl Iterator<Item = (usize, Opposite)> {
         let own = &all[self.polyline];
@@ -30,7 +30,7 @@ impl Stretch {
 }
 
 /// Stretches of vertices with opposites on the same polyline that are long enough for a stroke.
-pub(super) fn stretches(polylines: &[Polyline<Vertex>], opposites: &[Opposites]) -> Vec<Stretch> {
+pub(super) fn stretches(polylines: &[Polyline<Vertex>], opposites: &[Opposites]) -> Vec<StrokeSide> {
     let mut found = Vec::new();
     for (number, (polyline, opposites)) in polylines.iter().zip(opposites).enumerate() {
         let other = |i: usize| opposites[i].map(|opposite| opposite.polyline);
@@ -46,7 +46,7 @@ pub(super) fn stretches(polylines: &[Polyline<Vertex>], opposites: &[Opposites])
                 |&i: &usize| opposites[i].map_or(0.0, |opposite| (opposite.at - polyline.vertices[i].at).length());
             let across: f32 = run.iter().map(across).sum();
             if length >= MIN_STRETCH * across / run.len() as f32 {
-                found.push(Stretch { polyline: number, other: beside, from: run[0], count: run.len(), saliency });
+                found.push(StrokeSide { polyline: number, other: beside, from: run[0], count: run.len(), saliency });
             }
         }
     }
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
     use crate::lines::params::Params;
 
-    fn of(lines: &[Polyline<Vertex>]) -> Vec<Stretch> {
+    fn of(lines: &[Polyline<Vertex>]) -> Vec<StrokeSide> {
         stretches(lines, &opposites(lines, area(), &Params::TEST))
     }
 

@@ -10,9 +10,9 @@
 use std::collections::HashSet;
 
 use super::assign::Assignment;
-use crate::geom::crossing;
 use crate::geom::polyline::{Polyline, smooth};
 use crate::geom::walk::runs;
+use crate::geom::{crossing, right_of};
 use crate::lines::junction;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
@@ -24,7 +24,7 @@ const BLUNT: f32 = 2.0;
 /// A gap between two stretches of a side is a corner if it is at most so many widths of the stroke long: at an angle of
 /// 60 degrees the outer side has none opposite for 3.5 widths.
 const CORNER: f32 = 4.0;
-/// ... and if the line turns there by at least 30 degrees: cosine.
+/// Such a gap is a corner only if the line turns there by at least 30 degrees: cosine.
 const TURN: f32 = 0.866;
 /// The direction of a centreline is taken over this much of it, mm.
 const HEADING: f32 = 3.0;
@@ -67,7 +67,7 @@ fn shifted(polyline: &Polyline<Vertex>, assignment: &Assignment, indices: &[usiz
         return part;
     }
     let tangents = (0..indices.len()).map(|k| part.tangent(k));
-    let normals: Vec<MmVector> = tangents.map(|tangent| MmVector::new(-tangent.y, tangent.x)).collect();
+    let normals: Vec<MmVector> = tangents.map(right_of).collect();
     let distance = |(&i, normal): (&usize, &MmVector)| {
         assignment.offsets[i].map(|offset| offset.length().copysign(offset.dot(*normal)))
     };

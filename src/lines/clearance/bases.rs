@@ -10,7 +10,7 @@ use crate::lines::params::Params;
 use crate::lines::vertex::{FoundIn, Vertex};
 use crate::units::MmRect;
 
-/// So many lines can stand on one another, one after the other; of those that do so in a circle none is the first.
+/// Longest stack of lines standing on one another that is followed; a circle of such lines ends there, too.
 const DEPTH: usize = 8;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;
@@ -75,11 +75,7 @@ mod tests {
     use super::super::tests::{clear_all, polyline};
     use super::*;
     use crate::lines::saliency::saliency;
-    use crate::units::MmPoint;
-
-    fn area() -> MmRect {
-        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
-    }
+    use crate::lines::tests::area;
 
     fn stroke(points: &[(f32, f32)], strength: f32) -> (Polyline<Vertex>, Rank) {
         let mut line = polyline(points, false);

@@ -11,9 +11,11 @@ use crate::units::{MmPoint, MmVector};
 
 /// A line whose path comes this near to another, in join gaps, may be extended to it.
 const MEETS: f32 = 0.5;
-/// ... if it does not turn aside for it: least cosine between its heading and the direction to the other.
+/// Least cosine between the heading of a line and the direction to the other line to which it is extended: it does not
+/// turn aside for it.
 const AHEAD_COSINE: f32 = 0.5;
-/// ... where the distance to the other is longer than this, mm; shorter ones have no direction worth asking for.
+/// The direction to the other line is asked for where the distance to it is longer than this, mm; a shorter one has no
+/// direction worth asking for.
 const TURN: f32 = 0.75;
 /// The heading is taken over this much of the line, mm.
 const HEADING: f32 = 2.0;

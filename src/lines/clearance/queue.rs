@@ -12,7 +12,7 @@ use crate::lines::vertex::Vertex;
 /// A piece that is still too near after this many rounds is given up. None of the samples needs more than three.
 const MOST_ROUNDS: u8 = 8;
 
-struct Candidate {
+struct QueuedLine {
     rank: Rank,
     saliency: f32,
     /// When it came: of two that are equally salient, the earlier goes first.
@@ -21,30 +21,30 @@ struct Candidate {
     polyline: Polyline<Vertex>,
 }
 
-impl Ord for Candidate {
+impl Ord for QueuedLine {
     fn cmp(&self, other: &Self) -> Ordering {
         let by_saliency = self.saliency.total_cmp(&other.saliency).then(other.number.cmp(&self.number));
         self.rank.cmp(&other.rank).then(by_saliency)
     }
 }
 
-impl PartialOrd for Candidate {
+impl PartialOrd for QueuedLine {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Candidate {
+impl PartialEq for QueuedLine {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Candidate {}
+impl Eq for QueuedLine {}
 
 /// Lines that wait for their turn.
 pub(super) struct Queue<'a> {
-    heap: BinaryHeap<Candidate>,
+    heap: BinaryHeap<QueuedLine>,
     count: usize,
     params: &'a Params,
 }
@@ -65,13 +65,13 @@ impl<'a> Queue<'a> {
         if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || round > MOST_ROUNDS {
             return;
         }
-        self.heap.push(Candidate { rank, saliency, number: self.count, round, polyline });
+        self.heap.push(QueuedLine { rank, saliency, number: self.count, round, polyline });
         self.count += 1;
     }
 
     /// The next line, its rank and in how many rounds it was judged.
     pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, Rank, u8)> {
-        self.heap.pop().map(|candidate| (candidate.polyline, candidate.rank, candidate.round))
+        self.heap.pop().map(|next| (next.polyline, next.rank, next.round))
     }
 }
 

@@ -20,7 +20,7 @@ const STEEP: f32 = 0.35;
 type Push = (f32, MmVector);
 
 /// A straight stretch of a line.
-struct Stretch {
+struct StraightPart {
     /// Its first vertex.
     first: usize,
     /// How many segments it has.
@@ -31,7 +31,7 @@ struct Stretch {
     offset: f32,
 }
 
-impl Stretch {
+impl StraightPart {
     fn shift(&self) -> MmVector {
         self.normal * self.offset
     }
@@ -61,7 +61,7 @@ pub(super) fn shifts(
 }
 
 /// The straight stretches of a line, and how far each must move.
-fn stretches(polyline: &Polyline<Vertex>, pushes: &[MmVector], passage: &Passage) -> Vec<Stretch> {
+fn stretches(polyline: &Polyline<Vertex>, pushes: &[MmVector], passage: &Passage) -> Vec<StraightPart> {
     let directions: Vec<MmVector> =
         polyline.segments().map(|(a, b)| (b.at - a.at).try_normalize().unwrap_or_default()).collect();
     let (n, count) = (polyline.vertices.len(), directions.len());
@@ -94,7 +94,7 @@ fn stretches(polyline: &Polyline<Vertex>, pushes: &[MmVector], passage: &Passage
         let within = |arc: f32| if from < to { (from..=to).contains(&arc) } else { !(to..from).contains(&arc) };
         let carries = |j: &Junction| j.meeting == Meeting::LineEnds && within(j.arc);
         let offset = if passage.junctions.iter().any(carries) { 0.0 } else { low + high };
-        stretches.push(Stretch { first, count: alike, normal, offset });
+        stretches.push(StraightPart { first, count: alike, normal, offset });
     }
     stretches
 }
@@ -102,7 +102,7 @@ fn stretches(polyline: &Polyline<Vertex>, pushes: &[MmVector], passage: &Passage
 /// Moves the vertices of straight stretches.
 fn move_stretches(
     polyline: &Polyline<Vertex>,
-    stretches: &[Stretch],
+    stretches: &[StraightPart],
     passage: &Passage,
     shifts: &mut [Option<MmVector>],
 ) {
@@ -133,7 +133,7 @@ fn move_stretches(
 }
 
 /// How the common vertex of two stretches moves: to where they cross when both have moved.
-fn common(a: &Stretch, b: &Stretch) -> MmVector {
+fn common(a: &StraightPart, b: &StraightPart) -> MmVector {
     let sine = a.normal.cross(b.normal);
     if sine.abs() < STEEP {
         return (a.shift() + b.shift()) * 0.5;
@@ -146,7 +146,7 @@ fn common(a: &Stretch, b: &Stretch) -> MmVector {
 }
 
 /// How the end of a stretch moves that lies on a line with this direction: it stays on it.
-fn slid(stretch: &Stretch, along: MmVector) -> MmVector {
+fn slid(stretch: &StraightPart, along: MmVector) -> MmVector {
     let sine = along.dot(stretch.normal);
     if sine.abs() < STEEP { MmVector::zero() } else { along * (stretch.offset / sine) }
 }

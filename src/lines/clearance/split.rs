@@ -15,7 +15,7 @@ const TIP: f32 = 0.01;
 /// A line of which less than this share is left in pieces keeps only the first of them, and a ring none: stubs say
 /// where something was, not what.
 const WHOLE: f32 = 0.5;
-/// ... of a line of a vector drawing less than this: every one is meant, and what is left of a petal is still a petal.
+/// The same of a line of a vector drawing: every one is meant, and what is left of a petal is still a petal.
 const WHOLE_DRAWN: f32 = 0.25;
 
 /// A line that ends before it is apart from one that it has crossed ends on it instead: the stub beyond is felt as a

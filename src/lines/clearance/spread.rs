@@ -16,8 +16,8 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// A line between two that are too near on both sides takes some rounds to find its place.
 const ROUNDS: usize = 12;
-/// ... and where a round moves them, all together, by more than this share of what the round before did, there is no
-/// place for all: where there is, each round leaves about half of what is missing.
+/// The rounds end where one moves the lines, all together, by more than this share of what the round before did: there
+/// is no place for all then. Where there is, each round leaves about half of what is missing.
 const LESS: f32 = 0.9;
 
 /// The lines, moved apart. None if no two are so little too near that this helps.
@@ -31,7 +31,7 @@ pub(in crate::lines) fn spread(
         lines.iter().map(|line| line.vertices.iter().map(|vertex| vertex.at).collect()).collect()
     };
     let own = places(&lines);
-    // what joins what stays as it is
+    // junctions are found once, before lines move: which lines join does not change
     let at_first = drawn(&lines, area, params);
     let passages: Vec<Passage> = lines
         .par_iter()
@@ -156,12 +156,9 @@ impl All<'_> {
 mod tests {
     use super::super::tests::polyline;
     use super::*;
+    use crate::lines::tests::area;
 
     const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
-
-    fn area() -> MmRect {
-        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
-    }
 
     /// Bars of this width on an axis, with gaps of this width between them.
     fn chart(bars: usize, width: f32, gap: f32) -> Vec<Polyline<Vertex>> {

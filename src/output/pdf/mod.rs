@@ -157,6 +157,7 @@ fn order(mut outer: pdf_writer::Array<'_>, ids: &Ids) {
                 }
                 inner.items(ids.layers.get(&Layer::Lines).copied());
             }
+            // listed inside the figure above
             Layer::Textures | Layer::Texture(_) | Layer::Lines => {}
             _ => {
                 outer.item(id);

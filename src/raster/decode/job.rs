@@ -13,12 +13,13 @@ use crate::raster::vector::{DrawnText, VectorDrawing};
 use crate::units::Size;
 use crate::{Error, Note};
 
-/// What a picture may cost. A picture over a limit is refused by its header, before anything is decoded.
+/// What a picture may cost. A picture over a limit is refused by its header, before anything is decoded. Default: 300
+/// megapixels and 1024 MB.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
     /// Most pixels, in millions.
     pub megapixels: u64,
-    /// Most memory for decoding, in megabytes.
+    /// Most memory for decoding, in megabytes of 10^6 bytes.
     pub memory_mb: u64,
 }
 

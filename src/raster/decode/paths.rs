@@ -37,8 +37,8 @@ pub(super) fn check_length(tree: &Tree, transform: Transform, target: Size) -> R
     Ok(())
 }
 
-/// Length of all paths of a group on a canvas, px: that of their control polygons. A leg beside the canvas has none,
-/// and one that leaves it at most that of the canvas's two sides.
+/// Length of all paths of a group on a canvas, px, measured on control polygons. A segment beside the canvas counts
+/// nothing, one that crosses its border at most the sum of its two sides.
 fn length(group: &Group, transform: Transform, canvas: [f32; 2]) -> f64 {
     let of_leg = |[a, b]: [Point; 2]| {
         let beside = |a: f32, b: f32, side: f32| a.max(b) < 0.0 || a.min(b) > side;

@@ -111,6 +111,7 @@ impl Costs {
         match self.0.get(&id) {
             Some(Some(known)) => return Ok(*known),
             Some(None) => return Err("a part of it draws itself"),
+            // not looked into yet
             None => {}
         }
         self.0.insert(id, None);
