@@ -17,6 +17,7 @@ mod joined_bars;
 mod kept_lines;
 mod key;
 mod label;
+mod leaders;
 mod lost_marks;
 mod lost_signs;
 mod margins;
@@ -122,7 +123,7 @@ pub fn convert_with_words<'p>(
     let with_room = |drawing: &margins::Lettered<'_>, layout: Layout| {
         margins::with_room(drawing, words, &written, request.plan, layout, &layout_of)
     };
-    let marks = draw(picture.into(), given, request, &layout_of, &with_room, watch)?;
+    let marks = draw(picture.into(), (given, words), request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)
 }
 

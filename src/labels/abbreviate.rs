@@ -35,10 +35,13 @@ pub(super) fn all(
         if !of_text.contains_key(text) {
             // what cannot be written cannot be abbreviated either
             let written = known.get(text).and_then(|braille| braille.as_ref().ok());
+            let is_numbered = texts.iter().any(|other| *other != text && differ_in_number(text, other));
+            let numbered = if is_numbered { numbered(text) } else { None };
             let proposals = written.map(|braille| proposals(&without(text, &braille.lacking)));
-            let short = proposals.into_iter().flatten().find_map(|letters| {
+            let short = numbered.into_iter().chain(proposals.into_iter().flatten()).find_map(|letters| {
                 let Braille { cells, lacking, .. } = translator.spell(&letters).ok()?;
-                let is_whole = lacking.is_empty() && (2..=MOST_CELLS).contains(&cells.len());
+                let most = MOST_CELLS + letters.chars().filter(char::is_ascii_digit).count().saturating_sub(1);
+                let is_whole = lacking.is_empty() && (2..=most).contains(&cells.len());
                 (is_whole && !taken.contains(&cells)).then_some(Short { letters, cells })
             });
             taken.extend(short.iter().map(|short| short.cells.clone()));
@@ -46,6 +49,22 @@ pub(super) fn all(
         }
     }
     texts.iter().map(|text| of_text.get(text).cloned().flatten()).collect()
+}
+
+/// Whether two texts are the same but for their numbers, as those of numbered things are.
+fn differ_in_number(a: &str, b: &str) -> bool {
+    let letters = |text: &str| -> String { text.chars().filter(|letter| !letter.is_ascii_digit()).collect() };
+    a.chars().any(|letter| letter.is_ascii_digit()) && letters(a) == letters(b)
+}
+
+/// Most digits of an abbreviation.
+const MOST_DIGITS: usize = 2;
+
+/// "c2" for "cup 2": its first letter and its last number; none where there is no letter or the number is long.
+fn numbered(text: &str) -> Option<String> {
+    let letter = text.to_lowercase().chars().find(|letter| letter.is_alphabetic())?;
+    let number = text.split(|letter: char| !letter.is_ascii_digit()).rfind(|number| !number.is_empty())?;
+    (number.len() <= MOST_DIGITS).then(|| format!("{letter}{number}"))
 }
 
 /// A text without the characters that its code lacks.
@@ -97,6 +116,12 @@ mod tests {
         let texts = ["Apple", "Apricot", "North Hill", "apple tree", "Apple", "1995", "ap", "X", "Aps"];
         // "ap" is a label of its own
         assert_eq!(short(&texts, "en"), ["al", "ar", "nh", "at", "al", "-", "-", "-", "as"]);
+    }
+
+    #[test]
+    fn what_tells_numbered_things_apart_is_kept() {
+        assert_eq!(short(&["cup 1", "cup 2", "cup 12", "cap 2"], "en"), ["c1", "c2", "c12", "ca"]);
+        assert_eq!(short(&["glass 1", "cup 2"], "en"), ["gl", "cu"], "their words tell them apart");
     }
 
     /// In Polish braille a capital is not in the letter, in Spanish a w has the cell of no other letter; but a code may

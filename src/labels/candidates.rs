@@ -26,8 +26,13 @@ pub(super) struct Candidate {
 pub const NEAR: f32 = 12.0;
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
 const FAR: f32 = 37.5;
+/// How much further than the line by which the drawing leads to it a label may lie where that is longer, mm.
+const BEYOND: f32 = 10.0;
 /// Blank between a leader line and what another label names, mm: nearer it would lead there.
 const TO_OTHERS: f32 = 4.0;
+/// A text that stands so near to a line is led to that, mm: a leader line that ends in the blank where print stood
+/// names nothing. Further away it names the area that it stands in.
+const BESIDE_LINE: f32 = 6.0;
 /// Blank between a label and its own leader line, mm.
 pub(super) const BEFORE_LEADER: f32 = 3.0;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
@@ -68,7 +73,12 @@ const HAIR: f32 = 0.01;
 const LEADER: f32 = 10.0;
 /// What a leader line across other lines costs: more than an abbreviation.
 const ACROSS: f32 = 2000.0;
-/// ... and what each mm of it costs that runs along a line, of which it would be felt as a part.
+/// ... and where the drawing's own leader line crossed them too: less than an abbreviation.
+const ACROSS_AS_DRAWN: f32 = 300.0;
+/// What each mm costs that it then lies from where that began, beside its text: on the other side it would stand among
+/// other things.
+const FROM_PRINT: f32 = 2.0;
+/// What each mm of a leader line costs that runs along a line, of which it would be felt as a part.
 const ALONG_A_LINE: f32 = 20.0;
 /// Least distance to what a leader line leads to, mm: a shorter one is felt as a dot.
 const SHORTEST_LEADER: f32 = 6.0;
@@ -184,6 +194,8 @@ pub(super) struct Around<'a> {
     line_on: Option<f32>,
     /// What the label names.
     anchor: MmPoint,
+    /// Where its leader line ends: there, or of a text that stands in the blank beside a line, on that.
+    tip: MmPoint,
     /// What labels beside it name.
     others: Vec<MmPoint>,
 }
@@ -210,6 +222,7 @@ impl<'a> Around<'a> {
             is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
             line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
             anchor: at,
+            tip: if is_point { at } else { room.nearest_ink(label.anchor, BESIDE_LINE).unwrap_or(at) },
             others,
         }
     }
@@ -268,7 +281,7 @@ fn of_form(
     }
     // steps from the place in the middle of the anchor, so that it is among them
     let middle = anchor - size * 0.5;
-    let steps = |half: f32| (((half + FAR) / params.step).ceil()) as i32;
+    let steps = |half: f32| (((half + reach(label)) / params.step).ceil()) as i32;
     let (across, down) = (steps(0.5 * size.x), steps(0.5 * size.y));
     let mut found = Vec::new();
     for y in -down..=down {
@@ -283,21 +296,27 @@ fn of_form(
     found
 }
 
+/// How far a label may lie from what it names, mm.
+fn reach(label: &Wanted) -> f32 {
+    label.led_from.map_or(FAR, |from| FAR.max((from - label.anchor.center()).length() + BEYOND))
+}
+
 fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: &Around<'_>) -> Option<Candidate> {
-    let &Around { room, params, end, is_at_lower_side, line_on, .. } = around;
+    let &Around { room, params, end, is_at_lower_side, tip, .. } = around;
     let anchor = label.anchor.center();
     let gap = to_box(anchor, place);
     let is_point = label.anchor.is_empty();
-    if gap > FAR || is_point && gap < BESIDE {
+    if gap > reach(label) || is_point && gap < BESIDE {
         return None;
     }
     // from the nearest point of the label, or from another one where lines lie between
     let nearest = anchor.clamp(place.min, place.max);
-    let starts = || std::iter::once(nearest).chain(corners(place));
+    let starts = || std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
     let is_open = |from: &MmPoint| !room.is_parted(*from, anchor, end);
+    let is_open_to_tip = |from: &MmPoint| !room.is_parted(*from, tip, end);
     let leads = |from: MmPoint| {
-        let chord = anchor - from;
-        (chord.length() > SHORTEST_LEADER).then(|| [from + chord.normalize() * BEFORE_LEADER, anchor])
+        let chord = tip - from;
+        (chord.length() > SHORTEST_LEADER).then(|| [from + chord.normalize() * BEFORE_LEADER, tip])
     };
     // a label on the other side of a line names what is there, unless a line leads across; one that is nearer to what
     // another names is taken for the other's
@@ -305,7 +324,7 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
     let clear = || {
         // one that begins at a corner must not run along its own label
         let leaves = |[from, _]: &[MmPoint; 2]| to_box(*from, place) >= 0.7 * BEFORE_LEADER;
-        let segments = starts().filter(is_open).filter_map(leads).filter(leaves);
+        let segments = starts().filter(is_open_to_tip).filter_map(leads).filter(leaves);
         segments
             .into_iter()
             .find(|[from, to]| room.is_free_segment(*from, *to, end) && around.leads_to_own(place, [*from, *to]))
@@ -316,13 +335,41 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
         false => match clear().or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
             Some(segment) => (Some(segment), false),
             None if !params.may_cross || is_open(&nearest) => return None,
-            None => (Some(leads(nearest)?), true),
+            None => {
+                let segment = leads(nearest)?;
+                // as the drawing leads to it, it may cross lines, and still names nothing else
+                if label.led_from.is_some() && !around.leads_to_own(place, segment) {
+                    return None;
+                }
+                (Some(segment), true)
+            }
         },
     };
+    let distance = distance(label, place, around);
+    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
+    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
+    let leader_cost = match leader {
+        Some([from, to]) if crosses => {
+            let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
+            across + ALONG_A_LINE * room.along(from, to, end)
+        }
+        Some(_) => LEADER,
+        None => 0.0,
+    };
+    // on the side where its text stood
+    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * to_box(from, place));
+    let cost = form.cost + distance + aside + elsewhere + GLYPH * glyphs + leader_cost;
+    Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
+}
+
+/// How far a place is from what a label names, mm: more in directions in which it reads worse.
+fn distance(label: &Wanted, place: MmRect, around: &Around<'_>) -> f32 {
+    let &Around { is_at_lower_side, line_on, anchor, .. } = around;
+    let (gap, is_point) = (to_box(anchor, place), label.anchor.is_empty());
     // beside a point; in place of a text
     let away = place.center() - anchor;
     let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
-    let distance = match (is_point, is_beside) {
+    match (is_point, is_beside) {
         (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
         (true, true) => gap + 0.3 * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
         (true, false) => gap + 0.1 * away.x.abs() + ABOVE_OR_BELOW,
@@ -332,16 +379,7 @@ fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: 
             (away.x * if is_back { ALONG } else { 1.0 }).hypot(OFF_THE_ROW * away.y)
         }
         (false, _) => (ALONG * away.x).hypot(away.y),
-    };
-    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
-    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
-    let leader_cost = match leader {
-        Some([from, to]) if crosses => ACROSS + ALONG_A_LINE * room.along(from, to, end),
-        Some(_) => LEADER,
-        None => 0.0,
-    };
-    let cost = form.cost + distance + elsewhere + GLYPH * glyphs + leader_cost;
-    Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
+    }
 }
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands

@@ -3,7 +3,7 @@
 
 use super::placed::{Params, Wanted};
 use super::room::Room;
-use super::{begun, titles};
+use super::{begun, longer_ticks, titles};
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
@@ -17,6 +17,8 @@ pub struct Foretold<'a> {
     pub contours: &'a [MmPoint],
     /// How wide the lines on them will be at most, mm.
     pub line_width: f32,
+    /// How long ticks will be at least, if shorter ones are drawn longer, mm.
+    pub longer_to: Option<f32>,
     /// As labels will be placed, but in all the area that they may take.
     pub params: &'a Params,
 }
@@ -24,10 +26,14 @@ pub struct Foretold<'a> {
 /// How far labels in rows and columns reach out of a box on the left, above, on the right and below, mm; less than 0
 /// where they keep within it.
 pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Translator<'_>, within: MmRect) -> [f32; 4] {
-    let Foretold { wanted, contours, line_width, params } = of;
+    let Foretold { wanted, contours, line_width, longer_to, params } = of;
     // the grid of a device may end at the box
     let cells = &cells.anywhere();
-    let room = Room::of_contours(params.area, contours, *line_width, params.clearance);
+    let room = |contours: &[MmPoint]| Room::of_contours(params.area, contours, *line_width, params.clearance);
+    let as_drawn = room(contours);
+    let longer = |least| longer_ticks(wanted, translator, cells, &as_drawn, params, least);
+    let longer = longer_to.map(longer).unwrap_or_default();
+    let room = if longer.is_empty() { as_drawn } else { room(&[contours, &longer[..]].concat()) };
     let begun = begun(wanted, translator, cells, &room, params);
     let placed = &begun.placed;
     let [left, top, right, bottom] =

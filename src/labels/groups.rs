@@ -163,7 +163,8 @@ mod tests {
     /// A text with its box: its left and upper edge, its width and height, mm.
     fn text(text: &str, [x, y, width, height]: [f32; 4]) -> Wanted {
         let corner = MmPoint::new(x, y);
-        Wanted { text: text.to_owned(), anchor: MmRect::new(corner, MmPoint::new(x + width, y + height)) }
+        let anchor = MmRect::new(corner, MmPoint::new(x + width, y + height));
+        Wanted { text: text.to_owned(), anchor, led_from: None }
     }
 
     fn groups(wanted: &[Wanted]) -> Vec<(Lies, Vec<usize>)> {

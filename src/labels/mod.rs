@@ -14,6 +14,8 @@
 mod abbreviate;
 mod candidates;
 mod choose;
+mod columns;
+mod context;
 mod foretold;
 mod forms;
 mod groups;
@@ -37,6 +39,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
+use crate::units::MmPoint;
 use candidates::{Around, Candidate, Spacing, TIGHTEST};
 use forms::{Form, Forms, Kind};
 use groups::Group;
@@ -63,10 +66,10 @@ pub fn place(
 ) -> Vec<Result<Placed, Unplaced>> {
     let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
-    let Begun { forms, around, placed: in_rows, thinned, .. } = begun(wanted, translator, cells, &room, params);
+    let Begun { forms, around, placed: in_rows, thinned, titles, .. } = begun(wanted, translator, cells, &room, params);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],
-        (None, Ok(_)) if thinned[number].is_some() => Vec::new(),
+        (None, Ok(_)) if thinned[number].is_some() || titles.contains(&number) => Vec::new(),
         (None, Ok(forms)) => candidates::of(&wanted[number], &forms.forms, &around[number], cells),
         (None, Err(_)) => Vec::new(),
     };
@@ -97,12 +100,14 @@ struct Begun<'a> {
     placed: Vec<Option<Candidate>>,
     /// Of numbers along an axis that are left out as there is no room for all, every how many-th is written.
     thinned: Vec<Option<i64>>,
+    /// Titles of upright axes, which stand above those or nowhere.
+    titles: Vec<usize>,
 }
 
 impl Begun<'_> {
-    fn context(&self) -> rows::Context<'_> {
+    fn context(&self) -> context::Context<'_> {
         let Self { wanted, cells, room, params, forms, around, .. } = self;
-        rows::Context { wanted, forms, around, room, params, cells }
+        context::Context { wanted, forms, around, room, params, cells }
     }
 }
 
@@ -119,12 +124,28 @@ fn begun<'a>(
     let mut forms = forms::of(&texts, translator);
     let around = around(wanted, &forms, room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
-    let mut begun = Begun { wanted, cells, room, params, forms, around, placed: Vec::new(), thinned: Vec::new() };
+    let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
+    let mut begun = Begun { wanted, cells, room, params, forms, around, placed, thinned, titles };
     let rows::InRows { mut placed, thinned } = rows::placed(&groups, &begun.context());
-    titles::place(&groups, &begun.context(), &mut placed);
+    begun.titles = titles::place(&groups, &begun.context(), &mut placed);
     begun.placed = placed;
     begun.thinned = thinned;
     begun
+}
+
+/// Points of what ticks of upright axes will be longer by than in the drawing, so that they are `least` mm long.
+fn longer_ticks(
+    wanted: &[Wanted],
+    translator: &Translator<'_>,
+    cells: &CellGrid<'_>,
+    room: &Room,
+    params: &Params,
+    least: f32,
+) -> Vec<MmPoint> {
+    let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
+    let mut forms = forms::of(&texts, translator);
+    let around = around(wanted, &forms, room, cells, params);
+    ticks::longer(&groups_of(wanted, &mut forms, &around, translator), wanted, room, least)
 }
 
 /// What lies around what each label names.

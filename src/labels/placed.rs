@@ -37,6 +37,8 @@ pub struct Wanted {
     pub text: String,
     /// What it names: a point as an empty box, or the box of a text that it stands for.
     pub anchor: MmRect,
+    /// Of a text that the drawing leads to that point by a line that is not on the page, where that begins.
+    pub led_from: Option<MmPoint>,
 }
 
 /// What a label stands with.

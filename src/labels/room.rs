@@ -21,6 +21,8 @@ const BROADEST: f32 = 420.0;
 const SIDE_OF_TEXT: f32 = 4.0;
 /// Sides that are nearer than this to those above are the same ones, mm: a third of what labels keep from lines.
 const SAME_SIDE: f32 = 1.0;
+/// Dots of a line that are no further apart are side by side, mm: across the diagonal of a grid of 2.5 mm.
+const SIDE_BY_SIDE: f32 = 3.6;
 /// Blank between a leader line and other lines, mm.
 const LEADER_CLEARANCE: f32 = 1.5;
 
@@ -52,7 +54,12 @@ impl Room {
     pub(super) fn new(area: MmRect, lines: &[Line], textures: &[Texture], clearance: f32) -> Self {
         let segments = lines.iter().flat_map(|line| &line.runs).flat_map(|run| {
             let points: Vec<MmPoint> = match run.pen {
-                Pen::Dots(_) => run.points.iter().flat_map(|&at| [at, at]).collect(),
+                // between dots side by side there is no way through: they are felt as a line
+                Pen::Dots(_) => {
+                    let links = run.points.windows(2).filter(|pair| (pair[1] - pair[0]).length() <= SIDE_BY_SIDE);
+                    let links = links.flat_map(|pair| [pair[0], pair[1]]);
+                    run.points.iter().flat_map(|&at| [at, at]).chain(links).collect()
+                }
                 Pen::Stroke => {
                     let path: Vec<MmPoint> = run.polyline().path().copied().collect();
                     path.windows(2).flat_map(|pair| [pair[0], pair[1]]).collect()
@@ -115,6 +122,17 @@ impl Room {
     /// Whether a line lies at a point.
     pub(super) fn is_ink(&self, at: MmPoint) -> bool {
         self.squares.index(at).is_some_and(|index| self.ink[index] > 0)
+    }
+
+    /// The middle of the square of a line that is nearest to a box, and within `reach` of it.
+    pub(super) fn nearest_ink(&self, place: MmRect, reach: f32) -> Option<MmPoint> {
+        let steps = |side: f32| (side / SQUARE).ceil() as u32;
+        let around = place.inflate(reach, reach);
+        let squares = (0..=steps(around.height())).flat_map(|y| (0..=steps(around.width())).map(move |x| (x, y)));
+        let points = squares.map(|(x, y)| around.min + MmVector::new(x as f32, y as f32) * SQUARE);
+        let far = |at: &MmPoint| (*at - at.clamp(place.min, place.max)).length();
+        let ink = points.filter(|at| far(at) <= reach && self.is_ink(*at));
+        ink.min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
     /// How many glyphs lie in a box.

@@ -2,23 +2,18 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{Around, BEFORE_LEADER, Candidate, JUST, TIGHTEST};
-use super::forms::{Form, Forms, Kind};
+use super::candidates::{BEFORE_LEADER, Candidate, JUST, TIGHTEST};
+use super::columns::each_as_it_fits;
+use super::context::{ALONG, Context, REACH, both_ways, is_free};
+use super::forms::{Form, Kind};
 use super::groups::{Group, Lies, OF_AN_AXIS};
-use super::placed::{Params, Stands, Unplaced, Wanted};
-use super::room::Room;
+use super::placed::Stands;
 use super::ticks;
-use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// How far a row may lie from its texts, mm: so near a label names something without a leader line.
-const REACH: f32 = 12.0;
-/// ... and how far with leader lines straight to its texts, mm: past a row of other things below them, such as a
-/// legend.
+/// How far a row may lie from its texts with leader lines straight to them, mm: past a row of other things below them,
+/// such as a legend.
 const FAR: f32 = 30.0;
-/// How far a label may be moved along its row, as a share of the distance to its neighbour's anchor: its middle is then
-/// still much nearer to its own.
-const ALONG: f32 = 0.3;
 /// Least blank between points and the labels below them, mm.
 const BELOW_POINTS: f32 = 2.0;
 /// What a second row of labels costs for each of them, mm.
@@ -50,16 +45,6 @@ impl Level {
         };
         forms.iter().position(is).unwrap_or(0)
     }
-}
-
-/// What groups of labels are placed in.
-pub(super) struct Context<'a> {
-    pub(super) wanted: &'a [Wanted],
-    pub(super) forms: &'a [Result<Forms, Unplaced>],
-    pub(super) around: &'a [Around<'a>],
-    pub(super) room: &'a Room,
-    pub(super) params: &'a Params,
-    pub(super) cells: &'a CellGrid<'a>,
 }
 
 /// What becomes of labels that stand in rows and columns.
@@ -159,6 +144,11 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
         };
         if level == Level::Fitting && group.members.iter().zip(&forms).any(is_short) {
             continue;
+        }
+        if level == Level::Short
+            && let Some(found) = each_as_it_fits(group, context, placed)
+        {
+            return Some(found);
         }
         let attempt = (arrangement, forms);
         if seen.contains(&attempt) {
@@ -328,27 +318,6 @@ impl<'a> RowOfLabels<'a> {
 /// From this share of the breadth on, numbers of an upright axis stand on the right side, and from so far up those of a
 /// level one above: those of an axis through the middle are looked for on the left and below.
 const SECOND_SIDE: f32 = 0.6;
-
-/// Whether a label of a row can lie in its place: free, and with a free segment for its leader line; without one on its
-/// own side of all lines, and nearer to its own anchor than to that of another label.
-fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>) -> bool {
-    let (around, place) = (&context.around[label], candidate.place);
-    let anchor = context.wanted[label].anchor.center();
-    let nearest = anchor.clamp(place.min, place.max);
-    let is_told = || match candidate.leader {
-        _ if candidate.stands == Stands::InMargin => true,
-        Some([from, to]) => {
-            context.room.is_free_segment(from, to, around.end) && around.leads_to_own(place, [from, to])
-        }
-        None => !context.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
-    };
-    context.params.holds(&place) && context.room.is_free(place) && is_told()
-}
-
-/// Steps in both directions, the nearest first.
-fn both_ways(nearest: i32, furthest: i32) -> impl Iterator<Item = i32> {
-    (nearest..=furthest).flat_map(|step| [step, -step].into_iter().take(if step == 0 { 1 } else { 2 }))
-}
 
 /// A leader line from the middle of a label, above or below it.
 fn leader(place: MmRect, anchor: MmPoint) -> [MmPoint; 2] {

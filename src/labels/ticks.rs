@@ -72,6 +72,35 @@ fn along(group: &Group, at: MmPoint) -> f32 {
     if matches!(group.lies, Lies::Column(_)) { at.y } else { at.x }
 }
 
+/// Where ticks of numbers of upright axes will lie that are shorter than lines have to be, and are drawn longer towards
+/// their numbers: the points of those pieces.
+pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f32) -> Vec<MmPoint> {
+    let columns = groups.iter().filter(|group| group.steps.is_some() && matches!(group.lies, Lies::Column(_)));
+    let piece = |label: &usize| {
+        let place = wanted[*label].anchor;
+        // the first piece of a line beside the number, and where it ends
+        let side = |sign: f32| {
+            let edge = if sign > 0.0 { place.max.x } else { place.min.x };
+            let at = |step: u32| MmPoint::new(edge + sign * STEP * step as f32, place.center().y);
+            let steps = (REACH / STEP) as u32;
+            let begin = (0..=steps).find(|step| room.is_ink(at(*step)))?;
+            let beside = |step: u32| [-1.0, 1.0].iter().any(|by| room.is_ink(at(step) + MmVector::new(0.0, 3.0 * by)));
+            let axis = (begin..=begin + steps).find(|step| beside(*step) || !room.is_ink(at(*step)))?;
+            let length = STEP * (axis - begin) as f32;
+            let is_tick = beside(axis) && length >= SHORTEST && length < least;
+            is_tick.then(|| (begin as f32 * STEP, (at(begin), sign * (least - length))))
+        };
+        let sides = [-1.0, 1.0].into_iter().filter_map(side);
+        sides.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, piece)| piece)
+    };
+    let pieces = columns.flat_map(|group| &group.members).filter_map(piece);
+    let points = |(tip, more): (MmPoint, f32)| {
+        let steps = (more.abs() / STEP).ceil() as u32;
+        (0..=steps).map(move |step| tip - MmVector::new(more * step as f32 / steps as f32, 0.0))
+    };
+    pieces.flat_map(points).collect()
+}
+
 /// Which numbers have a tick: a piece of a line across the axis at their place, with nothing on either side of it.
 fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
     let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
@@ -127,6 +156,7 @@ mod tests {
             .map(|i| Wanted {
                 text: i.to_string(),
                 anchor: MmRect::new(MmPoint::new(at(i) - 2.0, 27.0), MmPoint::new(at(i) + 2.0, 31.0)),
+                led_from: None,
             })
             .collect();
         let groups = super::super::groups::of(&wanted, |_| true, |_| false);

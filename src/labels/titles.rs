@@ -2,9 +2,9 @@
 //! above it, as transcribers set it, and that of a level one below its numbers or at their end.
 
 use super::candidates::{Candidate, JUST, TIGHTEST};
+use super::context::Context;
 use super::groups::{Group, Lies, OF_AN_AXIS};
 use super::placed::Stands;
-use super::rows::Context;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from its numbers a title stands in print, mm, at most.
@@ -12,19 +12,27 @@ const IN_PRINT: f32 = 30.0;
 /// How far a title may be moved, mm: away from the numbers to where it is free, and left and right.
 const AWAY: f32 = 15.0;
 const ASIDE: f32 = 30.0;
+/// ... and up to above an axis that goes on over its last number.
+const ABOVE: f32 = 30.0;
 /// A text is turned if its box is so many times as high as it is wide.
 const TURNED: f32 = 1.5;
 /// Fewest letters of a text that shows by its box that it is turned.
 const LETTERS: usize = 3;
 
-/// Finds places for titles of axes whose numbers or words have theirs.
-pub(super) fn place(groups: &[Group], context: &Context<'_>, placed: &mut [Option<Candidate>]) {
+/// Finds places for titles of axes whose numbers or words have theirs. Gives those of upright axes, which stand nowhere
+/// else.
+pub(super) fn place(groups: &[Group], context: &Context<'_>, placed: &mut [Option<Candidate>]) -> Vec<usize> {
+    let mut of_upright = Vec::new();
     let is_alone = |label: usize| !groups.iter().any(|group| group.members.contains(&label));
     for label in (0..context.wanted.len()).filter(|&label| is_alone(label) && context.forms[label].is_ok()) {
         let beside = groups.iter().filter_map(|group| Some((gap(label, group, context)?, group)));
         let Some((_, group)) = beside.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         placed[label] = at_axis(label, group, context, placed);
+        if matches!(group.lies, Lies::Column(_)) {
+            of_upright.push(label);
+        }
     }
+    of_upright
 }
 
 /// How far a text is from the numbers or words of which it is the title, if it can be that.
@@ -33,12 +41,16 @@ fn gap(label: usize, group: &Group, context: &Context<'_>) -> Option<f32> {
     let all = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
     let is_turned =
         text.height() > TURNED * text.width() && context.wanted[label].text.trim().chars().count() >= LETTERS;
+    // beside an upright axis short titles stand level too
+    let is_beside = !text.is_empty() && (text.max.x <= all.min.x || text.min.x >= all.max.x);
     let (at, is_axis) = (text.center(), group.steps.is_some() || group.members.len() >= OF_AN_AXIS);
     // what stands among lines is the name of one of them, or of a sample in a legend
     let lines = context.room.bounds()?;
     let gap = match group.lies {
         Lies::Column(_)
-            if is_turned && (all.min.y..all.max.y).contains(&at.y) && !(lines.min.x..lines.max.x).contains(&at.x) =>
+            if (is_turned || is_beside && group.steps.is_some())
+                && (all.min.y..all.max.y).contains(&at.y)
+                && !(lines.min.x..lines.max.x).contains(&at.x) =>
         {
             (all.min.x - at.x).max(at.x - all.max.x)
         }
@@ -60,16 +72,23 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
     let row = extent(group.members.iter().filter_map(|&member| Some(placed[member].as_ref()?.place)))?;
     let in_print = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
     let text = context.wanted[label].anchor;
+    let is_left = text.center().x < in_print.min.x;
+    let furthest = if group.lies == Lies::Row { AWAY } else { ABOVE };
     let in_form = |(number, form): (usize, &super::forms::Form)| {
         let size = form.extent(context.cells);
         // where it stands if it is free, and in which direction it goes where it is not
         let (at, away) = match group.lies {
             Lies::Column(_) => {
-                let is_left = text.center().x < in_print.min.x;
                 let x = if is_left { row.min.x } else { row.max.x - size.x };
                 (MmPoint::new(x, row.min.y - TIGHTEST.above() - size.y), -1.0)
             }
             _ => (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + TIGHTEST.above()), 1.0),
+        };
+        // beside an axis it would stand above what the axis is that of, such as the first bar of a chart
+        let is_above = |corner: MmPoint| match group.lies {
+            Lies::Column(_) if is_left => corner.x <= row.max.x,
+            Lies::Column(_) => corner.x + size.x >= row.min.x,
+            _ => true,
         };
         let at_end = MmPoint::new(row.max.x + TIGHTEST.aside(), row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {
@@ -84,10 +103,10 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
         let step = context.params.step.max(1.0);
         let steps = |reach: f32| (reach / step).floor() as i32;
         let across = (0..=steps(ASIDE)).flat_map(|by| [by, -by].into_iter().take(if by == 0 { 1 } else { 2 }));
-        let offsets = (0..=steps(AWAY)).flat_map(|by| across.clone().map(move |aside| (aside, by)));
+        let offsets = (0..=steps(furthest)).flat_map(|by| across.clone().map(move |aside| (aside, by)));
         let moved = offsets.filter_map(|(aside, by)| {
             let by = MmVector::new(aside as f32, away * by as f32) * step;
-            free(at + by, by.x.abs() + by.y.abs())
+            is_above(at + by).then(|| free(at + by, by.x.abs() + by.y.abs())).flatten()
         });
         let nearest = moved.min_by(|a, b| a.cost.total_cmp(&b.cost));
         nearest.or_else(|| free(at_end, AWAY).filter(|_| group.lies == Lies::Row))

@@ -5,6 +5,7 @@ use super::junction::{extend_to, heading};
 use super::marks::TickMark;
 use super::params::Params;
 use super::vertex::{Vertex, nearby};
+use crate::geom::nearby::Segment;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect};
@@ -160,9 +161,13 @@ fn ticks(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<T
         let along = (last - first).try_normalize()?;
         let length = line.length();
         let base = |at: MmPoint, reach: f32| -> Option<(f32, usize)> {
-            let (distance, _, segment) = segments.nearest(at, reach, |segment| is_long(segment.line))?;
-            let base = (segment.b - segment.a).try_normalize()?;
-            (base.dot(along).abs() <= STEEP).then_some((distance, segment.line as usize))
+            // at the corner of two axes it stands on one of them
+            let is_steep = |segment: &Segment| {
+                (segment.b - segment.a).try_normalize().is_some_and(|base| base.dot(along).abs() <= STEEP)
+            };
+            let wanted = |segment: &Segment| is_long(segment.line) && is_steep(segment);
+            let (distance, _, segment) = segments.nearest(at, reach, wanted)?;
+            Some((distance, segment.line as usize))
         };
         if let Some((_, base)) = base(first.lerp(last, 0.5), ACROSS * length) {
             return Some(Tick { number, base, length, stands: [None, None] });

@@ -3,7 +3,9 @@
 use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
+
 use super::joined_bars::{self, BarTolerances, Instead, Redraw};
+use super::leaders;
 use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
@@ -15,6 +17,7 @@ use super::request::{Fit, Request};
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
+use super::words::{Words, become_labels};
 use crate::classes::{self, Classes};
 use crate::devices::Family;
 use crate::edges::{self, Edges, PictureKind, Ridges};
@@ -79,7 +82,7 @@ struct Found {
 /// contours.
 fn find(
     picture: Picture<'_>,
-    given: &Given,
+    (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
     with_room: &WithRoom<'_>,
@@ -95,7 +98,7 @@ fn find(
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
-    let texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
+    let mut texts = placed(&picture.texts, &PageTransform::new(picture.raster.size(), layout.figure));
     notes.extend(texts::left_out(&texts, layout.figure));
 
     request.go_on()?;
@@ -104,6 +107,10 @@ fn find(
         find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch)
     })?;
     notes.extend(told_short(given, &layout, plan));
+    if let Some(edges) = edges.as_mut().filter(|_| plan.profile().figure.lines && given.lines.is_none()) {
+        let draw = |edges: &Edges| draw_lines(Some(edges), None, true, &layout, plan, &mut |_| ()).lines.lines;
+        notes.extend(leaders::whole_or_none(edges, &mut texts, become_labels(words), &layout, draw));
+    }
     let (calmed_around, told) = subject::prepare(given, edges.as_mut(), source, &layout, plan);
     notes.extend(told);
     request.go_on()?;
@@ -114,7 +121,7 @@ fn find(
 /// texts in it.
 pub(super) fn draw(
     picture: Picture<'_>,
-    given: &Given,
+    (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
     with_room: &WithRoom<'_>,
@@ -122,7 +129,7 @@ pub(super) fn draw(
 ) -> Result<Marks, Error> {
     let plan = request.plan;
     let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } =
-        find(picture, given, request, layout_of, with_room, watch)?;
+        find(picture, (given, words), request, layout_of, with_room, watch)?;
     let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
     // lines that a person gave stay as they are
     let may_join = given.lines.is_none();

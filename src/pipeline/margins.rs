@@ -184,15 +184,21 @@ fn lacks(
     let (figure, cells) = (layout.figure, CellGrid::of(&layout.medium, plan.profile().braille.cell));
     let within = words::params(layout, &[], plan);
     let params = labels::Params { area: layout.figure.inflate(across, down), ..within };
-    let wanted: Vec<Wanted> =
-        texts.iter().map(|(text, anchor)| Wanted { text: text.string.clone(), anchor: *anchor }).collect();
+    let wanted: Vec<Wanted> = texts
+        .iter()
+        .map(|(text, anchor)| Wanted { text: text.string.clone(), anchor: *anchor, led_from: None })
+        .collect();
     // on a grid a line may lie a step aside and have a second row
     let line_width = match &layout.medium {
         Medium::Print(_) => plan.lines().width_max,
         Medium::Dots(dots) => dots.diameter() + 2.0 * dots.pitch,
     };
     let step = layout.medium.pitch();
-    let foretold = Foretold { wanted: &wanted, contours, line_width, params: &params };
+    let longer_to = match &layout.medium {
+        Medium::Print(_) => Some(plan.lines().min_length),
+        Medium::Dots(_) => None,
+    };
+    let foretold = Foretold { wanted: &wanted, contours, line_width, longer_to, params: &params };
     let [left, top, right, bottom] = rows_beyond(&foretold, &cells, translator, layout.room);
     // ... and braille is brought on to it
     let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + step + MOVED);

@@ -63,7 +63,8 @@ pub fn convert<'p>(
     let plan = request.plan;
     let written = Written::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
-    let marks = draw(picture.into(), given, request, &|size| Ok(together(&lay(size)?)), &|_, layout| layout, watch)?;
+    let marks =
+        draw(picture.into(), (given, words), request, &|size| Ok(together(&lay(size)?)), &|_, layout| layout, watch)?;
     let Marks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {

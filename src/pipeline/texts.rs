@@ -21,6 +21,8 @@ pub struct Text {
     /// Whether it is not painted, as the words that lie behind a scanned page are not: its letters are a part of the
     /// picture, if they are seen at all.
     pub hidden: bool,
+    /// Of a text whose leader line in the drawing is not on the page, where that begins and its tip at what it names.
+    pub(super) led_over: Option<(MmPoint, MmPoint)>,
 }
 
 impl Text {
@@ -30,8 +32,11 @@ impl Text {
     }
 
     /// Where it stands: its box, or of a slanted text, such as a long word below a bar of a chart, its upper end, which
-    /// is at what it names.
+    /// is at what it names. Where its leader line is not on the page, the tip of that.
     pub(super) fn anchor(&self) -> MmRect {
+        if let Some((_, tip)) = self.led_over {
+            return MmRect::new(tip, tip);
+        }
         // between 0 and 180 degrees: a text upside down has its upper end where it would have it otherwise
         let angle = self.angle.rem_euclid(180.0);
         let is_slanted = SLANTED.contains(&angle) || SLANTED.contains(&(180.0 - angle));
@@ -56,6 +61,7 @@ pub(super) fn placed(texts: &[DrawnText], transform: &PageTransform) -> Vec<Text
         angle: text.angle,
         size: text.size * transform.mm_per_px(),
         hidden: text.hidden,
+        led_over: None,
     };
     texts.iter().map(placed).collect()
 }

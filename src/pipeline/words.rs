@@ -322,19 +322,31 @@ fn wanted(texts: &[Text], words: &Words<'_>, figure: &Figure) -> (Vec<Wanted>, V
     let (mut wanted, mut outside) = (Vec::new(), Vec::new());
     for label in words.labels {
         match label.on(figure.place, figure.source) {
-            Some(at) => wanted.push(Wanted { text: label.text.clone(), anchor: MmRect::new(at, at) }),
+            Some(at) => {
+                wanted.push(Wanted { text: label.text.clone(), anchor: MmRect::new(at, at), led_from: None });
+            }
             None => outside.push(label.text.clone()),
         }
     }
-    wanted.extend(own_texts(texts, words).map(|text| Wanted { text: text.string.clone(), anchor: text.anchor() }));
+    wanted.extend(own_texts(texts, words).map(|text| Wanted {
+        text: text.string.clone(),
+        anchor: text.anchor(),
+        led_from: text.led_over.map(|(from, _)| from),
+    }));
     (wanted, outside)
 }
 
 /// The texts of a drawing that become labels. It often has its title in it, which stands above it already.
 pub(super) fn own_texts<'t>(texts: &'t [Text], words: &Words<'_>) -> impl Iterator<Item = &'t Text> {
+    let is_label = become_labels(words);
+    texts.iter().filter(move |text| is_label(text))
+}
+
+/// Whether a text of a drawing becomes a label.
+pub(super) fn become_labels(words: &Words<'_>) -> impl Fn(&Text) -> bool + use<> {
     let (are_wanted, title) = (words.own_texts, words.title.map(|title| title.trim().to_owned()));
     let is_title = move |text: &Text| title.as_deref().is_some_and(|title| title == text.string.trim());
-    texts.iter().filter(move |text| are_wanted && text.is_read() && !is_title(text))
+    move |text| are_wanted && text.is_read() && !is_title(text)
 }
 
 /// Blank between braille and signs, mm.

@@ -1,0 +1,44 @@
+//! What labels in rows and columns are placed in, and whether a place in it is free.
+
+use super::candidates::{Around, Candidate};
+use super::forms::Forms;
+use super::placed::{Params, Stands, Unplaced, Wanted};
+use super::room::Room;
+use crate::page::cells::CellGrid;
+
+/// How far a row may lie from its texts, mm: so near a label names something without a leader line.
+pub(super) const REACH: f32 = 12.0;
+/// How far a label may be moved along its row, as a share of the distance to its neighbour's anchor: its middle is then
+/// still much nearer to its own.
+pub(super) const ALONG: f32 = 0.3;
+
+/// What groups of labels are placed in.
+pub(super) struct Context<'a> {
+    pub(super) wanted: &'a [Wanted],
+    pub(super) forms: &'a [Result<Forms, Unplaced>],
+    pub(super) around: &'a [Around<'a>],
+    pub(super) room: &'a Room,
+    pub(super) params: &'a Params,
+    pub(super) cells: &'a CellGrid<'a>,
+}
+
+/// Whether a label of a row can lie in its place: free, and with a free segment for its leader line; without one on its
+/// own side of all lines, and nearer to its own anchor than to that of another label.
+pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>) -> bool {
+    let (around, place) = (&context.around[label], candidate.place);
+    let anchor = context.wanted[label].anchor.center();
+    let nearest = anchor.clamp(place.min, place.max);
+    let is_told = || match candidate.leader {
+        _ if candidate.stands == Stands::InMargin => true,
+        Some([from, to]) => {
+            context.room.is_free_segment(from, to, around.end) && around.leads_to_own(place, [from, to])
+        }
+        None => !context.room.is_parted(nearest, anchor, around.end) && around.is_own(place),
+    };
+    context.params.holds(&place) && context.room.is_free(place) && is_told()
+}
+
+/// Steps in both directions, the nearest first.
+pub(super) fn both_ways(nearest: i32, furthest: i32) -> impl Iterator<Item = i32> {
+    (nearest..=furthest).flat_map(|step| [step, -step].into_iter().take(if step == 0 { 1 } else { 2 }))
+}

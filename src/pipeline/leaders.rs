@@ -1,0 +1,286 @@
+//! Leader lines that a drawing has from its texts to what they name. Cut at the lines that it crosses, the rest of one
+//! leads from a word to the wrong thing or to nothing, so a leader line is on the page as a whole or not at all.
+
+use super::texts::Text;
+use super::unwritten::named;
+use crate::edges::{ChainRange, Edges};
+use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::polyline::PolylineRef;
+use crate::geom::{crossing, nearest_on_segment};
+use crate::lines::{Line, Pen};
+use crate::page::Medium;
+use crate::page::layout::Layout;
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
+use crate::{About, Note};
+
+/// A leader line ends so near to its text, mm: print stands up to 4 mm beside it.
+const BESIDE_TEXT: f32 = 5.0;
+/// Shortest leader line, mm: what is shorter beside a word may be a tick, and is no further from it than a label.
+const SHORTEST: f32 = 8.0;
+/// ... and the longest, as a share of the figure's longer side: what is longer, such as an axis, is a line by itself.
+const LONGEST: f32 = 0.4;
+/// A leader line is straight: its chord is at least this share of it.
+const STRAIGHT: f32 = 0.98;
+/// Nothing else is so near to its end beside the text, mm: there sides of shapes meet.
+const FREE: f32 = 1.5;
+/// What it leads to is so near to its other end, mm.
+const AT_TIP: f32 = 3.0;
+/// Ticks on a line make it an axis: so many.
+const TICKS: usize = 2;
+/// A leader line is drawn at a place if a line is so near, mm (lines are moved apart by less), that has its direction
+/// but for 40 degrees: the cosine.
+const DRAWN: f32 = 3.0;
+const ALONG: f32 = 0.77;
+/// On a grid lines have steps of 45 degrees: their direction is that over so many.
+const STEPS_OF_DOTS: usize = 4;
+/// ... and no further before or behind it, mm.
+const BESIDE: f32 = 1.5;
+/// Steps in which a leader line is followed, mm.
+const STEP: f32 = 0.5;
+/// Longest gap over which a finger follows a leader line, mm; on dots that of two that are missing.
+const GAP: f32 = 4.0;
+const DOTS_OF_GAP: f32 = 3.1;
+/// How often leader lines are left out: without some, others are drawn otherwise.
+const ROUNDS: usize = 3;
+
+/// A leader line of a drawing.
+#[derive(Debug, Clone, PartialEq)]
+struct Leader {
+    /// Its chain among the contours.
+    chain: usize,
+    /// Its text.
+    text: usize,
+    /// From the text to what it names.
+    path: Vec<MmPoint>,
+}
+
+/// Takes the leader lines out of the contours of a drawing that `draw` does not draw as a whole. Their texts are led to
+/// what they name by labels.
+pub(super) fn whole_or_none(
+    edges: &mut Edges,
+    texts: &mut [Text],
+    is_label: impl Fn(&Text) -> bool,
+    layout: &Layout,
+    draw: impl Fn(&Edges) -> Vec<Line>,
+) -> Option<Note> {
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let gap = match &layout.medium {
+        Medium::Print(_) => GAP,
+        Medium::Dots(dots) => GAP.max(DOTS_OF_GAP * dots.pitch),
+    };
+    for _ in 0..ROUNDS {
+        let leaders = of(edges, texts, &is_label, layout.figure, &transform);
+        if leaders.is_empty() {
+            break;
+        }
+        let lines = draw(edges);
+        let index = index_of(&lines, layout.figure);
+        let (whole, torn): (Vec<Leader>, Vec<Leader>) =
+            leaders.into_iter().partition(|leader| is_whole(&leader.path, &index, gap));
+        if torn.is_empty() {
+            break;
+        }
+        for leader in &torn {
+            let text = &mut texts[leader.text];
+            // one that names two things still leads to the other
+            if !whole.iter().any(|other| other.text == leader.text) && text.led_over.is_none() {
+                text.led_over = leader.path.first().copied().zip(leader.path.last().copied());
+            }
+        }
+        let mut number = 0..;
+        edges.chains.retain(|_| number.next().is_none_or(|number| !torn.iter().any(|leader| leader.chain == number)));
+    }
+    told(texts)
+}
+
+/// What the maker is told of those that are left out.
+fn told(texts: &[Text]) -> Option<Note> {
+    let names: Vec<&str> =
+        texts.iter().filter(|text| text.led_over.is_some()).map(|text| text.string.as_str()).collect();
+    let (lines, they_have) = match names.len() {
+        0 => return None,
+        1 => ("the leader line", "it has"),
+        _ => ("the leader lines", "they have"),
+    };
+    let why = "no room as a whole beside other lines; the label stands at what it names instead, or has a leader line \
+               of its own";
+    Some(Note::NotOnPage(About::Leaders, format!("{lines} of {}: {they_have} {why}", named(&names))))
+}
+
+/// The leader lines of texts that become labels.
+fn of(
+    edges: &Edges,
+    texts: &[Text],
+    is_label: impl Fn(&Text) -> bool,
+    figure: MmRect,
+    transform: &PageTransform,
+) -> Vec<Leader> {
+    let are_words = |text: &Text| is_label(text) && text.string.chars().any(char::is_alphabetic);
+    let of_words: Vec<usize> = (0..texts.len()).filter(|&text| are_words(&texts[text])).collect();
+    if !edges.of_drawing() || of_words.is_empty() {
+        return Vec::new();
+    }
+    let points = |chain: &ChainRange| -> Vec<MmPoint> {
+        edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
+    };
+    let chains: Vec<Vec<MmPoint>> = edges.chains.iter().map(points).collect();
+    let mut index = Nearby::new(figure, BESIDE_TEXT);
+    for (line, (points, chain)) in (0..).zip(chains.iter().zip(&edges.chains)) {
+        let polyline = PolylineRef { vertices: points, closed: chain.closed };
+        for (number, (&a, &b)) in (0..).zip(polyline.segments()) {
+            index.insert(Segment { a, b, half_width: 0.0, line, index: number, arc: 0.0 });
+        }
+    }
+    let longest = LONGEST * figure.width().max(figure.height());
+    let is_leader = |number: usize| -> Option<Leader> {
+        let (points, chain) = (&chains[number], &edges.chains[number]);
+        let length = PolylineRef { vertices: points, closed: false }.length();
+        let (first, last) = (*points.first()?, *points.last()?);
+        let is_line = !chain.closed && !chain.kind.added && (SHORTEST..longest).contains(&length);
+        if !is_line || (last - first).length() < STRAIGHT * length {
+            return None;
+        }
+        let beside = |end: MmPoint| {
+            let far = |text: &usize| gap(end, texts[*text].place);
+            let nearest = of_words.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+            (far(&nearest) < BESIDE_TEXT).then_some(nearest)
+        };
+        let (text, path) = match (beside(first), beside(last)) {
+            (Some(text), None) => (text, points.clone()),
+            (None, Some(text)) => (text, points.iter().rev().copied().collect()),
+            _ => return None,
+        };
+        let place = texts[text].place;
+        let leads = is_free_end(path[0], place, number as u32, &index)
+            && leads_to_something(&path, number as u32, &index)
+            && ticks_on(number, &chains, edges) < TICKS;
+        leads.then_some(Leader { chain: number, text, path })
+    };
+    (0..chains.len()).filter_map(is_leader).collect()
+}
+
+/// Distance of a point from a box; 0 inside.
+fn gap(at: MmPoint, place: MmRect) -> f32 {
+    (at - at.clamp(place.min, place.max)).length()
+}
+
+/// Whether nothing but the text is at an end of a line, and nothing lies between the two.
+fn is_free_end(end: MmPoint, text: MmRect, line: u32, index: &Nearby) -> bool {
+    let at_text = end.clamp(text.min, text.max);
+    let mut parted = false;
+    index.around(end.min(at_text), end.max(at_text), 0.0, |segment| {
+        parted |= segment.line != line && crossing((end, at_text), (segment.a, segment.b)).is_some();
+    });
+    !parted && index.nearest(end, FREE, |segment| segment.line != line).is_none()
+}
+
+/// Whether a line ends at another one, or crosses one on its way.
+fn leads_to_something(path: &[MmPoint], line: u32, index: &Nearby) -> bool {
+    let (from, tip) = (path[0], path[path.len() - 1]);
+    let is_other = |segment: &Segment| segment.line != line;
+    let mut crosses = false;
+    index.around(from.min(tip), from.max(tip), 0.0, |segment| {
+        crosses |= is_other(segment) && crossing((from, tip), (segment.a, segment.b)).is_some();
+    });
+    crosses || index.nearest(tip, AT_TIP, is_other).is_some()
+}
+
+/// How many short lines stand on a line or cross it with their middle, without its ends.
+fn ticks_on(number: usize, chains: &[Vec<MmPoint>], edges: &Edges) -> usize {
+    let points = &chains[number];
+    let (Some(&from), Some(&to)) = (points.first(), points.last()) else { return 0 };
+    let is_tick = |(other, points): (usize, &Vec<MmPoint>)| {
+        let length = PolylineRef { vertices: points, closed: false }.length();
+        let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return false };
+        let stands = |at: MmPoint| {
+            let (distance, foot) = nearest_on_segment(at, from, to);
+            distance < FREE && (foot - from).length().min((foot - to).length()) > FREE
+        };
+        let is_short = other != number && !edges.chains[other].closed && length < SHORTEST;
+        is_short && [first, last, first.lerp(last, 0.5)].into_iter().any(stands)
+    };
+    chains.iter().enumerate().filter(|of| is_tick(*of)).count()
+}
+
+/// Lines in an area, to be found by their places; those of dots by pieces over several of them.
+fn index_of(lines: &[Line], area: MmRect) -> Nearby {
+    let mut index = Nearby::new(area, DRAWN);
+    for (line, run) in (0..).zip(lines.iter().flat_map(|line| &line.runs)) {
+        let points: Vec<MmPoint> = run.polyline().path().copied().collect();
+        let over = if run.pen == Pen::Stroke { 1 } else { STEPS_OF_DOTS.min(points.len().saturating_sub(1)).max(1) };
+        for (number, piece) in (0..).zip(points.windows(over + 1)) {
+            let (a, b) = (piece[0], piece[over]);
+            index.insert(Segment { a, b, half_width: 0.0, line, index: number, arc: 0.0 });
+        }
+    }
+    index
+}
+
+/// Whether a line is drawn along a path as far as its tip, without gaps in which a finger would lose it.
+fn is_whole(path: &[MmPoint], drawn: &Nearby, longest_gap: f32) -> bool {
+    let (from, tip) = (path[0], path[path.len() - 1]);
+    let direction: MmVector = (tip - from).try_normalize().unwrap_or_default();
+    let steps = ((tip - from).length() / STEP).ceil().max(1.0) as u32;
+    let is_drawn = |step: u32| {
+        let at = from.lerp(tip, step as f32 / steps as f32);
+        let along = |segment: &Segment| {
+            let other = (segment.b - segment.a).try_normalize().unwrap_or_default();
+            let beside = nearest_on_segment(at, segment.a, segment.b).1 - at;
+            direction.dot(other).abs() >= ALONG && beside.dot(direction).abs() <= BESIDE
+        };
+        drawn.nearest(at, DRAWN, along).is_some()
+    };
+    let mut gap = 0.0;
+    let has_no_gap = (0..=steps).all(|step| {
+        gap = if is_drawn(step) { 0.0 } else { gap + STEP };
+        gap <= longest_gap
+    });
+    // a line that begins at the wall that it crosses leads to that
+    let begins = (0..=steps.min(((longest_gap - GAP) / STEP) as u32)).any(is_drawn);
+    has_no_gap && begins
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lines::Run;
+
+    /// Whether a leader line from 0 to 40 mm is whole of which these pieces are drawn.
+    fn whole(pieces: &[(f32, f32)], y: f32) -> bool {
+        let at = |x: f32, y: f32| MmPoint::new(x, y);
+        let line = |&(from, to): &(f32, f32)| Line {
+            strength: 1.0,
+            runs: vec![Run::stroke(1.0, vec![at(from, y), at(0.5 * (from + to), y), at(to, y)])],
+        };
+        // what it crosses is no piece of it
+        let crossed = Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![at(20.0, 0.0), at(20.0, 90.0)])] };
+        let lines: Vec<Line> = pieces.iter().map(line).chain([crossed]).collect();
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        is_whole(&[at(0.0, 50.0), at(40.0, 50.0)], &index_of(&lines, area), GAP)
+    }
+
+    #[test]
+    fn a_leader_line_that_lacks_its_tip_or_its_middle_is_torn() {
+        assert!(whole(&[(0.0, 40.0)], 50.0));
+        assert!(whole(&[(0.0, 19.0), (21.0, 39.0)], 50.5), "moved, and with a gap at what it crosses");
+        assert!(!whole(&[(0.0, 18.0)], 50.0), "only outside of what it crosses");
+        assert!(!whole(&[(22.0, 40.0)], 50.0), "only inside");
+        assert!(!whole(&[(0.0, 15.0), (25.0, 40.0)], 50.0), "a gap of 10 mm");
+        assert!(!whole(&[], 50.0));
+    }
+
+    #[test]
+    fn those_left_out_are_told_by_their_texts() {
+        let text = |string: &str, led_over: bool| Text {
+            string: string.to_owned(),
+            place: MmRect::zero(),
+            angle: 0.0,
+            size: 5.0,
+            hidden: false,
+            led_over: led_over.then(|| (MmPoint::zero(), MmPoint::new(9.0, 0.0))),
+        };
+        let note = told(&[text("nucleus", true), text("vacuole", false)]).expect("a note").to_string();
+        assert!(note.contains("the leader line of \"nucleus\": it has no room as a whole"), "{note}");
+        assert_eq!(told(&[text("vacuole", false)]), None);
+    }
+}
