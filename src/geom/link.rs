@@ -38,8 +38,8 @@ pub struct Thread {
 }
 
 impl Thread {
-    /// Its polylines as one; each is taken from `left`, and `append` adds the vertices of one to those before it. A ring
-    /// that was one before stays as it is. None if nothing is left of it.
+    /// Its polylines as one; each is taken from `left`, and `append` adds the vertices of one to those before it. A
+    /// ring that was one before stays as it is. None if nothing is left of it.
     pub fn concatenate<V: Blend>(
         &self,
         left: &mut [Option<Polyline<V>>],
