@@ -196,8 +196,8 @@ fn sheets_of_dots_have_the_ticks_and_points_of_their_parts() {
     let sheets = tactograph::convert_to_sheets(svg(&with_hollow()).as_bytes(), grid, &options).expect("sheets");
     let all: Vec<[usize; 3]> = sheets.pages.iter().map(|page| marks_of(&page.figure.lines)).collect();
     let sum = |kind: usize| all.iter().map(|of| of[kind]).sum::<usize>();
-    // what lies where sheets overlap is on both
-    assert!(sum(0) >= 11 && sum(1) >= 2 && sum(2) >= 1, "{all:?}");
+    // what lies where sheets overlap is on both, and a large point hides the tick behind it
+    assert!(sum(0) >= 10 && sum(1) >= 2 && sum(2) >= 1, "{all:?}");
 }
 
 #[test]
