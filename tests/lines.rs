@@ -18,6 +18,7 @@ const EDGES: edges::Params = edges::Params {
     low: 5.0,
     high: 10.0,
     min_length: 5.0,
+    min_length_of_drawing: 5.0,
     strength_window: 3.0,
     suppression: 0.0, // all that noise has to offer
     side_cell: 2.5,

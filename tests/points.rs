@@ -5,7 +5,7 @@ use std::fmt::Write;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::Tree;
 use tactograph::marks::Line;
-use tactograph::{Drawing, MmPoint, Options, Profile};
+use tactograph::{Drawing, MmPoint, Options, Profile, RenderOptions, SheetGrid};
 
 fn svg(drawn: &str) -> String {
     format!(
@@ -74,13 +74,130 @@ fn points_of_a_number_line_are_beads_on_a_line_without_gaps() {
     }
 }
 
+const DEVICES: [&str; 7] =
+    ["index-basic-d", "juliet-120", "viewplus-columbia", "braillerap", "dot-pad", "monarch", "pins-120x60"];
+
+fn dots_of(drawn: &str, profile: &str) -> Drawing {
+    let profile = Profile::named(profile).expect("it is built in");
+    tactograph::convert(svg(drawn).as_bytes(), &Options::new(profile)).expect("a page")
+}
+
+/// The number line with a hollow point at its ninth tick.
+fn with_hollow() -> String {
+    number_line() + "<circle cx='752' cy='250' r='9' fill='#fff' stroke='#000' stroke-width='3'/>"
+}
+
+/// How many ticks and points lines of dots have: the places of ticks, filled points, hollow ones.
+fn marks_of(lines: &[Line]) -> [usize; 3] {
+    let mut ticks: Vec<i32> =
+        lines.iter().flat_map(|line| line.row_ticks()).map(|(_, at)| (10.0 * at.x).round() as i32).collect();
+    ticks.sort_unstable();
+    ticks.dedup();
+    let points = || lines.iter().flat_map(|line| line.row_points());
+    let filled = points().filter(|point| point.is_filled).count();
+    [ticks.len(), filled, points().count() - filled]
+}
+
+fn told(page: &Drawing) -> Vec<String> {
+    page.notes.iter().map(ToString::to_string).collect()
+}
+
 #[test]
-fn ticks_that_dots_have_no_room_for_are_told() {
+fn a_number_line_of_dots_has_its_ticks_and_points() {
+    for device in DEVICES {
+        let page = dots_of(&with_hollow(), device);
+        let [ticks, filled, hollow] = marks_of(&page.page.figure.lines);
+        // where dots are few one of two ticks beside a point has no room
+        let (least, lost) = if device == "dot-pad" { (10, 1) } else { (11, 0) };
+        assert_eq!((filled, hollow), (2, 1), "{device}");
+        assert!(ticks >= least, "{device}: {ticks} ticks");
+        let words = &page.page.description;
+        let points = "2 filled points lie on lines. 1 hollow point lies on a line.";
+        assert!(words.contains(points) && words.contains(&format!("{ticks} ticks stand on lines.")), "{words}");
+        let of_scale = told(&page).iter().filter(|note| note.contains(" ticks of a scale")).count();
+        assert_eq!(of_scale, lost, "{device}: {:#?}", told(&page));
+        let checked = tactograph::check(page.page.to_svg(), None).expect("a page");
+        assert_eq!(checked.errors(), 0, "{device}: {:#?}", checked.findings);
+    }
+}
+
+#[test]
+fn ticks_reach_two_free_dots_beyond_their_axis_and_long_ones_farther() {
+    for device in ["index-basic-d", "braillerap", "pins-120x60"] {
+        let page = dots_of(&number_line(), device);
+        let lines = &page.page.figure.lines;
+        // behind a point there may be less
+        let points: Vec<MmPoint> = lines.iter().flat_map(|line| line.row_points()).map(|point| point.at).collect();
+        let is_bare = |at: MmPoint| points.iter().all(|point| (*point - at).length() > 6.0);
+        let counts: Vec<usize> = lines
+            .iter()
+            .flat_map(|line| line.row_ticks())
+            .filter(|(_, at)| is_bare(*at))
+            .map(|(run, _)| run.points.len())
+            .collect();
+        let (least, most) = (counts.iter().min(), counts.iter().max());
+        assert!(least >= Some(&2) && most > least, "{device}: {counts:?}");
+    }
+}
+
+#[test]
+fn ticks_that_dots_have_no_room_for_are_told_and_every_so_many_th_is_drawn() {
+    let mut clock = "<circle cx='500' cy='250' r='220' fill='none' stroke='#000' stroke-width='4'/>".to_owned();
+    for k in 0..60 {
+        let (sin, cos) = (k as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
+        let inner = if k % 5 == 0 { 190.0 } else { 205.0 };
+        let at = |radius: f32| format!("{:.2} {:.2}", 500.0 + radius * sin, 250.0 - radius * cos);
+        write!(clock, "<path d='M{}L{}' stroke='#000' stroke-width='3'/>", at(220.0), at(inner)).expect("a string");
+    }
+    let page = dots_of(&clock, "index-basic-d");
+    let notes = told(&page);
+    let is_told = notes.iter().any(|note| note.contains("of the 60 ticks of a scale") && note.contains("every 5th"));
+    assert!(is_told, "{notes:#?}");
+    let ticks = page.page.figure.lines.iter().flat_map(|line| line.row_ticks()).count();
+    assert!((10..=12).contains(&ticks), "{ticks} of the hours");
+}
+
+#[test]
+fn stations_of_a_route_of_dots_are_rings_at_which_it_ends() {
+    let route = "<path d='M80 380H400L560 160H920' fill='none' stroke='#06c' stroke-width='8'/>\
+                 <g fill='#fff' stroke='#000' stroke-width='3'><circle cx='240' cy='380' r='12'/>\
+                 <circle cx='400' cy='380' r='12'/><circle cx='740' cy='160' r='12'/></g>";
+    for device in DEVICES {
+        let page = dots_of(route, device);
+        assert_eq!(marks_of(&page.page.figure.lines)[1..], [0, 3], "{device}");
+    }
+}
+
+/// A page of paper with ticks and points, laid out for devices of dots and for other paper, and from dots to dots.
+#[test]
+fn marks_are_kept_where_a_page_is_laid_out_anew() {
+    let render = |page: &Drawing, profile: &str| {
+        let profile = Profile::named(profile).expect("it is built in");
+        tactograph::render(page.page.to_svg(), &RenderOptions::new().profile(profile)).expect("a page")
+    };
+    let paper = page_of(&with_hollow());
+    for device in ["index-basic-d", "braillerap", "pins-120x60"] {
+        let [ticks, filled, hollow] = marks_of(&render(&paper, device).page.figure.lines);
+        assert!(ticks >= 10 && (filled, hollow) == (2, 1), "{device}: {ticks} ticks, {filled} and {hollow} points");
+    }
+    let beads = |page: &Drawing| page.page.figure.lines.iter().flat_map(Line::beads).count();
+    assert_eq!((beads(&paper), beads(&render(&paper, "swell-letter"))), (2, 2));
+    let dots = dots_of(&with_hollow(), "index-basic-d");
+    let [ticks, filled, hollow] = marks_of(&render(&dots, "braillerap").page.figure.lines);
+    assert!(ticks >= 10 && (filled, hollow) == (2, 1), "{ticks} ticks, {filled} and {hollow} points");
+    assert_eq!(beads(&render(&dots, "swell-a4")), 2);
+}
+
+#[test]
+fn sheets_of_dots_have_the_ticks_and_points_of_their_parts() {
     let profile = Profile::named("index-basic-d").expect("it is built in");
-    let page = tactograph::convert(svg(&number_line()).as_bytes(), &Options::new(profile)).expect("a page");
-    let told: Vec<String> = page.notes.iter().map(ToString::to_string).collect();
-    let says = |what: &str| told.iter().any(|note| note.contains(what));
-    assert!(says(" short ticks ("), "{told:#?}");
+    let options = Options::new(profile);
+    let grid = Some(SheetGrid::new(2, 1).expect("a grid"));
+    let sheets = tactograph::convert_to_sheets(svg(&with_hollow()).as_bytes(), grid, &options).expect("sheets");
+    let all: Vec<[usize; 3]> = sheets.pages.iter().map(|page| marks_of(&page.figure.lines)).collect();
+    let sum = |kind: usize| all.iter().map(|of| of[kind]).sum::<usize>();
+    // what lies where sheets overlap is on both, and a large point hides the tick behind it
+    assert!(sum(0) >= 10 && sum(1) >= 2 && sum(2) >= 1, "{all:?}");
 }
 
 #[test]

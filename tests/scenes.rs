@@ -24,6 +24,7 @@ fn edge_params(sigma: f32) -> edges::Params {
         low: 5.0,
         high: 10.0,
         min_length: 5.0,
+        min_length_of_drawing: 5.0,
         strength_window: 3.0,
         suppression: 1.0,
         side_cell: 3.0,

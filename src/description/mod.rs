@@ -11,7 +11,7 @@ use serde_json::json;
 
 use crate::geom::ninths::ninth;
 use crate::legibility::Verdict;
-use crate::page::{Class, InSet, LeftOut, Page, TextRole};
+use crate::page::{Class, InSet, LeftOut, Line, Page, TextRole};
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::wording::{Value, Wording};
 
@@ -71,6 +71,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     if shorter > 0 {
         sentences.push(("lines", wording.say("lines-more", &[("lines", shorter.into())])));
     }
+    sentences.extend(marks_on_lines(felt, wording).map(|text| ("lines", text)));
     sentences.extend(areas(felt, wording).into_iter().map(|text| ("area", text)));
     sentences.extend(texts(felt, wording).into_iter().map(|text| ("text", text)));
     if let Some(overview) = &felt.overview {
@@ -83,6 +84,30 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     }
     sentences.extend(left_out(felt, wording).map(|text| ("left-out", text)));
     sentences
+}
+
+/// The ticks and points on lines of dots.
+fn marks_on_lines<'a>(page: &'a Page, wording: &'a Wording) -> impl Iterator<Item = String> + 'a {
+    let lines = &page.figure.lines;
+    let points = || lines.iter().flat_map(Line::row_points);
+    let filled = points().filter(|point| point.is_filled).count();
+    let ticks = lines.iter().map(ticks_on).sum::<usize>();
+    let all = [("ticks", ticks), ("points-filled", filled), ("points-hollow", points().count() - filled)];
+    all.into_iter().filter(|(_, count)| *count > 0).map(|(what, count)| wording.say(what, &[("count", count.into())]))
+}
+
+/// The rows of one tick stand so near to one another, in diameters of a dot: on a slanting line not in one place.
+const SAME_TICK: f32 = 1.5;
+
+/// How many ticks a line of dots has: those that cross it have a row on each side.
+fn ticks_on(line: &Line) -> usize {
+    let mut places: Vec<MmPoint> = Vec::new();
+    for (run, at) in line.row_ticks() {
+        if !places.iter().any(|place| (*place - at).length() < SAME_TICK * run.width) {
+            places.push(at);
+        }
+    }
+    places.len()
 }
 
 /// What the sheet is among those that belong together.

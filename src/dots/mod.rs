@@ -1,8 +1,8 @@
 //! Lines become dots that a device can press: evenly along the line, on the device's grid or anywhere.
 //!
 //! ```text
-//! on a grid:  Line -> rasterise (one dot wide) -> clearance (empty dots between lines) -> second row -> dots
-//! anywhere:   Line -> spacing (even steps)     -> clearance                            -> second row -> dots
+//! on a grid:  Line -> rasterise (one dot wide) -> clearance (empty dots between lines) -> marks -> second row -> dots
+//! anywhere:   Line -> spacing (even steps)     -> clearance                            -> marks -> second row -> dots
 //! ```
 //!
 //! Dots are placed along the line itself, not sampled from a drawn stroke: a thresholded stroke has clots where it
@@ -10,25 +10,38 @@
 
 mod cell;
 mod clearance;
+mod marks;
 mod params;
 mod rasterise;
 mod second_row;
 mod spacing;
 pub mod textures;
 
+pub use marks::{Shown, ShownScale};
 pub use params::Params;
 
 use crate::devices::DotArea;
 use crate::geom::polyline::PolylineRef;
-use crate::lines::{Height, Line, Run};
+use crate::lines::{Height, Line, LineMarks, Run};
 use crate::units::{MmPoint, MmRect};
 
 /// The dots of lines, the strongest first; all of them lie in `part` of the sheet. A line that is left with too few
 /// of its dots is left out.
 pub fn lines(lines: &[Line], part: MmRect, area: &DotArea, params: &Params) -> Vec<Line> {
+    with_marks(lines, &LineMarks::default(), part, area, params).0
+}
+
+/// The same with marks on the lines, and which of these are drawn.
+pub fn with_marks(
+    lines: &[Line],
+    marks: &LineMarks,
+    part: MmRect,
+    area: &DotArea,
+    params: &Params,
+) -> (Vec<Line>, Shown) {
     match area {
-        DotArea::Grid(grid) => clearance::on_grid(lines, part, grid, params),
-        DotArea::Free(_) => clearance::anywhere(lines, part, params),
+        DotArea::Grid(grid) => clearance::on_grid(lines, marks, part, grid, params),
+        DotArea::Free(_) => clearance::anywhere(lines, marks, part, params),
     }
 }
 

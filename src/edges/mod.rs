@@ -178,7 +178,7 @@ impl<'a> Ridges<'a> {
     pub fn of(raster: &'a Raster, kind: &'a PictureKind, params: &Params) -> Option<Self> {
         let size = raster.size();
         let (noise, drawn) = (&kind.noise, kind.is_drawing);
-        let params = noise.adapted(params);
+        let params = noise.adapted(&if drawn { params.of_drawing() } else { *params });
         let planes = if drawn { kind.planes_of_drawing(raster) } else { Vec::new() };
         let strokes = if drawn { stroke::find(&planes, kind.noise_of_pixel(), &params) } else { Vec::new() };
         let (mut points, sides) = bands::scan(raster, &kind.weights(), &params);

@@ -11,6 +11,8 @@ pub struct Params {
     pub high: f32,
     /// Contours shorter than this are dropped, px.
     pub min_length: f32,
+    /// The same of a drawing, where ticks are meant.
+    pub min_length_of_drawing: f32,
     /// Half length of the window in which the strength is averaged along a contour, px. Averaging keeps one weak point
     /// from cutting a contour.
     pub strength_window: f32,
@@ -26,6 +28,13 @@ pub struct Params {
     pub widest_stroke: f32,
 }
 
+impl Params {
+    /// The same for a drawing.
+    pub(super) fn of_drawing(self) -> Self {
+        Self { min_length: self.min_length_of_drawing, ..self }
+    }
+}
+
 impl Default for Params {
     /// For a picture that is analysed in its own pixels, whatever its size on a sheet: for tracing and for measuring.
     /// Cell size and offset are those that scored best on photographs of 481 x 321 pixels.
@@ -35,6 +44,7 @@ impl Default for Params {
             low: 3.5,
             high: 5.0,
             min_length: 6.0,
+            min_length_of_drawing: 6.0,
             strength_window: 10.0,
             suppression: 1.0,
             side_cell: 5.0,

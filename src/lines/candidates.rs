@@ -5,6 +5,7 @@ use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelI
 
 use super::clearance::Cleared;
 use super::lost::{Lost, Tally};
+use super::marks::TickMark;
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
 use super::points::{self, Point};
@@ -30,6 +31,8 @@ pub(super) struct Candidates {
     pub(super) short: Tally,
     /// Points on lines.
     pub(super) points: Vec<Point>,
+    /// The ticks of scales that are handed on.
+    pub(super) scales: Vec<Vec<TickMark>>,
 }
 
 impl Candidates {
@@ -41,12 +44,17 @@ impl Candidates {
         params: &Params,
     ) -> Self {
         let mut polylines = on_the_sheet(edges, transform, params);
-        let marks_points = params.of_drawing && params.marks_points;
-        let points = if marks_points { points::take(&mut polylines, params) } else { Vec::new() };
+        let takes_points = params.of_drawing && params.takes_points;
+        let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
         let mut polylines = join::join(polylines, params.join_gap);
+        let mut scales = Vec::new();
         // an overview is felt for its shapes
         if params.of_drawing && !params.whole_rings {
-            ticks::lengthen(&mut polylines, area, params);
+            // a page of few shapes has no marks
+            match (params.hands_marks_on, params.most_shapes) {
+                (true, None) => scales = ticks::take(&mut polylines, area, params),
+                _ => ticks::lengthen(&mut polylines, area, params),
+            }
         }
         let mut short = Tally::new(area);
         let is_crumb =
@@ -76,7 +84,7 @@ impl Candidates {
         };
         let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
         let saliencies = saliency::saliencies(&polylines, params);
-        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short, points }
+        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short, points, scales }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.

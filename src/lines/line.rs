@@ -98,9 +98,26 @@ impl Run {
     }
 }
 
+/// A filled point is at least this many times as broad as its line: it is drawn three times as broad.
+const BROADER: f32 = 1.6;
+
 impl Line {
     /// Length, mm.
     pub fn length(&self) -> f32 {
         self.runs.iter().map(Run::length).sum()
+    }
+
+    /// The filled points on a printed line: pieces that are broader than long, and than the line.
+    #[doc(hidden)]
+    pub fn beads(&self) -> impl Iterator<Item = &Run> {
+        self.runs.iter().filter(|run| self.is_bead(run))
+    }
+
+    /// Whether a piece of it is a filled point.
+    pub(crate) fn is_bead(&self, run: &Run) -> bool {
+        let is_short = |run: &Run| run.width > 2.0 * run.length();
+        let others = self.runs.iter().filter(|run| !is_short(run)).map(|run| run.width);
+        let broadest = others.fold(0.0, f32::max);
+        run.pen == Pen::Stroke && is_short(run) && broadest > 0.0 && run.width > BROADER * broadest
     }
 }

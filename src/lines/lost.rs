@@ -20,6 +20,21 @@ pub struct Lost {
     pub signs: Vec<LostSign>,
     /// Marks too short for a line.
     pub marks: LostMarks,
+    /// Scales that a page of dots has not all ticks of.
+    pub scales: Vec<LostScale>,
+}
+
+/// A scale of which ticks are not drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LostScale {
+    /// How many ticks it has.
+    pub ticks: usize,
+    /// How many of them are not drawn.
+    pub lost: usize,
+    /// Every how many-th there is room for.
+    pub every: usize,
+    /// Where the first is that is not drawn.
+    pub first: MmPoint,
 }
 
 /// Marks of a drawing that are too short for a line.

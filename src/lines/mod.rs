@@ -20,9 +20,11 @@ mod join;
 mod junction;
 mod line;
 mod lost;
+mod marks;
 mod outlines;
 mod params;
 mod points;
+mod row_marks;
 mod saliency;
 mod ticks;
 mod vertex;
@@ -39,7 +41,8 @@ use vertex::{Vertex, nearby};
 
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
-pub use lost::{Lost, LostMarks, LostSign};
+pub use lost::{Lost, LostMarks, LostScale, LostSign};
+pub use marks::{LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
 pub use params::Params;
 
@@ -52,6 +55,8 @@ use crate::units::{MmRect, PageTransform};
 pub struct Lines {
     /// The rings of hollow points on lines, then all others, the weightiest first.
     pub lines: Vec<Line>,
+    /// Points and ticks on them that are handed on.
+    pub marks: LineMarks,
     /// What is not drawn for want of room.
     pub lost: Lost,
     /// What is not drawn as it is beyond the most that were asked for.
@@ -92,6 +97,9 @@ pub fn draw_with(
     let points = if params.most_shapes.is_none() { &candidates.points[..] } else { &[] };
     beyond.shapes += candidates.points.len() - points.len();
     let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
+    let handed_on = if params.hands_marks_on { points.iter().map(points::Point::mark).collect() } else { Vec::new() };
+    let marks = LineMarks { points: handed_on, scales: candidates.scales.clone() };
+    let points = if params.hands_marks_on { &[] } else { points };
     let points = points::draw(points, &polylines, area, &params);
     lost.rings += points.lost;
     let finish = |(number, line): (usize, &Cleared)| -> Vec<Line> {
@@ -104,7 +112,7 @@ pub fn draw_with(
     let others: Vec<Line> =
         drawn.into_par_iter().enumerate().flat_map_iter(|(number, line)| finish((number, line))).collect();
     lines.extend(others);
-    Lines { lines, lost, beyond }
+    Lines { lines, marks, lost, beyond }
 }
 
 /// Leaves out the lines beyond as many beside outlines as there are to be, and those that are too short beside them.

@@ -36,8 +36,11 @@ pub struct Params {
     pub of_drawing: bool,
     /// Whether the sides of a bar that is a little too narrow for two lines are both drawn, and move apart.
     pub widen_bars: bool,
-    /// Whether small round shapes on lines are drawn as beads and rings that fingers find; a line of dots has no beads.
-    pub marks_points: bool,
+    /// Whether points and ticks on lines are handed on as [`LineMarks`](super::LineMarks), and not drawn: where lines
+    /// become dots, so do they.
+    pub hands_marks_on: bool,
+    /// Whether small round shapes on lines are points; otherwise they are shapes as all others.
+    pub takes_points: bool,
 }
 
 /// The longest way from a junction until two lines are apart, in clearances: at 36 degrees a straight line needs as
@@ -69,7 +72,8 @@ impl Params {
         whole_rings: false,
         of_drawing: false,
         widen_bars: false,
-        marks_points: true,
+        hands_marks_on: false,
+        takes_points: true,
     };
 
     /// The same with lines no wider than needed, so that more of them have room.

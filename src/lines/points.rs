@@ -10,6 +10,7 @@
 //! ```
 
 use super::junction::{extend_to, heading};
+use super::marks::PointMark;
 use super::params::{Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
@@ -47,6 +48,13 @@ pub(super) struct Point {
     strength: f32,
 }
 
+impl Point {
+    /// As it is handed on.
+    pub(super) fn mark(&self) -> PointMark {
+        PointMark { at: self.at, radius: self.radius, is_filled: self.is_filled }
+    }
+}
+
 /// Takes the points on lines out of the contours of a drawing. Lines that end at their sides lead to their middles.
 pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Vec<Point> {
     let is_size = |point: &Point| {
@@ -67,7 +75,12 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
-        let has_room = std::f32::consts::TAU * point.radius >= params.min_length;
+        let around = std::f32::consts::TAU * point.radius;
+        let has_room = match params.hands_marks_on {
+            // without a hole a disc would be a ring
+            true => !point.is_filled && !params.is_dot(around),
+            false => around >= params.min_length,
+        };
         let is_pointed_at = matches!(arms[..], [Arm { way: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
             continue;

@@ -2,6 +2,7 @@
 //! together: where all of a scale have room, they are drawn longer, and otherwise none of them is.
 
 use super::junction::{extend_to, heading};
+use super::marks::TickMark;
 use super::params::Params;
 use super::vertex::{Vertex, nearby};
 use crate::geom::nearest_on_segment;
@@ -45,11 +46,7 @@ pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params:
     let mut ticks = ticks(polylines, area, params);
     ticks.sort_by_key(|tick| tick.base);
     for on_line in ticks.chunk_by(|a, b| a.base == b.base) {
-        let longest = on_line.iter().map(|tick| tick.length).fold(0.0, f32::max);
-        let scale: Vec<&Tick> = on_line.iter().filter(|tick| tick.length >= OF_LONGEST * longest).collect();
-        if scale.iter().filter(|tick| polylines[tick.number].length() < params.min_length).count() < SCALE {
-            continue;
-        }
+        let Some(scale) = scale(on_line, polylines, params) else { continue };
         let shortest = scale.iter().map(|tick| tick.length).fold(f32::INFINITY, f32::min);
         let more = params.min_length + MARGIN - shortest;
         let longer: Vec<Polyline<Vertex>> =
@@ -60,6 +57,86 @@ pub(super) fn lengthen(polylines: &mut [Polyline<Vertex>], area: MmRect, params:
             }
         }
     }
+}
+
+/// Takes the ticks of scales out of the contours of a drawing, to be drawn where its lines become dots: those of each
+/// scale in order along its line.
+pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<Vec<TickMark>> {
+    let mut ticks = ticks(polylines, area, params);
+    if ticks.is_empty() {
+        return Vec::new();
+    }
+    let all = nearby(polylines.iter(), area, params);
+    // what leads on to another line is a side of something
+    ticks.retain(|tick| {
+        let is_other = |line: u32| line as usize != tick.number && line as usize != tick.base;
+        let line = &polylines[tick.number].vertices;
+        let ends = [line.first(), line.last()].into_iter().zip(tick.stands).filter(|(_, stands)| stands.is_none());
+        ends.filter_map(|(end, _)| end).all(|end| all.nearest(end.at, FREE, |segment| is_other(segment.line)).is_none())
+    });
+    ticks.sort_by_key(|tick| tick.base);
+    let mut taken = vec![false; polylines.len()];
+    let mut scales = Vec::new();
+    for on_line in ticks.chunk_by(|a, b| a.base == b.base) {
+        let Some(scale) = scale(on_line, polylines, params) else { continue };
+        let mut marks: Vec<(f32, TickMark)> = scale.iter().filter_map(|tick| mark(tick, polylines)).collect();
+        scale.iter().for_each(|tick| taken[tick.number] = true);
+        marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+        scales.push(whole(marks));
+    }
+    let mut number = 0;
+    polylines.retain(|_| {
+        number += 1;
+        !taken[number - 1]
+    });
+    scales
+}
+
+/// The end of a tick is free if no other line is so near, mm.
+const FREE: f32 = 1.0;
+/// Two ticks so near to one another, mm, on two sides of a line are one.
+const ONE: f32 = 1.0;
+
+/// The ticks of a line that are a scale, if they are one.
+fn scale<'a>(on_line: &'a [Tick], polylines: &[Polyline<Vertex>], params: &Params) -> Option<Vec<&'a Tick>> {
+    let longest = on_line.iter().map(|tick| tick.length).fold(0.0, f32::max);
+    let scale: Vec<&Tick> = on_line.iter().filter(|tick| tick.length >= OF_LONGEST * longest).collect();
+    let short = scale.iter().filter(|tick| polylines[tick.number].length() < params.min_length).count();
+    (short >= SCALE).then_some(scale)
+}
+
+/// A tick as it is handed on, and how far along its line it is, mm.
+fn mark(tick: &Tick, polylines: &[Polyline<Vertex>]) -> Option<(f32, TickMark)> {
+    let (line, base) = (&polylines[tick.number], &polylines[tick.base]);
+    let ends = [line.vertices.first()?.at, line.vertices.last()?.at];
+    let standing = ends.iter().zip(tick.stands).find(|(_, gap)| gap.is_some()).map(|(end, _)| *end);
+    let middle = standing.unwrap_or_else(|| ends[0].lerp(ends[1], 0.5));
+    let distance = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(middle, a.at, b.at);
+    let nearest = base.segments().map(distance).enumerate().min_by(|a, b| a.1.0.total_cmp(&b.1.0));
+    let (number, (_, at)) = nearest?;
+    let (from, to) = base.segments().nth(number)?;
+    let along = (to.at - from.at).try_normalize()?;
+    let mut mark = TickMark { at, along, ends: [None, None] };
+    for (end, _) in ends.into_iter().zip(tick.stands).filter(|(_, gap)| gap.is_none()) {
+        let side = usize::from(along.cross(end - at) > 0.0);
+        mark.ends[side] = Some(end);
+    }
+    let arc = base.arc_lengths().get(number).copied().unwrap_or(0.0) + (at - from.at).length();
+    mark.ends.iter().any(Option::is_some).then_some((arc, mark))
+}
+
+/// Ticks in order, those that a point on their line parts as one.
+fn whole(marks: Vec<(f32, TickMark)>) -> Vec<TickMark> {
+    let mut all: Vec<TickMark> = Vec::with_capacity(marks.len());
+    for (_, mark) in marks {
+        match all.last_mut().filter(|last| (last.at - mark.at).length() < ONE) {
+            Some(last) if (0..2).all(|side| last.ends[side].is_none() || mark.ends[side].is_none()) => {
+                (0..2).for_each(|side| last.ends[side] = last.ends[side].or(mark.ends[side]));
+            }
+            _ => all.push(mark),
+        }
+    }
+    all
 }
 
 /// All ticks, where enough of them are too short for a line.
@@ -195,5 +272,26 @@ mod tests {
         let beside = line((35.0, 57.0), (60.0, 57.0));
         assert_eq!(lengths(10.0, &ticks, Some(beside)), [6.0; 3], "one is in the way of a line");
         assert_eq!(lengths(10.0, &[(60.0, 66.0); 3], None), [6.0; 3], "on no line");
+    }
+
+    #[test]
+    fn ticks_of_a_scale_are_taken_in_order_and_those_parted_by_a_point_are_one() {
+        let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
+        let mut lines = vec![
+            line((60.0, 47.0), (60.0, 53.0)),
+            line((20.0, 47.0), (20.0, 53.0)),
+            // two halves of one, on both sides of the axis
+            line((40.0, 47.0), (40.0, 50.0)),
+            line((40.0, 53.0), (40.0, 50.0)),
+            line((10.0, 50.0), (90.0, 50.0)),
+        ];
+        // the side of a box ends on another line
+        lines.extend([line((70.0, 44.0), (70.0, 50.0)), line((65.0, 44.0), (78.0, 44.0))]);
+        let scales = take(&mut lines, area, &PARAMS);
+        let [scale] = &scales[..] else { panic!("{scales:?}") };
+        let ticks: Vec<(f32, f32)> = scale.iter().map(|tick| (tick.at.x, tick.length())).collect();
+        assert_eq!(ticks, [(20.0, 6.0), (40.0, 6.0), (60.0, 6.0)]);
+        assert!(scale.iter().all(|tick| tick.ends[0].is_some_and(|end| end.y < 50.0)), "the same side is the left one");
+        assert_eq!(lines.len(), 3, "the axis and the box");
     }
 }

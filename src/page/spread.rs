@@ -270,7 +270,7 @@ fn cut_line(line: &Line, window: MmRect) -> Vec<Line> {
 const LEAST_DOTS: usize = 3;
 
 /// The same of a line of dots: a heavy one has a second row of dots beside the first, which goes with the piece beside
-/// which most of it lies.
+/// which most of it lies, and so do ticks and points.
 fn cut_rows(line: &Line, window: MmRect) -> Vec<Line> {
     let Some((first, others)) = line.runs.split_first() else { return Vec::new() };
     let mut found: Vec<Line> = pieces(first, window)
@@ -279,14 +279,18 @@ fn cut_rows(line: &Line, window: MmRect) -> Vec<Line> {
         .map(|run| Line { strength: line.strength, runs: vec![run] })
         .collect();
     for row in others.iter().flat_map(|run| pieces(run, window)) {
-        let middle = row.points[row.points.len() / 2];
-        let distance = |line: &Line| {
-            let to = line.runs[0].points.iter().map(|at| (*at - middle).length());
-            to.fold(f32::INFINITY, f32::min)
+        let distance = |line: &Line, at: MmPoint| {
+            line.runs[0].points.iter().map(|other| (*other - at).length()).fold(f32::INFINITY, f32::min)
         };
-        let nearest = (0..found.len()).min_by(|&a, &b| distance(&found[a]).total_cmp(&distance(&found[b])));
+        let middle = row.points[row.points.len() / 2];
+        let nearest =
+            (0..found.len()).min_by(|&a, &b| distance(&found[a], middle).total_cmp(&distance(&found[b], middle)));
         // beside a piece that is left out it would be a line of its own
-        let beside = nearest.filter(|&at| distance(&found[at]) <= BESIDE_ROW * row.width);
+        let is_beside = |&piece: &usize| {
+            // a tick leads away from its line
+            row.points.iter().any(|&at| distance(&found[piece], at) <= BESIDE_ROW * row.width)
+        };
+        let beside = nearest.filter(is_beside);
         beside.into_iter().for_each(|at| found[at].runs.push(row.clone()));
     }
     found

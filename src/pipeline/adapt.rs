@@ -171,7 +171,9 @@ fn fill(page: &Page, areas: &Classes, number: usize, plan: &Plan) -> Vec<Glyph> 
 /// Brings the widths of a line into a range, mm; tells whether any was outside.
 fn snap(line: &mut Line, [least, most]: [f32; 2]) -> bool {
     let mut changed = false;
-    for run in line.runs.iter_mut().filter(|run| run.pen == Pen::Stroke) {
+    let is_bead: Vec<bool> = line.runs.iter().map(|run| line.is_bead(run)).collect();
+    let pieces = line.runs.iter_mut().zip(is_bead).filter(|(run, is_bead)| run.pen == Pen::Stroke && !is_bead);
+    for (run, _) in pieces {
         let width = run.width.clamp(least.max(0.0), most.max(least.max(0.0)));
         // widths are written in steps of 0.01 mm
         if (width - run.width).abs() > 0.011 {

@@ -7,7 +7,8 @@ use super::request::Request;
 use crate::Error;
 use crate::classes::Classes;
 use crate::dots;
-use crate::lines::{Line, Lines, LostSign, Run};
+use crate::dots::ShownScale;
+use crate::lines::{Line, Lines, LostScale, LostSign, Run, TickMark};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, DotMedium, Dots, Figure, InSet, LeftOut, Medium, Page, Parts, Texture, frame};
 use crate::profile::Plan;
@@ -21,7 +22,7 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
         lines.iter().map(|line| line.runs.first().map_or(0.0, |run| run.polyline().length())).sum::<f32>()
     };
     let whole: f32 = drawn.lines.iter().map(Line::length).sum();
-    let lines = dots::lines(&drawn.lines, area, &medium.area, &plan.dots(medium));
+    let (lines, shown) = dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &plan.dots(medium));
     let kept = if whole > 0.0 { (length(&lines) / whole).min(1.0) } else { 1.0 };
     let (_, shares) = kept_lines::matched(&drawn.lines, area, &lines, area);
     // the dots of a line through a small ring are near to all of it, and none of them is its own
@@ -40,16 +41,29 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
         .collect();
     let mut lost = drawn.lost.keeping(kept);
     lost.signs.extend(signs);
-    Lines { lines, lost, beyond: drawn.beyond }
+    let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
+    lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, is_arrowhead: false }));
+    lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
+    Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
+}
+
+/// What of a scale is not drawn.
+fn lost_ticks((scale, shown): (&Vec<TickMark>, &ShownScale)) -> Option<LostScale> {
+    let mut lost = scale.iter().zip(&shown.ticks).filter(|(_, is_drawn)| !**is_drawn).map(|(tick, _)| tick);
+    let first = lost.next()?.at;
+    Some(LostScale { ticks: scale.len(), lost: 1 + lost.count(), every: shown.every, first })
 }
 
 /// A ring of which less than this share is there is none any more: between two dots a step is missing at most.
 const WHOLE: f32 = 0.7;
 /// The lines of the overview: all of one width and, where there are heights, high.
-pub(super) fn of_overview(lines: Vec<Line>, area: MmRect, layout: &Layout, plan: &Plan) -> Vec<Line> {
-    let Medium::Dots(medium) = &layout.medium else { return lines };
+pub(super) fn of_overview(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
+    let Medium::Dots(medium) = &layout.medium else { return drawn };
     let heavy_from = if medium.device.has_heights() { 0.0 } else { f32::INFINITY };
-    dots::lines(&lines, area, &medium.area, &dots::Params { heavy_from, ..plan.dots(medium) })
+    let params = dots::Params { heavy_from, ..plan.dots(medium) };
+    let (lines, shown) = dots::with_marks(&drawn.lines, &drawn.marks, area, &medium.area, &params);
+    drawn.lost.rings += shown.points.iter().filter(|is_drawn| !**is_drawn).count();
+    Lines { lines, ..drawn }
 }
 
 /// Textures of dots.

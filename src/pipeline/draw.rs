@@ -18,7 +18,7 @@ use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use crate::classes::{self, Classes};
 use crate::devices::Family;
 use crate::edges::{self, Edges, PictureKind, Ridges};
-use crate::lines::{self, Beyond, Line, Lines, Lost, LostSign};
+use crate::lines::{self, Beyond, Line, Lines, Lost, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
@@ -137,7 +137,7 @@ pub(super) fn draw(
     request.go_on()?;
     let DrawnLines { lines: drawn, areas, instead } = drawn;
     notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
-    notes.extend(lost_marks::told(&drawn.lost.marks, plan));
+    notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
@@ -340,22 +340,7 @@ pub(super) fn draw_lines(
                 let (outlines, areas) = outlines_of(edges, &transform, layout, plan, false);
                 let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
                     let params = lines::Params { detail, ..plan.lines() };
-                    let mut drawn = lines::draw_with(edges, &outlines, transform, layout.figure, &params);
-                    // those beyond as many shapes as are asked for are left out on purpose
-                    let is_all = plan.lines().most_shapes.is_none();
-                    if is_all {
-                        let widest = plan.lines().max_spacing();
-                        drawn.lost.signs = lost_signs::of(edges, &drawn.lines, transform, widest);
-                    }
-                    if matches!(layout.medium, Medium::Dots(_)) {
-                        drawn.lines = by_hand_first(drawn.lines, edges, transform);
-                    }
-                    let mut drawn = dots::pressed(drawn, layout.figure, layout, plan);
-                    if is_all {
-                        drawn.lost.marks =
-                            lost_marks::of(edges, &drawn.lines, layout.figure, transform, plan.lines().min_length);
-                    }
-                    drawn
+                    draw_whole(edges, &outlines, transform, layout, &params, plan)
                 };
                 let detail = plan.lines().detail;
                 let drawn = draw(edges, &transform, detail);
@@ -373,6 +358,39 @@ pub(super) fn draw_lines(
     };
     watch(Event::Skip(Stage::Lines, reason));
     DrawnLines::default()
+}
+
+/// The lines of the figure, with what is lost. What has no room as a point of dots may have room as it is.
+fn draw_whole(
+    edges: &Edges,
+    outlines: &Outlines,
+    transform: &PageTransform,
+    layout: &Layout,
+    params: &lines::Params,
+    plan: &Plan,
+) -> Lines {
+    let draw = |params: &lines::Params| {
+        let mut drawn = lines::draw_with(edges, outlines, transform, layout.figure, params);
+        // those beyond as many shapes as are asked for are left out on purpose
+        let is_all = params.most_shapes.is_none();
+        if is_all {
+            drawn.lost.signs = lost_signs::of(edges, &drawn, transform, params.max_spacing());
+        }
+        if matches!(layout.medium, Medium::Dots(_)) {
+            drawn.lines = by_hand_first(drawn.lines, edges, transform);
+        }
+        let mut drawn = dots::pressed(drawn, layout.figure, layout, plan);
+        if is_all {
+            drawn.lost.marks = lost_marks::of(edges, &drawn, layout.figure, transform, params.min_length);
+        }
+        drawn
+    };
+    let drawn = draw(params);
+    if drawn.marks.points.is_empty() || drawn.lost.signs.is_empty() {
+        return drawn;
+    }
+    let plain = draw(&lines::Params { takes_points: false, ..*params });
+    if plain.lost.signs.len() < drawn.lost.signs.len() { plain } else { drawn }
 }
 
 /// What the maker is told of lines that are left out as there are to be few.

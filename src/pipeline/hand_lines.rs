@@ -10,7 +10,7 @@ use crate::geom::polyline::Polyline;
 use crate::lines::{Line, Pen, Run};
 use crate::page::Page;
 use crate::profile::Plan;
-use crate::units::{MmPoint, MmRect, PageTransform, Px, PxPoint, Size};
+use crate::units::{MmPoint, MmRect, MmVector, PageTransform, Px, PxPoint, Size};
 
 /// Lines of a page, in shares of its figure, so that they fit any other figure of the same picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +27,8 @@ struct HandLine {
     /// Each with its strength.
     vertices: Vec<([f32; 2], f32)>,
     closed: bool,
+    /// Whether it is the side of a disc: of a filled point on a line.
+    is_disc: bool,
 }
 
 /// How far two shapes of a picture may differ, as a share of width by height: figures are rounded to pixels.
@@ -47,7 +49,7 @@ impl HandLines {
     fn of(lines: &[Line], place: MmRect, plan: &Plan) -> Self {
         let [width, height] = [place.width(), place.height()].map(|side| side.max(f32::MIN_POSITIVE));
         let share = |at: MmPoint| [(at.x - place.min.x) / width, (at.y - place.min.y) / height];
-        let lines = lines.iter().enumerate().flat_map(|(of_line, line)| {
+        let of_lines = lines.iter().enumerate().flat_map(|(of_line, line)| {
             // of a heavy line of dots the second row is a part of the first
             let dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
             let runs = if dotted { &line.runs[..1] } else { &line.runs[..] };
@@ -59,12 +61,20 @@ impl HandLines {
                     let skip = usize::from(number > 0);
                     vertices.extend(run.points.iter().skip(skip).map(|&at| (share(at), strength)));
                 }
-                HandLine { of_line, vertices, closed }
+                HandLine { of_line, vertices, closed, is_disc: false }
             })
         });
-        let mut lines: Vec<HandLine> = lines.collect();
-        lines.iter_mut().for_each(HandLine::close);
-        Self { lines, aspect: width / height }
+        let mut own: Vec<HandLine> = of_lines.collect();
+        own.iter_mut().for_each(HandLine::close);
+        let marks = lines.iter().enumerate().flat_map(|(of_line, line)| {
+            marks_of(line).into_iter().map(move |mark| {
+                let strength = line.strength.max(plan.lines().full_strength);
+                let vertices = mark.points.iter().map(|&at| (share(at), strength)).collect();
+                HandLine { of_line, vertices, closed: mark.closed, is_disc: mark.is_disc }
+            })
+        });
+        own.extend(marks);
+        Self { lines: own, aspect: width / height }
     }
 
     /// The same lines as contours of a picture of this size.
@@ -135,7 +145,7 @@ impl HandLines {
             let ends = line.vertices.windows(2).map(|pair| (pair[0].0, pair[1].0));
             ends.map(|(a, b)| (b[0] - a[0]).hypot((b[1] - a[1]) / self.aspect)).sum::<f32>()
         };
-        self.lines.iter().filter(|line| length(line) < share).count()
+        self.lines.iter().filter(|line| !line.is_disc && length(line) < share).count()
     }
 
     fn edges_of(&self, size: Size, kind: ChainKind) -> Result<Edges, Error> {
@@ -148,7 +158,8 @@ impl HandLines {
             let edgel = |&([x, y], strength): &([f32; 2], f32)| Edgel {
                 at: PxPoint::new(x * width, y * height),
                 strength,
-                contrast: [0.0; 3],
+                // only a disc has an inside
+                contrast: [if line.is_disc { strength } else { 0.0 }, 0.0, 0.0],
             };
             edges.push_as(kind, line.vertices.iter().map(edgel), line.closed);
         }
@@ -166,6 +177,35 @@ impl HandLine {
             self.closed = true;
         }
     }
+}
+
+/// A point or a tick on a line of a page, as it is in a drawing.
+struct Mark {
+    points: Vec<MmPoint>,
+    closed: bool,
+    is_disc: bool,
+}
+
+/// So many points are a circle.
+const CIRCLE: u32 = 24;
+
+/// The beads of a printed line, and the ticks and points of one of dots.
+fn marks_of(line: &Line) -> Vec<Mark> {
+    let circle = |at: MmPoint, radius: f32, is_disc: bool| {
+        let turn = |k: u32| (k as f32 * std::f32::consts::TAU / CIRCLE as f32).sin_cos();
+        let points = (0..CIRCLE).map(turn).map(|(y, x)| at + MmVector::new(x, y) * radius).collect();
+        Mark { points, closed: true, is_disc }
+    };
+    let beads = line.beads().map(|run| {
+        let middle = MmRect::from_points(&run.points).center();
+        circle(middle, 0.5 * run.width, true)
+    });
+    let points = line.row_points().map(|point| circle(point.at, point.radius, point.is_filled));
+    let ticks = line.row_ticks().map(|(run, at)| {
+        let points = std::iter::once(at).chain(run.points.last().copied()).collect();
+        Mark { points, closed: false, is_disc: false }
+    });
+    beads.chain(points).chain(ticks).collect()
 }
 
 /// Runs that follow one another, line by line.
@@ -323,6 +363,7 @@ mod tests {
             of_line,
             vertices: ends.map(|at| (at, 40.0)).to_vec(),
             closed: false,
+            is_disc: false,
         };
         // the first by a person; one along it, one across, one up to it and one far away
         let ends = [

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::lines::{Line, Pen, Run};
 use crate::listing::list;
-use crate::units::{MmPoint, MmRect};
+use crate::units::{MmPoint, MmRect, MmVector};
 use crate::{About, Note};
 
 /// A line as it is told.
@@ -46,7 +46,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
     for line in after {
         // few lines are near, and the others need not be looked at
         let mut own: BTreeMap<u32, f32> = BTreeMap::new();
-        for (a, b) in row(line).iter().flat_map(steps_of) {
+        for (a, b) in way_of(line) {
             let length = (b - a).length() * scale;
             let count = (length / STEP).ceil().max(1.0);
             for k in 0..count as u32 {
@@ -61,7 +61,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
         own.into_iter().for_each(|(line, of)| lengths[line as usize] += of);
     }
     let share = |(line, kept): (&Line, f32)| {
-        let length: f32 = row(line).iter().map(Run::length).sum();
+        let length: f32 = way_of(line).iter().map(|(a, b)| (*b - *a).length()).sum();
         if length > 0.0 { kept / length } else { 1.0 }
     };
     (stand_for, before.iter().zip(lengths).map(share).collect())
@@ -75,11 +75,23 @@ fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
     }
 }
 
-/// The runs of a line, without the second row of a heavy line of dots.
-fn row(line: &Line) -> &[Run] {
+/// The segments of a line, without the second row of a heavy line of dots.
+fn way_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
     let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
-    if is_dotted { &line.runs[..1] } else { &line.runs }
+    let rows = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
+    let ticks = line.row_ticks().filter_map(|(run, at)| Some((at, *run.points.last()?)));
+    let points = line.row_points().flat_map(|point| {
+        let corner = move |k: u32| {
+            let (y, x) = (k as f32 * std::f32::consts::TAU / CIRCLE as f32).sin_cos();
+            point.at + MmVector::new(x, y) * point.radius
+        };
+        (0..CIRCLE).map(move |k| (corner(k), corner(k + 1)))
+    });
+    rows.iter().flat_map(steps_of).chain(ticks).chain(points).collect()
 }
+
+/// So many sides are a circle.
+const CIRCLE: u32 = 12;
 
 /// Names the lines that are lost, those that a person drew first, and more of them: our own are numbered. None if none
 /// is lost.

@@ -7,9 +7,10 @@ use super::areas::index_of;
 use super::lost_signs::beads;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearest_on_segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
-use crate::lines::{Line, LostMarks};
+use crate::lines::{Lines, Lost, LostMarks, LostScale};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect, MmVector, PageTransform};
 use crate::{About, Note};
@@ -50,11 +51,12 @@ enum Kind {
 type OnLine = (f32, MmVector);
 
 /// The marks of a drawing that are shorter than `least`, mm, and not among its lines, which lie in `area`.
-pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTransform, least: f32) -> LostMarks {
+pub(super) fn of(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTransform, least: f32) -> LostMarks {
     let mut marks = LostMarks::default();
     if !edges.of_drawing() {
         return marks;
     }
+    let Lines { lines, marks: handed_on, .. } = drawn;
     let index = index_of(lines, area, ENDS_ON);
     let line_at = |at: MmPoint, reach: f32| -> Option<OnLine> {
         let (distance, _, Segment { a, b, .. }) = index.nearest(at, reach, |_| true)?;
@@ -62,6 +64,13 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
     };
     // what a point on a line covers, as the tick behind it, is no mark
     let beads: Vec<MmRect> = lines.iter().flat_map(beads).map(|bead| bead.inflate(DRAWN, DRAWN)).collect();
+    let is_handed_on = |at: MmPoint| {
+        let ticks = || handed_on.scales.iter().flatten();
+        let is_tick = |(from, to): (MmPoint, MmPoint)| nearest_on_segment(at, from, to).0 < DRAWN;
+        let points = &handed_on.points;
+        points.iter().any(|point| (at - point.at).length() < point.radius + DRAWN)
+            || ticks().any(|tick| is_tick(tick.segment()))
+    };
     let points = |chain: &ChainRange| -> Vec<MmPoint> {
         edges.edgels[chain.edgels.clone()].iter().map(|edgel| transform.to_mm(edgel.at)).collect()
     };
@@ -69,7 +78,8 @@ pub(super) fn of(edges: &Edges, lines: &[Line], area: MmRect, transform: &PageTr
         let points = points(chain);
         let length = PolylineRef { vertices: &points, closed: false }.length();
         let (Some(&first), Some(&last), true) = (points.first(), points.last(), length < least) else { continue };
-        if beads.iter().any(|bead| bead.contains(first.lerp(last, 0.5))) {
+        let middle = first.lerp(last, 0.5);
+        if beads.iter().any(|bead| bead.contains(middle)) || is_handed_on(middle) {
             continue;
         }
         let looked = (0..PLACES).map(|i| i * (points.len() - 1) / (PLACES - 1));
@@ -137,7 +147,37 @@ fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], 
 }
 
 /// What the maker is told of them.
-pub(super) fn told(marks: &LostMarks, plan: &Plan) -> Option<Note> {
+pub(super) fn told(lost: &Lost, plan: &Plan) -> Vec<Note> {
+    told_of_marks(&lost.marks, plan).into_iter().chain(lost.scales.iter().map(told_of_scale)).collect()
+}
+
+/// What the maker is told of ticks for which lines of dots have no room.
+fn told_of_scale(scale: &LostScale) -> Note {
+    let LostScale { ticks, lost, every, first } = *scale;
+    let at = format!("the first at {:.0}, {:.0} mm", first.x, first.y);
+    let told = match (every, ticks - lost) {
+        (1, 0) => format!("all {ticks} ticks of a scale ({at}): there is no room for fingers between them"),
+        (1, _) => {
+            format!("{lost} of the {ticks} ticks of a scale ({at}): there is no room for them beside other lines")
+        }
+        _ => format!(
+            "{lost} of the {ticks} ticks of a scale ({at}): there is no room for fingers between them, and every \
+             {} one is drawn; say so in a label",
+            ordinal(every)
+        ),
+    };
+    Note::NotOnPage(About::Lines, format!("{told}; a larger figure has more room"))
+}
+
+fn ordinal(number: usize) -> String {
+    match number {
+        2 => "2nd".to_owned(),
+        3 => "3rd".to_owned(),
+        _ => format!("{number}th"),
+    }
+}
+
+fn told_of_marks(marks: &LostMarks, plan: &Plan) -> Option<Note> {
     let first = marks.first?;
     let count = |count: usize, one: &str, more: &str| match count {
         0 => None,
@@ -196,7 +236,7 @@ mod tests {
     #[test]
     fn an_axis_is_not_the_tick_that_crosses_it() {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        let axis = Line {
+        let axis = crate::lines::Line {
             strength: 1.0,
             runs: vec![crate::lines::Run::stroke(1.0, vec![MmPoint::new(10.0, 50.0), MmPoint::new(90.0, 50.0)])],
         };
@@ -211,10 +251,17 @@ mod tests {
     fn what_is_lost_is_counted() {
         let plan = Plan::new(&crate::profile::Profile::named("swell-a4").expect("it is built in")).expect("a plan");
         let marks = LostMarks { ticks: 60, arcs: 0, corners: 1, length: 200.0, first: Some(MmPoint::new(20.0, 30.2)) };
-        let told = told(&marks, &plan).expect("a note").to_string();
+        let told = told_of_marks(&marks, &plan).expect("a note").to_string();
         let wanted = "left out of the page: 60 short ticks and 1 mark of a right angle (the first at 20, 30 mm): marks \
                       shorter than 8 mm";
         assert!(told.starts_with(wanted), "{told}");
-        assert_eq!(super::told(&LostMarks::default(), &plan), None);
+        assert_eq!(super::told(&Lost::default(), &plan), []);
+        let scale = |lost: usize, every: usize| LostScale { ticks: 60, lost, every, first: MmPoint::new(20.0, 30.2) };
+        let told = |lost: usize, every: usize| told_of_scale(&scale(lost, every)).to_string();
+        assert!(
+            told(48, 5).contains("48 of the 60 ticks of a scale (the first at 20, 30 mm)")
+                && told(48, 5).contains("every 5th")
+        );
+        assert!(told(60, 1).contains("all 60 ticks") && told(2, 1).contains("beside other lines"));
     }
 }

@@ -9,7 +9,7 @@ use crate::edges::Edges;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::simplify::simplify;
 use crate::labels::NEAR;
-use crate::lines::{Line, LostSign, Pen, Run};
+use crate::lines::{Line, Lines, LostSign};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note};
@@ -23,12 +23,16 @@ pub(super) const MOVED: f32 = 3.0;
 
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
-pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
+pub(super) fn of(edges: &Edges, drawn: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
     if !edges.of_drawing() {
         return Vec::new();
     }
+    let lines = &drawn.lines;
     let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent);
-    let drawn: Vec<MmRect> = rings.chain(lines.iter().flat_map(beads)).collect();
+    // what becomes of points that are handed on is told where they are drawn
+    let points =
+        drawn.marks.points.iter().map(|point| MmRect::new(point.at, point.at).inflate(point.radius, point.radius));
+    let drawn: Vec<MmRect> = rings.chain(lines.iter().flat_map(beads)).chain(points).collect();
     let mut lost: Vec<LostSign> = Vec::new();
     for chain in edges.chains.iter().filter(|chain| chain.closed) {
         let points: Vec<MmPoint> =
@@ -55,11 +59,9 @@ pub(super) fn of(edges: &Edges, lines: &[Line], transform: &PageTransform, wides
     lost
 }
 
-/// The boxes around the filled points on a line (see `lines`): pieces that are broader than long.
+/// The boxes around the filled points on a line.
 pub(super) fn beads(line: &Line) -> impl Iterator<Item = MmRect> {
-    let is_bead = |run: &&Run| run.pen == Pen::Stroke && run.width > 2.0 * run.length() && line.runs.len() > 1;
-    let beads = line.runs.iter().filter(is_bead);
-    beads.map(|run| MmRect::from_points(&run.points).inflate(0.5 * run.width, 0.5 * run.width))
+    line.beads().map(|run| MmRect::from_points(&run.points).inflate(0.5 * run.width, 0.5 * run.width))
 }
 
 /// Longest side of an arrowhead, mm: a larger triangle, such as a mountain on a map, is a shape by itself.
@@ -166,6 +168,7 @@ fn told_of_shapes(lost: &[LostSign], all: &[(&str, MmRect)], are_labels: bool) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::Run;
 
     fn points(corners: &[(f32, f32)]) -> Vec<MmPoint> {
         // some points on each side, as edgels are

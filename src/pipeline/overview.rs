@@ -117,12 +117,24 @@ fn draw_overview_at(place: MmRect, edges: &Edges, layout: &Layout, plan: &Plan, 
     let all = lines::Params { detail, ..plan.lines() };
     let params = if edges.of_drawing() { all.of_overview() } else { all };
     let (outlines, _) = outlines_of(edges, &transform, layout, plan, true);
-    let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
-    if drawn.lines.is_empty() {
-        // parts of rings say more than nothing
-        drawn = lines::draw_with(edges, &outlines, &transform, place, &lines::Params { whole_rings: false, ..params });
+    let draw = |params: lines::Params| {
+        let mut drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+        if drawn.lines.is_empty() {
+            // parts of rings say more than nothing
+            let params = lines::Params { whole_rings: false, ..params };
+            drawn = lines::draw_with(edges, &outlines, &transform, place, &params);
+        }
+        dots::of_overview(drawn, place, layout, plan)
+    };
+    let mut drawn = draw(params);
+    if !drawn.marks.points.is_empty() && drawn.lost.rings > 0 {
+        // what has no room as a point may have room as it is
+        let plain = draw(lines::Params { takes_points: false, ..params });
+        if plain.lost.rings < drawn.lost.rings {
+            drawn = plain;
+        }
     }
-    Overview { place, lines: dots::of_overview(drawn.lines, place, layout, plan), lost: drawn.lost }
+    Overview { place, lines: drawn.lines, lost: drawn.lost }
 }
 
 /// Where a larger overview of a drawing can lie on printed paper, from the smallest on.

@@ -20,6 +20,12 @@ const SIDE_OFFSET: f32 = 2.4;
 /// Strength is averaged along a contour over this far to both sides, mm: less than a fingertip can tell apart.
 const STRENGTH_WINDOW: f32 = 1.0;
 
+/// Contours shorter than this share of a line are dropped at once: shorter pieces may still be joined, and only what
+/// could never become a line goes there.
+const PIECE: f32 = 0.25;
+/// Least length of a line by which ticks of a drawing are found for dots, mm: that of swell paper.
+const TICKS: f32 = 8.0;
+
 /// Side of the cells in which colours are sorted, mm: a third of the distance of two glyphs.
 const COLOUR_CELL: f32 = 1.0;
 
@@ -117,14 +123,23 @@ impl Plan {
             sigma: (edges.scale * px_per_mm).max(1.0),
             low: edges.low,
             high: edges.high,
-            // Shorter pieces may still be joined; only what could never become a line goes here.
-            min_length: 0.25 * lines.min_length * px_per_mm,
+            min_length: PIECE * lines.min_length * px_per_mm,
+            min_length_of_drawing: PIECE * self.shortest_of_drawing() * px_per_mm,
             strength_window: STRENGTH_WINDOW * px_per_mm,
             suppression: edges.texture_suppression,
             side_cell: SIDE_CELL * px_per_mm,
             side_offset: SIDE_OFFSET * px_per_mm,
             // two lines nearer than this could not both be drawn
             widest_stroke: self.lines().max_spacing() * px_per_mm,
+        }
+    }
+
+    /// Length from which on lines of a drawing are found, mm: ticks of dots are shorter than lines of dots.
+    fn shortest_of_drawing(&self) -> f32 {
+        let least = self.profile.lines.min_length;
+        match self.medium() {
+            MediumParams::Print(_) => least,
+            MediumParams::Dots { .. } => least.min(TICKS),
         }
     }
 
@@ -153,7 +168,8 @@ impl Plan {
             whole_rings: false,
             of_drawing: false,
             widen_bars: false,
-            marks_points: matches!(self.medium(), MediumParams::Print(_)),
+            hands_marks_on: matches!(self.medium(), MediumParams::Dots { .. }),
+            takes_points: true,
         }
     }
 

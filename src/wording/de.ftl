@@ -60,6 +60,18 @@ lines-more = { $lines ->
     [one] 1 weitere Linie ist kürzer als diese.
    *[other] { $lines } weitere Linien sind kürzer als diese.
 }
+ticks = { $count ->
+    [one] 1 Teilstrich steht an einer Linie.
+   *[other] { $count } Teilstriche stehen an Linien.
+}
+points-filled = { $count ->
+    [one] 1 gefüllter Punkt liegt auf einer Linie.
+   *[other] { $count } gefüllte Punkte liegen auf Linien.
+}
+points-hollow = { $count ->
+    [one] 1 hohler Punkt liegt auf einer Linie.
+   *[other] { $count } hohle Punkte liegen auf Linien.
+}
 
 area = Die Farbe { $colour } bedeckt { $share } der Abbildung{ $areas ->
     [one] , vor allem { $place }

@@ -65,6 +65,19 @@ lines-more = { $lines ->
     [one] 1 more line is shorter than these.
    *[other] { $lines } more lines are shorter than these.
 }
+# marks on lines of dots
+ticks = { $count ->
+    [one] 1 tick stands on a line.
+   *[other] { $count } ticks stand on lines.
+}
+points-filled = { $count ->
+    [one] 1 filled point lies on a line.
+   *[other] { $count } filled points lie on lines.
+}
+points-hollow = { $count ->
+    [one] 1 hollow point lies on a line.
+   *[other] { $count } hollow points lie on lines.
+}
 
 area = The colour { $colour } covers { $share } of the figure{ $areas ->
     [one] , mainly { $place }

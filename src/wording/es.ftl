@@ -60,6 +60,18 @@ lines-more = { $lines ->
     [one] 1 línea más es más corta que estas.
    *[other] { $lines } líneas más son más cortas que estas.
 }
+ticks = { $count ->
+    [one] 1 marca de escala en una línea.
+   *[other] { $count } marcas de escala en líneas.
+}
+points-filled = { $count ->
+    [one] 1 punto relleno en una línea.
+   *[other] { $count } puntos rellenos en líneas.
+}
+points-hollow = { $count ->
+    [one] 1 punto hueco en una línea.
+   *[other] { $count } puntos huecos en líneas.
+}
 
 area = El color { $colour } cubre { $share } de la figura{ $areas ->
     [one] , sobre todo { $place }

@@ -60,6 +60,18 @@ lines-more = { $lines ->
     [one] { $lines } autre ligne est plus courte.
    *[other] { $lines } autres lignes sont plus courtes.
 }
+ticks = { $count ->
+    [one] 1 graduation sur une ligne.
+   *[other] { $count } graduations sur des lignes.
+}
+points-filled = { $count ->
+    [one] 1 point plein sur une ligne.
+   *[other] { $count } points pleins sur des lignes.
+}
+points-hollow = { $count ->
+    [one] 1 point creux sur une ligne.
+   *[other] { $count } points creux sur des lignes.
+}
 
 area = La couleur { $colour } couvre { $share } de la figure{ $areas ->
     [one] , surtout { $place }

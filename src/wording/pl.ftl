@@ -56,6 +56,21 @@ lines-more = { $lines ->
     [few] { $lines } dalsze linie są krótsze od tych.
    *[other] { $lines } dalszych linii jest krótszych od tych.
 }
+ticks = { $count ->
+    [one] 1 kreska podziałki na linii.
+    [few] { $count } kreski podziałki na liniach.
+   *[other] { $count } kresek podziałki na liniach.
+}
+points-filled = { $count ->
+    [one] 1 pełny punkt na linii.
+    [few] { $count } pełne punkty na liniach.
+   *[other] { $count } pełnych punktów na liniach.
+}
+points-hollow = { $count ->
+    [one] 1 pusty punkt na linii.
+    [few] { $count } puste punkty na liniach.
+   *[other] { $count } pustych punktów na liniach.
+}
 
 area = Kolor { $colour } zajmuje { $share } rysunku{ $areas ->
     [one] , głównie { $place }

@@ -128,6 +128,7 @@ pub(crate) fn contours(raster: &Raster) -> Vec<Polyline<PxPoint>> {
         low: 3.0,
         high: 7.0,
         min_length: 10.0,
+        min_length_of_drawing: 10.0,
         strength_window: 5.0,
         suppression: 1.0,
         side_cell: 8.0,

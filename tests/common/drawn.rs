@@ -17,5 +17,6 @@ pub(crate) const LINES: lines::Params = lines::Params {
     whole_rings: false,
     of_drawing: false,
     widen_bars: false,
-    marks_points: true,
+    hands_marks_on: false,
+    takes_points: true,
 };

@@ -1,56 +1,77 @@
 //! The clearance between lines whose dots can be anywhere. Their middles keep their distance already; where they
 //! join, dots would fall on dots.
 
+use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{second_row, spacing};
 use crate::geom::nearby::Index;
 use crate::geom::polyline;
-use crate::lines::Line;
+use crate::lines::{Line, LineMarks};
 use crate::units::{Mm, MmPoint, MmRect};
 
 /// Dots nearer than this share of the pitch to one already there are left out: two needles' marks would run together.
 const LEAST_STEP: f32 = 0.75;
 
 /// A line as its first row of dots.
-struct Row<'a> {
+struct FirstRow<'a> {
     line: &'a Line,
-    dots: Vec<MmPoint>,
-    closed: bool,
+    row: Row,
 }
 
 /// Lines whose dots can be anywhere in `part` of the sheet, the strongest first. Second rows come last, where they
 /// keep the gap from all other lines.
-pub(in crate::dots) fn anywhere(lines: &[Line], part: MmRect, params: &Params) -> Vec<Line> {
+pub(in crate::dots) fn anywhere(
+    lines: &[Line],
+    marks: &LineMarks,
+    part: MmRect,
+    params: &Params,
+) -> (Vec<Line>, Shown) {
     let part = part.inflate(ROUNDED_OFF, ROUNDED_OFF);
+    let mut rows = first_rows(lines, part, params);
+    let all: Vec<Row> = rows.iter().map(|first| first.row.clone()).collect();
+    let free = Lattice::Free { part, pitch: params.pitch };
+    let Placed { runs, hidden, has_points, shown } = marks::place(marks, &all, free, params);
+    let mut placed = ByPlace(Index::new(part, params.pitch));
+    for (own, first) in rows.iter_mut().enumerate() {
+        first.row.dots.retain(|dot| !hidden[own].contains(dot));
+        first.row.dots.iter().chain(runs[own].iter().flatten()).for_each(|&at| placed.place(at, own));
+    }
+    let mut out = Vec::with_capacity(rows.len());
+    for (own, FirstRow { line, row }) in rows.iter().enumerate() {
+        let mut dots = vec![row.dots.clone()];
+        if row.is_heavy && !has_points[own] && row.dots.len() >= LEAST_DOTS {
+            dots.push(placed.second_row(own, row, part, params));
+        }
+        dots.extend(runs[own].iter().cloned());
+        dots.retain(|dots| !dots.is_empty());
+        let runs = dots.into_iter().map(|dots| params.run(dots, params.height(line))).collect();
+        out.push(Line { strength: line.strength, runs });
+    }
+    (out, shown)
+}
+
+/// The first rows of lines, without dots that would fall on others.
+fn first_rows<'a>(lines: &'a [Line], part: MmRect, params: &Params) -> Vec<FirstRow<'a>> {
     let least = LEAST_STEP * params.pitch;
-    let mut placed = Placed(Index::new(part, params.pitch));
-    let mut rows: Vec<Row<'_>> = Vec::new();
+    let mut placed = ByPlace(Index::new(part, params.pitch));
+    let mut rows: Vec<FirstRow<'a>> = Vec::new();
     for line in lines {
         let polyline = polyline_of(line);
         let mut dots = spacing::evenly(polyline.view(), params.pitch);
         dots.retain(|&at| part.contains_inclusive(at) && placed.is_free(at, least, |_| true));
         if dots.len() >= LEAST_DOTS && polyline::length(&dots) + params.pitch >= params.min_length {
             let dots = placed.row(&dots, rows.len(), least);
-            rows.push(Row { line, dots, closed: polyline.closed });
+            let row = Row { dots, closed: polyline.closed, is_heavy: params.has_second_row(line) };
+            rows.push(FirstRow { line, row });
         }
     }
-    let mut out = Vec::with_capacity(rows.len());
-    for (own, row) in rows.iter().enumerate() {
-        let mut dots = vec![row.dots.clone()];
-        if params.has_second_row(row.line) && row.dots.len() >= LEAST_DOTS {
-            dots.push(placed.second_row(own, row, part, params));
-        }
-        dots.retain(|dots| !dots.is_empty());
-        let runs = dots.into_iter().map(|dots| params.run(dots, params.height(row.line))).collect();
-        out.push(Line { strength: row.line.strength, runs });
-    }
-    out
+    rows
 }
 
 /// Dots by place, each with the number of its line.
-struct Placed(Index<(MmPoint, usize), Mm>);
+struct ByPlace(Index<(MmPoint, usize), Mm>);
 
-impl Placed {
+impl ByPlace {
     fn place(&mut self, at: MmPoint, line: usize) {
         self.0.put_at(at, (at, line));
     }
@@ -78,7 +99,7 @@ impl Placed {
     }
 
     /// Places the second row of a line where it keeps the gap from all other lines; empty if that leaves too few dots.
-    fn second_row(&mut self, own: usize, row: &Row<'_>, part: MmRect, params: &Params) -> Vec<MmPoint> {
+    fn second_row(&mut self, own: usize, row: &Row, part: MmRect, params: &Params) -> Vec<MmPoint> {
         let gap = params.clearance() - ROUNDED_OFF;
         let mut second = Vec::new();
         for (_, at) in second_row::anywhere(&row.dots, row.closed, params.pitch) {
@@ -106,6 +127,11 @@ mod tests {
 
     fn params() -> Params {
         Params { pitch: 2.5, diameter: 1.6, line_gap: 1, heavy_from: 50.0, has_heights: false, min_length: 5.0 }
+    }
+
+    /// Lines without marks.
+    fn anywhere(lines: &[Line], part: MmRect, params: &Params) -> Vec<Line> {
+        super::anywhere(lines, &LineMarks::default(), part, params).0
     }
 
     fn dots(lines: &[Line]) -> Vec<Vec<usize>> {

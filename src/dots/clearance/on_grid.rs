@@ -8,18 +8,25 @@ use std::collections::BTreeMap;
 
 use super::order::order;
 use crate::devices::Grid;
-use crate::dots::cell::{Cell, centre, distance, within};
+use crate::dots::cell::{Cell, centre, distance, nearest, to_grid, within};
+use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{rasterise, second_row};
 use crate::geom::polyline;
-use crate::lines::Line;
+use crate::lines::{Line, LineMarks};
 use crate::units::{MmPoint, MmRect};
 
 /// Lines on a grid, the strongest first.
-pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params: &Params) -> Vec<Line> {
+pub(in crate::dots) fn on_grid(
+    lines: &[Line],
+    marks: &LineMarks,
+    part: MmRect,
+    grid: &Grid,
+    params: &Params,
+) -> (Vec<Line>, Shown) {
     let [columns, rows] = within(part, grid);
     if columns[0] > columns[1] || rows[0] > rows[1] {
-        return Vec::new();
+        return (Vec::new(), Shown::none_of(marks));
     }
     let mut taken = Taken { lines: BTreeMap::new(), gap: params.line_gap as i32 };
     let mut drawn: Vec<(usize, Piece)> = Vec::new();
@@ -35,6 +42,7 @@ pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params
             drawn.push((place, piece));
         }
     }
+    let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, grid, [columns, rows], params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
     let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
@@ -45,19 +53,22 @@ pub(in crate::dots) fn on_grid(lines: &[Line], part: MmRect, grid: &Grid, params
         let (place, piece) = &drawn[number];
         let line = &lines[*place];
         let mut rows = vec![piece.cells.clone()];
-        if params.has_second_row(line) {
+        if params.has_second_row(line) && !has_points[number] {
             // a piece too short for a line is felt as texture, unless it is most of the row
             let least = (params.min_length / params.pitch).ceil() as usize + 1;
             let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
-            let second = taken.second_row((number, piece), least, inside);
+            let mut second = taken.second_row((number, piece), least, inside);
+            // where a tick goes through it, it has a dot already
+            second.retain(|cell| !taken.lines.contains_key(cell));
             second.iter().for_each(|&cell| taken.take(cell, number));
             rows.push(second);
         }
         rows.retain(|row| !row.is_empty());
-        let run = |row: &Vec<Cell>| params.run(centres(row, grid), params.height(line));
-        out.push(Line { strength: line.strength, runs: rows.iter().map(run).collect() });
+        let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
+        let runs = rows.map(|row| params.run(row, params.height(line))).collect();
+        out.push(Line { strength: line.strength, runs });
     }
-    out
+    (out, shown)
 }
 
 /// The dots of a line within these columns and rows (first and last), one dot wide, and whether it is closed.
@@ -102,6 +113,35 @@ struct Taken {
 }
 
 impl Taken {
+    /// Finds room for the marks of lines, of which these pieces are drawn, each with the number of its line.
+    fn place(
+        &mut self,
+        marks: &LineMarks,
+        lines: &[Line],
+        drawn: &mut [(usize, Piece)],
+        grid: &Grid,
+        within: [[i32; 2]; 2],
+        params: &Params,
+    ) -> Placed {
+        let row = |(place, piece): &(usize, Piece)| Row {
+            dots: centres(&piece.cells, grid),
+            closed: piece.closed,
+            is_heavy: params.has_second_row(&lines[*place]),
+        };
+        let rows: Vec<Row> = drawn.iter().map(row).collect();
+        let placed = marks::place(marks, &rows, Lattice::Grid { grid, within }, params);
+        let cell = |at: &MmPoint| nearest(to_grid(*at, grid));
+        for (number, (_, piece)) in drawn.iter_mut().enumerate() {
+            let hidden: Vec<Cell> = placed.hidden[number].iter().map(cell).collect();
+            hidden.iter().for_each(|cell| {
+                self.lines.remove(cell);
+            });
+            piece.cells.retain(|cell| !hidden.contains(cell));
+            placed.runs[number].iter().flatten().for_each(|at| self.take(cell(at), number));
+        }
+        placed
+    }
+
     fn take(&mut self, cell: Cell, piece: usize) {
         self.lines.entry(cell).or_insert(piece);
     }
@@ -152,7 +192,8 @@ impl Taken {
                 (Some(&j), _) => !is_other_arm(j),
                 (None, other) => other.is_none_or(|&other| other == number),
             };
-            let is_kept = inside(cell) && !self.lines.contains_key(&cell) && self.around(cell).all(is_free);
+            let is_own = self.lines.get(&cell).is_none_or(|&of| of == number);
+            let is_kept = inside(cell) && is_own && self.around(cell).all(is_free);
             if is_kept {
                 own.insert(cell, i);
             }

@@ -274,6 +274,7 @@ mod tests {
         low: 3.0,
         high: 7.0,
         min_length: 8.0,
+        min_length_of_drawing: 8.0,
         strength_window: 4.0,
         suppression: 0.0,
         side_cell: 4.0,

@@ -1,0 +1,399 @@
+//! Points and ticks on lines of dots. They are dots of the line on which they are:
+//!
+//! ```text
+//!   #     #     #        a tick: a row of dots across the line, two of them or more
+//!   #     #     #
+//!   # # # # # # # # # # # # # # #
+//!                   . # # # .  # # #
+//!   a disc: # # # # # # # # #  # . #  a ring: where the line is interrupted
+//!                   . # # # .  # # #
+//! ```
+//!
+//! Points come first, and a line with points has one row of dots, so that they stand out from it.
+
+mod lattice;
+mod scale;
+
+#[cfg(test)]
+mod tests;
+
+use self::lattice::{Disc, Field, LEAST_STEP, Owner};
+use super::cell::GridPoint;
+use super::params::{LEAST_DOTS, Params};
+use crate::lines::{LineMarks, PointMark, TickMark};
+use crate::units::{MmPoint, MmVector};
+
+pub(super) use self::lattice::Lattice;
+
+/// The hollow of a ring is at least this wide, mm, from dot to dot: twice as wide as a groove that a fingertip just
+/// feels (0.94 mm: Van Boven and Johnson 1994). Chosen by us.
+const HOLLOW: f32 = 2.0;
+/// A tick reaches so far beyond its line, mm, and at least two dots. Chosen by us: two dots of braille.
+const TICK: f32 = 4.0;
+const TICK_DOTS: usize = 2;
+/// The blank between two ticks, mm: the least between any two marks (1/8 inch: Hasty).
+const BETWEEN: f32 = 3.2;
+/// How far lines are moved at most, mm: their marks go with them.
+const MOVED: f32 = 3.2;
+/// Of two dots as near the one with the greater column and row is taken, as lines are: so much nearer, in steps.
+const MIDWAY: f32 = 1e-3;
+/// The direction of a row is taken over so many dots to both sides.
+const BESIDE: usize = 2;
+/// A row is that of a tick if it leads as its line does but for 30 degrees: the cosine.
+const ALONG: f32 = 0.87;
+/// ... and the tick is no farther from its place along the line, in pitches.
+const ASIDE: f32 = 0.75;
+/// A side of a tick that is so much longer than the shortest of its scale is longer on the page.
+const LONGER: f32 = 1.3;
+/// Of a scale at most this share may lack room beside other lines: otherwise none of it is drawn.
+const BLOCKED: f32 = 0.25;
+
+/// A row of dots: a line, or a part of one.
+#[derive(Debug, Clone)]
+pub(super) struct Row {
+    pub(super) dots: Vec<MmPoint>,
+    pub(super) closed: bool,
+    /// Whether it is to have a second row.
+    pub(super) is_heavy: bool,
+}
+
+/// What is drawn for marks.
+pub(super) struct Placed {
+    /// The dots of the marks on each row, mark by mark.
+    pub(super) runs: Vec<Vec<Vec<MmPoint>>>,
+    /// The dots of rows that are left out, as a ring is hollow.
+    pub(super) hidden: Vec<Vec<MmPoint>>,
+    /// Which rows have points.
+    pub(super) has_points: Vec<bool>,
+    pub(super) shown: Shown,
+}
+
+/// Which marks are drawn.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Shown {
+    /// Which points.
+    pub points: Vec<bool>,
+    /// Which ticks of each scale.
+    pub scales: Vec<ShownScale>,
+}
+
+impl Shown {
+    /// Nothing of these marks.
+    pub(super) fn none_of(marks: &LineMarks) -> Self {
+        let none = |scale: &Vec<TickMark>| ShownScale { ticks: vec![false; scale.len()], every: 1 };
+        Self { points: vec![false; marks.points.len()], scales: marks.scales.iter().map(none).collect() }
+    }
+}
+
+/// What is drawn of a scale.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownScale {
+    /// Which ticks.
+    pub ticks: Vec<bool>,
+    /// Every how many-th there is room for.
+    pub every: usize,
+}
+
+/// A point that is drawn.
+struct DrawnPoint {
+    middle: GridPoint,
+    radius: i32,
+}
+
+/// A tick in dots.
+struct Tick {
+    /// Its number in its scale.
+    number: usize,
+    row: usize,
+    /// The dots to each side of its row.
+    sides: [Vec<GridPoint>; 2],
+}
+
+struct Places<'a> {
+    rows: &'a [Row],
+    params: &'a Params,
+    field: Field<'a>,
+    points: Vec<DrawnPoint>,
+    placed: Placed,
+}
+
+/// Finds room for marks on rows of dots.
+pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, params: &Params) -> Placed {
+    let mut field = Field::new(lattice);
+    for (number, row) in rows.iter().enumerate() {
+        let dots = row.dots.iter().enumerate();
+        dots.for_each(|(place, at)| field.put(lattice.to_steps(*at), Owner::Row(number, place)));
+    }
+    let placed = Placed {
+        runs: vec![Vec::new(); rows.len()],
+        hidden: vec![Vec::new(); rows.len()],
+        has_points: vec![false; rows.len()],
+        shown: Shown::default(),
+    };
+    let mut places = Places { rows, params, field, points: Vec::new(), placed };
+    for point in &marks.points {
+        let is_drawn = places.point(point);
+        places.placed.shown.points.push(is_drawn);
+    }
+    for (number, scale) in marks.scales.iter().enumerate() {
+        let shown = places.scale(number, scale);
+        places.placed.shown.scales.push(shown);
+    }
+    places.placed
+}
+
+impl Places<'_> {
+    /// The dot of a row nearest to a place of its line, which `counts`: the row, its number there, and the dot.
+    fn nearest(
+        &self,
+        at: MmPoint,
+        counts: impl Fn(usize, usize, GridPoint) -> bool,
+    ) -> Option<(usize, usize, GridPoint)> {
+        // of two dots as near the same as of lines
+        let at = self.field.lattice.to_steps(at).map(|at| at + MIDWAY);
+        let reach = MOVED / self.params.pitch + 1.0;
+        let far = |dot: GridPoint| (dot[0] - at[0]).hypot(dot[1] - at[1]);
+        let rows = self.field.around(at, reach).filter_map(|(_, dot, owner)| match owner {
+            Owner::Row(row, number) if counts(row, number, dot) => Some((far(dot), row, number, dot)),
+            _ => None,
+        });
+        let nearest = rows.min_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))))?;
+        Some((nearest.1, nearest.2, nearest.3))
+    }
+
+    /// Draws a point if there is room for it.
+    fn point(&mut self, point: &PointMark) -> bool {
+        let lattice = self.field.lattice;
+        let Some((row, number, middle)) = self.nearest(point.at, |_, _, _| true) else { return false };
+        let Params { pitch, diameter, .. } = *self.params;
+        let least = ((HOLLOW + diameter) / (2.0 * pitch)).ceil() as i32;
+        // the side of a disc is that of its outermost dots, and a ring is drawn along its middle
+        let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
+        let radius = least.max((own / pitch).round() as i32).max(1);
+        let Disc { around, inside } = lattice.disc(middle, self.along(row, number), radius);
+        if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
+            return false;
+        }
+        let hidden: Vec<(GridPoint, Owner)> = {
+            let dots = self.field.around(middle, radius as f32 + 1.0);
+            let is_hidden = |dot: GridPoint| match lattice {
+                Lattice::Grid { .. } => !point.is_filled && inside.contains(&dot),
+                // between the dots of the row those of the point would be uneven
+                Lattice::Free { .. } => lattice.steps(dot, middle) < radius as f32 + LEAST_STEP,
+            };
+            dots.filter(|(_, dot, _)| is_hidden(*dot)).map(|(_, dot, owner)| (dot, owner)).collect()
+        };
+        if !self.rows_stay(&hidden) {
+            return false;
+        }
+        for &(dot, owner) in &hidden {
+            self.field.take_out(|other, of| lattice.are_one(other, dot) && of == owner, dot, 1.0);
+            if let Owner::Row(row, _) = owner {
+                self.placed.hidden[row].push(lattice.to_mm(dot));
+            }
+        }
+        let wanted = around.into_iter().chain(inside.into_iter().filter(|_| point.is_filled));
+        let mut run = Vec::new();
+        for dot in wanted {
+            if !self.field.around(dot, 1.0).any(|(_, other, _)| lattice.are_one(dot, other)) {
+                self.field.put(dot, Owner::Row(row, number));
+                run.push(lattice.to_mm(dot));
+            }
+        }
+        self.placed.runs[row].push(run);
+        self.placed.has_points[row] = true;
+        self.points.push(DrawnPoint { middle, radius });
+        true
+    }
+
+    /// Which way a row runs at one of its dots.
+    fn along(&self, row: usize, number: usize) -> MmVector {
+        let dots = &self.rows[row].dots;
+        let way = dots[(number + BESIDE).min(dots.len() - 1)] - dots[number.saturating_sub(BESIDE)];
+        way.try_normalize().unwrap_or(MmVector::new(1.0, 0.0))
+    }
+
+    /// Whether there is less than the least blank between a dot and a point.
+    fn is_close_to(&self, dot: GridPoint, point: &DrawnPoint) -> bool {
+        let lattice = self.field.lattice;
+        let apart = (lattice.to_mm(dot) - lattice.to_mm(point.middle)).length();
+        apart < point.radius as f32 * self.params.pitch + BETWEEN + self.params.diameter
+    }
+
+    /// Whether a disc is apart from other points, and from the rows that do not lead to it.
+    fn has_room(&self, middle: GridPoint, radius: i32, around: &[GridPoint]) -> bool {
+        let lattice = self.field.lattice;
+        let is_near_point = |other: &DrawnPoint| around.iter().any(|dot| self.is_close_to(*dot, other));
+        if self.points.iter().any(is_near_point) {
+            return false;
+        }
+        let reach = radius as f32 + if matches!(lattice, Lattice::Free { .. }) { 0.8 } else { 0.0 };
+        let leads: Vec<usize> = self.field.around(middle, reach).filter_map(|(.., owner)| row_of(owner)).collect();
+        let gap = self.params.line_gap as f32;
+        around.iter().all(|dot| {
+            let near = self.field.around(*dot, gap + 1.0).filter(|(_, other, _)| lattice.are_near(*dot, *other, gap));
+            near.filter_map(|(.., owner)| row_of(owner)).all(|row| leads.contains(&row))
+        })
+    }
+
+    /// Whether rows are lines without these dots.
+    fn rows_stay(&self, hidden: &[(GridPoint, Owner)]) -> bool {
+        let rows = || hidden.iter().filter_map(|(_, owner)| row_of(*owner));
+        rows().all(|row| {
+            let count = self.rows[row].dots.len() - self.placed.hidden[row].len();
+            count >= LEAST_DOTS + rows().filter(|other| *other == row).count()
+        })
+    }
+
+    /// Whether there is less than the least blank between two dots of two marks.
+    fn are_close(&self, a: GridPoint, b: GridPoint) -> bool {
+        let lattice = self.field.lattice;
+        let apart = (lattice.to_mm(a) - lattice.to_mm(b)).length();
+        apart < BETWEEN + self.params.diameter
+    }
+
+    /// In how many steps around a dot there may be dots that are so close.
+    fn reach(&self) -> f32 {
+        (BETWEEN + self.params.diameter) / self.params.pitch + 1.0
+    }
+
+    /// Draws the ticks of a scale for which there is room.
+    fn scale(&mut self, number: usize, scale: &[TickMark]) -> ShownScale {
+        let are_both = scale.iter().any(|tick| tick.ends.iter().all(Option::is_some));
+        let sides: &[[bool; 2]] = if are_both { &[[true; 2], [true, false], [false, true]] } else { &[[true; 2]] };
+        let shortest = scale.iter().flat_map(TickMark::sides).flatten().fold(f32::INFINITY, f32::min);
+        for (every, members) in scale::selections(scale) {
+            for sides in sides {
+                let ticks: Vec<Tick> =
+                    members.iter().filter_map(|&member| self.tick(member, &scale[member], shortest, *sides)).collect();
+                if ticks.is_empty() || ticks.len() as f32 + BLOCKED * (members.len() as f32) < members.len() as f32 {
+                    continue;
+                }
+                if self.are_apart(&ticks) {
+                    return self.draw(number, scale.len(), every, ticks);
+                }
+            }
+        }
+        ShownScale { ticks: vec![false; scale.len()], every: 1 }
+    }
+
+    fn draw(&mut self, scale: usize, count: usize, every: usize, ticks: Vec<Tick>) -> ShownScale {
+        let lattice = self.field.lattice;
+        let mut shown = ShownScale { ticks: vec![false; count], every };
+        for Tick { number, row, sides } in ticks {
+            shown.ticks[number] = true;
+            for side in sides.into_iter().filter(|side| !side.is_empty()) {
+                side.iter().for_each(|dot| self.field.put(*dot, Owner::Tick(scale, row)));
+                self.placed.runs[row].push(side.into_iter().map(|dot| lattice.to_mm(dot)).collect());
+            }
+        }
+        shown
+    }
+
+    /// A tick in dots, on those sides that have room; none if no side has.
+    fn tick(&self, number: usize, tick: &TickMark, shortest: f32, sides: [bool; 2]) -> Option<Tick> {
+        let lattice = self.field.lattice;
+        let is_own = |row: usize, number: usize, dot: GridPoint| {
+            let aside = (lattice.to_mm(dot) - tick.at).dot(tick.along).abs();
+            aside <= ASIDE * self.params.pitch && self.along(row, number).dot(tick.along).abs() >= ALONG
+        };
+        let (row, at, from) = self.nearest(tick.at, is_own)?;
+        // behind a point it goes on from that
+        let point = self.points.iter().find(|point| lattice.steps(point.middle, from) <= point.radius as f32 + 0.5);
+        let from = point.map_or(from, |point| point.middle);
+        let mut drawn = Tick { number, row, sides: [Vec::new(), Vec::new()] };
+        let mut is_covered = false;
+        for (side, end) in tick.ends.iter().enumerate() {
+            let Some(end) = end.filter(|_| sides[side]) else { continue };
+            let Some(way) = (end - tick.at).try_normalize() else { continue };
+            let count = self.dots_of((end - tick.at).length(), shortest);
+            let mut dots = lattice.outward(from, way, 2 * count + 2);
+            dots.truncate(count + self.second_row(row, at, way));
+            let own = |dot: GridPoint| self.field.around(dot, 1.0).any(|(_, other, _)| lattice.are_one(dot, other));
+            let is_inside = |dot: GridPoint| {
+                point.is_some_and(|point| lattice.steps(point.middle, dot) <= point.radius as f32 + 0.25)
+            };
+            dots.retain(|dot| !own(*dot) && !is_inside(*dot));
+            if dots.is_empty() {
+                is_covered |= point.is_some();
+            } else if dots.iter().all(|dot| self.is_free(*dot, (row, at, count), point)) {
+                drawn.sides[side] = dots;
+            }
+        }
+        (is_covered || drawn.sides.iter().any(|side| !side.is_empty())).then_some(drawn)
+    }
+
+    /// How many dots a side of a tick has: all of a scale are longer by the same.
+    fn dots_of(&self, length: f32, shortest: f32) -> usize {
+        let pitch = self.params.pitch;
+        let least = TICK_DOTS.max((TICK / pitch).round() as usize);
+        let more = (least as f32 * pitch - shortest).max(0.0);
+        let longer = usize::from(length >= LONGER * shortest);
+        (((length + more) / pitch).round() as usize).max(least + longer)
+    }
+
+    /// How many dots a second row puts before the free ones of a tick that leads this way from a dot of its row.
+    fn second_row(&self, row: usize, at: usize, way: MmVector) -> usize {
+        if !self.rows[row].is_heavy || self.placed.has_points[row] {
+            return 0;
+        }
+        // it lies to the right of a line as it runs, and inside a ring
+        let along = self.along(row, at);
+        let right = MmVector::new(-along.y, along.x).dot(way) > 0.0;
+        let turn = self.rows[row].closed && area_of(&self.rows[row].dots) < 0.0;
+        usize::from(right != turn)
+    }
+
+    /// Whether a dot of a tick of so many dots, which stands on a dot of a row, is apart from all others.
+    fn is_free(&self, dot: GridPoint, (row, at, count): (usize, usize, usize), own: Option<&DrawnPoint>) -> bool {
+        let lattice = self.field.lattice;
+        if !lattice.holds(dot) {
+            return false;
+        }
+        let gap = self.params.line_gap as f32;
+        let is_own = |point: &DrawnPoint| own.is_some_and(|own| std::ptr::eq(own, point));
+        if self.points.iter().any(|point| !is_own(point) && self.is_close_to(dot, point)) {
+            return false;
+        }
+        // the row beside its own place is as near as the tick is long
+        let beside = 2 * (count + self.params.line_gap as usize) + 4;
+        let length = self.rows[row].dots.len();
+        let mut near = self.field.around(dot, gap + 1.0).filter(|(_, other, _)| lattice.are_near(dot, *other, gap));
+        near.all(|(_, other, owner)| match owner {
+            Owner::Row(of, number) if of == row => {
+                let apart = number.abs_diff(at);
+                apart <= beside || self.rows[row].closed && length - apart <= beside
+            }
+            // what leads to the point behind which it is
+            Owner::Row(..) => own.is_some_and(|own| lattice.steps(own.middle, other) <= own.radius as f32 + gap),
+            Owner::Tick(..) => !self.are_close(dot, other),
+        })
+    }
+
+    /// Whether ticks are apart from one another.
+    fn are_apart(&self, ticks: &[Tick]) -> bool {
+        let mut own = Field::new(self.field.lattice);
+        ticks.iter().enumerate().all(|(number, tick)| {
+            let dots = || tick.sides.iter().flatten();
+            let is_near =
+                |dot: &GridPoint| own.around(*dot, self.reach()).any(|(_, other, _)| self.are_close(*dot, other));
+            let apart = !dots().any(is_near);
+            let dots: Vec<GridPoint> = dots().copied().collect();
+            dots.into_iter().for_each(|dot| own.put(dot, Owner::Tick(0, number)));
+            apart
+        })
+    }
+}
+
+fn row_of(owner: Owner) -> Option<usize> {
+    match owner {
+        Owner::Row(row, _) => Some(row),
+        Owner::Tick(..) => None,
+    }
+}
+
+/// Twice the area of a ring; above 0 if it runs clockwise as a reader sees it.
+fn area_of(ring: &[MmPoint]) -> f32 {
+    let Some(&first) = ring.first() else { return 0.0 };
+    ring.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum()
+}

@@ -1,0 +1,37 @@
+//! Which ticks of a scale are drawn where there is no room for all: those that are longer, or every so many-th.
+
+use super::TickMark;
+
+/// Ticks are even if no two are this much farther apart than the nearest two.
+const EVEN: f32 = 1.3;
+/// Every so many-th of even ticks is drawn, where there is no room for more.
+const EVERY: [usize; 3] = [2, 5, 10];
+/// A tick is long if it is this much longer than the shortest of its scale.
+const LONG: f32 = 1.3;
+/// Fewer ticks are no scale.
+const LEAST: usize = 3;
+
+/// All ticks of a scale, then fewer, in the order in which they are tried: each with the step from one to the next.
+pub(super) fn selections(scale: &[TickMark]) -> Vec<(usize, Vec<usize>)> {
+    let mut all = vec![(1, (0..scale.len()).collect())];
+    let apart = scale.windows(2).map(|pair| (pair[1].at - pair[0].at).length());
+    let (least, most) = apart.fold((f32::INFINITY, 0.0_f32), |(least, most), at| (least.min(at), most.max(at)));
+    if most > EVEN * least {
+        return all;
+    }
+    let shortest = scale.iter().map(TickMark::length).fold(f32::INFINITY, f32::min);
+    let long: Vec<usize> = (0..scale.len()).filter(|&i| scale[i].length() >= LONG * shortest).collect();
+    let first = long.first().copied().unwrap_or(0);
+    let of_long = long
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .min()
+        .filter(|&every| long.windows(2).all(|pair| pair[1] - pair[0] == every));
+    for every in of_long.into_iter().filter(|every| *every > 1).chain(EVERY) {
+        if !all.iter().any(|(other, _)| *other == every) {
+            all.push((every, (first % every..scale.len()).step_by(every).collect()));
+        }
+    }
+    all.retain(|(every, members): &(usize, Vec<usize>)| *every == 1 || members.len() >= LEAST);
+    all
+}

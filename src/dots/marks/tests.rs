@@ -1,0 +1,118 @@
+//! Room for marks on rows of dots.
+
+use super::*;
+use crate::devices::Grid;
+use crate::units::MmRect;
+
+const PARAMS: Params =
+    Params { pitch: 2.0, diameter: 1.6, line_gap: 2, heavy_from: 50.0, has_heights: false, min_length: 12.5 };
+
+fn grid() -> Grid {
+    let even = |count: usize| (0..count).map(|i| 2.0 * i as f32).collect();
+    Grid { columns: even(60), rows: even(40) }
+}
+
+/// An axis along row 20, and what is beside it.
+fn rows(more: Option<Row>) -> Vec<Row> {
+    let dots = (2..58).map(|x| MmPoint::new(2.0 * x as f32, 40.0)).collect();
+    std::iter::once(Row { dots, closed: false, is_heavy: false }).chain(more).collect()
+}
+
+fn tick(x: f32, above: f32, below: f32) -> TickMark {
+    let end = |length: f32, way: f32| (length > 0.0).then_some(MmPoint::new(x, 40.0 + way * length));
+    TickMark { at: MmPoint::new(x, 40.0), along: MmVector::new(1.0, 0.0), ends: [end(above, -1.0), end(below, 1.0)] }
+}
+
+fn point(x: f32, radius: f32, is_filled: bool) -> PointMark {
+    PointMark { at: MmPoint::new(x, 40.4), radius, is_filled }
+}
+
+fn placed(points: &[PointMark], scale: &[TickMark], rows: &[Row]) -> Placed {
+    let marks = LineMarks { points: points.to_vec(), scales: vec![scale.to_vec()] };
+    let grid = grid();
+    place(&marks, rows, Lattice::Grid { grid: &grid, within: [[0, 59], [0, 39]] }, &PARAMS)
+}
+
+/// How many dots each mark on the first row has.
+fn counts(placed: &Placed) -> Vec<usize> {
+    placed.runs[0].iter().map(Vec::len).collect()
+}
+
+#[test]
+fn ticks_have_two_dots_on_each_side_and_longer_ones_more() {
+    let scale = [tick(20.0, 2.0, 2.0), tick(40.0, 2.0, 2.0), tick(60.0, 5.0, 5.0)];
+    let all = placed(&[], &scale, &rows(None));
+    assert_eq!((counts(&all), &all.shown.scales[0].ticks[..]), (vec![2, 2, 2, 2, 4, 4], &[true; 3][..]));
+    let first: Vec<[f32; 2]> = all.runs[0][0].iter().map(|at| [at.x, at.y]).collect();
+    assert_eq!(first, [[20.0, 38.0], [20.0, 36.0]], "from the axis on");
+    // on one side only
+    assert_eq!(counts(&placed(&[], &[tick(20.0, 3.0, 0.0); 1], &rows(None))), [2]);
+}
+
+#[test]
+fn where_a_line_is_beside_the_axis_ticks_are_on_its_other_side() {
+    let dots = (2..58).map(|x| MmPoint::new(2.0 * x as f32, 46.0)).collect();
+    let all = placed(
+        &[],
+        &[tick(20.0, 2.0, 2.0), tick(40.0, 2.0, 2.0)],
+        &rows(Some(Row { dots, closed: false, is_heavy: false })),
+    );
+    assert_eq!(counts(&all), [2, 2]);
+    assert!(all.runs[0].iter().flatten().all(|at| at.y < 40.0));
+}
+
+#[test]
+fn ticks_too_near_to_one_another_are_left_out_but_for_every_so_many_th() {
+    let near: Vec<TickMark> = (0..9).map(|k| tick(20.0 + 4.0 * k as f32, 2.0, 2.0)).collect();
+    let shown = placed(&[], &near, &rows(None)).shown.scales.remove(0);
+    assert_eq!((shown.every, shown.ticks.iter().filter(|is_drawn| **is_drawn).count()), (2, 5));
+    let uneven = [tick(20.0, 2.0, 2.0), tick(24.0, 2.0, 2.0), tick(40.0, 2.0, 2.0)];
+    assert_eq!(placed(&[], &uneven, &rows(None)).shown.scales[0].ticks, [false; 3]);
+}
+
+#[test]
+fn a_disc_is_a_block_and_a_ring_interrupts_its_line() {
+    let disc = placed(&[point(41.0, 1.5, true)], &[], &rows(None));
+    assert_eq!((counts(&disc), disc.hidden[0].len(), disc.has_points[0]), (vec![6], 0, true));
+    let ring = placed(&[point(40.0, 1.5, false)], &[], &rows(None));
+    assert_eq!((counts(&ring), &ring.hidden[0][..]), (vec![6], &[MmPoint::new(40.0, 40.0)][..]));
+    // as large as it is: 12 dots around 9, of which two are on the line, and three of the line inside
+    let large = placed(&[point(40.0, 4.0, false)], &[], &rows(None));
+    assert_eq!((counts(&large), large.hidden[0].len()), (vec![10], 3));
+}
+
+#[test]
+fn points_keep_apart_from_one_another_and_from_other_lines() {
+    let shown = |points: &[PointMark], rows: &[Row]| placed(points, &[], rows).shown.points;
+    let both = [point(40.0, 1.5, true), point(44.0, 1.5, false)];
+    assert_eq!(shown(&both, &rows(None)), [true, false]);
+    let dots = (2..58).map(|x| MmPoint::new(2.0 * x as f32, 46.0)).collect();
+    let beside = Row { dots, closed: false, is_heavy: false };
+    assert_eq!(shown(&both[..1], &rows(Some(beside))), [false]);
+    assert_eq!(shown(&[point(40.0, 1.5, true)], &[]), [false], "on no line");
+    // the ends of two lines at one point
+    let slanting = (0..12).map(|k| MmPoint::new(40.0 + 2.0 * k as f32, 38.0 - 2.0 * k as f32)).collect();
+    assert_eq!(shown(&both[..1], &rows(Some(Row { dots: slanting, closed: false, is_heavy: false }))), [true]);
+}
+
+#[test]
+fn a_tick_behind_a_point_goes_on_from_it() {
+    let scale = [tick(20.0, 2.0, 2.0), tick(40.0, 2.0, 2.0), tick(60.0, 2.0, 2.0)];
+    let all = placed(&[point(40.0, 1.5, false)], &scale, &rows(None));
+    assert_eq!(counts(&all), [6, 2, 2, 1, 1, 2, 2]);
+    assert_eq!(all.shown.scales[0].ticks, [true; 3]);
+}
+
+#[test]
+fn anywhere_a_point_is_six_dots_around_one() {
+    let part = MmRect::new(MmPoint::zero(), MmPoint::new(120.0, 80.0));
+    let marks = |is_filled: bool| LineMarks {
+        points: vec![point(41.0, 1.5, is_filled)],
+        scales: vec![vec![tick(60.3, 2.0, 2.0), tick(80.3, 2.0, 0.0)]],
+    };
+    let place =
+        |is_filled: bool| super::place(&marks(is_filled), &rows(None), Lattice::Free { part, pitch: 2.0 }, &PARAMS);
+    assert_eq!((counts(&place(true)), counts(&place(false))), (vec![7, 2, 2, 2], vec![6, 2, 2, 2]));
+    let hidden = &place(true).hidden[0];
+    assert_eq!(hidden.len(), 3, "those of the line make way: {hidden:?}");
+}
