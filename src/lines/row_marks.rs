@@ -17,6 +17,8 @@ const AS_WIDE: f32 = 0.7;
 /// The line of a point comes nearer to its middle than its outermost dots and this, in steps: a second row lies beside
 /// its line.
 const NEARER: f32 = 0.3;
+/// Within a hollow point there are no dots of its line, but for this, in steps.
+const INSIDE: f32 = 0.5;
 /// A disc has a dot so near to its middle, in steps.
 const MIDDLE: f32 = 0.4;
 
@@ -58,7 +60,9 @@ impl Line {
                 && widest_angle(at, &run.points) <= OPEN;
             let mut dots = run.points.iter().chain(&first.points);
             let is_filled = dots.any(|dot| (*dot - at).length() < MIDDLE * step);
-            is_point.then_some(PointMark { at, radius, is_filled })
+            // the second row around a ring has that inside
+            let is_hollow = first.points.iter().all(|dot| (*dot - at).length() > radius - INSIDE * step);
+            (is_point && (is_filled || is_hollow)).then_some(PointMark { at, radius, is_filled })
         })
     }
 }
@@ -71,8 +75,8 @@ fn nearest(row: &Run, at: MmPoint) -> Option<(f32, MmPoint)> {
 
 /// The widest angle around a place without a dot, in turns.
 fn widest_angle(middle: MmPoint, dots: &[MmPoint]) -> f32 {
-    let around = dots.iter().map(|dot| *dot - middle).filter(|way| way.length() > 1e-3);
-    let mut turns: Vec<f32> = around.map(|way| way.angle_from_x_axis().radians / std::f32::consts::TAU).collect();
+    let around = dots.iter().map(|dot| *dot - middle).filter(|offset| offset.length() > 1e-3);
+    let mut turns: Vec<f32> = around.map(|offset| offset.angle_from_x_axis().radians / std::f32::consts::TAU).collect();
     turns.sort_by(f32::total_cmp);
     let (Some(first), Some(last)) = (turns.first(), turns.last()) else { return 1.0 };
     let over = first + 1.0 - last;
@@ -116,6 +120,8 @@ mod tests {
         };
         let line = Line { strength: 100.0, runs: vec![run(&ring(5.0)), run(&ring(4.0))] };
         assert_eq!((line.row_points().count(), line.row_ticks().count()), (0, 0));
+        let outside = Line { strength: 100.0, runs: vec![run(&ring(4.0)), run(&ring(5.0))] };
+        assert_eq!(outside.row_points().count(), 0);
         let stroke =
             Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![MmPoint::zero(), MmPoint::new(9.0, 0.0)])] };
         assert_eq!((stroke.row_points().count(), stroke.row_ticks().count()), (0, 0));

@@ -136,10 +136,9 @@ pub(super) fn draw(
     let (drawn, (overview, mut classes)) = {
         let (edges, layout) = (edges.as_ref(), &layout);
         let regions = edges.and_then(|edges| regions_of_figure(edges, layout, plan, watch));
-        let regions = regions.as_ref();
-        let lines = |watch: &mut Watch<'_>| draw_lines(edges, regions, may_join, layout, plan, watch);
+        let lines = |watch: &mut Watch<'_>| draw_lines(edges, regions.as_ref(), may_join, layout, plan, watch);
         in_parallel(has_lines, watch, lines, |watch| {
-            let overview = draw_overview(edges, regions, may_join, layout, plan, watch);
+            let overview = draw_overview(edges, regions.as_ref(), may_join, layout, plan, watch);
             (overview, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
         })
     };

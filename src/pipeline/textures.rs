@@ -117,8 +117,8 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], layout: &Layout) -> 
         count => (format!("the textures of {count} areas (the first {at})"), "they are"),
     };
     let told = format!(
-        "{areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; say in labels what matters of \
-         the colours, or make the figure larger"
+        "{areas}, as {they_are} too small or too narrow for the signs of a texture clear of lines; say in labels \
+         what matters of the colours, or make the figure larger"
     );
     Some(Note::NotOnPage(About::Areas, told))
 }

@@ -268,7 +268,7 @@ mod tests {
         let (one, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Only(&[small]));
         assert_eq!((one.len(), places.map(|at| areas.at(at))), (1, [0, 1, 0]), "no other than those it may be");
         let (two, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Preferred(&[small]));
-        assert_eq!((two.len(), places.map(|at| areas.at(at))), (2, [1, 2, 0]), "what tells far more still comes first");
+        assert_eq!((two.len(), places.map(|at| areas.at(at))), (2, [2, 1, 0]), "what the figure has comes first");
         assert_eq!(two.iter().map(|outline| outline.region).collect::<Vec<_>>(), [0, 1]);
     }
 
