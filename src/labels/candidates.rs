@@ -1,8 +1,9 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Stands, Wanted, to_box};
+use super::placed::{Stands, Wanted};
 use super::surroundings::{AT_END, NEAR, Surroundings};
+use crate::geom::outline::{corners, distance_to_box};
 use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -246,7 +247,7 @@ fn candidate(
     place: MmRect,
     around: &Surroundings<'_>,
 ) -> Option<Candidate> {
-    let gap = to_box(around.anchor, place);
+    let gap = distance_to_box(around.anchor, place);
     if gap > reach(label) || label.anchor.is_empty() && gap < BESIDE {
         return None;
     }
@@ -263,7 +264,7 @@ fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Join
     let is_point = label.anchor.is_empty();
     let nearest = anchor.clamp(place.min, place.max);
     let is_open = || !room.is_parted(nearest, anchor, end);
-    let is_near = to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
+    let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
     if is_near || !is_point && is_beside_outline(nearest, place, around) {
         return Some(Join::Beside);
     }
@@ -294,7 +295,7 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
     let segments = starts
         .filter(|from| !room.is_parted(*from, tip, end))
         .filter_map(|from| leader_from(from, tip))
-        .filter(|[from, _]| to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER);
+        .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER);
     segments
         .into_iter()
         .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))
@@ -315,14 +316,14 @@ fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Join, around: &Surrou
         }
     };
     // on the side where its text stood
-    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * to_box(from, place));
+    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
     of_form + distance + aside + elsewhere + GLYPH * glyphs + leader
 }
 
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.
 fn distance(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> f32 {
     let &Surroundings { is_at_lower_side, line_on, anchor, .. } = around;
-    let (gap, is_point) = (to_box(anchor, place), label.anchor.is_empty());
+    let (gap, is_point) = (distance_to_box(anchor, place), label.anchor.is_empty());
     // beside a point; in place of a text
     let away = place.center() - anchor;
     let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
@@ -403,11 +404,6 @@ pub(super) fn better(
 
 /// By how much a place has to be better for a label to be moved to it, mm.
 const WORTH_A_MOVE: f32 = 0.1;
-
-fn corners(place: MmRect) -> [MmPoint; 4] {
-    let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
-    [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from)
-}
 
 /// The best of the places, some distance apart.
 fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {

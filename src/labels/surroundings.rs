@@ -1,8 +1,9 @@
 //! What lies around what a label names, by which its places are judged.
 
-use super::placed::{Params, Wanted, to_box};
+use super::placed::{Params, Wanted};
 use super::room::Room;
 use crate::geom::nearest_on_segment;
+use crate::geom::outline::distance_to_box;
 use crate::units::{MmPoint, MmRect};
 
 /// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
@@ -75,7 +76,8 @@ impl<'a> Surroundings<'a> {
     pub(super) fn leads_to_own(&self, place: MmRect, [from, to]: [MmPoint; 2]) -> bool {
         let to_leader = |other: MmPoint| nearest_on_segment(other, from, to).0;
         let is_clear = |&other: &MmPoint| {
-            to_box(other, place) >= TO_OTHERS && (to_leader(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
+            distance_to_box(other, place) >= TO_OTHERS
+                && (to_leader(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
         };
         self.others.iter().all(is_clear)
     }
@@ -88,7 +90,7 @@ impl<'a> Surroundings<'a> {
     /// Whether a label in a place is nearer to what it names than to what any other label names, so that no finger
     /// takes it for that one's. Of those that it lies over, its own must be nearest to its middle.
     pub(super) fn is_own(&self, place: MmRect) -> bool {
-        let far = |at: MmPoint| (to_box(at, place), (at - place.center()).length());
+        let far = |at: MmPoint| (distance_to_box(at, place), (at - place.center()).length());
         let (own, from_middle) = far(self.anchor);
         self.others.iter().all(|&other| {
             let (gap, middle) = far(other);

@@ -97,7 +97,7 @@ fn a_label_nearer_to_another_anchor_has_a_leader_line_of_some_length() {
     let place = box_at(106.0, 108.0);
     assert_eq!(leader(&both[..1], place), Some(None), "10 mm from its own");
     let [from, to] = leader(&both, place).flatten().expect("6 mm from the other");
-    assert!(to == POINT && (to_box(from, place) - 3.0).abs() < 0.01);
+    assert!(to == POINT && (distance_to_box(from, place) - 3.0).abs() < 0.01);
     // 5 mm are too short for a leader line, and from the corners it would run along the label
     assert_eq!(leader(&both, box_at(103.0, 104.0)), None);
     assert_eq!(leader(&both[..1], box_at(103.0, 104.0)), Some(None));
