@@ -171,6 +171,7 @@ mod paper;
 mod picture;
 mod pipeline;
 mod profile;
+mod ranked;
 mod raster;
 mod reading;
 mod regions;

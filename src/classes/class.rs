@@ -104,3 +104,32 @@ pub struct Region {
     /// How many cells it has.
     pub cells: u32,
 }
+
+#[cfg(test)]
+impl Classes {
+    /// For tests of textures: the cells of a square of `side` by `side`, each in the area of the nearest of some seats
+    /// (in cells). A seat has a class by its number in [`Class::ALL`]; from 5 on it is blank.
+    pub(crate) fn of_seats(seats: &[(f32, f32, u8)], side: u32, lightness: f32) -> Self {
+        let size = Size::new(side, side);
+        let nearest = |i: u32| {
+            let (x, y) = ((i % side) as f32 + 0.5, (i / side) as f32 + 0.5);
+            let far = |seat: &(f32, f32, u8)| (seat.0 - x).hypot(seat.1 - y);
+            (0..seats.len()).min_by(|a, b| far(&seats[*a]).total_cmp(&far(&seats[*b]))).unwrap_or(0)
+        };
+        let owners: Vec<usize> = (0..side * side).map(nearest).collect();
+        let with_texture: Vec<usize> = (0..seats.len()).filter(|&seat| seats[seat].2 < 5).collect();
+        let number = |seat: usize| with_texture.iter().position(|other| *other == seat).map(|number| number as u32);
+        let of = |seat: &usize| Region {
+            class: Class::ALL[usize::from(seats[*seat].2)],
+            colour: [0; 3],
+            cells: owners.iter().filter(|owner| *owner == seat).count() as u32,
+        };
+        Self {
+            size,
+            region: owners.iter().map(|&seat| number(seat)).collect(),
+            regions: with_texture.iter().map(of).collect(),
+            lightness: Plane::filled(size, lightness),
+            fringe: Vec::new(),
+        }
+    }
+}

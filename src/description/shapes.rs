@@ -1,8 +1,9 @@
 //! Lines in words: form, place and size, as far as they are certain.
 
-use std::f32::consts::{FRAC_PI_4, PI};
+use std::f32::consts::FRAC_PI_4;
 
 use crate::geom::ninths::ninth;
+use crate::geom::outline;
 use crate::lines::{Arrow, arrows};
 use crate::page::Line;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -64,19 +65,13 @@ impl Shape {
     }
 
     fn area(&self) -> f32 {
-        let first = self.path[0];
-        let crosses = self.path.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first));
-        0.5 * crosses.sum::<f32>().abs()
+        outline::area(&self.path)
     }
 
     /// Whether another closed shape lies within this one.
     fn holds(&self, other: &Self) -> bool {
-        let at = other.path[0];
-        let crosses = self.path.windows(2).filter(|pair| {
-            let (a, b) = (pair[0], pair[1]);
-            (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
-        });
-        self.extent.contains_box(&other.extent) && crosses.count() % 2 == 1
+        let sides = self.path.iter().zip(&self.path[1..]);
+        self.extent.contains_box(&other.extent) && outline::is_inside(sides, other.path[0])
     }
 
     /// The side at which it is an open rectangle, such as a bar of a chart that stands on its axis.
@@ -119,7 +114,7 @@ impl Shape {
         let mm = |name: &'static str, length: f32| (name, Value::from(length.round()));
         if self.closed {
             let holds = ("holds", holds.into());
-            let roundness = 4.0 * PI * self.area() / (self.length * self.length).max(f32::MIN_POSITIVE);
+            let roundness = outline::roundness(self.area(), self.length);
             let as_wide = width.min(height) >= AS_WIDE * width.max(height);
             return match roundness >= ROUND && as_wide {
                 true => wording.say("shape-round", &[place, mm("across", 0.5 * (width + height)), holds]),
@@ -205,6 +200,7 @@ pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wordin
 mod tests {
     use super::*;
     use crate::page::Run;
+    use std::f32::consts::PI;
 
     fn line(points: Vec<MmPoint>) -> Line {
         Line { strength: 20.0, runs: vec![Run::stroke(1.0, points)] }

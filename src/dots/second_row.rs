@@ -2,6 +2,7 @@
 
 use super::cell::{Cell, distance};
 use super::rasterise::between;
+use crate::geom::right_of;
 use crate::units::{MmPoint, MmVector};
 
 /// The second row of a line on a grid, in its order: each dot with the index of the dot of the first row that it lies
@@ -49,7 +50,7 @@ pub(super) fn anywhere(dots: &[MmPoint], closed: bool, pitch: f32) -> Vec<(usize
         let before = if closed { dots[(i + n - 1) % n] } else { dots[i.saturating_sub(1)] };
         let after = if closed { dots[(i + 1) % n] } else { dots[(i + 1).min(n - 1)] };
         let along = (after - before).try_normalize().unwrap_or(MmVector::new(1.0, 0.0));
-        MmVector::new(-along.y, along.x) * pitch
+        right_of(along) * pitch
     };
     (0..n).map(|i| (i, dots[i] + offset(i))).collect()
 }

@@ -1,7 +1,7 @@
 //! Contours while they are refined, and lines fitted to parts of them.
 
 use crate::geom::polyline::{Blend, Located, Polyline};
-use crate::geom::{first_eigenvector, mix};
+use crate::geom::{first_eigenvector, line_crossing, mix};
 use crate::units::{Px, PxPoint, PxVector};
 
 /// A point of a contour with the properties of its edge there.
@@ -38,9 +38,7 @@ const PARALLEL: f32 = 0.05;
 /// Where two lines cross, each given by a point and its direction, as signed distances from those points; none if they
 /// are nearly parallel.
 pub(super) fn crossing(a: (PxPoint, PxVector), b: (PxPoint, PxVector)) -> Option<(f32, f32)> {
-    let sine = a.1.cross(b.1);
-    let between = b.0 - a.0;
-    (sine.abs() >= PARALLEL).then(|| (between.cross(b.1) / sine, between.cross(a.1) / sine))
+    line_crossing(a, b, PARALLEL)
 }
 
 impl Located for ContourPoint {

@@ -14,9 +14,10 @@ use super::ridge::RidgePoint;
 use super::tips::FoundContour;
 use crate::geom::circle as circle_through;
 use crate::geom::nearby::Index;
+use crate::geom::outline::circle_points;
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
-use crate::units::{Px, PxPoint, PxVector, Size};
+use crate::units::{Px, PxPoint, Size};
 
 /// The smallest radius, in scales of the edge detector: smaller discs are edges round nothing.
 const SMALLEST: f32 = 2.0;
@@ -108,18 +109,11 @@ impl Disc {
     fn ring(&self) -> FoundContour {
         let radius = self.radius - 0.5 * self.outline.unwrap_or(0.0);
         let count = (std::f32::consts::TAU * radius).ceil() as usize;
-        let vertex = |k: usize| {
-            let (y, x) = (k as f32 / count as f32 * std::f32::consts::TAU).sin_cos();
-            ContourPoint {
-                at: self.at + PxVector::new(x, y) * radius,
-                strength: self.height,
-                // a stroke has none
-                contrast: [if self.outline.is_some() { 0.0 } else { self.height }, 0.0, 0.0],
-                blur: 0.0,
-                position_sigma: 0.0,
-            }
-        };
-        let contour = Polyline { vertices: (0..count).map(vertex).collect(), closed: true };
+        // a stroke has none
+        let contrast = [if self.outline.is_some() { 0.0 } else { self.height }, 0.0, 0.0];
+        let vertex = |at: PxPoint| ContourPoint { at, strength: self.height, contrast, blur: 0.0, position_sigma: 0.0 };
+        let vertices = circle_points(self.at, radius, count).map(vertex).collect();
+        let contour = Polyline { vertices, closed: true };
         FoundContour { stroke: self.outline, ..FoundContour::edge(contour) }
     }
 }
@@ -250,6 +244,7 @@ mod tests {
     use super::super::contour::testing::polyline;
     use super::*;
     use crate::edges::ridge::EdgeProfile;
+    use crate::units::PxVector;
 
     const SIZE: Size = Size::new(200, 100);
 

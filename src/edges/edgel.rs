@@ -30,11 +30,11 @@ impl Located for Edgel {
 /// What is known of a chain as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ChainKind {
-    /// Whether it is a path of a vector drawing, as exact as that; otherwise it was found in the pixels, and has the
-    /// wobble of noise.
+    /// Whether it is a path of a vector drawing or a line that a person gave, as exact as that; otherwise it was found
+    /// in the pixels, and has the wobble of noise.
     pub exact: bool,
     /// Whether the picture is a drawing, in which every line is meant.
-    pub drawn: bool,
+    pub of_drawing: bool,
     /// Width of the stroke of which it is the centre line, px; none of an edge.
     pub stroke: Option<f32>,
     /// Whether a person added it to those that were found.
@@ -63,16 +63,24 @@ pub struct Edges {
     pub chains: Vec<ChainRange>,
     /// The regions between contours, where they were asked for.
     pub regions: Option<Tree>,
+    /// How many of the lines are dashed in the picture; here they have no gaps.
+    pub dashed: usize,
+    /// What the person who makes the page asks of their drawing.
+    pub constraints: Constraints,
+}
+
+/// What the person who makes a page asks of the drawing of its contours. The pipeline sets it and heeds it; the
+/// detector leaves it empty.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Constraints {
     /// Boxes in which nothing is drawn, in shares of the picture: left, top, right, bottom.
     pub erased: Vec<[f32; 4]>,
+    /// How near to chains that a person added nothing else is drawn, px.
+    pub room: f32,
     /// Regions whose outlines come before all others.
     pub subjects: Vec<u32>,
     /// Whether no other region has an outline.
     pub only_subjects: bool,
-    /// How many of the lines are dashed in the picture; here they have no gaps.
-    pub dashed: usize,
-    /// How near to chains that a person added nothing else is drawn, px.
-    pub room: f32,
 }
 
 impl Edges {
@@ -83,11 +91,8 @@ impl Edges {
             edgels: Vec::new(),
             chains: Vec::new(),
             regions: None,
-            erased: Vec::new(),
-            subjects: Vec::new(),
-            only_subjects: false,
             dashed: 0,
-            room: 0.0,
+            constraints: Constraints::default(),
         }
     }
 
@@ -130,7 +135,7 @@ impl Edges {
 
     /// Whether they are those of a drawing, in which every line is meant.
     pub fn of_drawing(&self) -> bool {
-        self.chains.iter().any(|chain| chain.kind.drawn)
+        self.chains.iter().any(|chain| chain.kind.of_drawing)
     }
 
     /// Whether nothing was found.

@@ -8,7 +8,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::contour::{Contour, ContourPoint, LineFit};
 use crate::geom::nearby::Index;
-use crate::geom::nearest_on_segment;
+use crate::geom::{line_crossing, nearest_on_segment};
 use crate::units::{Px, PxPoint, PxVector, Size};
 
 /// Greatest distance over which an end is extended, in blurs.
@@ -210,12 +210,7 @@ fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: 
 /// Distance along the ray at which it crosses the segment `a`-`b`, if it does.
 fn crossing(from: PxPoint, ahead: PxVector, a: PxPoint, b: PxPoint) -> Option<f32> {
     let side = b - a;
-    let sine = ahead.cross(side);
-    if sine.abs() < MIN_SINE * side.length() {
-        return None;
-    }
-    let between = a - from;
-    let (distance, share) = (between.cross(side) / sine, between.cross(ahead) / sine);
+    let (distance, share) = line_crossing((from, ahead), (a, side), MIN_SINE * side.length())?;
     (distance >= 0.0 && (-TOLERANCE..=1.0 + TOLERANCE).contains(&share)).then_some(distance)
 }
 

@@ -60,7 +60,7 @@ use chain::Chain;
 use contour::ContourPoint;
 use discs::Disc;
 pub use drawing::find_drawn;
-pub use edgel::{ChainKind, ChainRange, Edgel, Edges};
+pub use edgel::{ChainKind, ChainRange, Constraints, Edgel, Edges};
 use hysteresis::Selection;
 use noise::Noise;
 pub use params::Params;
@@ -223,20 +223,20 @@ impl<'a> Ridges<'a> {
     /// The contours among the chains, weighted by regions where those are known.
     pub fn contours(self, grouped: Option<Grouped>) -> Edges {
         let Self { raster, kind, params, planes, strokes, points, chains, sides, discs } = self;
-        let (size, params, drawn) = (raster.size(), &params, kind.is_drawing);
+        let (size, params, of_drawing) = (raster.size(), &params, kind.is_drawing);
         let by_regions = grouped.as_ref().map(|grouped| (&grouped.heights, &grouped.strengths[..]));
         let evidence = Evidence { sides: &sides, regions: by_regions };
         let selection = Selection { points: &points, raster, evidence, noise: kind.noise.pixel, params };
         let mut contours = bridge::join(selection.contours(&chains), params.sigma);
         contours.par_iter_mut().for_each(|contour| {
             refine::refine(contour, params.sigma);
-            corner::sharpen(contour, size, drawn);
+            corner::sharpen(contour, size, of_drawing);
         });
         let edges = contours.into_iter().map(FoundContour::edge);
         let strokes = strokes.into_iter().map(FoundContour::stroke);
         let mut found: Vec<FoundContour> = edges.chain(strokes).collect();
         let mut dashed = 0;
-        if drawn {
+        if of_drawing {
             (found, dashed) = dashes::united(found, params.sigma, params.min_length);
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
                 stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
@@ -247,7 +247,7 @@ impl<'a> Ridges<'a> {
         }
         let (mut contours, widths): (Vec<_>, Vec<_>) =
             found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
-        if drawn {
+        if of_drawing {
             junction::straighten(&mut contours, size);
             junction::trim(&mut contours, size);
         }
@@ -256,7 +256,7 @@ impl<'a> Ridges<'a> {
         for (contour, &stroke) in contours.iter().zip(&widths) {
             let edgel = |&ContourPoint { at, strength, contrast, .. }: &ContourPoint| Edgel { at, strength, contrast };
             edges.push_as(
-                ChainKind { exact: false, drawn, stroke, added: false },
+                ChainKind { exact: false, of_drawing, stroke, added: false },
                 contour.vertices.iter().map(edgel),
                 contour.closed,
             );

@@ -6,6 +6,7 @@ pub mod distance;
 pub mod link;
 pub mod nearby;
 pub mod ninths;
+pub mod outline;
 pub mod polyline;
 pub mod simplify;
 pub mod walk;
@@ -78,6 +79,18 @@ pub fn circle<U>(places: impl Iterator<Item = Point2D<f32, U>> + Clone) -> Optio
     }
     let middle = Vector2D::new(xz * yy - yz * xy, yz * xx - xz * xy) / (2.0 * determinant);
     Some((mean + middle, (middle.square_length() + z / count).sqrt()))
+}
+
+/// Where two lines cross, each given by a point and its direction, as distances from those points in lengths of the
+/// directions; none if the cross product of these is less than `least_sine`, as they are nearly parallel.
+pub fn line_crossing<U>(
+    a: (Point2D<f32, U>, Vector2D<f32, U>),
+    b: (Point2D<f32, U>, Vector2D<f32, U>),
+    least_sine: f32,
+) -> Option<(f32, f32)> {
+    let sine = a.1.cross(b.1);
+    let between = b.0 - a.0;
+    (sine.abs() >= least_sine).then(|| (between.cross(b.1) / sine, between.cross(a.1) / sine))
 }
 
 /// Where two segments cross, if they do, in a point inside both.

@@ -1,6 +1,6 @@
 //! Going along polylines: vertex by vertex with the length gone, in a direction, and run by run.
 
-use lyon::geom::euclid::Vector2D;
+use lyon::geom::euclid::{Point2D, Vector2D};
 
 use super::polyline::{Located, Polyline};
 
@@ -19,12 +19,28 @@ impl<V: Located> Polyline<V> {
 
     /// The unit direction in which the polyline leaves vertex `i`, forwards or backwards: from its first vertex at
     /// least `near` away, along itself, to its first at least `far` away. What lies nearer may be bent. None where it
-    /// ends before that.
+    /// ends before that. Lengths are those along the polyline; [`first_beyond`] takes straight ones.
     pub fn heading(&self, i: usize, forwards: bool, [near, far]: [f32; 2]) -> Option<Vector2D<f32, V::Unit>> {
         let first_at = |least: f32| self.walk(i, forwards).find(|(_, arc)| *arc >= least);
         let [from, to] = [first_at(near)?, first_at(far)?].map(|(vertex, _)| self.vertices[vertex].at());
         (to - from).try_normalize()
     }
+}
+
+/// The first of some points that is at least `far` from `from`, or the last of them; none of none.
+pub fn first_beyond<U>(
+    points: impl Iterator<Item = Point2D<f32, U>>,
+    from: Point2D<f32, U>,
+    far: f32,
+) -> Option<Point2D<f32, U>> {
+    let mut last = None;
+    for at in points {
+        last = Some(at);
+        if (at - from).length() >= far {
+            break;
+        }
+    }
+    last
 }
 
 /// The first number from 1 on that is unlike the one before it, of so many round a ring; none if all are alike.

@@ -1,9 +1,10 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Params, Stands, Wanted, to_box};
-use super::room::Room;
-use crate::geom::{nearest_on_segment, segment_distance};
+use super::placed::{Stands, Wanted};
+use super::surroundings::{AT_END, NEAR, Surroundings};
+use crate::geom::outline::{corners, distance_to_box};
+use crate::geom::segment_distance;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -21,36 +22,21 @@ pub(super) struct Candidate {
     pub(super) stands: Stands,
 }
 
-/// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
-/// beside what they name; chosen by us, because two cells on a line are a fingertip's width apart.
-pub const NEAR: f32 = 12.0;
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
 const FAR: f32 = 37.5;
 /// How much further than the line by which the drawing leads to it a label may lie where that is longer, mm.
 const BEYOND: f32 = 10.0;
-/// Blank between a leader line and what another label names, mm: nearer it would lead there.
-const TO_OTHERS: f32 = 4.0;
-/// A text that stands so near to a line is led to that, mm: a leader line that ends in the blank where print stood
-/// names nothing. Further away it names the area that it stands in.
-const BESIDE_LINE: f32 = 6.0;
 /// Blank between a label and its own leader line, mm.
 pub(super) const BEFORE_LEADER: f32 = 3.0;
+/// A leader line that begins at a corner leads away from its label if it begins at least this far from the label, as a
+/// share of that blank: another runs along it.
+const LEAVES_LABEL: f32 = 0.7;
 /// Least blank between a label and the point that it names, mm; lines around it are kept clear by themselves.
 const BESIDE: f32 = 2.0;
-/// A leader line may come near to lines where it ends, over this length, mm.
-const AT_END: f32 = 4.0;
-/// A ring that reaches no further than this around a point is what the point names, mm: then a label beside it needs
-/// no leader line either.
-const LARGEST_RING: f32 = 9.0;
-/// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
-const AROUND_RING: f32 = 2.0;
-/// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
-/// more exactly.
-const BELOW: f32 = 6.0;
-/// What a label of such a point costs for each mm that its middle is off it, so that it stands in the middle below the
-/// shape where there is room, and not below the next one...
+/// What a label of a point at the lower side of a shape costs for each mm that its middle is off the point, so that it
+/// stands in the middle below the shape where there is room, and not below the next one.
 const OFF_MIDDLE: f32 = 0.5;
-/// ... and what it costs elsewhere than below, mm.
+/// What a label of such a point costs elsewhere than below it, mm.
 const NOT_BELOW: f32 = 12.0;
 /// What a label costs that is to the left or right of the text that it stands for, next to one above or below: in a
 /// row of texts, such as those under the bars of a chart, two lines of labels are clearer than labels between the
@@ -59,12 +45,15 @@ const ALONG: f32 = 3.0;
 /// What a label costs for each mm above or below the row of the line that leads to it: a word that is whole just above
 /// that line is better than one that is divided beside it.
 const OFF_THE_ROW: f32 = 1.8;
-/// How far from a text a line ends that leads to what the text names, mm: print stands up to 4 mm beside it.
-const BESIDE_TEXT: f32 = 5.0;
 /// What a label of a point costs that is left of it, or above or below, next to one on the right, where reading goes
 /// on: more than a step of a grid of dots, mm.
 const ON_THE_LEFT: f32 = 3.0;
 const ABOVE_OR_BELOW: f32 = 4.0;
+/// What a label beside a point costs for each mm that its middle is above or below the point: a third of its distance,
+/// as a finger goes on along the row.
+const OFF_LEVEL: f32 = 0.3;
+/// What a label above or below a point costs for each mm that its middle is left or right of the point.
+const OFF_CENTRE: f32 = 0.1;
 /// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
 const TO_LEADER: f32 = 3.5;
 /// What rounding may add to a distance, mm.
@@ -73,7 +62,7 @@ const HAIR: f32 = 0.01;
 const LEADER: f32 = 10.0;
 /// What a leader line across other lines costs: more than an abbreviation.
 const ACROSS: f32 = 2000.0;
-/// ... and where the drawing's own leader line crossed them too: less than an abbreviation.
+/// What a leader line across other lines costs where the drawing's own crossed them too: less than an abbreviation.
 const ACROSS_AS_DRAWN: f32 = 300.0;
 /// What each mm costs that it then lies from where that began, beside its text: on the other side it would stand among
 /// other things.
@@ -182,79 +171,8 @@ impl Candidate {
     }
 }
 
-/// What lies around what a label names.
-pub(super) struct Around<'a> {
-    room: &'a Room,
-    params: &'a Params,
-    /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
-    pub(super) end: f32,
-    /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
-    pub(super) is_at_lower_side: bool,
-    /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
-    line_on: Option<f32>,
-    /// What the label names.
-    anchor: MmPoint,
-    /// Where its leader line ends: there, or of a text that stands in the blank beside a line, on that.
-    tip: MmPoint,
-    /// What labels beside it name.
-    others: Vec<MmPoint>,
-}
-
-impl<'a> Around<'a> {
-    /// Of one of the labels; `longest` is the length of its longest form, mm.
-    pub(super) fn of(number: usize, wanted: &[Wanted], longest: f32, room: &'a Room, params: &'a Params) -> Self {
-        let label = &wanted[number];
-        let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
-        // a label without a leader line, and what lies no further from it than what it names
-        let reach = 2.0 * NEAR + longest;
-        let others = wanted.iter().enumerate().filter(|(other, _)| *other != number);
-        let near = |other: &MmPoint| (*other - at).length() < reach;
-        let mut others: Vec<MmPoint> = others.map(|(_, other)| other.anchor.center()).filter(near).collect();
-        // of labels of one place one is enough
-        others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-        others.dedup();
-        // a small ring around a point, such as a town on a map, is what it names
-        let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
-        Self {
-            room,
-            params,
-            end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
-            is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
-            line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
-            anchor: at,
-            tip: if is_point { at } else { room.nearest_ink(label.anchor, BESIDE_LINE).unwrap_or(at) },
-            others,
-        }
-    }
-
-    /// Whether a label and its leader line keep clear of what other labels name.
-    pub(super) fn leads_to_own(&self, place: MmRect, [from, to]: [MmPoint; 2]) -> bool {
-        let to_way = |other: MmPoint| nearest_on_segment(other, from, to).0;
-        let is_clear = |&other: &MmPoint| {
-            to_box(other, place) >= TO_OTHERS && (to_way(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
-        };
-        self.others.iter().all(is_clear)
-    }
-
-    /// How far the marks of a leader line lie off its straight segment, mm.
-    pub(super) fn leader_off(&self) -> f32 {
-        self.params.leader_off
-    }
-
-    /// Whether a label in a place is nearer to what it names than to what any other label names, so that no finger
-    /// takes it for that one's. Of those that it lies over, its own must be nearest to its middle.
-    pub(super) fn is_own(&self, place: MmRect) -> bool {
-        let far = |at: MmPoint| (to_box(at, place), (at - place.center()).length());
-        let (own, from_middle) = far(self.anchor);
-        self.others.iter().all(|&other| {
-            let (gap, middle) = far(other);
-            gap > own || gap >= own && middle >= from_middle
-        })
-    }
-}
-
 /// Places for a label in its forms.
-pub(super) fn of(label: &Wanted, forms: &[Form], around: &Around<'_>, cells: &CellGrid<'_>) -> Vec<Candidate> {
+pub(super) fn of(label: &Wanted, forms: &[Form], around: &Surroundings<'_>, cells: &CellGrid<'_>) -> Vec<Candidate> {
     let mut candidates: Vec<Candidate> = forms
         .iter()
         .enumerate()
@@ -269,10 +187,10 @@ pub(super) fn of(label: &Wanted, forms: &[Form], around: &Around<'_>, cells: &Ce
 fn of_form(
     label: &Wanted,
     (number, form): (usize, &Form),
-    around: &Around<'_>,
+    around: &Surroundings<'_>,
     cells: &CellGrid<'_>,
 ) -> Vec<Candidate> {
-    let Around { room, params, .. } = around;
+    let Surroundings { room, params, .. } = around;
     let size = form.extent(cells);
     let anchor = label.anchor.center();
     // one that is longer than all the room is not looked for: the work would grow with its length
@@ -301,78 +219,118 @@ fn reach(label: &Wanted) -> f32 {
     label.led_from.map_or(FAR, |from| FAR.max((from - label.anchor.center()).length() + BEYOND))
 }
 
-fn candidate(label: &Wanted, number: usize, form: &Form, place: MmRect, around: &Around<'_>) -> Option<Candidate> {
-    let &Around { room, params, end, is_at_lower_side, tip, .. } = around;
-    let anchor = label.anchor.center();
-    let gap = to_box(anchor, place);
-    let is_point = label.anchor.is_empty();
-    if gap > reach(label) || is_point && gap < BESIDE {
+/// How a label is joined to what it names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Join {
+    /// It stands beside that.
+    Beside,
+    /// By a leader line that crosses no other.
+    Leader([MmPoint; 2]),
+    /// By a leader line across others.
+    LeaderAcross([MmPoint; 2]),
+}
+
+impl Join {
+    fn leader(self) -> Option<[MmPoint; 2]> {
+        match self {
+            Self::Beside => None,
+            Self::Leader(segment) | Self::LeaderAcross(segment) => Some(segment),
+        }
+    }
+}
+
+/// A label in a place; none if it cannot be joined to what it names from there.
+fn candidate(
+    label: &Wanted,
+    number: usize,
+    form: &Form,
+    place: MmRect,
+    around: &Surroundings<'_>,
+) -> Option<Candidate> {
+    let gap = distance_to_box(around.anchor, place);
+    if gap > reach(label) || label.anchor.is_empty() && gap < BESIDE {
         return None;
     }
-    // from the nearest point of the label, or from another one where lines lie between
-    let nearest = anchor.clamp(place.min, place.max);
-    let starts = || std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
-    let is_open = |from: &MmPoint| !room.is_parted(*from, anchor, end);
-    let is_open_to_tip = |from: &MmPoint| !room.is_parted(*from, tip, end);
-    let leads = |from: MmPoint| {
-        let chord = tip - from;
-        (chord.length() > SHORTEST_LEADER).then(|| [from + chord.normalize() * BEFORE_LEADER, tip])
-    };
-    // a label on the other side of a line names what is there, unless a line leads across; one that is nearer to what
-    // another names is taken for the other's
-    let is_near = gap <= NEAR && is_open(&nearest) && around.is_own(place);
-    let clear = || {
-        // one that begins at a corner must not run along its own label
-        let leaves = |[from, _]: &[MmPoint; 2]| to_box(*from, place) >= 0.7 * BEFORE_LEADER;
-        let segments = starts().filter(is_open_to_tip).filter_map(leads).filter(leaves);
-        segments
-            .into_iter()
-            .find(|[from, to]| room.is_free_segment(*from, *to, end) && around.leads_to_own(place, [*from, *to]))
-    };
-    let (leader, crosses) = match is_near {
-        true => (None, false),
-        false if !is_point && is_beside_outline(nearest, place, around) => (None, false),
-        false => match clear().or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
-            Some(segment) => (Some(segment), false),
-            None if !params.may_cross || is_open(&nearest) => return None,
-            None => {
-                let segment = leads(nearest)?;
-                // as the drawing leads to it, it may cross lines, and still names nothing else
-                if label.led_from.is_some() && !around.leads_to_own(place, segment) {
-                    return None;
-                }
-                (Some(segment), true)
-            }
-        },
-    };
-    let distance = distance(label, place, around);
-    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
-    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
-    let leader_cost = match leader {
-        Some([from, to]) if crosses => {
-            let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
-            across + ALONG_A_LINE * room.along(from, to, end)
-        }
-        Some(_) => LEADER,
-        None => 0.0,
-    };
-    // on the side where its text stood
-    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * to_box(from, place));
-    let cost = form.cost + distance + aside + elsewhere + GLYPH * glyphs + leader_cost;
+    let join = join(label, place, around)?;
+    let (leader, crosses) = (join.leader(), matches!(join, Join::LeaderAcross(_)));
+    let cost = cost(form.cost, label, place, join, around);
     Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
 }
 
+/// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
+/// unless a leader line crosses it, and for the nearest anchor.
+fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Join> {
+    let &Surroundings { room, params, end, anchor, .. } = around;
+    let is_point = label.anchor.is_empty();
+    let nearest = anchor.clamp(place.min, place.max);
+    let is_open = || !room.is_parted(nearest, anchor, end);
+    let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
+    if is_near || !is_point && is_beside_outline(nearest, place, around) {
+        return Some(Join::Beside);
+    }
+    let clear = clear_leader(place, around);
+    if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
+        return Some(Join::Leader(segment));
+    }
+    if !params.may_cross || is_open() {
+        return None;
+    }
+    let segment = leader_from(nearest, around.tip)?;
+    // as the drawing leads to it, it may cross lines, and still names nothing else
+    let is_clear = label.led_from.is_none() || around.leads_to_own(place, segment);
+    is_clear.then_some(Join::LeaderAcross(segment))
+}
+
+/// A leader line from a point of a label to its tip; none if it would be too short to be felt as a line.
+fn leader_from(from: MmPoint, tip: MmPoint) -> Option<[MmPoint; 2]> {
+    let chord = tip - from;
+    (chord.length() > SHORTEST_LEADER).then(|| [from + chord.normalize() * BEFORE_LEADER, tip])
+}
+
+/// The leader line of a label that crosses no line: from the nearest point of the label, or from a corner where lines
+/// lie between.
+fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
+    let &Surroundings { room, end, tip, .. } = around;
+    let starts = std::iter::once(tip.clamp(place.min, place.max)).chain(corners(place));
+    let segments = starts
+        .filter(|from| !room.is_parted(*from, tip, end))
+        .filter_map(|from| leader_from(from, tip))
+        .filter(|[from, _]| distance_to_box(*from, place) >= LEAVES_LABEL * BEFORE_LEADER);
+    segments
+        .into_iter()
+        .find(|&[from, to]| room.is_free_segment(from, to, end) && around.leads_to_own(place, [from, to]))
+}
+
+/// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
+fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Join, around: &Surroundings<'_>) -> f32 {
+    let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
+    let distance = distance(label, place, around);
+    let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
+    let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
+    let leader = match join {
+        Join::Beside => 0.0,
+        Join::Leader(_) => LEADER,
+        Join::LeaderAcross([from, to]) => {
+            let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
+            across + ALONG_A_LINE * room.along(from, to, end)
+        }
+    };
+    // on the side where its text stood
+    let aside = label.led_from.map_or(0.0, |from| FROM_PRINT * distance_to_box(from, place));
+    of_form + distance + aside + elsewhere + GLYPH * glyphs + leader
+}
+
 /// How far a place is from what a label names, mm: more in directions in which it reads worse.
-fn distance(label: &Wanted, place: MmRect, around: &Around<'_>) -> f32 {
-    let &Around { is_at_lower_side, line_on, anchor, .. } = around;
-    let (gap, is_point) = (to_box(anchor, place), label.anchor.is_empty());
+fn distance(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> f32 {
+    let &Surroundings { is_at_lower_side, line_on, anchor, .. } = around;
+    let (gap, is_point) = (distance_to_box(anchor, place), label.anchor.is_empty());
     // beside a point; in place of a text
     let away = place.center() - anchor;
     let is_beside = (place.min.y..=place.max.y).contains(&anchor.y);
     match (is_point, is_beside) {
         (true, _) if is_at_lower_side && place.min.y >= anchor.y => gap + OFF_MIDDLE * away.x.abs(),
-        (true, true) => gap + 0.3 * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
-        (true, false) => gap + 0.1 * away.x.abs() + ABOVE_OR_BELOW,
+        (true, true) => gap + OFF_LEVEL * away.y.abs() + if away.x < 0.0 { ON_THE_LEFT } else { 0.0 },
+        (true, false) => gap + OFF_CENTRE * away.x.abs() + ABOVE_OR_BELOW,
         // in the row of the line's end, and rather away from it than back over it
         (false, _) if line_on.is_some() => {
             let is_back = line_on.is_some_and(|side| side * away.x > 0.0);
@@ -384,7 +342,7 @@ fn distance(label: &Wanted, place: MmRect, around: &Around<'_>) -> f32 {
 
 /// Whether a label stands in the open right beside the outline of the shape in which the text stands that it stands
 /// for, such as a box of a flow chart or a sector of a pie: level with the text, or above or below it.
-fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> bool {
+fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> bool {
     let chord = around.anchor - nearest;
     let is_straight = chord.x == 0.0 || chord.y == 0.0;
     let outline = || around.room.only_line(nearest, around.anchor, WIDEST_OUTLINE);
@@ -395,8 +353,8 @@ fn is_beside_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> bo
 }
 
 /// The leader line of a label in the open to such an outline: it ends there, and crosses nothing.
-fn to_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> Option<[MmPoint; 2]> {
-    let &Around { room, anchor, .. } = around;
+fn to_outline(nearest: MmPoint, place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]> {
+    let &Surroundings { room, anchor, .. } = around;
     let chord = anchor - nearest;
     let direction = (chord.length() > 0.0).then(|| chord.normalize())?;
     let blank = room.only_line(nearest, anchor, WIDEST_OUTLINE).filter(|blank| *blank >= SHORTEST_LEADER)?;
@@ -408,7 +366,7 @@ fn to_outline(nearest: MmPoint, place: MmRect, around: &Around<'_>) -> Option<[M
 }
 
 /// Whether a place is not shut in by lines.
-fn is_open(place: MmRect, around: &Around<'_>) -> bool {
+fn is_open(place: MmRect, around: &Surroundings<'_>) -> bool {
     around.room.shut_in(place.center(), FURTHEST_OUTLINE).is_none()
 }
 
@@ -423,7 +381,7 @@ pub(super) fn better(
     label: &Wanted,
     form: &Form,
     now: &Candidate,
-    around: &Around<'_>,
+    around: &Surroundings<'_>,
     cells: &CellGrid<'_>,
     free: impl Fn(&Candidate) -> bool,
 ) -> Option<Candidate> {
@@ -447,11 +405,6 @@ pub(super) fn better(
 /// By how much a place has to be better for a label to be moved to it, mm.
 const WORTH_A_MOVE: f32 = 0.1;
 
-fn corners(place: MmRect) -> [MmPoint; 4] {
-    let [left, top, right, bottom] = [place.min.x, place.min.y, place.max.x, place.max.y];
-    [(left, top), (right, top), (right, bottom), (left, bottom)].map(MmPoint::from)
-}
-
 /// The best of the places, some distance apart.
 fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {
     all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -464,3 +417,6 @@ fn apart(mut all: Vec<Candidate>) -> Vec<Candidate> {
     }
     kept
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,10 @@
 //! What labels in rows and columns are placed in, and whether a place in it is free.
 
-use super::candidates::{Around, Candidate};
+use super::candidates::Candidate;
 use super::forms::Forms;
 use super::placed::{Params, Stands, Unplaced, Wanted};
 use super::room::Room;
+use super::surroundings::Surroundings;
 use crate::page::cells::CellGrid;
 
 /// How far a row may lie from its texts, mm: so near a label names something without a leader line.
@@ -16,7 +17,7 @@ pub(super) const ALONG: f32 = 0.3;
 pub(super) struct Context<'a> {
     pub(super) wanted: &'a [Wanted],
     pub(super) forms: &'a [Result<Forms, Unplaced>],
-    pub(super) around: &'a [Around<'a>],
+    pub(super) around: &'a [Surroundings<'a>],
     pub(super) room: &'a Room,
     pub(super) params: &'a Params,
     pub(super) cells: &'a CellGrid<'a>,

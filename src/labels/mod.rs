@@ -24,15 +24,16 @@ mod placed;
 mod room;
 mod rows;
 mod scale;
+mod surroundings;
 mod ticks;
 mod titles;
 
-pub use candidates::NEAR;
 pub use choose::{Choice, choose};
 pub use foretold::{Foretold, rows_beyond};
 pub use forms::LONGEST;
 pub use placed::{Params, Placed, Stands, Unplaced, Wanted};
 pub use scale::EVERY;
+pub use surroundings::NEAR;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
@@ -40,10 +41,11 @@ use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
 use crate::units::MmPoint;
-use candidates::{Around, Candidate, Spacing, TIGHTEST};
+use candidates::{Candidate, Spacing, TIGHTEST};
 use forms::{Form, Forms, Kind};
 use groups::Group;
 use room::Room;
+use surroundings::Surroundings;
 
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
@@ -95,7 +97,7 @@ struct Begun<'a> {
     /// What each can be written as.
     forms: Vec<Result<Forms, Unplaced>>,
     /// What lies around what each names.
-    around: Vec<Around<'a>>,
+    around: Vec<Surroundings<'a>>,
     /// The place of each that stands in a row or column, or is the title of one.
     placed: Vec<Option<Candidate>>,
     /// Of numbers along an axis that are left out as there is no room for all, every how many-th is written.
@@ -155,12 +157,12 @@ fn around<'a>(
     room: &'a Room,
     cells: &CellGrid<'_>,
     params: &'a Params,
-) -> Vec<Around<'a>> {
+) -> Vec<Surroundings<'a>> {
     let longest = |forms: &Result<Forms, Unplaced>| {
         let forms = forms.iter().flat_map(|forms| &forms.forms);
         forms.map(|form| form.extent(cells).x).fold(0.0, f32::max).min(params.area.width())
     };
-    let around = |(number, forms)| Around::of(number, wanted, longest(forms), room, params);
+    let around = |(number, forms)| Surroundings::of(number, wanted, longest(forms), room, params);
     forms.iter().enumerate().map(around).collect()
 }
 
@@ -168,7 +170,7 @@ fn around<'a>(
 fn groups_of(
     wanted: &[Wanted],
     forms: &mut [Result<Forms, Unplaced>],
-    around: &[Around<'_>],
+    around: &[Surroundings<'_>],
     translator: &Translator<'_>,
 ) -> Vec<Group> {
     let mut groups = groups::of(wanted, |label| forms[label].is_ok(), |label| around[label].is_at_lower_side);
@@ -229,7 +231,7 @@ fn move_nearer(
     chosen: &mut [Option<Candidate>],
     wanted: &[Wanted],
     forms: &[Result<Forms, Unplaced>],
-    around: &[Around<'_>],
+    around: &[Surroundings<'_>],
     cells: &CellGrid<'_>,
     spacing: Spacing,
 ) {

@@ -2,6 +2,7 @@
 
 use crate::braille::Lacking;
 use crate::geom::nearest_on_segment;
+use crate::geom::outline::distance_to_box;
 use crate::units::{MmPoint, MmRect};
 
 /// How labels are placed, mm.
@@ -98,17 +99,12 @@ impl Placed {
     /// Blank that is left to a point, mm, besides what textures keep from its box and from its leader line.
     pub(super) fn blank_to(&self, at: MmPoint, params: &Params) -> f32 {
         let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
-        (to_box(at, self.place) - params.texture_clearance).min(to_leader - params.clearance)
+        (distance_to_box(at, self.place) - params.texture_clearance).min(to_leader - params.clearance)
     }
 
     /// Distance from its box or leader line, mm; 0 inside.
     pub fn distance(&self, at: MmPoint) -> f32 {
         let to_leader = self.leader.map_or(f32::INFINITY, |[a, b]| nearest_on_segment(at, a, b).0);
-        to_box(at, self.place).min(to_leader)
+        distance_to_box(at, self.place).min(to_leader)
     }
-}
-
-/// Distance of a point from a box; 0 inside.
-pub(super) fn to_box(at: MmPoint, place: MmRect) -> f32 {
-    (at - at.clamp(place.min, place.max)).length()
 }

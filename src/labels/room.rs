@@ -3,6 +3,7 @@
 use std::f32::consts::TAU;
 
 use crate::geom::nearest_on_segment;
+use crate::geom::outline::distance_to_box;
 use crate::page::{Line, Pen, Texture};
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -130,7 +131,7 @@ impl Room {
         let around = place.inflate(reach, reach);
         let squares = (0..=steps(around.height())).flat_map(|y| (0..=steps(around.width())).map(move |x| (x, y)));
         let points = squares.map(|(x, y)| around.min + MmVector::new(x as f32, y as f32) * SQUARE);
-        let far = |at: &MmPoint| (*at - at.clamp(place.min, place.max)).length();
+        let far = |at: &MmPoint| distance_to_box(*at, place);
         let ink = points.filter(|at| far(at) <= reach && self.is_ink(*at));
         ink.min_by(|a, b| far(a).total_cmp(&far(b)))
     }

@@ -2,6 +2,7 @@
 //! between any two.
 
 use crate::geom::nearby::Index;
+use crate::geom::outline::is_in_convex;
 use crate::geom::{nearest_on_segment, segment_distance};
 use crate::page::{BrailleText, Dots, Glyph, Line, Names, Page, Pen, Run, Shape, TextRole};
 use crate::units::{Mm, MmPoint, MmRect};
@@ -73,7 +74,7 @@ impl Mark {
             | (Outline::Stroke { a, b, radius }, Outline::Rhombus { corners }) => to_segment(&corners, (a, b)) - radius,
             (Outline::Rhombus { corners }, Outline::Rhombus { corners: other }) => {
                 let sides = (0..4).map(|i| to_segment(&corners, (other[i], other[(i + 1) % 4])));
-                if is_inside(&other, corners[0]) { 0.0 } else { sides.fold(f32::MAX, f32::min) }
+                if is_in_convex(corners[0], &other) { 0.0 } else { sides.fold(f32::MAX, f32::min) }
             }
         }
     }
@@ -87,7 +88,7 @@ impl Mark {
 
 /// The distance of a rhombus to a segment; 0 where they touch.
 fn to_segment(corners: &[MmPoint; 4], (a, b): (MmPoint, MmPoint)) -> f32 {
-    if is_inside(corners, a) {
+    if is_in_convex(a, corners) {
         return 0.0;
     }
     if a == b {
@@ -96,12 +97,6 @@ fn to_segment(corners: &[MmPoint; 4], (a, b): (MmPoint, MmPoint)) -> f32 {
     }
     let sides = (0..4).map(|i| segment_distance((corners[i], corners[(i + 1) % 4]), (a, b)));
     sides.fold(f32::MAX, f32::min)
-}
-
-/// Whether a point lies within a rhombus.
-fn is_inside(corners: &[MmPoint; 4], at: MmPoint) -> bool {
-    let side = |i: usize| (corners[(i + 1) % 4] - corners[i]).cross(at - corners[i]);
-    (0..4).all(|i| side(i) >= 0.0) || (0..4).all(|i| side(i) <= 0.0)
 }
 
 /// All marks of a page.

@@ -1,59 +1,60 @@
-//! Whether a chain of things is a line of text.
-//!
-//! The numbers were found on generated charts, maps and signs (`tools --bin text`) and on 44 photographs. What tells
-//! text from rows of anything else best is that hardly anything else lies around it (clutter), that its colour is even
-//! and its contrast high; then that its shapes are unlike one another.
+//! Whether a chain of things is a line of text: its measures, which [`super::limits`] judges, and its style.
 
 use super::chain::{RotatedLetter, distance, placed};
 use super::glyph::{Glyph, LARGEST};
+use super::limits::{Length, Row, Strictness};
 
 /// Least height of letters, px.
 const LEAST_HEIGHT: f32 = 3.5;
-/// Largest letters that are believed in a photograph, px.
-const LARGEST_IN_PHOTOGRAPH: f32 = 48.0;
 /// Widths of strokes, in heights of letters: between hairline and black.
 const THINNEST: f32 = 0.04;
 const THICKEST: f32 = 0.45;
-
-/// What lines of a photograph have at least of contrast, and at most of unevenness.
-const CONTRAST_IN_PHOTOGRAPH: f32 = 25.0;
-const UNEVEN_IN_PHOTOGRAPH: f32 = 0.08;
-
-/// How much is asked of a chain.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Strictness {
-    /// In a drawing: what is flat around it can hardly be anything else.
-    Drawing,
-    /// In a photograph: at random, things form rows as well.
-    Photograph,
-    /// Beside text of the same style.
-    Context,
-}
-
-impl Strictness {
-    /// How many letters a line has at least.
-    pub(super) fn least_letters(self) -> usize {
-        match self {
-            Self::Drawing => 2,
-            Self::Photograph => 3,
-            Self::Context => 1,
-        }
-    }
-
-    /// Whether any of some letters together can be even and clear enough for a line: of a photograph, those that are
-    /// most so.
-    pub(super) fn may_have_text(self, glyphs: &[Glyph], which: &[usize]) -> bool {
-        let least = self.least_letters();
-        let best_mean = |of: &dyn Fn(&Glyph) -> f32| {
-            let mut values: Vec<f32> = which.iter().map(|&i| of(&glyphs[i])).collect();
-            values.sort_unstable_by(f32::total_cmp);
-            values.iter().take(least).sum::<f32>() / least.min(values.len()).max(1) as f32
-        };
-        self != Self::Photograph
-            || best_mean(&|glyph| glyph.unevenness) <= UNEVEN_IN_PHOTOGRAPH
-                && -best_mean(&|glyph| -glyph.contrast) >= CONTRAST_IN_PHOTOGRAPH
-    }
-}
+/// The height of a line is the upper quartile of those of its letters, three of four: most lines have some letters that
+/// reach higher than the others, and a few that also hang below.
+const HEIGHT_OF_LINE: [usize; 2] = [3, 4];
+/// What is wider than this, in heights, is no letter but a word of letters that touch one another.
+const WIDEST: f32 = 1.3;
+/// Widest gap between letters on the whole (the median), and between words of letters that touch.
+const GAP: Length = Length::new(0.45, 1.0);
+const GAP_OF_WORDS: Length = Length::new(0.9, 0.0);
+/// Letters reach over at most so much across their line, in heights: from the top of an accent to the foot of a `g`.
+const ACROSS: f32 = 2.2;
+/// Breadth in heights by which the letters of a word that touch one another are counted.
+const BREADTH: f32 = 0.75;
+/// Letters that reach to one line above count as so much of those that stand on one line.
+const HANGING: f32 = 0.9;
+/// What letters count that are bars or dots when the clearest of several lines is taken; others count 1 more.
+const SIMPLE: f32 = 0.5;
+/// How far letters stand off their line.
+const OFF_LINE: Length = Length::new(0.1, 0.8);
+/// A line that turns by less than this lies as it was found, degrees.
+const LEAST_TURN: f32 = 0.7;
+/// A line of fewer letters than this is turned only if that sets this share more of them on the line: one that hangs
+/// below turns a short word.
+const FEW: usize = 6;
+const BETTER_OF_FEW: f32 = 0.1;
+/// A longer one is turned unless that sets fewer of them on it; the hundredth is for rounding.
+const BETTER: f32 = -0.01;
+/// Digits of a number differ in height by at most this, and have at most this gap, in heights.
+const HEIGHTS_OF_PAIR: Length = Length::new(0.2, 1.0);
+const GAP_OF_PAIR: f32 = 0.5;
+/// Texts have one style if their heights, their strokes and their contrasts differ at most by these factors, and by so
+/// many pixels or units more, and their colours by this share of their contrast.
+const STYLE_HEIGHT: f32 = 1.35;
+const STYLE_STROKE: f32 = 1.3;
+const STYLE_CONTRAST: f32 = 1.3;
+const STYLE_UNSURE: f32 = 0.7;
+const STYLE_COLOUR: f32 = 0.15;
+/// Texts belong to one row or column if their angles differ by at most this, degrees, and their heights by this.
+const ROW_ANGLE: f32 = 2.0;
+const ROW_HEIGHT: Length = Length::new(0.15, 1.0);
+/// In a row they stand on one line but for this, and at most so many heights apart, as numbers below an axis do.
+const ROW_LEVEL: Length = Length::new(0.2, 0.8);
+const ROW_GAP: f32 = 15.0;
+/// In a column their left ends, right ends or middles are at one place but for this, and they are at most so many
+/// heights apart, as numbers beside an axis are.
+const COLUMN_END: Length = Length::new(0.25, 1.0);
+const COLUMN_GAP: f32 = 8.0;
 
 /// A row of things that may be a line of text.
 #[derive(Debug, Clone)]
@@ -118,7 +119,7 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Opt
     let n = letters.len();
     let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
     heights.sort_by(f32::total_cmp);
-    let height = heights[(3 * n / 4).min(n - 1)];
+    let height = heights[(HEIGHT_OF_LINE[0] * n / HEIGHT_OF_LINE[1]).min(n - 1)];
     let stroke = median(letters.iter().map(|letter| glyphs[letter.of].stroke).collect());
     let is_size = (LEAST_HEIGHT..=LARGEST as f32).contains(&height);
     if !is_size || stroke > THICKEST * height || stroke < THINNEST * height {
@@ -126,31 +127,32 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Opt
     }
     let gaps = letters.windows(2).map(|pair| pair[1].along[0] - pair[0].along[1]).collect();
     // words of letters that touch stand further apart
-    let is_spaced = median(letters.iter().map(RotatedLetter::width).collect()) <= 1.3 * height;
-    if median(gaps) > if is_spaced { 0.45 * height + 1.0 } else { 0.9 * height } {
+    let is_spaced = median(letters.iter().map(RotatedLetter::width).collect()) <= WIDEST * height;
+    let widest = if is_spaced { GAP } else { GAP_OF_WORDS };
+    if median(gaps) > widest.of(height) {
         return None;
     }
     let top = median(letters.iter().map(|letter| letter.across[0]).collect());
     let low = letters.iter().map(|letter| letter.across[0]).fold(f32::MAX, f32::min);
     let high = letters.iter().map(|letter| letter.across[1]).fold(f32::MIN, f32::max);
-    if high - low > 2.2 * height {
+    if high - low > ACROSS * height {
         return None;
     }
     let share =
         |of: &dyn Fn(&RotatedLetter) -> bool| letters.iter().filter(|letter| of(letter)).count() as f32 / n as f32;
-    let at_top = share(&|letter| (letter.across[0] - top).abs() <= tolerance(height));
-    let aligned = on_line(&letters, height).max(0.9 * at_top);
+    let at_top = share(&|letter| (letter.across[0] - top).abs() <= OFF_LINE.of(height));
+    let aligned = on_line(&letters, height).max(HANGING * at_top);
     let complex = share(&|letter| !glyphs[letter.of].is_solid());
     let mean = |of: &dyn Fn(&Glyph) -> f32| letters.iter().map(|letter| of(&glyphs[letter.of])).sum::<f32>() / n as f32;
     let contrast = mean(&|glyph| glyph.contrast);
     let colour = [0, 1, 2].map(|i| mean(&|glyph| glyph.colour[i]));
     let variance = (0..3).map(|i| mean(&|glyph| (glyph.colour[i] - colour[i]).powi(2))).sum::<f32>();
     // letters of a word that touch one another count
-    let count: usize = letters.iter().map(|letter| ((letter.width() / (0.75 * height)) as usize).max(1)).sum();
+    let count: usize = letters.iter().map(|letter| ((letter.width() / (BREADTH * height)) as usize).max(1)).sum();
     Some(TextLine {
         along: [letters[0].along[0], letters.iter().map(|letter| letter.along[1]).fold(f32::MIN, f32::max)],
         across: [low, high],
-        score: count as f32 * aligned * (0.5 + complex),
+        score: count as f32 * aligned * (SIMPLE + complex),
         stroke_spread: mean(&|glyph| (glyph.stroke / stroke - 1.0).powi(2)).sqrt(),
         unevenness: mean(&|glyph| glyph.unevenness),
         spread: variance.sqrt() / contrast,
@@ -165,15 +167,10 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Opt
     })
 }
 
-/// How far letters may stand off their line, px.
-fn tolerance(height: f32) -> f32 {
-    0.1 * height + 0.8
-}
-
 /// Share of letters that stand on the line, as most do.
 fn on_line(letters: &[RotatedLetter], height: f32) -> f32 {
     let bottom = median(letters.iter().map(|letter| letter.across[1]).collect());
-    let stands = |letter: &&RotatedLetter| (letter.across[1] - bottom).abs() <= tolerance(height);
+    let stands = |letter: &&RotatedLetter| (letter.across[1] - bottom).abs() <= OFF_LINE.of(height);
     letters.iter().filter(stands).count() as f32 / letters.len() as f32
 }
 
@@ -181,14 +178,14 @@ fn on_line(letters: &[RotatedLetter], height: f32) -> f32 {
 /// does not set more of them on the line: short words seem to be aslant where letters hang below it.
 fn straightened(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> (Vec<RotatedLetter>, f32) {
     let turn = if chain.len() < 3 { 0.0 } else { slope(chain) };
-    if turn.abs() <= 0.7 {
+    if turn.abs() <= LEAST_TURN {
         return (chain.to_vec(), angle);
     }
     let which: Vec<usize> = chain.iter().map(|letter| letter.of).collect();
     let turned = placed(glyphs, &which, angle - turn);
     let height = median(chain.iter().map(RotatedLetter::height).collect());
-    let most = if chain.len() < 6 { 0.1 } else { -0.01 };
-    if on_line(&turned, height) > on_line(chain, height) + most {
+    let better = if chain.len() < FEW { BETTER_OF_FEW } else { BETTER };
+    if on_line(&turned, height) > on_line(chain, height) + better {
         (turned, angle - turn)
     } else {
         (chain.to_vec(), angle)
@@ -199,57 +196,20 @@ impl TextLine {
     /// Whether it is text, if its letters are unlike one another and what lies around it has this `clutter` (thin
     /// things, in shares of its own pixels).
     pub(super) fn is_text(&self, strict: Strictness, clutter: f32) -> bool {
-        let n = self.letters.len();
-        if strict == Strictness::Photograph && self.height > LARGEST_IN_PHOTOGRAPH {
-            return false;
-        }
-        let even = self.unevenness <= 0.1 && self.spread <= 0.25 && self.stroke_spread <= 0.45;
-        match strict {
-            Strictness::Drawing if n == 2 => {
-                self.is_pair() && even && clutter <= 0.15 && self.height <= 45.0 && self.complex >= 0.5
-            }
-            Strictness::Drawing => n >= 3 && even && clutter <= 0.5 && self.aligned >= 0.6 && self.complex >= 0.4,
-            Strictness::Photograph if n <= 3 => {
-                n == 3
-                    && self.contrast >= 45.0
-                    && self.unevenness <= 0.06
-                    && self.spread <= 0.06
-                    && self.stroke_spread <= 0.3
-                    && self.aligned >= 0.9
-                    && self.complex >= 0.6
-                    && clutter <= 0.1
-            }
-            Strictness::Photograph => {
-                self.contrast >= CONTRAST_IN_PHOTOGRAPH
-                    && self.unevenness <= UNEVEN_IN_PHOTOGRAPH
-                    && self.spread <= 0.14
-                    && self.stroke_spread <= 0.25
-                    && self.aligned >= 0.7
-                    && self.complex >= 0.5
-                    && clutter <= self.most_clutter_in_photograph()
-            }
-            Strictness::Context => {
-                n >= 2 && even && clutter <= 1.0 && self.complex >= 0.5 && (n > 2 || self.is_pair())
-                    || n == 1
-                        && self.letters[0].width() <= 0.85 * self.height
-                        && self.complex > 0.0
-                        && clutter <= 0.1
-                        && self.unevenness <= 0.08
-            }
-        }
-    }
-
-    /// Few letters, small ones and large ones, and those that lie aslant have to stand clearer of what is around them.
-    fn most_clutter_in_photograph(&self) -> f32 {
-        let n = self.letters.len();
-        let off = self.angle.abs().min((self.angle.abs() - 90.0).abs());
-        let is_usual = off <= 20.0 && (6.0..=36.0).contains(&self.height);
-        match (n, is_usual) {
-            (..=4, false) => 0.05,
-            (..=4, true) | (5, false) => 0.15,
-            (5, true) | (_, false) => 0.3,
-            (_, true) => 0.4,
-        }
+        strict.allows(&Row {
+            letters: self.letters.len(),
+            is_pair: self.is_pair(),
+            angle: self.angle,
+            width: self.letters[0].width(),
+            unevenness: self.unevenness,
+            spread: self.spread,
+            stroke_spread: self.stroke_spread,
+            clutter,
+            contrast: self.contrast,
+            aligned: self.aligned,
+            complex: self.complex,
+            height: self.height,
+        })
     }
 
     /// Whether so large a share of letters stands on the line.
@@ -260,18 +220,18 @@ impl TextLine {
     /// Whether two letters stand as those of a number do.
     fn is_pair(&self) -> bool {
         let [a, b] = self.letters[..] else { return false };
-        let level = (a.across[1] - b.across[1]).abs() <= tolerance(self.height)
-            && (a.height() - b.height()).abs() <= 0.2 * self.height + 1.0;
-        level && b.along[0] - a.along[1] <= 0.5 * self.height
+        let level = (a.across[1] - b.across[1]).abs() <= OFF_LINE.of(self.height)
+            && (a.height() - b.height()).abs() <= HEIGHTS_OF_PAIR.of(self.height);
+        level && b.along[0] - a.along[1] <= GAP_OF_PAIR * self.height
     }
 
     /// Whether another line has its style: height and stroke of letters, colour and contrast.
     pub(super) fn is_styled_as(&self, other: &Self) -> bool {
-        let near = |a: f32, b: f32, most: f32| a.max(b) <= most * a.min(b) + 0.7;
-        near(self.height, other.height, 1.35)
-            && near(self.stroke, other.stroke, 1.3)
-            && distance(self.colour, other.colour) <= 0.15 * other.contrast
-            && near(self.contrast, other.contrast, 1.3)
+        let near = |a: f32, b: f32, most: f32| a.max(b) <= most * a.min(b) + STYLE_UNSURE;
+        near(self.height, other.height, STYLE_HEIGHT)
+            && near(self.stroke, other.stroke, STYLE_STROKE)
+            && distance(self.colour, other.colour) <= STYLE_COLOUR * other.contrast
+            && near(self.contrast, other.contrast, STYLE_CONTRAST)
     }
 }
 
@@ -289,17 +249,17 @@ impl TextLine {
     /// as the numbers at an axis do.
     pub(super) fn is_in_row_with(&self, other: &Self) -> bool {
         let height = self.height;
-        if (other.angle - self.angle).abs() > 2.0 || (other.height - height).abs() > 0.15 * height + 1.0 {
+        if (other.angle - self.angle).abs() > ROW_ANGLE || (other.height - height).abs() > ROW_HEIGHT.of(height) {
             return false;
         }
         let gap = |a: [f32; 2], b: [f32; 2]| (a[0] - b[1]).max(b[0] - a[1]);
-        let near = |a: f32, b: f32| (a - b).abs() <= 0.25 * height + 1.0;
-        let is_level = (other.across[1] - self.across[1]).abs() <= 0.2 * height + 0.8
-            && gap(other.along, self.along) <= 15.0 * height;
+        let near = |a: f32, b: f32| (a - b).abs() <= COLUMN_END.of(height);
+        let is_level = (other.across[1] - self.across[1]).abs() <= ROW_LEVEL.of(height)
+            && gap(other.along, self.along) <= ROW_GAP * height;
         let is_stacked = (near(other.along[0], self.along[0])
             || near(other.along[1], self.along[1])
             || near(other.along[0] + other.along[1], self.along[0] + self.along[1]))
-            && gap(other.across, self.across) <= 8.0 * height;
+            && gap(other.across, self.across) <= COLUMN_GAP * height;
         is_level || is_stacked
     }
 }

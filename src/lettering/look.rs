@@ -5,7 +5,8 @@ use super::chain::{axes, chains, distance, groups, placed};
 use super::colours::Colours;
 use super::glyph::{Glyph, Thin, glyphs, thin};
 use super::levels::Levels;
-use super::line::{Strictness, TextLine, line, median};
+use super::limits::{Length, Strictness};
+use super::line::{TextLine, line, median};
 use super::shape::are_unlike;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
@@ -24,6 +25,24 @@ const OFF: f32 = 8.0;
 const ALIGNED_ASLANT: f32 = 0.75;
 /// Directions in which short labels are looked for are those of others, the first of them.
 const MOST_ANGLES: usize = 6;
+/// Of directions that differ by less than this, degrees, one is enough.
+const SAME_ANGLE: f32 = 2.0;
+/// Least letters of a line that lies level, that stands upright, and that lies aslant: the less usual, the more.
+const LEVEL: usize = 1;
+const UPRIGHT: usize = 3;
+const ASLANT: usize = 4;
+/// Dots of `i`, accents and full stops are this near to a line, in heights of its letters: before and below it, behind
+/// it, and above it.
+const BESIDE: f32 = 0.25;
+const BEHIND: f32 = 2.0 * BESIDE;
+const ABOVE: f32 = 1.5 * BESIDE;
+/// Clutter is looked for as far around a line as this, in heights of its letters.
+const CLUTTER: f32 = 0.4;
+/// The ground around a line is looked at from this far on, beyond the smoothing of letters, as far as that.
+const GROUND_FROM: Length = Length::new(0.1, 1.0);
+const GROUND_TO: Length = Length::new(0.3, 3.0);
+/// Least distance of the letters' colour from that of the ground, as a share of their contrast.
+const STANDS_OUT: f32 = 0.45;
 
 /// What is thin in a plane, and what of it may be letters.
 pub(super) struct Look {
@@ -54,8 +73,10 @@ impl Look {
     pub(super) fn lines(&self, colours: &Colours<'_>) -> Vec<TextLine> {
         let mut groups = groups(&self.glyphs, &self.letters);
         let mut lines: Vec<TextLine> = Vec::new();
-        let aslant = (1..12).map(|step| STEP * step as f32).flat_map(|angle| [(angle, 4), (-angle, 4)]);
-        for (angle, least) in [(0.0, 1), (90.0, 3), (-90.0, 3)].into_iter().chain(aslant) {
+        let aslant = (1..(90.0 / STEP) as usize)
+            .map(|step| STEP * step as f32)
+            .flat_map(|angle| [(angle, ASLANT), (-angle, ASLANT)]);
+        for (angle, least) in [(0.0, LEVEL), (90.0, UPRIGHT), (-90.0, UPRIGHT)].into_iter().chain(aslant) {
             // a line lies in one group
             let wanted = self.strict.least_letters().max(least);
             groups.retain(|group| group.len() >= wanted && self.strict.may_have_text(&self.glyphs, group));
@@ -69,7 +90,7 @@ impl Look {
                 let Some(line) = line(&self.glyphs, &chain, angle) else { continue };
                 let fits = line.letters.len() >= least
                     && (line.angle - angle).abs() <= OFF
-                    && (least == 1 || line.is_aligned(ALIGNED_ASLANT));
+                    && (least == LEVEL || line.is_aligned(ALIGNED_ASLANT));
                 if fits && self.is_text(&line, self.strict, colours) {
                     line.letters.iter().for_each(|letter| used[letter.of] = true);
                     lines.push(line);
@@ -84,7 +105,7 @@ impl Look {
     pub(super) fn in_style(&self, colours: &Colours<'_>, others: &[TextLine]) -> Vec<TextLine> {
         let mut angles: Vec<f32> = Vec::new();
         for other in others {
-            if !angles.iter().any(|angle| (angle - other.angle).abs() < 2.0) {
+            if !angles.iter().any(|angle| (angle - other.angle).abs() < SAME_ANGLE) {
                 angles.push(other.angle);
             }
         }
@@ -111,14 +132,14 @@ impl Look {
     /// The pixels of a line's letters, and of the dots between and above them.
     pub(super) fn cells(&self, line: &TextLine) -> Vec<usize> {
         let [along, across] = axes(line.angle);
-        let margin = 0.25 * line.height;
+        let (beside, behind, above) = (BESIDE * line.height, BEHIND * line.height, ABOVE * line.height);
         let is_letter = |i: usize| line.letters.iter().any(|letter| letter.of == i);
         let is_inside = |glyph: &Glyph| {
             let (u, v) = (glyph.reach(along), glyph.reach(across));
-            u[0] >= line.along[0] - margin
-                && u[1] <= line.along[1] + 2.0 * margin
-                && v[0] >= line.across[0] - 1.5 * margin
-                && v[1] <= line.across[1] + margin
+            u[0] >= line.along[0] - beside
+                && u[1] <= line.along[1] + behind
+                && v[0] >= line.across[0] - above
+                && v[1] <= line.across[1] + beside
         };
         let own = self.glyphs.iter().enumerate().filter(|(i, glyph)| is_letter(*i) || is_inside(glyph));
         own.flat_map(|(_, glyph)| glyph.cells.iter().copied()).collect()
@@ -140,7 +161,7 @@ impl Look {
     fn clutter(&self, line: &TextLine) -> f32 {
         let own = self.cells(line).len() as f32;
         let mut all = 0;
-        let around = line.grown(0.4 * line.height);
+        let around = line.grown(CLUTTER * line.height);
         each_cell(self.thin.contrast.size, &around, |cell| all += usize::from(self.thin.set[cell]));
         (all as f32 - own).max(0.0) / own
     }
@@ -150,16 +171,16 @@ impl Look {
     fn stands_out(&self, line: &TextLine, colours: &Colours<'_>) -> bool {
         let size = self.thin.contrast.size;
         let mut is_inner = std::collections::BTreeSet::new();
-        each_cell(size, &line.grown(0.1 * line.height + 1.0), |cell| {
+        each_cell(size, &line.grown(GROUND_FROM.of(line.height)), |cell| {
             is_inner.insert(cell);
         });
         let mut ring = Vec::new();
-        each_cell(size, &line.grown(0.3 * line.height + 3.0), |cell| {
+        each_cell(size, &line.grown(GROUND_TO.of(line.height)), |cell| {
             if !self.thin.set[cell] && !is_inner.contains(&cell) {
                 ring.push(colours.at(cell));
             }
         });
         let around = [0, 1, 2].map(|axis| median(ring.iter().map(|colour| colour[axis]).collect()));
-        !ring.is_empty() && distance(around, line.colour) >= 0.45 * line.contrast
+        !ring.is_empty() && distance(around, line.colour) >= STANDS_OUT * line.contrast
     }
 }

@@ -4,28 +4,43 @@
 use super::chain::RotatedLetter;
 use super::glyph::Glyph;
 
+/// Two shapes may be alike if their sides differ by at most this share, or by so many px: what drawing one letter twice
+/// between pixels does.
+const SIDES: f32 = 0.13;
+const LEAST_SIDES: f32 = 1.3;
+/// The number of their pixels may differ by this factor and by so many more.
+const PIXELS: f32 = 1.2;
+const FEW_PIXELS: f32 = 3.0;
+/// The shares of their hulls that they fill may differ by this.
+const SOLIDITY: f32 = 0.1;
+/// They are alike if this share of the pixels of each lies within a pixel of the other.
+const SHARED: f32 = 0.93;
+/// Of shapes with sides below this, px, a pixel aside is another letter, and this share of the pixels is the same.
+const SMALL: f32 = 9.0;
+const SHARED_OF_SMALL: f32 = 0.8;
+/// How many unlike shapes rows have at least, of up to so many letters: most words of four have three.
+const UNLIKE: [(usize, usize); 3] = [(3, 2), (7, 3), (usize::MAX, 4)];
+/// From this many letters on, at most half are of one shape.
+const SEVERAL: usize = 4;
+
 /// Whether letters in a row are as unlike as those of a text.
 pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> bool {
     let n = letters.len();
-    let wanted = match n {
-        0..=3 => n.min(2),
-        4..=7 => 3,
-        _ => 4,
-    };
+    let wanted = UNLIKE.iter().find(|(most, _)| n <= *most).map_or(0, |(_, unlike)| n.min(*unlike));
     let (kinds, commonest) = shapes(glyphs, letters, width);
-    kinds >= wanted && (n < 4 || 2 * commonest <= n)
+    kinds >= wanted && (n < SEVERAL || 2 * commonest <= n)
 }
 
 /// Number of unlike shapes, and how many letters have the commonest one.
 fn shapes(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> (usize, usize) {
     let alike = |a: &RotatedLetter, b: &RotatedLetter| {
-        let near = |a: f32, b: f32| (a - b).abs() <= (0.13 * a.max(b)).max(1.3);
+        let near = |a: f32, b: f32| (a - b).abs() <= (SIDES * a.max(b)).max(LEAST_SIDES);
         let (first, second) = (&glyphs[a.of], &glyphs[b.of]);
         let (few, many) = (first.cells.len().min(second.cells.len()), first.cells.len().max(second.cells.len()));
         near(a.width(), b.width())
             && near(a.height(), b.height())
-            && many as f32 <= 1.2 * few as f32 + 3.0
-            && (first.solidity() - second.solidity()).abs() <= 0.1
+            && many as f32 <= PIXELS * few as f32 + FEW_PIXELS
+            && (first.solidity() - second.solidity()).abs() <= SOLIDITY
             && same_pixels(first, second, width)
     };
     let mut kinds: Vec<&RotatedLetter> = Vec::new();
@@ -55,7 +70,7 @@ fn same_pixels(a: &Glyph, b: &Glyph, width: usize) -> bool {
         mask
     };
     let (first, second) = (mask(a), mask(b));
-    let reach = i32::from(a.side().min(b.side()) >= 9.0);
+    let reach = i32::from(a.side().min(b.side()) >= SMALL);
     let has = |mask: &[bool], x: i32, y: i32| {
         let inside = |x: i32, y: i32| (0..sides[0]).contains(&x) && (0..sides[1]).contains(&y);
         (y - reach..=y + reach)
@@ -65,5 +80,5 @@ fn same_pixels(a: &Glyph, b: &Glyph, width: usize) -> bool {
         let near = glyph.cells.iter().map(|&cell| at(glyph, cell)).filter(|&[x, y]| has(mask, x, y)).count();
         near as f32 / glyph.cells.len() as f32
     };
-    near(a, &second).min(near(b, &first)) >= if reach > 0 { 0.93 } else { 0.8 }
+    near(a, &second).min(near(b, &first)) >= if reach > 0 { SHARED } else { SHARED_OF_SMALL }
 }

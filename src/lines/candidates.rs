@@ -124,7 +124,7 @@ fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Ve
         let polyline = match range.kind.exact {
             // its corners are corners
             true => polyline,
-            false if range.kind.drawn => polyline.smoothed_between_corners(params.smoothing),
+            false if range.kind.of_drawing => polyline.smoothed_between_corners(params.smoothing),
             false => polyline.smoothed(params.smoothing).evened(),
         };
         let polyline = polyline.stronger_half_first();

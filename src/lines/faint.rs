@@ -94,7 +94,7 @@ mod tests {
         let size = Size::new(300, 200);
         let mut edges = Edges::none(size);
         for &(width, strength, corners) in strokes {
-            let kind = ChainKind { exact: true, drawn: true, stroke: Some(width), added: false };
+            let kind = ChainKind { exact: true, of_drawing: true, stroke: Some(width), added: false };
             let edgel = |&(x, y): &(f32, f32)| Edgel { at: PxPoint::new(x, y), strength, contrast: [0.0; 3] };
             edges.push_as(kind, corners.iter().map(edgel), false);
         }

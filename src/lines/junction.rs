@@ -10,6 +10,7 @@
 use super::vertex::{SPACING, Vertex};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::first_beyond;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -73,7 +74,7 @@ pub(super) fn extend(polylines: &mut [Polyline<Vertex>], area: MmRect, gap: f32)
 pub(super) fn heading(polyline: &Polyline<Vertex>, at_start: bool, span: f32) -> Option<MmVector> {
     let n = polyline.vertices.len();
     let from_end = |i: usize| polyline.vertices[if at_start { i } else { n - 1 - i }].at;
-    let inner = (1..n).map(from_end).find(|at| (*at - from_end(0)).length() >= span).unwrap_or_else(|| from_end(n - 1));
+    let inner = first_beyond((1..n).map(from_end), from_end(0), span)?;
     (from_end(0) - inner).try_normalize()
 }
 

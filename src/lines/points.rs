@@ -14,6 +14,7 @@ use super::marks::PointMark;
 use super::params::{Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
+use crate::geom::outline::{circle_points, roundness};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -81,7 +82,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             true => !point.is_filled && !params.is_dot(around),
             false => around >= params.min_length,
         };
-        let is_pointed_at = matches!(arms[..], [Arm { way: Approach::End { .. }, .. }]);
+        let is_pointed_at = matches!(arms[..], [Arm { kind: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
             continue;
         }
@@ -90,7 +91,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             continue;
         }
         for arm in arms {
-            if let Approach::End { at_start } = arm.way {
+            if let Approach::End { at_start } = arm.kind {
                 extend_to(&mut polylines[arm.line], at_start, point.at);
             }
         }
@@ -108,7 +109,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Arm {
     line: usize,
-    way: Approach,
+    kind: Approach,
 }
 
 /// How it comes.
@@ -130,7 +131,7 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
         }
         let is_near = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(point.at, a.at, b.at).0 <= aside;
         if polyline.segments().any(is_near) {
-            arms.push(Arm { line, way: Approach::Through });
+            arms.push(Arm { line, kind: Approach::Through });
             continue;
         }
         for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
@@ -138,9 +139,10 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
             let (Some(tip), Some(heading)) = (tip, heading(polyline, at_start, HEADING)) else {
                 continue;
             };
-            let way = point.at - tip.at;
-            if way.length() <= reach && way.dot(heading) > 0.0 && way.cross(heading).abs() <= aside {
-                arms.push(Arm { line, way: Approach::End { at_start } });
+            let to_middle = point.at - tip.at;
+            let leads = to_middle.dot(heading) > 0.0 && to_middle.cross(heading).abs() <= aside;
+            if to_middle.length() <= reach && leads {
+                arms.push(Arm { line, kind: Approach::End { at_start } });
             }
         }
     }
@@ -154,7 +156,7 @@ fn of_ring(ring: &Polyline<Vertex>) -> Option<Point> {
         (ring.vertices.iter().fold(MmVector::zero(), |sum, vertex| sum + vertex.at.to_vector()) / count).to_point();
     let twice: f32 = ring.segments().map(|(a, b)| (a.at - at).cross(b.at - at)).sum();
     let (area, length) = (0.5 * twice.abs(), ring.length());
-    let is_round = 4.0 * std::f32::consts::PI * area >= ROUND * length * length;
+    let is_round = roundness(area, length) >= ROUND;
     let point = Point {
         at,
         radius: (area / std::f32::consts::PI).sqrt(),
@@ -234,17 +236,14 @@ fn radius(point: &Point, params: &Params) -> f32 {
 
 fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Vertex> {
     let count = ((std::f32::consts::TAU * radius / SPACING).ceil() as usize).max(12);
-    let vertex = |k: usize| {
-        let (y, x) = (k as f32 / count as f32 * std::f32::consts::TAU).sin_cos();
-        Vertex {
-            at: at + MmVector::new(x, y) * radius,
-            strength: point.strength.max(params.full_strength),
-            contrast: [0.0; 3],
-            width: params.width_max,
-            source: FoundIn::Vector,
-        }
+    let vertex = |at: MmPoint| Vertex {
+        at,
+        strength: point.strength.max(params.full_strength),
+        contrast: [0.0; 3],
+        width: params.width_max,
+        source: FoundIn::Vector,
     };
-    Polyline { vertices: (0..count).map(vertex).collect(), closed: true }
+    Polyline { vertices: circle_points(at, radius, count).map(vertex).collect(), closed: true }
 }
 
 impl Drawn {
@@ -271,10 +270,10 @@ fn add_bead(line: &mut Polyline<Vertex>, anchored: &mut Vec<bool>, at: MmPoint, 
     let distances: Vec<f32> = line.segments().map(distance).collect();
     let Some(nearest) = (0..distances.len()).min_by(|&a, &b| distances[a].total_cmp(&distances[b])) else { return };
     let (a, b) = (line.vertices[nearest], line.vertices[(nearest + 1) % line.vertices.len()]);
-    let (way, half) = (b.at - a.at, 0.5 * BEAD_LENGTH);
-    let Some(along) = way.try_normalize() else { return };
+    let (chord, half) = (b.at - a.at, 0.5 * BEAD_LENGTH);
+    let Some(along) = chord.try_normalize() else { return };
     // within the segment, so that the line does not go back
-    let middle = (at - a.at).dot(along).clamp(half, (way.length() - half).max(half));
+    let middle = (at - a.at).dot(along).clamp(half, (chord.length() - half).max(half));
     let bead = |ahead: f32| Vertex { at: a.at + along * (middle + ahead), width, ..a };
     line.vertices.splice(nearest + 1..nearest + 1, [bead(-half), bead(half)]);
     anchored.splice(nearest + 1..nearest + 1, [true, true]);
@@ -324,6 +323,7 @@ fn outside(line: &Polyline<Vertex>, anchored: &[bool], holes: &[(MmPoint, f32)])
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::area;
     use super::*;
 
     const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
@@ -353,10 +353,6 @@ mod tests {
 
     fn axis(from: f32, to: f32) -> Polyline<Vertex> {
         line(&[(from, 50.0), (to, 50.0)], false, 0.0, FoundIn::Vector)
-    }
-
-    fn area() -> MmRect {
-        MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0))
     }
 
     #[test]

@@ -104,7 +104,7 @@ impl Polyline<Vertex> {
     pub(super) fn of_chain(chain: PolylineRef<'_, Edgel>, kind: ChainKind, transform: &PageTransform) -> Self {
         let source = match kind {
             ChainKind { exact: true, .. } => FoundIn::Vector,
-            ChainKind { drawn: true, stroke: Some(_), .. } => FoundIn::Stroke,
+            ChainKind { of_drawing: true, stroke: Some(_), .. } => FoundIn::Stroke,
             _ => FoundIn::Pixels,
         };
         let vertex = |p: &Edgel| Vertex {

@@ -29,10 +29,10 @@ pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Res
     let fit = &request.fit;
     let working_size = |source: Header| working_size(source, &|size| fit.layout(size, plan), fit, plan);
     let options = request.decoding(&working_size);
-    let Read { picture, is_flat, kind } = read(Picture::file(picture), &options, None, watch)?;
+    let Read { picture, content } = read(Picture::file(picture), &options, None, watch)?;
     let layout = fit.layout(picture.source.size, plan)?;
-    let edges = find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch);
-    let classes = sort_colours(&picture.raster, edges.as_ref(), &layout, plan, watch);
+    let edges = find_edges(&picture, &content, &layout, plan, watch);
+    let classes = sort_colours(&picture.raster, &edges, &layout, plan, watch);
     Ok(Sorted { classes, place: layout.figure })
 }
 

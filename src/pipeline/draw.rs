@@ -12,7 +12,7 @@ use super::margins::Lettered;
 use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
-use super::read::{Read, read};
+use super::read::{Content, Read, read};
 use super::request::{Fit, Request};
 use super::subject;
 use super::texts::{self, Text, placed};
@@ -59,7 +59,7 @@ struct Found {
     is_flat: bool,
     layout: Layout,
     texts: Vec<Text>,
-    edges: Option<Edges>,
+    edges: Edges,
     /// Parts of the picture that stay blank.
     erased: Vec<[f32; 4]>,
     /// The thing around which the rest is calmed.
@@ -80,7 +80,7 @@ fn find(
     let (plan, fit) = (request.plan, &request.fit);
     let working_size = |source: Header| working_size(source, layout_of, fit, plan);
     let options = request.decoding(&working_size);
-    let Read { picture, is_flat, kind } = read(picture, &options, given.text_reader.as_ref(), watch)?;
+    let Read { picture, content } = read(picture, &options, given.text_reader.as_ref(), watch)?;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
     let layout = with_room(&lettered, layout_of(source)?);
@@ -93,17 +93,18 @@ fn find(
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
     let (mut edges, of_given) = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
-        find_edges(&picture, kind.as_ref(), is_flat, &layout, plan, watch)
+        find_edges(&picture, &content, &layout, plan, watch)
     })?;
     notes.extend(of_given);
     notes.extend(told_short(given, &layout, plan));
-    if let Some(edges) = edges.as_mut().filter(|_| plan.profile().figure.lines && given.lines.is_none()) {
-        let draw = |edges: &Edges| draw_lines(Some(edges), None, true, &layout, plan, &mut |_| ()).lines.lines;
-        notes.extend(leaders::whole_or_none(edges, &mut texts, become_labels(words), &layout, draw));
+    if plan.profile().figure.lines && given.lines.is_none() {
+        let draw = |edges: &Edges| draw_lines(edges, None, true, &layout, plan, &mut |_| ()).lines.lines;
+        notes.extend(leaders::whole_or_none(&mut edges, &mut texts, become_labels(words), &layout, draw));
     }
-    let (calmed_around, told) = subject::prepare(given, edges.as_mut(), source, &layout, plan);
+    let (calmed_around, told) = subject::prepare(given, &mut edges, source, &layout, plan);
     notes.extend(told);
     request.go_on()?;
+    let is_flat = content.is_uniform();
     Ok(Found { picture, is_flat, layout, texts, edges, erased, calmed_around, notes })
 }
 
@@ -120,12 +121,12 @@ pub(super) fn draw(
     let plan = request.plan;
     let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } =
         find(picture, (given, words), request, layout_of, with_room, watch)?;
-    let has_lines = plan.profile().figure.lines && edges.as_ref().is_some_and(|edges| !edges.is_empty());
+    let has_lines = plan.profile().figure.lines && !edges.is_empty();
     // lines that a person gave stay as they are
     let may_join = given.lines.is_none();
     let (drawn, (overview, mut classes)) = {
-        let (edges, layout) = (edges.as_ref(), &layout);
-        let regions = edges.and_then(|edges| regions_of_figure(edges, layout, plan, watch));
+        let (edges, layout) = (&edges, &layout);
+        let regions = regions_of_figure(edges, layout, plan, watch);
         let lines = |watch: &mut Watch<'_>| draw_lines(edges, regions.as_ref(), may_join, layout, plan, watch);
         in_parallel(has_lines, watch, lines, |watch| {
             let overview = draw_overview(edges, regions.as_ref(), may_join, layout, plan, watch);
@@ -134,9 +135,9 @@ pub(super) fn draw(
     };
     request.go_on()?;
     let DrawnLines { lines: drawn, areas, instead } = drawn;
-    notes.extend(told_left_out(&drawn, edges.as_ref(), &layout));
+    notes.extend(told_left_out(&drawn, &edges, &layout));
     notes.extend(lost_marks::told(&drawn.lost, plan));
-    notes.extend(edges.as_ref().filter(|_| has_lines).and_then(told_dashed));
+    notes.extend(if has_lines { told_dashed(&edges) } else { None });
     if let Some(classes) = &mut classes {
         let size = picture.raster.size();
         // which areas a person gave have a texture is theirs to say
@@ -151,10 +152,10 @@ pub(super) fn draw(
     notes.extend(told_of_overview(&overview));
     notes.extend(joined_bars::told(instead, overview.instead));
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
-    let of_drawing = edges.is_some_and(|edges| edges.of_drawing());
-    drop(picture.raster);
+    let of_drawing = edges.of_drawing();
+    drop((picture.raster, edges));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(told_bare(classes.as_ref(), &textures, &layout, of_drawing, plan));
+    notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, of_drawing, plan)));
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
@@ -186,26 +187,23 @@ pub(super) fn contours_of(
     layout: &Layout,
     erased: &[[f32; 4]],
     request: &Request<'_>,
-    find: impl FnOnce() -> Option<Edges>,
-) -> Result<(Option<Edges>, Option<Note>), Error> {
+    find: impl FnOnce() -> Edges,
+) -> Result<(Edges, Option<Note>), Error> {
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
     let mut told = None;
     let mut edges = match &given.lines {
-        Some(GivenLines::Vectors(lines)) => Some(lines.edges(size)?),
+        Some(GivenLines::Vectors(lines)) => lines.edges(size)?,
         Some(GivenLines::Picture(bytes)) => {
             let (edges, of_texts) = edges_of_drawn(bytes, size, request, px_per_mm)?;
             told = of_texts;
-            Some(edges)
+            edges
         }
         None => find(),
     };
     if let Some(added) = &given.added {
-        let edges = edges.get_or_insert_with(|| Edges::none(size));
-        added.add_to(edges, request.plan.lines().max_spacing() * px_per_mm)?;
+        added.add_to(&mut edges, request.plan.lines().max_spacing() * px_per_mm)?;
     }
-    if let Some(edges) = &mut edges {
-        erase(edges, erased.to_vec());
-    }
+    erase(&mut edges, erased.to_vec());
     Ok((edges, told))
 }
 
@@ -227,12 +225,12 @@ fn edges_of_drawn(
         Ok(size)
     };
     let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
-    let Read { picture, kind, .. } = read(bytes.into(), &options, None, &mut |_| ())?;
+    let Read { picture, content } = read(bytes.into(), &options, None, &mut |_| ())?;
     let texts = picture.texts.iter().filter(|text| !text.hidden).count();
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
-    let edges = edges_of(&picture, kind.as_ref(), &request.plan.edges(px_per_mm), None, &mut |_| ());
+    let edges = edges_of(&picture, content.kind(), &request.plan.edges(px_per_mm), None, &mut |_| ());
     Ok((edges, (texts > 0).then(|| Note::NotOnPage(About::Lines, told))))
 }
 
@@ -308,24 +306,24 @@ pub(super) fn edges_of(
     run(watch, Stage::Edges, || ridges.contours(grouped))
 }
 
+/// The contours of a picture; none where the page needs none.
 pub(super) fn find_edges(
     picture: &decode::Picture,
-    kind: Option<&PictureKind>,
-    is_flat: bool,
+    content: &Content,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> Option<Edges> {
+) -> Edges {
     let reason = if !plan.profile().figure.lines && layout.overview.is_none() {
         "neither the figure nor an overview has lines"
-    } else if is_flat {
+    } else if content.is_uniform() {
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return Some(edges_of(picture, kind, &plan.edges(px_per_mm), Some(Detail::OUTLINES), watch));
+        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), Some(Detail::OUTLINES), watch);
     };
     watch(Event::Skip(Stage::Edges, reason));
-    None
+    Edges::none(picture.raster.size())
 }
 
 /// What becomes of the lines of a figure.
@@ -341,36 +339,36 @@ pub(super) struct DrawnLines {
 /// The lines of the figure, with the outlines of its `regions`; bars of a chart may be drawn otherwise if they
 /// `may_join`.
 pub(super) fn draw_lines(
-    edges: Option<&Edges>,
+    edges: &Edges,
     regions: Option<&Chosen>,
     may_join: bool,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
 ) -> DrawnLines {
-    let reason = match edges {
-        _ if !plan.profile().figure.lines => "figure.lines is off",
-        Some(edges) if !edges.is_empty() => {
-            let transform = PageTransform::new(edges.size, layout.figure);
-            return run(watch, Stage::Lines, || {
-                let (outlines, areas) = outlines_of_figure(edges, regions, &transform, plan);
-                let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
-                    let params = lines::Params { detail, ..plan.lines() };
-                    draw_whole(edges, &outlines, transform, layout, &params, plan)
-                };
-                let detail = plan.lines().detail;
-                let drawn = draw(edges, &transform, detail);
-                if !may_join || plan.lines().most_shapes.is_some() {
-                    return DrawnLines { lines: drawn, areas, instead: None };
-                }
-                let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
-                let redraw =
-                    Redraw { edges, transforms, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
-                let (lines, instead) = redraw.whole(drawn, &transform);
-                DrawnLines { lines, areas, instead }
-            });
-        }
-        _ => "there are no contours",
+    let reason = if !plan.profile().figure.lines {
+        "figure.lines is off"
+    } else if edges.is_empty() {
+        "there are no contours"
+    } else {
+        let transform = PageTransform::new(edges.size, layout.figure);
+        return run(watch, Stage::Lines, || {
+            let (outlines, areas) = outlines_of_figure(edges, regions, &transform, plan);
+            let draw = |edges: &Edges, transform: &PageTransform, detail: f32| {
+                let params = lines::Params { detail, ..plan.lines() };
+                draw_whole(edges, &outlines, transform, layout, &params, plan)
+            };
+            let detail = plan.lines().detail;
+            let drawn = draw(edges, &transform, detail);
+            if !may_join || plan.lines().most_shapes.is_some() {
+                return DrawnLines { lines: drawn, areas, instead: None };
+            }
+            let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
+            let redraw =
+                Redraw { edges, transforms, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
+            let (lines, instead) = redraw.whole(drawn, &transform);
+            DrawnLines { lines, areas, instead }
+        });
     };
     watch(Event::Skip(Stage::Lines, reason));
     DrawnLines::default()
@@ -421,7 +419,7 @@ fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
 fn areas_of_colours(
     given: &Given,
     raster: &Raster,
-    edges: Option<&Edges>,
+    edges: &Edges,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
@@ -434,7 +432,7 @@ fn areas_of_colours(
 
 pub(super) fn sort_colours(
     raster: &Raster,
-    edges: Option<&Edges>,
+    edges: &Edges,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
@@ -448,8 +446,7 @@ pub(super) fn sort_colours(
     }
     let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
     Some(run(watch, Stage::Classes, || {
-        let edges = edges.filter(|_| plan.profile().colours.stop_at_lines);
-        let contours = edges.map(Edges::borders).unwrap_or_default();
+        let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
         classes::sort(raster, &contours, &plan.classes(px_per_mm))
     }))
 }

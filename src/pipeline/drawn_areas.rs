@@ -7,6 +7,7 @@ use super::label::CLEARANCE;
 use super::words::blank_to_signs;
 use crate::classes::{self, Classes, Region};
 use crate::geom::nearest_on_segment;
+use crate::geom::outline::{distance_to_box, row_inside};
 use crate::page::{BrailleText, DotMedium, Glyph, Line, Medium, Page, Parts, Texture};
 use crate::profile::Plan;
 use crate::raster::plane::Plane;
@@ -158,7 +159,7 @@ pub(super) fn clear_of_braille(glyphs: &mut Vec<Glyph>, blank: f32, boxes: &[MmR
     let is_clear = |glyph: &Glyph| {
         let least = CLEARANCE + glyph.radius();
         let to_cells = blank + glyph.radius();
-        boxes.iter().all(|place| (glyph.at - glyph.at.clamp(place.min, place.max)).length() >= to_cells)
+        boxes.iter().all(|place| distance_to_box(glyph.at, *place) >= to_cells)
             && leaders().all(|ends| nearest_on_segment(glyph.at, ends[0], ends[1]).0 >= least)
     };
     glyphs.retain(is_clear);
@@ -194,15 +195,9 @@ fn inside(outlines: &[Vec<MmPoint>], place: MmRect, size: Size) -> Vec<(usize, R
     let mut found = Vec::new();
     for row in row_at(reach.min.y).floor() as usize..row_at(reach.max.y).ceil() as usize {
         let y = place.min.y + (row as f32 + 0.5) / height * place.height();
-        let mut crossings: Vec<f32> = Vec::new();
-        for outline in outlines {
-            let next = outline.iter().skip(1).chain(outline.first());
-            let sides = outline.iter().zip(next).filter(|(a, b)| (a.y > y) != (b.y > y));
-            crossings.extend(sides.map(|(a, b)| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)));
-        }
-        crossings.sort_by(f32::total_cmp);
-        let pairs = crossings.chunks_exact(2).map(|pair| (row, column(pair[0])..column(pair[1])));
-        found.extend(pairs.filter(|(_, columns)| !columns.is_empty()));
+        let sides = outlines.iter().flat_map(|outline| outline.iter().zip(outline.iter().cycle().skip(1)));
+        let parts = row_inside(sides, y).into_iter().map(|[from, to]| (row, column(from)..column(to)));
+        found.extend(parts.filter(|(_, columns)| !columns.is_empty()));
     }
     found
 }

@@ -98,7 +98,7 @@ pub(super) fn erase(edges: &mut Edges, boxes: Vec<[f32; 4]>) {
     }
     let size = edges.size;
     without(edges, |_, _, edgel| is_in(share(edgel.at, size), &boxes));
-    edges.erased = boxes;
+    edges.constraints.erased = boxes;
 }
 
 /// Leaves the cells in boxes, in shares of the picture, without a colour.
@@ -132,12 +132,13 @@ pub(super) fn blank_cells(classes: &mut Classes, is_blank: impl Fn(usize, u32) -
 /// The parts of outlines of regions that are not erased, and make room for the lines that were added.
 pub(super) fn with_room(outlines: Vec<RegionOutline>, edges: &Edges) -> Vec<RegionOutline> {
     let own = added(edges);
-    if edges.erased.is_empty() && own.is_empty() {
+    if edges.constraints.erased.is_empty() && own.is_empty() {
         return outlines;
     }
     let near = near(&own);
     let gone = |point: &TracePoint| {
-        is_in(share(point.at, edges.size), &edges.erased) || near.nearest(point.at, edges.room, |_| true).is_some()
+        is_in(share(point.at, edges.size), &edges.constraints.erased)
+            || near.nearest(point.at, edges.constraints.room, |_| true).is_some()
     };
     let parts = |RegionOutline { contour, region }: &RegionOutline| {
         let part = |(vertices, closed)| RegionOutline { contour: TracedContour { vertices, closed }, region: *region };
@@ -158,14 +159,15 @@ pub(super) fn is_in([x, y]: [f32; 2], boxes: &[[f32; 4]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::edges::{ChainKind, Edgel};
+    use crate::edges::{ChainKind, Constraints, Edgel};
 
     #[test]
     fn a_line_that_was_added_and_erased_again_takes_no_room() {
         let size = Size::new(200, 100);
         let row = |y: f32| (10..190).map(move |x| PxPoint::new(x as f32, y));
         let edgels = |y: f32| row(y).map(|at| Edgel { at, strength: 40.0, contrast: [0.0; 3] });
-        let mut edges = Edges { room: 8.0, ..Edges::none(size) };
+        let constraints = Constraints { room: 8.0, ..Constraints::default() };
+        let mut edges = Edges { constraints, ..Edges::none(size) };
         edges.push(edgels(20.0), false);
         edges.push_as(ChainKind { added: true, ..ChainKind::default() }, edgels(70.0), false);
         let outline = |y: f32| TracedContour {

@@ -92,7 +92,7 @@ impl HandLines {
     /// # Errors
     /// If the picture has another shape than the figure of the page.
     pub(super) fn edges(&self, size: Size) -> Result<Edges, Error> {
-        self.edges_of(size, ChainKind { exact: true, drawn: true, ..ChainKind::default() })
+        self.edges_of(size, ChainKind { exact: true, of_drawing: true, ..ChainKind::default() })
     }
 
     /// The same, with those that a person drew first: along them others give way that are nearer than `reach`, px.
@@ -115,7 +115,7 @@ impl HandLines {
             aspect: self.aspect,
             left_outside: 0.0,
         };
-        let kind = ChainKind { exact: true, drawn: true, added: true, ..ChainKind::default() };
+        let kind = ChainKind { exact: true, of_drawing: true, added: true, ..ChainKind::default() };
         let mut first = own(by_hand).edges_of(size, kind)?;
         first.edgels.iter_mut().for_each(|edgel| edgel.strength = edgel.strength.max(full_strength));
         let found = own(others).edges(size)?;
@@ -149,7 +149,7 @@ impl HandLines {
         for range in &own.chains {
             found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
         }
-        found.room = reach;
+        found.constraints.room = reach;
         Ok(())
     }
 

@@ -5,6 +5,7 @@ use super::texts::Text;
 use super::unwritten::named;
 use crate::edges::{ChainRange, Edges};
 use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::outline::distance_to_box;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::{Line, Pen};
@@ -141,7 +142,7 @@ fn of(
             return None;
         }
         let beside = |end: MmPoint| {
-            let far = |text: &usize| gap(end, texts[*text].place);
+            let far = |text: &usize| distance_to_box(end, texts[*text].place);
             let nearest = of_words.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))?;
             (far(&nearest) < BESIDE_TEXT).then_some(nearest)
         };
@@ -157,11 +158,6 @@ fn of(
         leads.then_some(Leader { chain: number, text, path })
     };
     (0..chains.len()).filter_map(is_leader).collect()
-}
-
-/// Distance of a point from a box; 0 inside.
-fn gap(at: MmPoint, place: MmRect) -> f32 {
-    (at - at.clamp(place.min, place.max)).length()
 }
 
 /// Whether nothing but the text is at an end of a line, and nothing lies between the two.

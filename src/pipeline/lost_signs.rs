@@ -6,6 +6,7 @@ use super::texts::Text;
 use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
+use crate::geom::outline::distance_to_box;
 use crate::labels::NEAR;
 use crate::lines::{Line, Lines, LostSign, is_triangle};
 use crate::page::Figure;
@@ -148,7 +149,7 @@ fn places(signs: &[LostSign]) -> String {
 fn told_of_shapes(lost: &[LostSign], all: &[(&str, MmRect)], are_labels: bool) -> Option<Note> {
     let first = lost.first()?.at;
     let name = |at: MmPoint| {
-        let far = |place: &MmRect| (at - at.clamp(place.min, place.max)).length();
+        let far = |place: &MmRect| distance_to_box(at, *place);
         let nearest = all.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
         nearest.filter(|(_, place)| far(place) < NEAR).map(|(text, _)| *text)
     };

@@ -18,7 +18,7 @@ pub(super) fn regions_of_figure(edges: &Edges, layout: &Layout, plan: &Plan, wat
     let tree = edges.regions.as_ref()?;
     let transform = PageTransform::new(edges.size, layout.figure);
     let params = params_of(edges, plan, false);
-    let choose = || tree.chosen(transform.mm_per_px(), &params, &edges.subjects, OfFigure::Unknown);
+    let choose = || tree.chosen(transform.mm_per_px(), &params, &edges.constraints.subjects, OfFigure::Unknown);
     Some(run(watch, Stage::Regions, choose))
 }
 
@@ -48,7 +48,7 @@ pub(super) fn outlines_of_overview(
         Some(_) => OfFigure::Only(&of_figure.regions),
         None => OfFigure::Preferred(&of_figure.regions),
     };
-    let chosen = tree.chosen(transform.mm_per_px(), &params, &edges.subjects, of_figure);
+    let chosen = tree.chosen(transform.mm_per_px(), &params, &edges.constraints.subjects, of_figure);
     let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params, &chosen);
     let others = (params.drawn.map_or(OTHERS, |most| most.min(OTHERS)), OTHERS_LENGTH);
     outlines_with_room(outlines, &areas, Some(others), edges)
@@ -56,7 +56,11 @@ pub(super) fn outlines_of_overview(
 
 fn params_of(edges: &Edges, plan: &Plan, of_overview: bool) -> regions::Params {
     let params = plan.regions(of_overview);
-    if edges.only_subjects { regions::Params { most: edges.subjects.len(), ..params } } else { params }
+    if edges.constraints.only_subjects {
+        regions::Params { most: edges.constraints.subjects.len(), ..params }
+    } else {
+        params
+    }
 }
 
 fn outlines_with_room(
@@ -65,5 +69,10 @@ fn outlines_with_room(
     others: Option<(usize, f32)>,
     edges: &Edges,
 ) -> Outlines {
-    Outlines { outlines: with_room(outlines, edges), subjects: edges.subjects.len(), shapes: areas.count(), others }
+    Outlines {
+        outlines: with_room(outlines, edges),
+        subjects: edges.constraints.subjects.len(),
+        shapes: areas.count(),
+        others,
+    }
 }

@@ -32,20 +32,20 @@ const LACKS: f32 = 0.15;
 /// larger, as far as the sheet has room below the figure; of a photograph it is larger wherever there is room. A figure
 /// with outlines of regions has those `of_figure`.
 pub(super) fn draw_overview(
-    edges: Option<&Edges>,
+    edges: &Edges,
     of_figure: Option<&Chosen>,
     may_join: bool,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
 ) -> DrawnOverview {
-    let reason = match (layout.overview, edges) {
-        (None, _) => "overview.on is off",
-        (Some(place), Some(edges)) if !edges.is_empty() => {
+    let reason = match layout.overview {
+        None => "overview.on is off",
+        Some(_) if edges.is_empty() => "there are no contours",
+        Some(place) => {
             let figure = Figure { edges, of_figure, layout, plan };
             return run(watch, Stage::Overview, || figure.overview(place, may_join));
         }
-        _ => "there are no contours",
     };
     watch(Event::Skip(Stage::Overview, reason));
     DrawnOverview::default()

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::label::CLEARANCE;
+use crate::geom::outline::distance_to_box;
 use crate::page::{BrailleText, Medium, Page, Parts, PrintText, TextRole};
 use crate::profile::Plan;
 use crate::units::{MmPoint, MmRect};
@@ -65,7 +66,7 @@ pub(super) fn follow(parts: &mut Parts, new: usize, plan: &Plan) -> Vec<Note> {
             is(&text.text) || text.abbreviation.as_deref().is_some_and(is)
         };
         let place = text.dots.bounds().unwrap_or(MmRect::zero());
-        let far = |word: &PrintText| (word.at - word.at.clamp(place.min, place.max)).length();
+        let far = |word: &PrintText| distance_to_box(word.at, place);
         let of_text = (0..parts.print.len()).filter(|&at| is_free[at] && is_of_text(&parts.print[at]));
         let nearest = of_text.min_by(|&a, &b| far(&parts.print[a]).total_cmp(&far(&parts.print[b])));
         let Some(at) = nearest else {

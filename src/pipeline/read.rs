@@ -23,10 +23,39 @@ const FONT_SIZE: f32 = 1.6;
 /// A picture, and what is known of it.
 pub(super) struct Read {
     pub(super) picture: decode::Picture,
-    /// Whether it is of one colour.
-    pub(super) is_flat: bool,
-    /// What kind of picture it is, where that had to be known.
-    pub(super) kind: Option<PictureKind>,
+    pub(super) content: Content,
+}
+
+/// What is known of a picture before contours are looked for.
+pub(super) enum Content {
+    /// It is of one colour: there is nothing to find.
+    Uniform,
+    /// Nothing but that it has more than one colour.
+    Unknown,
+    /// What kind of picture it is.
+    OfKind(PictureKind),
+}
+
+impl Content {
+    fn of(raster: &Raster, kind: Option<PictureKind>) -> Self {
+        match kind {
+            _ if raster.is_flat() => Self::Uniform,
+            None => Self::Unknown,
+            Some(kind) => Self::OfKind(kind),
+        }
+    }
+
+    pub(super) fn is_uniform(&self) -> bool {
+        matches!(self, Self::Uniform)
+    }
+
+    /// What kind of picture it is, if that is known.
+    pub(super) fn kind(&self) -> Option<&PictureKind> {
+        match self {
+            Self::Uniform | Self::Unknown => None,
+            Self::OfKind(kind) => Some(kind),
+        }
+    }
 }
 
 /// Decodes a picture. Unless letters are to be kept, text in its pixels is taken out, and joins those texts that the
@@ -43,7 +72,7 @@ pub(super) fn read(
     let (known, paper) = run(watch, Stage::Decode, || decoded(given, options))?;
     if options.keep_text {
         watch(Event::Skip(Stage::Text, "letters are drawn"));
-    } else if !known.is_flat {
+    } else if !known.content.is_uniform() {
         return Ok(run(watch, Stage::Text, || without_text(known, paper.as_ref(), given, options, reader)));
     }
     Ok(known)
@@ -52,12 +81,12 @@ pub(super) fn read(
 /// A decoded picture; if it is a drawing that was scanned, on white paper in even light, with the paper that it was on.
 fn decoded(given: Picture<'_>, options: &Options<'_>) -> Result<(Read, Option<Paper>), Error> {
     let picture = decode::decode_picture(given, options)?;
-    let is_flat = picture.raster.is_flat();
+    let content = Content::of(&picture.raster, None);
     // a drawing of paths alone was never on paper
     let is_painted = picture.drawing.as_ref().is_some_and(|drawing| drawing.pixel_areas.is_empty());
     let may_be_paper = !is_painted && !options.keep_ground;
-    Ok(match is_flat || options.keep_text && !may_be_paper {
-        true => (Read { picture, is_flat, kind: None }, None),
+    Ok(match content.is_uniform() || options.keep_text && !may_be_paper {
+        true => (Read { picture, content }, None),
         false => on_white_paper(picture, may_be_paper),
     })
 }
@@ -71,13 +100,13 @@ fn on_white_paper(picture: decode::Picture, may_be_paper: bool) -> (Read, Option
     } else {
         None
     };
-    let Some(found) = &paper else { return (Read { picture, is_flat: false, kind: Some(kind) }, None) };
+    let Some(found) = &paper else { return (Read { picture, content: Content::OfKind(kind) }, None) };
     let raster = found.divided(&picture.raster);
     let (colour, darkest) = (found.colour, (100.0 * found.darkest).round() as u32);
     let mut notes = picture.notes;
     notes.push(Note::GroundAsPaper { colour, darkest });
-    let (kind, is_flat) = (kind.again_of(&raster), raster.is_flat());
-    (Read { picture: decode::Picture { raster, notes, ..picture }, is_flat, kind: Some(kind) }, paper)
+    let content = Content::of(&raster, Some(kind.again_of(&raster)));
+    (Read { picture: decode::Picture { raster, notes, ..picture }, content }, paper)
 }
 
 fn without_text(
@@ -87,8 +116,8 @@ fn without_text(
     options: &Options<'_>,
     reader: Option<&TextReader>,
 ) -> Read {
-    let Read { picture: decoded, is_flat, kind } = known;
-    let is_drawing = kind.as_ref().is_some_and(|kind| kind.is_drawing);
+    let Read { picture: decoded, content } = known;
+    let is_drawing = content.kind().is_some_and(|kind| kind.is_drawing);
     let working = decoded.raster.size();
     let finer = if is_drawing { finer(picture, &decoded, options) } else { None };
     let finer = match (finer, paper) {
@@ -98,7 +127,7 @@ fn without_text(
     let raster = finer.as_ref().unwrap_or(&decoded.raster);
     let found = Lettering::find(raster, is_drawing);
     if found.is_empty() {
-        return Read { picture: decoded, is_flat, kind };
+        return Read { picture: decoded, content };
     }
     let scale = working.width as f32 / raster.size().width as f32;
     let mut notes = decoded.notes;
@@ -113,8 +142,9 @@ fn without_text(
     let erased = found.erased_from(raster);
     let raster = if finer.is_some() { erased.shrunk(working) } else { erased };
     // without its letters it may be of another kind, unless it is on paper
-    let (is_flat, kind) = (raster.is_flat(), paper.and_then(|_| kind.map(|kind| kind.again_of(&raster))));
-    Read { picture: decode::Picture { raster, texts, notes, ..decoded }, is_flat, kind }
+    let kind = paper.and(content.kind()).map(|kind| kind.again_of(&raster));
+    let content = Content::of(&raster, kind);
+    Read { picture: decode::Picture { raster, texts, notes, ..decoded }, content }
 }
 
 /// What the maker is told of texts in pixels that somebody has read: a word that was read wrongly is found by reading

@@ -105,11 +105,11 @@ pub(super) fn marks(
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     request.go_on()?;
     // the lines of a page stay lines of their own
-    let DrawnLines { lines: mut drawn, .. } = draw_lines(Some(&edges), None, false, &layout, plan, watch);
-    let edges_of_overview = of_overview.as_ref().or(Some(&edges));
+    let DrawnLines { lines: mut drawn, .. } = draw_lines(&edges, None, false, &layout, plan, watch);
+    let edges_of_overview = of_overview.as_ref().unwrap_or(&edges);
     let overview = draw_overview(edges_of_overview, None, false, &layout, plan, watch);
     let left_out = left_out(&drawn.lost, overview.lost.rings);
-    let mut notes: Vec<Note> = told_left_out(&drawn, Some(&edges), &layout).map(of_page).into_iter().collect();
+    let mut notes: Vec<Note> = told_left_out(&drawn, &edges, &layout).map(of_page).into_iter().collect();
     notes.extend(hand_lines.told_outside());
     if plan.profile().figure.lines {
         let (stand_for, mut shares) =
@@ -127,7 +127,7 @@ pub(super) fn marks(
     notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
     request.go_on()?;
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(told_bare(classes.as_ref(), &textures, &layout, false, plan));
+    notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
     Ok(Marks {

@@ -21,23 +21,21 @@ const MARGIN: f32 = 3.0;
 /// out too, if any are.
 pub(super) fn prepare(
     given: &Given,
-    mut edges: Option<&mut Edges>,
+    edges: &mut Edges,
     source: Size,
     layout: &Layout,
     plan: &Plan,
 ) -> (Option<Mask>, Vec<Note>) {
     let (mut all, mut notes) = (None::<Mask>, Vec::new());
-    let tree = edges.as_ref().and_then(|edges| Some((edges.regions.as_ref()?, edges.size)));
-    let most_telling = tree.filter(|_| !given.subjects.is_empty()).map_or_else(Vec::new, |(tree, size)| {
-        tree.most_telling(PageTransform::new(size, layout.figure).mm_per_px(), &plan.regions(false))
-    });
+    let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
+    let tree = edges.regions.as_ref().filter(|_| !given.subjects.is_empty());
+    let most_telling = tree.map_or_else(Vec::new, |tree| tree.most_telling(mm_per_px, &plan.regions(false)));
     for [x, y] in &given.subjects {
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
-        let found = edges.as_mut().and_then(|edges| {
-            let mask = subject_at(edges, share, layout, &most_telling)?;
+        let found = subject_at(edges, share, layout, &most_telling).and_then(|mask| {
             let [least, greatest] = mask.extent()?;
-            let side = (greatest - least) * PageTransform::new(edges.size, layout.figure).mm_per_px();
+            let side = (greatest - least) * mm_per_px;
             Some((mask, [side.x, side.y].map(|side| side.round() as u32)))
         });
         match found {
@@ -49,7 +47,7 @@ pub(super) fn prepare(
         }
     }
     let around = all.filter(|_| given.calm_background);
-    if let (Some(edges), Some(subject)) = (edges, &around) {
+    if let Some(subject) = &around {
         notes.push(Note::BackgroundCalmed(calm(edges, subject, layout, plan).round() as u32));
     }
     (around, notes)
@@ -64,8 +62,8 @@ fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling
         Some((region, tree.mask(&[region])))
     });
     let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px) };
-    if !edges.subjects.contains(&region) {
-        edges.subjects.push(region);
+    if !edges.constraints.subjects.contains(&region) {
+        edges.constraints.subjects.push(region);
     }
     Some(mask)
 }
@@ -96,7 +94,7 @@ fn calm(edges: &mut Edges, subject: &Mask, layout: &Layout, plan: &Plan) -> f32 
     };
     let is_weak: Vec<bool> = mean(edges).into_iter().map(|strength| strength < strong).collect();
     without(edges, |number, range, edgel| is_weak[number] && !range.kind.added && !near.contains(edgel.at));
-    edges.only_subjects = true;
+    edges.constraints.only_subjects = true;
     (before - length(edges)) * PageTransform::new(edges.size, layout.figure).mm_per_px()
 }
 

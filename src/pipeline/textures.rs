@@ -123,18 +123,24 @@ fn told_bare_areas(classes: &Classes, textures: &[Texture], layout: &Layout) -> 
     Some(Note::NotOnPage(About::Areas, told))
 }
 
-/// What the maker is told of areas that have a colour and no room for its texture.
+/// What the maker is told of areas that have a colour and no room for its texture. On paper, only of a drawing: the
+/// colours of a photograph change from place to place.
 pub(super) fn told_bare(
-    classes: Option<&Classes>,
+    classes: &Classes,
     textures: &[Texture],
     layout: &Layout,
     of_drawing: bool,
     plan: &Plan,
 ) -> Option<Note> {
-    let classes = classes?;
-    if matches!(layout.medium, Medium::Print(_)) {
-        return of_drawing.then(|| told_bare_areas(classes, textures, layout)).flatten();
+    match layout.medium {
+        Medium::Print(_) if of_drawing => told_bare_areas(classes, textures, layout),
+        Medium::Print(_) => None,
+        Medium::Dots(_) => told_bare_share(classes, textures, layout, plan),
     }
+}
+
+/// What the maker is told of the areas of a page of dots that have a colour and no texture, as a share of the figure.
+fn told_bare_share(classes: &Classes, textures: &[Texture], layout: &Layout, plan: &Plan) -> Option<Note> {
     let coloured: u32 = classes.regions.iter().map(|region| region.cells).sum();
     let figure = layout.figure.area();
     let drawn: f32 = textures.iter().map(|texture| texture.area).sum::<f32>() / figure;

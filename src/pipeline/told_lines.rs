@@ -12,10 +12,10 @@ use crate::{About, Note};
 /// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
 /// 0.2 to 0.3 and lose little by it.
 const CROWDED: f32 = 0.35;
-/// ... of a drawing, that it is too dense for its size.
+/// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
 const DENSE: f32 = 0.2;
-/// ... and length from which the maker of a drawing is told, mm: there every line is meant. Less is lost where lines
-/// meet.
+/// Length of the lines left out from which the maker of a drawing is told, mm: there every line is meant. Less is lost
+/// where lines meet.
 const LEAST_TOLD: f32 = 3.0;
 /// On a grid of dots lines are longer or shorter by about this share, which is no loss.
 const LEAST_TOLD_OF_DOTS: f32 = 0.05;
@@ -28,14 +28,14 @@ pub(super) fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan
 }
 
 /// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
-pub(super) fn told_left_out(drawn: &Lines, edges: Option<&Edges>, layout: &Layout) -> Option<Note> {
+pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
     let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
     let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
     let least = match layout.medium {
         Medium::Print(_) => LEAST_TOLD,
         Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
     };
-    let of_drawing = edges.is_some_and(Edges::of_drawing);
+    let of_drawing = edges.of_drawing();
     let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
     let place = drawn.lost.place_name();
     // a display has one sheet, so a figure is not spread over several

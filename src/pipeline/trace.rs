@@ -124,19 +124,18 @@ pub fn trace<'p>(
     notes.extend(of_given);
     drop(read);
     request.go_on()?;
-    let trace = match &edges {
-        None => Trace { size: source, polylines: Vec::new() },
-        Some(edges) if tracing.subject != Subject::Lines => Trace::of_edges(edges, source),
-        Some(edges) => {
-            let regions = regions_of_figure(edges, &layout, plan, watch);
+    let trace = match tracing.subject {
+        Subject::Contours | Subject::ContoursAtFullResolution => Trace::of_edges(&edges, source),
+        Subject::Lines => {
+            let regions = regions_of_figure(&edges, &layout, plan, watch);
             let DrawnLines { lines: drawn, instead, .. } =
-                draw_lines(Some(edges), regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
-            notes.extend(told_left_out(&drawn, Some(edges), &layout));
+                draw_lines(&edges, regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
+            notes.extend(told_left_out(&drawn, &edges, &layout));
             notes.extend(joined_bars::told(instead, None));
             let transform = PageTransform::new(edges.size, layout.figure);
             let params = plan.lines();
             let reach = params.farthest_moved();
-            Trace::of_lines(&drawn.lines, edges, &transform, layout.figure, reach, source)
+            Trace::of_lines(&drawn.lines, &edges, &transform, layout.figure, reach, source)
         }
     };
     if tracing.subject == Subject::Lines && !plan.profile().figure.lines {
@@ -148,11 +147,11 @@ pub fn trace<'p>(
 }
 
 /// The contours that are asked for; none in a picture of one colour.
-fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Option<Edges> {
-    let Read { picture, kind, is_flat } = read;
-    if *is_flat {
+fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watch: &mut Watch<'_>) -> Edges {
+    let Read { picture, content } = read;
+    if content.is_uniform() {
         watch(Event::Skip(Stage::Edges, "the picture is of one colour"));
-        return None;
+        return Edges::none(picture.raster.size());
     }
     let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
     let mut params = match tracing.subject {
@@ -166,8 +165,8 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         Subject::ContoursAtFullResolution => Detail::CONTOURS,
         Subject::Contours | Subject::Lines => Detail::OUTLINES,
     };
-    let edges = edges_of(picture, kind.as_ref(), &params, Some(detail), watch);
+    let edges = edges_of(picture, content.kind(), &params, Some(detail), watch);
     // only lines have outlines of regions; for contours the tree has done its work
     let regions = edges.regions.filter(|_| tracing.subject == Subject::Lines);
-    Some(Edges { regions, ..edges })
+    Edges { regions, ..edges }
 }

@@ -1,6 +1,7 @@
 //! Filled shapes that a person drew to be areas of a colour: they have no signs yet, so a page cannot hold them.
 
 use super::marks::Mark;
+use crate::geom::outline::area;
 use crate::output::layer::Layer;
 use crate::page::Class;
 use crate::units::MmPoint;
@@ -37,10 +38,4 @@ pub(super) fn of(mark: &Mark<'_>, is_ink: impl Fn(u8) -> bool) -> Option<DrawnAr
     // a hole may be small
     let is_area = outlines.iter().any(is_large);
     is_area.then_some(DrawnArea { class, colour: mark.colour, outlines })
-}
-
-/// The area inside a ring, mm2.
-fn area(points: &[MmPoint]) -> f32 {
-    let Some(&first) = points.first() else { return 0.0 };
-    0.5 * points.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<f32>().abs()
 }

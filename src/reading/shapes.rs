@@ -1,6 +1,7 @@
 //! Outlines that are dots and rhombuses.
 
 use super::outline::{Outline, clean};
+use crate::geom::right_of;
 use crate::page::{Glyph, Shape};
 use crate::units::{MmPoint, MmVector};
 
@@ -77,7 +78,7 @@ const OFF: [f32; 5] = [0.0, 0.002, -0.002, 0.005, -0.005];
 fn rhombus(along: MmVector, across: MmVector, degrees: f32, longer: f32, broader: f32) -> Shape {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let tip = MmVector::new(cos, -sin);
-    let side = MmVector::new(-tip.y, tip.x);
+    let side = right_of(tip);
     let (length, thickness) = (2.0 * along.dot(tip).abs(), 2.0 * across.dot(side).abs());
     Shape::Rhombus { length: (length + longer).max(0.0), thickness: (thickness + broader).max(0.0), degrees }
 }

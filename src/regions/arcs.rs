@@ -6,7 +6,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::grid::RegionGrid;
 use super::traces::TraceMap;
-use crate::geom::first_eigenvector;
+use crate::geom::{first_eigenvector, right_of};
 use crate::raster::plane::{Plane, SubpixelPosition};
 use crate::units::{PxPoint, PxVector};
 
@@ -181,7 +181,7 @@ fn measure(
         let middle = crack.middle(grid);
         let strength = traces.seen(middle, tangent).1;
         // from the first cell to the second
-        let across = PxVector::new(-tangent.y, tangent.x);
+        let across = right_of(tangent);
         let along_axis = if crack.is_upright { across.x } else { across.y };
         let across = if along_axis < 0.0 { -across } else { across };
         let first = usize::from(basin[crack.cell as usize] != ends[0]);

@@ -1,7 +1,7 @@
 //! Which regions tell most about a picture: those with a clear outline all round, compact, unlike what is beside them,
 //! and large, though not as large as the picture.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::arcs::Crack;
@@ -10,6 +10,7 @@ use super::members::Members;
 use super::merge::Node;
 use super::tree::Tree;
 use crate::geom::distance::squared_distances;
+use crate::ranked::{Ranked, Total};
 use crate::units::Size;
 
 /// What is asked of the regions that get an outline. Lengths are in millimetres on the sheet.
@@ -85,7 +86,8 @@ const MOST_SAME: f64 = 0.7;
 /// What an outline loses that is as near to others as it may be.
 const NEAR: f64 = 0.7;
 
-/// A region that may be chosen. The best is the greatest; of equal ones the larger.
+/// A region that may be chosen.
+#[derive(Clone, Copy)]
 struct Candidate {
     gain: f64,
     area: f64,
@@ -94,25 +96,14 @@ struct Candidate {
     round: usize,
 }
 
-impl Ord for Candidate {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.gain.total_cmp(&other.gain).then(self.area.total_cmp(&other.area)).then(other.node.cmp(&self.node))
+/// The best first; of equal ones the larger, then the one of the lower number.
+type Turn = (Total, Total, Reverse<u32>);
+
+impl Candidate {
+    fn ranked(self) -> Ranked<Turn, Self> {
+        Ranked { rank: (Total(self.gain), Total(self.area), Reverse(self.node)), item: self }
     }
 }
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Candidate {}
 
 /// The numbers of the most telling regions, the first first, after those of `subjects`, which come first whatever they
 /// tell; if they are among the most telling ones, the others stay the same. `mm` is the side of a cell on the sheet.
@@ -127,14 +118,14 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of
     let members = Members::of(tree);
     let score = |node: u32| of_figure.factor(node) * score(&tree.nodes[node as usize], tree.basin.len(), mm);
     let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(node), of.area));
-    let mut heap: BinaryHeap<Candidate> = scores
+    let mut heap: BinaryHeap<Ranked<Turn, Candidate>> = scores
         .filter(|(_, gain, _)| *gain > 0.0)
-        .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 })
+        .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 }.ranked())
         .collect();
     let (mut chosen, mut first) = (subjects.to_vec(), None);
     let mut near = Nearness::new(tree, mm, params);
     subjects.iter().for_each(|&subject| near.add(&members.outline(tree, subject), tree));
-    while let Some(candidate) = heap.pop() {
+    while let Some(Ranked { item: candidate, .. }) = heap.pop() {
         if chosen.len() >= params.most || candidate.gain < f64::from(params.least_gain) * first.unwrap_or(0.0) {
             break;
         }
@@ -144,7 +135,7 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of
         if candidate.round < chosen.len() {
             if let Some(gain) = gain(score(candidate.node), &members.outline(tree, candidate.node), &near, tree, params)
             {
-                heap.push(Candidate { gain, round: chosen.len(), ..candidate });
+                heap.push(Candidate { gain, round: chosen.len(), ..candidate }.ranked());
             }
             continue;
         }

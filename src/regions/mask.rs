@@ -2,6 +2,7 @@
 
 use super::grid::RegionGrid;
 use crate::geom::distance::squared_distances;
+use crate::geom::outline::row_inside;
 use crate::units::PxPoint;
 
 /// Some cells of a picture.
@@ -16,22 +17,16 @@ impl Mask {
         Self { grid, is_in }
     }
 
-    /// The cells whose middles lie inside a ring, whose points are in pixels of the picture: those from which a ray to
-    /// the right crosses it an odd number of times.
+    /// The cells whose middles lie inside a ring, whose points are in pixels of the picture.
     pub fn of_ring(grid: RegionGrid, ring: &[PxPoint]) -> Self {
         let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
         let corners: Vec<PxPoint> = ring.iter().map(|&at| grid.to_cells(at)).collect();
-        let sides: Vec<[PxPoint; 2]> =
-            corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]).collect();
         let mut is_in = vec![false; width * height];
         for (y, row) in is_in.chunks_exact_mut(width).enumerate() {
-            let middle = y as f32 + 0.5;
-            let crossed = sides.iter().filter(|[a, b]| (a.y <= middle) != (b.y <= middle));
-            let mut at: Vec<f32> = crossed.map(|[a, b]| a.x + (middle - a.y) / (b.y - a.y) * (b.x - a.x)).collect();
-            at.sort_by(f32::total_cmp);
-            for pair in at.chunks_exact(2) {
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+            for [from, to] in row_inside(sides, y as f32 + 0.5) {
                 let column = |x: f32| ((x + 0.5).floor().max(0.0) as usize).min(width);
-                row[column(pair[0])..column(pair[1])].fill(true);
+                row[column(from)..column(to)].fill(true);
             }
         }
         Self { grid, is_in }

@@ -1,9 +1,10 @@
 //! Basins are merged into regions, those first between which the least is seen.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::arcs::{Arc, Sums};
+use crate::ranked::{Ranked, Total};
 
 /// Weight of a difference of colour beside the strength of traces.
 const COLOUR: f64 = 0.15;
@@ -40,34 +41,9 @@ struct Adjacency {
     alive: bool,
 }
 
-struct Candidate {
-    cost: f64,
-    length: f64,
-    adjacency: u32,
-    version: u32,
-}
-
-impl Ord for Candidate {
-    /// The cheapest is the greatest; of equal ones the longest, whatever their numbers.
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_cost = other.cost.total_cmp(&self.cost);
-        by_cost.then(self.length.total_cmp(&other.length)).then(other.adjacency.cmp(&self.adjacency))
-    }
-}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Candidate {}
+/// In which order regions are merged: by cost, the cheapest first; of equal ones by the length of their arc, the longest
+/// first; then by the number of the adjacency.
+type Turn = (Reverse<Total>, Total, Reverse<u32>);
 
 /// What merging works on.
 struct Merging {
@@ -77,7 +53,8 @@ struct Merging {
     adjacencies: Vec<Adjacency>,
     /// By node: its neighbours, ordered, and the adjacencies with them.
     neighbours: Vec<Vec<(u32, u32)>>,
-    heap: BinaryHeap<Candidate>,
+    /// Each with the version of its adjacency.
+    heap: BinaryHeap<Ranked<Turn, u32>>,
     cells: f64,
     /// See [`Detail::part`](super::tree::Detail).
     part: f64,
@@ -86,7 +63,8 @@ struct Merging {
 /// All regions, basins first, in the order in which they are merged. `part`: see [`Detail`](super::tree::Detail).
 pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize, part: f64) -> Vec<Node> {
     let mut merging = Merging::new(basins, arcs, cells as f64, part);
-    while let Some(Candidate { adjacency, version, cost, .. }) = merging.heap.pop() {
+    while let Some(Ranked { rank, item: version }) = merging.heap.pop() {
+        let (Reverse(Total(cost)), _, Reverse(adjacency)) = rank;
         let Adjacency { alive, version: current, .. } = merging.adjacencies[adjacency as usize];
         if alive && current == version {
             merging.unite(adjacency, cost);
@@ -119,7 +97,8 @@ impl Merging {
     fn put(&mut self, number: u32) {
         let adjacency = &self.adjacencies[number as usize];
         let (cost, length) = (self.cost(adjacency), adjacency.sums.length);
-        self.heap.push(Candidate { cost, length, adjacency: number, version: adjacency.version });
+        let rank = (Reverse(Total(cost)), Total(length), Reverse(number));
+        self.heap.push(Ranked { rank, item: adjacency.version });
     }
 
     /// How much is seen between two regions.

@@ -1,36 +1,14 @@
 //! Glyphs keep inside their own region, and regions from one another, whatever the regions look like.
 
 use super::{Params, Shape, fill};
-use crate::classes::{Class, Classes, Region};
+use crate::classes::Classes;
 use crate::lines::{Line, Run};
-use crate::raster::plane::Plane;
-use crate::units::{MmPoint, MmRect, Size};
+use crate::units::{MmPoint, MmRect};
 use proptest::prelude::*;
 
 const PARAMS: Params = Params::TEST;
 
 const CELLS: u32 = 60;
-
-/// Areas round `seats`, each of a class, or blank from 5 on.
-fn areas(seats: &[(f32, f32, u8)], lightness: f32) -> Classes {
-    let size = Size::new(CELLS, CELLS);
-    let nearest = |i: u32| {
-        let (x, y) = ((i % CELLS) as f32, (i / CELLS) as f32);
-        let far = |seat: &(f32, f32, u8)| (seat.0 - x).hypot(seat.1 - y);
-        (0..seats.len()).min_by(|a, b| far(&seats[*a]).total_cmp(&far(&seats[*b]))).unwrap_or(0)
-    };
-    let owners: Vec<usize> = (0..CELLS * CELLS).map(nearest).collect();
-    let with_texture: Vec<usize> = (0..seats.len()).filter(|&seat| seats[seat].2 < 5).collect();
-    let number = |seat: usize| with_texture.iter().position(|other| *other == seat).map(|number| number as u32);
-    let region: Vec<Option<u32>> = owners.iter().map(|&seat| number(seat)).collect();
-    let of = |seat: &usize| Region {
-        class: Class::ALL[usize::from(seats[*seat].2)],
-        colour: [0; 3],
-        cells: owners.iter().filter(|owner| *owner == seat).count() as u32,
-    };
-    let regions = with_texture.iter().map(of).collect();
-    Classes { size, region, regions, lightness: Plane::filled(size, lightness), fringe: Vec::new() }
-}
 
 /// Places on the outline of a glyph.
 fn outline(shape: Shape, corners: [MmPoint; 4], at: MmPoint) -> Vec<MmPoint> {
@@ -57,7 +35,7 @@ proptest! {
         side in 40.0_f32..150.0,
         ends in (0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0, 0.0_f32..1.0),
     ) {
-        let classes = areas(&seats, lightness);
+        let classes = Classes::of_seats(&seats, CELLS, lightness);
         let area = MmRect::new(MmPoint::new(20.0, 30.0), MmPoint::new(20.0 + side, 30.0 + side));
         let place = |x: f32, y: f32| MmPoint::new(20.0 + x * side, 30.0 + y * side);
         let points = vec![place(ends.0, ends.1), place(ends.2, ends.3)];

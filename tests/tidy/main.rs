@@ -20,6 +20,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     // What stops everything: faults of a profile, of a part or a grid of sheets as written, of a page that is felt.
     ("error", &["units", "raster", "page", "touch", "profile"]),
     ("listing", &[]),
+    ("ranked", &[]),                 // entries of heaps
     ("note", &["units", "braille"]), // names the codes that there are
     ("picture", &["units"]),         // as it is given: a file or pixels
     ("geom", &["units"]),
@@ -28,10 +29,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("raster", &["units", "picture", "geom"]),
     ("lettering", &["units", "geom", "raster"]), // text in pixels; the picture without it
     ("paper", &["units", "geom", "raster"]),     // light and colour of what a drawing is on
-    ("regions", &["units", "geom", "raster"]),   // knows traces, not how they are found
+    ("regions", &["units", "ranked", "geom", "raster"]), // knows traces, not how they are found
     ("edges", &["units", "geom", "raster", "regions"]),
     ("classes", &["units", "geom", "raster"]),
-    ("lines", &["units", "geom", "raster", "regions", "edges"]),
+    ("lines", &["units", "ranked", "geom", "raster", "regions", "edges"]),
     // Density and the white gap follow the lines.
     ("textures", &["units", "geom", "raster", "classes", "lines"]),
     // The same textures and lines as dots.

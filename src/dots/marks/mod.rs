@@ -21,6 +21,7 @@ mod tests;
 use self::lattice::{Disc, Field, LEAST_STEP, Owner};
 use super::cell::GridPoint;
 use super::params::{LEAST_DOTS, Params};
+use crate::geom::right_of;
 use crate::lines::{LineMarks, PointMark, TickMark};
 use crate::units::{MmPoint, MmVector};
 
@@ -347,7 +348,7 @@ impl Places<'_> {
         }
         // it lies to the right of a line as it runs, and inside a ring
         let along = self.along(row, at);
-        let right = MmVector::new(-along.y, along.x).dot(way) > 0.0;
+        let right = right_of(along).dot(way) > 0.0;
         let turn = self.rows[row].closed && area_of(&self.rows[row].dots) < 0.0;
         usize::from(right != turn)
     }

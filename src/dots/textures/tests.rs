@@ -46,27 +46,6 @@ fn free() -> DotArea {
     DotArea::Free(MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)))
 }
 
-/// Areas round `seats` (in cells), each of a class, or blank from 5 on.
-fn areas(seats: &[(f32, f32, u8)], lightness: f32) -> Classes {
-    let size = Size::new(CELLS, CELLS);
-    let nearest = |i: u32| {
-        let (x, y) = ((i % CELLS) as f32 + 0.5, (i / CELLS) as f32 + 0.5);
-        let far = |seat: &(f32, f32, u8)| (seat.0 - x).hypot(seat.1 - y);
-        (0..seats.len()).min_by(|a, b| far(&seats[*a]).total_cmp(&far(&seats[*b]))).unwrap_or(0)
-    };
-    let owners: Vec<usize> = (0..CELLS * CELLS).map(nearest).collect();
-    let with_texture: Vec<usize> = (0..seats.len()).filter(|&seat| seats[seat].2 < 5).collect();
-    let number = |seat: usize| with_texture.iter().position(|other| *other == seat).map(|number| number as u32);
-    let region = owners.iter().map(|&seat| number(seat)).collect();
-    let of = |seat: &usize| Region {
-        class: Class::ALL[usize::from(seats[*seat].2)],
-        colour: [0; 3],
-        cells: owners.iter().filter(|owner| *owner == seat).count() as u32,
-    };
-    let regions = with_texture.iter().map(of).collect();
-    Classes { size, region, regions, lightness: Plane::filled(size, lightness), fringe: Vec::new() }
-}
-
 fn line(points: Vec<MmPoint>) -> Line {
     Line { strength: 30.0, runs: vec![Run::dots(1.5, points, Height::High)] }
 }
@@ -92,7 +71,7 @@ proptest! {
         gap in 0_u32..3,
         ray in (-20_i32..20, -20_i32..20, -1_i32..2, -1_i32..2),
     ) {
-        let classes = areas(&seats, lightness);
+        let classes = Classes::of_seats(&seats, CELLS, lightness);
         let place = |k: i32| {
             let (x, y) = (ray.0 + k * ray.2, ray.1 + k * ray.3);
             MmPoint::new(80.0 + x as f32 * pitch, 90.0 + y as f32 * pitch)
@@ -138,7 +117,7 @@ proptest! {
         pitch in 2.0_f32..3.0,
         from in (20.0_f32..140.0, 30.0_f32..150.0),
     ) {
-        let classes = areas(&seats, lightness);
+        let classes = Classes::of_seats(&seats, CELLS, lightness);
         let from = MmPoint::new(from.0, from.1);
         let lines = [line((0..20).map(|k| from.lerp(AREA.center(), k as f32 / 20.0)).collect())];
         let params = params(pitch);
@@ -167,7 +146,7 @@ proptest! {
         pitch in prop::sample::select(vec![1.27_f32, 1.6, 2.0, 2.5]),
         up_down in any::<bool>(),
     ) {
-        let classes = areas(&seats, lightness);
+        let classes = Classes::of_seats(&seats, CELLS, lightness);
         let other = |i: u32| {
             let (x, y) = (i % CELLS, i / CELLS);
             if up_down { (CELLS - 1 - y) * CELLS + x } else { y * CELLS + CELLS - 1 - x }
@@ -214,7 +193,7 @@ fn darker_and_nearer_to_lines_is_the_same_dots_and_more() {
 #[test]
 fn a_grid_of_one_column_or_row_has_no_texture() {
     let places = |count: usize| (0..count).map(|i| 25.0 + i as f32 * 2.5).collect::<Vec<f32>>();
-    let classes = areas(&[(15.0, 30.0, 0), (30.0, 15.0, 1), (45.0, 30.0, 4)], 0.1);
+    let classes = Classes::of_seats(&[(15.0, 30.0, 0), (30.0, 15.0, 1), (45.0, 30.0, 4)], CELLS, 0.1);
     for (columns, rows) in [(0, 0), (1, 1), (1, 40), (40, 1)] {
         let area = DotArea::Grid(Grid { columns: places(columns), rows: places(rows) });
         let lines = [line(vec![MmPoint::new(60.0, 60.0)])];
@@ -251,8 +230,8 @@ fn one_row_and_a_few_dots_are_no_texture() {
 
 #[test]
 fn regions_of_a_class_share_their_rows() {
-    let two = areas(&[(15.0, 30.0, 1), (30.0, 30.0, 5), (45.0, 30.0, 1)], 0.3);
-    let one = areas(&[(30.0, 30.0, 1), (99.0, 99.0, 5)], 0.3);
+    let two = Classes::of_seats(&[(15.0, 30.0, 1), (30.0, 30.0, 5), (45.0, 30.0, 1)], CELLS, 0.3);
+    let one = Classes::of_seats(&[(30.0, 30.0, 1), (99.0, 99.0, 5)], CELLS, 0.3);
     let area = DotArea::Grid(grid(1.6));
     let [two, one] = [two, one].map(|classes| dots(&fill(&classes, AREA, &[], &area, &params(1.6))));
     assert!(two.len() > 200 && two.is_subset(&one));

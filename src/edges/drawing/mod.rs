@@ -36,7 +36,7 @@ pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> 
     }
     for Confirmed { line, stroke } in unite::united(confirmed, size) {
         edges.push_as(
-            ChainKind { exact: true, drawn: true, stroke, added: false },
+            ChainKind { exact: true, of_drawing: true, stroke, added: false },
             line.vertices.into_iter(),
             line.closed,
         );

@@ -3,6 +3,7 @@
 
 use super::skeleton::{Node, Path};
 use crate::geom::polyline::Polyline;
+use crate::geom::walk::first_beyond;
 use crate::units::{PxPoint, PxVector};
 
 /// The direction of an arm is taken from its junction over this much of it, px.
@@ -106,8 +107,8 @@ fn longest_spur(path: usize, arms: &[Arm], depth: f32) -> f32 {
 fn heading(path: &Path, at_start: bool, node: PxPoint) -> PxVector {
     let n = path.points.len();
     let from_node = |i: usize| path.points[if at_start { i } else { n - 1 - i }];
-    let far = (0..n).map(from_node).find(|at| (*at - node).length() >= HEADING).unwrap_or_else(|| from_node(n - 1));
-    (far - node).try_normalize().unwrap_or(PxVector::zero())
+    let far = first_beyond((0..n).map(from_node), node, HEADING);
+    far.and_then(|far| (far - node).try_normalize()).unwrap_or(PxVector::zero())
 }
 
 /// Which arms of a junction go on into which.

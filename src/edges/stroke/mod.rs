@@ -28,10 +28,11 @@ use self::skeleton::{Mask, Node, Path};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
 use crate::geom::polyline::Polyline;
+use crate::geom::right_of;
 use crate::geom::walk::runs;
 use crate::raster::plane::Plane;
 use crate::raster::residue::{Polarity, residue, square_max};
-use crate::units::{PxPoint, PxVector, Size};
+use crate::units::{PxPoint, Size};
 
 /// In a picture without noise a stroke is kept from this share of the thresholds of edges on: where it is thinner
 /// than a pixel, its contrast is less in proportion.
@@ -90,7 +91,7 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
 pub(super) fn is_seen([from, to]: [PxPoint; 2], width: f32, least: f32, planes: &[Plane]) -> bool {
     let displacement = to - from;
     let along = displacement.try_normalize().unwrap_or_default();
-    let across = PxVector::new(-along.y, along.x);
+    let across = right_of(along);
     let steps = displacement.length().ceil() as usize;
     (0..steps).all(|k| {
         let at = from + displacement * ((k as f32 + 0.5) / steps as f32);
@@ -325,7 +326,7 @@ impl Taken {
         let on = count(&|i| self.has(stroke.contour.vertices[i].at));
         let between = count(&|i| {
             let along = stroke.contour.tangent(i);
-            let across = PxVector::new(-along.y, along.x) * half;
+            let across = right_of(along) * half;
             let at = stroke.contour.vertices[i].at;
             self.has(at + across) && self.has(at - across)
         });

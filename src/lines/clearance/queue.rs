@@ -1,6 +1,6 @@
 //! Lines that wait to be drawn, by rank and the most salient first.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::geom::polyline::Polyline;
@@ -8,43 +8,23 @@ use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::Vertex;
+use crate::ranked::{Ranked, Total};
 
 /// A piece that is still too near after this many rounds is given up. None of the samples needs more than three.
 const MOST_ROUNDS: u8 = 8;
 
+/// A line that waits, and in how many rounds it was judged.
 struct QueuedLine {
-    rank: Rank,
-    saliency: f32,
-    /// When it came: of two that are equally salient, the earlier goes first.
-    number: usize,
-    round: u8,
     polyline: Polyline<Vertex>,
+    round: u8,
 }
 
-impl Ord for QueuedLine {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_saliency = self.saliency.total_cmp(&other.saliency).then(other.number.cmp(&self.number));
-        self.rank.cmp(&other.rank).then(by_saliency)
-    }
-}
-
-impl PartialOrd for QueuedLine {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for QueuedLine {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for QueuedLine {}
+/// By rank, then by saliency; of two that are equally salient, the one that came earlier goes first.
+type Turn = (Rank, Total, Reverse<usize>);
 
 /// Lines that wait for their turn.
 pub(super) struct Queue<'a> {
-    heap: BinaryHeap<QueuedLine>,
+    heap: BinaryHeap<Ranked<Turn, QueuedLine>>,
     count: usize,
     params: &'a Params,
 }
@@ -65,13 +45,14 @@ impl<'a> Queue<'a> {
         if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || round > MOST_ROUNDS {
             return;
         }
-        self.heap.push(QueuedLine { rank, saliency, number: self.count, round, polyline });
+        let rank = (rank, Total(f64::from(saliency)), Reverse(self.count));
+        self.heap.push(Ranked { rank, item: QueuedLine { polyline, round } });
         self.count += 1;
     }
 
     /// The next line, its rank and in how many rounds it was judged.
     pub(super) fn pop(&mut self) -> Option<(Polyline<Vertex>, Rank, u8)> {
-        self.heap.pop().map(|next| (next.polyline, next.rank, next.round))
+        self.heap.pop().map(|next| (next.item.polyline, next.rank.0, next.item.round))
     }
 }
 

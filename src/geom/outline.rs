@@ -1,0 +1,123 @@
+//! Closed outlines: what they enclose, and circles as such.
+
+use lyon::geom::euclid::{Box2D, Point2D, Vector2D};
+use std::f32::consts::{PI, TAU};
+
+/// The area inside a ring, by the triangles that its sides make with its first point (the shoelace formula).
+pub fn area<U>(points: &[Point2D<f32, U>]) -> f32 {
+    let Some(&first) = points.first() else { return 0.0 };
+    0.5 * points.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<f32>().abs()
+}
+
+/// How round a shape of this area and circumference is: 1 of a circle, 0.79 of a square, 0 of a line.
+pub fn roundness(area: f32, length: f32) -> f32 {
+    4.0 * PI * area / (length * length).max(f32::MIN_POSITIVE)
+}
+
+/// A circle as so many points, from the one on its right on, clockwise where y points down.
+pub fn circle_points<U>(
+    middle: Point2D<f32, U>,
+    radius: f32,
+    count: usize,
+) -> impl Iterator<Item = Point2D<f32, U>> + Clone {
+    (0..count).map(move |k| {
+        let (y, x) = (k as f32 / count as f32 * TAU).sin_cos();
+        middle + Vector2D::new(x, y) * radius
+    })
+}
+
+/// The corners of a box, from its least one on: right, down and left of that.
+pub fn corners<U>(of: Box2D<f32, U>) -> [Point2D<f32, U>; 4] {
+    let [left, top, right, bottom] = [of.min.x, of.min.y, of.max.x, of.max.y];
+    [(left, top), (right, top), (right, bottom), (left, bottom)].map(Point2D::from)
+}
+
+/// Distance of a point from a box; 0 inside.
+pub fn distance_to_box<U>(at: Point2D<f32, U>, place: Box2D<f32, U>) -> f32 {
+    (at - at.clamp(place.min, place.max)).length()
+}
+
+/// Whether a point lies in a convex polygon, or on its side.
+pub fn is_in_convex<U>(at: Point2D<f32, U>, corners: &[Point2D<f32, U>]) -> bool {
+    let side = |i: usize| (corners[(i + 1) % corners.len()] - corners[i]).cross(at - corners[i]);
+    (0..corners.len()).all(|i| side(i) >= 0.0) || (0..corners.len()).all(|i| side(i) <= 0.0)
+}
+
+/// Where sides of outlines cross the row at height `y`, in no order.
+fn crossings<'a, U: 'a>(
+    sides: impl Iterator<Item = (&'a Point2D<f32, U>, &'a Point2D<f32, U>)>,
+    y: f32,
+) -> impl Iterator<Item = f32> {
+    let crossed = sides.filter(move |(a, b)| (a.y > y) != (b.y > y));
+    crossed.map(move |(a, b)| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
+}
+
+/// The parts of the row at height `y` that lie inside an odd number of outlines (the even-odd rule), given by all sides
+/// of these: from where to where, from left to right.
+pub fn row_inside<'a, U: 'a>(
+    sides: impl Iterator<Item = (&'a Point2D<f32, U>, &'a Point2D<f32, U>)>,
+    y: f32,
+) -> Vec<[f32; 2]> {
+    let mut crossings: Vec<f32> = crossings(sides, y).collect();
+    crossings.sort_by(f32::total_cmp);
+    crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
+/// Whether a point lies inside an odd number of outlines, given by all sides of these.
+pub fn is_inside<'a, U: 'a>(
+    sides: impl Iterator<Item = (&'a Point2D<f32, U>, &'a Point2D<f32, U>)>,
+    at: Point2D<f32, U>,
+) -> bool {
+    crossings(sides, at.y).filter(|x| at.x < *x).count() % 2 == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{MmPoint, MmRect};
+
+    fn points(of: &[(f32, f32)]) -> Vec<MmPoint> {
+        of.iter().map(|&at| MmPoint::from(at)).collect()
+    }
+
+    fn sides(ring: &[MmPoint]) -> impl Iterator<Item = (&MmPoint, &MmPoint)> {
+        ring.iter().zip(ring.iter().cycle().skip(1))
+    }
+
+    #[test]
+    fn circles_are_rounder_than_squares_and_those_than_lines() {
+        let square = points(&[(1.0, 1.0), (5.0, 1.0), (5.0, 5.0), (1.0, 5.0)]);
+        assert!((area(&square) - 16.0).abs() < 1e-6);
+        assert!((roundness(16.0, 16.0) - 0.785).abs() < 0.001);
+        let circle: Vec<MmPoint> = circle_points(MmPoint::new(9.0, 9.0), 2.0, 400).collect();
+        let length: f32 = sides(&circle).map(|(a, b)| (*b - *a).length()).sum();
+        assert!((area(&circle) - 4.0 * PI).abs() < 0.01 && (roundness(area(&circle), length) - 1.0).abs() < 0.001);
+        assert_eq!((roundness(0.0, 8.0), roundness(0.0, 0.0), area::<()>(&[])), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_row_through_an_l_with_a_hole_is_inside_in_two_parts() {
+        let outer = points(&[(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (4.0, 4.0), (4.0, 10.0), (0.0, 10.0)]);
+        let hole = points(&[(2.0, 1.0), (6.0, 1.0), (6.0, 3.0), (2.0, 3.0)]);
+        let all = || sides(&outer).chain(sides(&hole));
+        assert_eq!(row_inside(all(), 2.0), [[0.0, 2.0], [6.0, 10.0]]);
+        assert_eq!(row_inside(all(), 8.0), [[0.0, 4.0]]);
+        assert!(row_inside(all(), 11.0).is_empty());
+        let inside = [(1.0, 2.0), (3.0, 2.0), (7.0, 2.0), (7.0, 8.0)].map(|at| is_inside(all(), MmPoint::from(at)));
+        assert_eq!(inside, [true, false, true, false]);
+    }
+
+    #[test]
+    fn boxes_have_corners_and_distances() {
+        let of = MmRect::new(MmPoint::new(1.0, 2.0), MmPoint::new(4.0, 6.0));
+        assert_eq!(corners(of).to_vec(), points(&[(1.0, 2.0), (4.0, 2.0), (4.0, 6.0), (1.0, 6.0)]));
+        let far = |x: f32, y: f32| distance_to_box(MmPoint::new(x, y), of);
+        let wanted = [(far(2.0, 3.0), 0.0), (far(4.0, 9.0), 3.0), (far(7.0, 10.0), 5.0)];
+        assert!(wanted.iter().all(|(far, wanted)| (far - wanted).abs() < 1e-6), "{wanted:?}");
+        let is_in = |x: f32, y: f32| is_in_convex(MmPoint::new(x, y), &corners(of));
+        assert!(is_in(2.0, 3.0) && is_in(1.0, 2.0) && !is_in(0.9, 3.0));
+        let mut turned = corners(of);
+        turned.reverse();
+        assert!(is_in_convex(MmPoint::new(2.0, 3.0), &turned));
+    }
+}

@@ -1,0 +1,180 @@
+use super::super::forms::Kind;
+use super::super::placed::Params;
+use super::super::room::Room;
+use super::*;
+use crate::page::{Line, Run};
+
+const POINT: MmPoint = MmPoint::new(100.0, 100.0);
+
+fn params() -> Params {
+    Params {
+        area: MmRect::new(MmPoint::zero(), MmPoint::new(200.0, 200.0)),
+        tiles: Vec::new(),
+        clearance: 3.0,
+        texture_clearance: 2.0,
+        may_cross: true,
+        step: 1.0,
+        leader_off: 0.0,
+    }
+}
+
+/// A room with one line, closed or open; with none without points.
+fn room(points: &[(f32, f32)], closed: bool) -> Room {
+    let points: Vec<MmPoint> = points.iter().map(|&(x, y)| MmPoint::new(x, y)).collect();
+    let line = Line { strength: 1.0, runs: vec![Run { closed, ..Run::stroke(1.0, points) }] };
+    let lines: Vec<Line> = std::iter::once(line).filter(|line| !line.runs[0].points.is_empty()).collect();
+    Room::new(params().area, &lines, &[], 3.0)
+}
+
+fn named(anchor: MmRect) -> Wanted {
+    Wanted { text: "word".to_owned(), anchor, led_from: None }
+}
+
+fn at(x: f32, y: f32) -> Wanted {
+    named(MmRect::new(MmPoint::new(x, y), MmPoint::new(x, y)))
+}
+
+/// A box of 20 by 6 mm with this upper left corner.
+fn box_at(x: f32, y: f32) -> MmRect {
+    MmRect::new(MmPoint::new(x, y), MmPoint::new(x + 20.0, y + 6.0))
+}
+
+/// The first label in a place among others.
+fn placed(wanted: &[Wanted], place: MmRect, room: &Room, params: &Params) -> Option<Candidate> {
+    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: Kind::Text, cost: 0.0 };
+    candidate(&wanted[0], 0, &form, place, &Surroundings::of(0, wanted, 20.0, room, params))
+}
+
+/// What a place costs in the room.
+fn cost_in(room: &Room, label: &Wanted, place: MmRect) -> f32 {
+    placed(std::slice::from_ref(label), place, room, &params()).expect("it can be joined to its anchor").cost
+}
+
+#[test]
+fn right_of_a_point_is_better_than_left_of_it_or_above() {
+    let (room, label) = (room(&[], false), at(100.0, 100.0));
+    let cost = |place: MmRect| cost_in(&room, &label, place);
+    let left = cost(box_at(77.5, 97.0));
+    assert!(cost(box_at(105.0, 97.0)) < left, "though it is 2.5 mm further away");
+    assert!(cost(box_at(106.0, 97.0)) > left, "3.5 mm are too many");
+    let above = cost(box_at(90.0, 91.5));
+    assert!(cost(box_at(106.0, 97.0)) < above, "3.5 mm further away than above");
+    assert!(cost(box_at(107.0, 97.0)) > above);
+    assert!(cost(box_at(105.0, 96.0)) > cost(box_at(105.0, 97.0)), "level with the point");
+    assert!(cost(box_at(92.0, 91.5)) > above, "in the middle above the point");
+}
+
+#[test]
+fn below_a_bar_is_better_than_beside_it() {
+    let bar = room(&[(97.5, 50.0), (102.5, 50.0), (102.5, 100.0), (97.5, 100.0)], true);
+    let label = at(100.0, 100.0);
+    let cost = |place: MmRect| cost_in(&bar, &label, place);
+    assert!(cost(box_at(90.0, 111.5)) < cost(box_at(106.0, 97.0)), "11.5 mm below and 6 mm beside");
+    assert!(cost(box_at(90.0, 108.0)) < cost(box_at(96.0, 106.0)), "in the middle, though 2 mm further below");
+    let nothing = room(&[], false);
+    let beside_point = cost_in(&nothing, &label, box_at(106.0, 97.0));
+    assert!(beside_point < cost_in(&nothing, &label, box_at(90.0, 111.5)), "without a bar it is the other way round");
+}
+
+#[test]
+fn a_label_far_from_its_point_has_a_leader_line() {
+    let (room, params) = (room(&[], false), params());
+    let label = [at(100.0, 100.0)];
+    let placed = |x: f32| placed(&label, box_at(x, 97.0), &room, &params);
+    let (near, far) = (placed(111.9).expect("near"), placed(112.1).expect("far"));
+    assert_eq!(near.leader, None);
+    assert_eq!(far.leader.map(|[from, to]| (from.x.round(), to)), Some((109.0, POINT)), "3 mm of blank before it");
+    assert!((far.cost - near.cost - 10.2).abs() < 0.01, "a leader line costs 10 mm");
+    assert_eq!(placed(137.6), None, "beyond the longest leader line");
+    assert_eq!(placed(101.9), None, "on the point");
+}
+
+#[test]
+fn a_label_nearer_to_another_anchor_has_a_leader_line_of_some_length() {
+    let (room, params) = (room(&[], false), params());
+    let both = [at(100.0, 100.0), at(100.0, 112.0)];
+    let leader = |wanted: &[Wanted], place: MmRect| placed(wanted, place, &room, &params).map(|found| found.leader);
+    let place = box_at(106.0, 108.0);
+    assert_eq!(leader(&both[..1], place), Some(None), "10 mm from its own");
+    let [from, to] = leader(&both, place).flatten().expect("6 mm from the other");
+    assert!(to == POINT && (distance_to_box(from, place) - 3.0).abs() < 0.01);
+    // 5 mm are too short for a leader line, and from the corners it would run along the label
+    assert_eq!(leader(&both, box_at(103.0, 104.0)), None);
+    assert_eq!(leader(&both[..1], box_at(103.0, 104.0)), Some(None));
+}
+
+#[test]
+fn leader_lines_keep_away_from_what_others_name() {
+    let (room, params) = (room(&[], false), params());
+    let start = |y: f32| {
+        let found = placed(&[at(100.0, 100.0), at(110.0, y)], box_at(120.0, 97.0), &room, &params)?;
+        found.leader.map(|[from, _]| from.y)
+    };
+    assert_eq!(start(104.5), Some(100.0), "4.5 mm beside the straight line from the nearest point");
+    assert!(start(103.5).is_some_and(|y| y < 98.0), "from the upper corner");
+}
+
+#[test]
+fn a_leader_line_crosses_others_only_where_it_may() {
+    let wall = room(&[(105.0, 20.0), (105.0, 180.0)], false);
+    let label = [at(100.0, 100.0)];
+    let found = |label: &[Wanted], may_cross: bool| {
+        placed(label, box_at(110.0, 97.0), &wall, &Params { may_cross, ..params() })
+    };
+    assert_eq!(found(&label, false), None);
+    let across = found(&label, true).expect("it may");
+    assert!(across.crosses && across.cost > 2000.0 && across.leader.is_some_and(|[_, to]| to == POINT));
+    let drawn = Wanted { led_from: Some(MmPoint::new(112.0, 100.0)), ..at(100.0, 100.0) };
+    let drawn = found(&[drawn], true).expect("as the drawing leads to it");
+    assert!(drawn.crosses && (300.0..1000.0).contains(&drawn.cost), "less than an abbreviation: {}", drawn.cost);
+    // along a line it would be felt as a part of that
+    let cost = |room: &Room| {
+        let join = Join::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
+        let (params, place) = (params(), box_at(91.0, 120.0));
+        cost(0.0, &label[0], place, join, &Surroundings::of(0, &label, 20.0, room, &params))
+    };
+    let beside = room(&[(101.0, 106.0), (101.0, 180.0)], false);
+    let along = cost(&beside) - cost(&room(&[], false));
+    assert!((200.0..250.0).contains(&along), "20 for each of 11 mm: {along}");
+}
+
+#[test]
+fn labels_of_texts_stand_above_or_below_rather_than_beside() {
+    let text = named(MmRect::new(MmPoint::new(95.0, 98.0), MmPoint::new(105.0, 102.0)));
+    let nothing = room(&[], false);
+    let cost = |room: &Room, middle: [f32; 2]| cost_in(room, &text, box_at(middle[0] - 10.0, middle[1] - 3.0));
+    assert!(cost(&nothing, [100.0, 108.0]) < cost(&nothing, [103.0, 100.0]), "8 mm below or 3 mm beside");
+    // a line comes up to it on the left: rather away from it in its row
+    let line = room(&[(20.0, 100.0), (93.0, 100.0)], false);
+    assert!(cost(&line, [107.0, 100.0]) < cost(&line, [100.0, 104.0]), "7 mm on or 4 mm below");
+    assert!(cost(&line, [108.0, 100.0]) > cost(&line, [100.0, 104.0]));
+}
+
+fn at_leader(place: MmRect, leader: [(f32, f32); 2]) -> Candidate {
+    Candidate::of_row(0, place, Some(leader.map(MmPoint::from)), 0.0, Stands::Alone)
+}
+
+#[test]
+fn leader_lines_that_are_too_near_conflict() {
+    let one = at_leader(box_at(0.0, 0.0), [(23.0, 3.0), (80.0, 3.0)]);
+    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), TIGHTEST, 0.0);
+    assert!(conflicts(5.9) && !conflicts(6.1), "3 mm of blank");
+    // and what lies in the way of a leader line
+    let label = |y: f32| Candidate { leader: None, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
+    assert!(one.conflicts(&label(6.4), TIGHTEST, 0.0) && !one.conflicts(&label(6.6), TIGHTEST, 0.0), "3.5 mm");
+    assert!(one.conflicts(&label(6.6), TIGHTEST, 0.5), "its dots lie off by half a millimetre");
+    let fixed = |of: Candidate| Candidate { stands: Stands::InRow, ..of };
+    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), TIGHTEST, 0.0), "rows keep their own blank");
+}
+
+#[test]
+fn the_best_places_are_kept_some_distance_apart() {
+    let places = |count: usize, step: f32| -> Vec<Candidate> {
+        let at = |k: usize| Candidate::of_row(k, box_at(k as f32 * step, 0.0), None, k as f32, Stands::Alone);
+        apart((0..count).rev().map(at).collect())
+    };
+    let near: Vec<usize> = places(20, 1.0).iter().map(|place| place.form).collect();
+    assert_eq!(near, [0, 4, 8, 12, 16], "4 mm apart, the cheapest first");
+    let many = places(100, 5.0);
+    assert_eq!((many.len(), many[0].form, many[47].form), (48, 0, 47));
+}

@@ -1,0 +1,100 @@
+//! What lies around what a label names, by which its places are judged.
+
+use super::placed::{Params, Wanted};
+use super::room::Room;
+use crate::geom::nearest_on_segment;
+use crate::geom::outline::distance_to_box;
+use crate::units::{MmPoint, MmRect};
+
+/// From this distance on a label has a leader line, mm. BANA is quoted with lead lines for labels that do not lie
+/// beside what they name; chosen by us, because two cells on a line are a fingertip's width apart.
+pub const NEAR: f32 = 12.0;
+/// A leader line may come near to lines where it ends, over this length, mm.
+pub(super) const AT_END: f32 = 4.0;
+/// Blank between a leader line and what another label names, mm: nearer it would lead there.
+const TO_OTHERS: f32 = 4.0;
+/// A text that stands so near to a line is led to that, mm: a leader line that ends in the blank where print stood
+/// names nothing. Further away it names the area that it stands in.
+const BESIDE_LINE: f32 = 6.0;
+/// How far from a text a line ends that leads to what the text names, mm: print stands up to 4 mm beside it.
+const BESIDE_TEXT: f32 = 5.0;
+/// A ring that reaches no further than this around a point is what the point names, mm: then a label beside it needs
+/// no leader line either.
+const LARGEST_RING: f32 = 9.0;
+/// How far the ink of such a ring reaches beyond its inner edge, mm: the widest line.
+const AROUND_RING: f32 = 2.0;
+/// A point is at the lower side of a shape up to this far below its line, mm: a point in a picture is seldom given
+/// more exactly.
+const BELOW: f32 = 6.0;
+
+/// What lies around what a label names.
+pub(super) struct Surroundings<'a> {
+    pub(super) room: &'a Room,
+    pub(super) params: &'a Params,
+    /// A leader line may come near to lines so far before its end, mm: there is what it leads to.
+    pub(super) end: f32,
+    /// Whether the point lies at the lower side of a shape, such as a bar of a chart.
+    pub(super) is_at_lower_side: bool,
+    /// The side on which a line comes up to the text that the label stands for: -1 on the left, 1 on the right.
+    pub(super) line_on: Option<f32>,
+    /// What the label names.
+    pub(super) anchor: MmPoint,
+    /// Where its leader line ends: there, or of a text that stands in the blank beside a line, on that.
+    pub(super) tip: MmPoint,
+    /// What labels beside it name.
+    others: Vec<MmPoint>,
+}
+
+impl<'a> Surroundings<'a> {
+    /// Of one of the labels; `longest` is the length of its longest form, mm.
+    pub(super) fn of(number: usize, wanted: &[Wanted], longest: f32, room: &'a Room, params: &'a Params) -> Self {
+        let label = &wanted[number];
+        let (at, is_point) = (label.anchor.center(), label.anchor.is_empty());
+        // a label without a leader line, and what lies no further from it than what it names
+        let reach = 2.0 * NEAR + longest;
+        let others = wanted.iter().enumerate().filter(|(other, _)| *other != number);
+        let near = |other: &MmPoint| (*other - at).length() < reach;
+        let mut others: Vec<MmPoint> = others.map(|(_, other)| other.anchor.center()).filter(near).collect();
+        // of labels of one place one is enough
+        others.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        others.dedup();
+        // a small ring around a point, such as a town on a map, is what it names
+        let ring = if is_point { room.shut_in(at, LARGEST_RING) } else { None };
+        Self {
+            room,
+            params,
+            end: ring.map_or(AT_END, |reach| AT_END.max(reach + AROUND_RING)),
+            is_at_lower_side: is_point && room.is_at_lower_side(at, BELOW, NEAR),
+            line_on: if is_point { None } else { room.comes_up_to(label.anchor, BESIDE_TEXT) },
+            anchor: at,
+            tip: if is_point { at } else { room.nearest_ink(label.anchor, BESIDE_LINE).unwrap_or(at) },
+            others,
+        }
+    }
+
+    /// Whether a label and its leader line keep clear of what other labels name.
+    pub(super) fn leads_to_own(&self, place: MmRect, [from, to]: [MmPoint; 2]) -> bool {
+        let to_leader = |other: MmPoint| nearest_on_segment(other, from, to).0;
+        let is_clear = |&other: &MmPoint| {
+            distance_to_box(other, place) >= TO_OTHERS
+                && (to_leader(other) >= TO_OTHERS || (other - to).length() < TO_OTHERS)
+        };
+        self.others.iter().all(is_clear)
+    }
+
+    /// How far the marks of a leader line lie off its straight segment, mm.
+    pub(super) fn leader_off(&self) -> f32 {
+        self.params.leader_off
+    }
+
+    /// Whether a label in a place is nearer to what it names than to what any other label names, so that no finger
+    /// takes it for that one's. Of those that it lies over, its own must be nearest to its middle.
+    pub(super) fn is_own(&self, place: MmRect) -> bool {
+        let far = |at: MmPoint| (distance_to_box(at, place), (at - place.center()).length());
+        let (own, from_middle) = far(self.anchor);
+        self.others.iter().all(|&other| {
+            let (gap, middle) = far(other);
+            gap > own || gap >= own && middle >= from_middle
+        })
+    }
+}

@@ -1,0 +1,274 @@
+//! What is asked of a row of shapes before it is taken for a line of text.
+//!
+//! The numbers were chosen together, on generated charts, maps, signs and worksheets (`tools --bin text` prints how much
+//! text is found with them, and how much of the drawing is lost) and on 44 photographs. What tells text from rows of
+//! anything else best is that hardly anything else lies around it (clutter), that its colour is even and its contrast
+//! high; then that its shapes are unlike one another. In a photograph things form rows at random, so more is asked
+//! there, and most of few letters.
+
+use super::glyph::Glyph;
+
+/// A length that grows with the height of letters: so many heights, and so many pixels more, as at small sizes a
+/// position is uncertain by about one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Length {
+    heights: f32,
+    px: f32,
+}
+
+impl Length {
+    pub(super) const fn new(heights: f32, px: f32) -> Self {
+        Self { heights, px }
+    }
+
+    /// In px, of letters of this height.
+    pub(super) fn of(self, height: f32) -> f32 {
+        self.heights * height + self.px
+    }
+}
+
+/// How much is asked of a chain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Strictness {
+    /// In a drawing: what is flat around it can hardly be anything else.
+    Drawing,
+    /// In a photograph: at random, things form rows as well.
+    Photograph,
+    /// Beside text of the same style.
+    Context,
+}
+
+/// What a row has at least and at most.
+#[derive(Debug, Clone, Copy)]
+struct Limits {
+    /// Greatest standard deviation of the colour within a letter, as a share of the contrast: print is of one ink.
+    unevenness: f32,
+    /// Greatest standard deviation of the colour from letter to letter, as a share of the contrast.
+    spread: f32,
+    /// Greatest standard deviation of the width of strokes from letter to letter, as a share of that width.
+    stroke_spread: f32,
+    /// Most thin things around it, as a share of its own pixels.
+    clutter: f32,
+    /// Least mean contrast of its letters with their ground, in units of strength.
+    contrast: f32,
+    /// Least share of letters that stand on the line, or reach to its top.
+    aligned: f32,
+    /// Least share of letters that are neither bars nor dots.
+    complex: f32,
+    /// Greatest height of letters, px.
+    height: f32,
+}
+
+/// Three letters or more of a drawing. Gridlines, leader lines and outlines run close by text in charts, so half as many
+/// pixels as its own may lie around it.
+const DRAWING: Limits = Limits {
+    unevenness: 0.1,
+    spread: 0.25,
+    stroke_spread: 0.45,
+    clutter: 0.5,
+    contrast: 0.0,
+    aligned: 0.6,
+    complex: 0.4,
+    height: f32::INFINITY,
+};
+
+/// Two letters of a drawing, such as the numbers at an axis: clear of other things, as two marks side by side are common
+/// in drawings.
+const PAIR_IN_DRAWING: Limits = Limits { clutter: 0.15, aligned: 0.0, complex: 0.5, height: 45.0, ..DRAWING };
+
+/// Four letters or more of a photograph, where nothing else is around them: see [`CLUTTER_IN_PHOTOGRAPH`].
+const PHOTOGRAPH: Limits = Limits {
+    unevenness: 0.08,
+    spread: 0.14,
+    stroke_spread: 0.25,
+    clutter: 0.0,
+    contrast: 25.0,
+    aligned: 0.7,
+    complex: 0.5,
+    height: 48.0,
+};
+
+/// Three letters of a photograph: three windows, posts or bricks in a row are common, so more is asked of them than of
+/// longer rows.
+const THREE_IN_PHOTOGRAPH: Limits = Limits {
+    unevenness: 0.06,
+    spread: 0.06,
+    stroke_spread: 0.3,
+    clutter: 0.1,
+    contrast: 45.0,
+    aligned: 0.9,
+    complex: 0.6,
+    ..PHOTOGRAPH
+};
+
+/// Most clutter of a line of a photograph by how many letters it has (up to four, five, more): of letters of a usual
+/// size that lie about level or upright, and of others.
+const CLUTTER_IN_PHOTOGRAPH: [[f32; 2]; 3] = [[0.15, 0.05], [0.3, 0.15], [0.4, 0.3]];
+/// Letters lie about level or upright if their line is off by no more, degrees.
+const USUAL_ANGLE: f32 = 20.0;
+/// Usual heights of letters, px.
+const USUAL_HEIGHTS: std::ops::RangeInclusive<f32> = 6.0..=36.0;
+
+/// Two letters or more beside text of the same style, which says much already.
+const CONTEXT: Limits = Limits { clutter: 1.0, aligned: 0.0, complex: 0.5, ..DRAWING };
+
+/// A single letter or digit in a row with text of the same style. It is no bar and no dot.
+const ONE_IN_CONTEXT: Limits = Limits { unevenness: 0.08, clutter: 0.1, complex: 1.0, ..CONTEXT };
+/// Greatest width of a single letter, in its height: wider ones are other things.
+const WIDEST_LETTER: f32 = 0.85;
+
+/// A row of letters, measured: what [`Limits`] is about, in the same units.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Row {
+    /// How many letters it has.
+    pub(super) letters: usize,
+    /// Whether they are two that stand as those of a number do.
+    pub(super) is_pair: bool,
+    /// Degrees counter-clockwise from left to right.
+    pub(super) angle: f32,
+    /// Width of the first of its letters, px.
+    pub(super) width: f32,
+    pub(super) unevenness: f32,
+    pub(super) spread: f32,
+    pub(super) stroke_spread: f32,
+    pub(super) clutter: f32,
+    pub(super) contrast: f32,
+    pub(super) aligned: f32,
+    pub(super) complex: f32,
+    pub(super) height: f32,
+}
+
+impl Limits {
+    /// What is asked of such a row; none if it is too short for a line of text whatever it looks like.
+    fn of(strict: Strictness, row: &Row) -> Option<Self> {
+        let is_long = row.letters > 2 || row.is_pair;
+        match (strict, row.letters) {
+            (Strictness::Drawing, 2) if row.is_pair => Some(PAIR_IN_DRAWING),
+            (Strictness::Drawing, 3..) => Some(DRAWING),
+            (Strictness::Photograph, 3) => Some(THREE_IN_PHOTOGRAPH),
+            (Strictness::Photograph, 4..) => Some(Self { clutter: clutter_in_photograph(row), ..PHOTOGRAPH }),
+            (Strictness::Context, 1) if row.width <= WIDEST_LETTER * row.height => Some(ONE_IN_CONTEXT),
+            (Strictness::Context, 2..) if is_long => Some(CONTEXT),
+            _ => None,
+        }
+    }
+
+    /// Whether a row is within them.
+    fn hold(&self, row: &Row) -> bool {
+        row.unevenness <= self.unevenness
+            && row.spread <= self.spread
+            && row.stroke_spread <= self.stroke_spread
+            && row.clutter <= self.clutter
+            && row.contrast >= self.contrast
+            && row.aligned >= self.aligned
+            && row.complex >= self.complex
+            && row.height <= self.height
+    }
+}
+
+/// Few letters, small ones and large ones, and those that lie aslant have to stand clearer of what is around them.
+fn clutter_in_photograph(row: &Row) -> f32 {
+    let off = row.angle.abs().min((row.angle.abs() - 90.0).abs());
+    let is_usual = off <= USUAL_ANGLE && USUAL_HEIGHTS.contains(&row.height);
+    CLUTTER_IN_PHOTOGRAPH[row.letters.clamp(4, 6) - 4][usize::from(!is_usual)]
+}
+
+impl Strictness {
+    /// Whether a row is within what is asked of it, if its letters are unlike one another.
+    pub(super) fn allows(self, row: &Row) -> bool {
+        Limits::of(self, row).is_some_and(|limits| limits.hold(row))
+    }
+
+    /// How many letters a line has at least.
+    pub(super) fn least_letters(self) -> usize {
+        match self {
+            Self::Drawing => 2,
+            Self::Photograph => 3,
+            Self::Context => 1,
+        }
+    }
+
+    /// Whether any of some letters together can be even and clear enough for a line: of a photograph, those that are
+    /// most so.
+    pub(super) fn may_have_text(self, glyphs: &[Glyph], which: &[usize]) -> bool {
+        let least = self.least_letters();
+        let best_mean = |of: &dyn Fn(&Glyph) -> f32| {
+            let mut values: Vec<f32> = which.iter().map(|&i| of(&glyphs[i])).collect();
+            values.sort_unstable_by(f32::total_cmp);
+            values.iter().take(least).sum::<f32>() / least.min(values.len()).max(1) as f32
+        };
+        self != Self::Photograph
+            || best_mean(&|glyph| glyph.unevenness) <= PHOTOGRAPH.unevenness
+                && -best_mean(&|glyph| -glyph.contrast) >= PHOTOGRAPH.contrast
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A word as clear as print is.
+    const WORD: Row = Row {
+        letters: 8,
+        is_pair: false,
+        angle: 0.0,
+        width: 7.0,
+        unevenness: 0.01,
+        spread: 0.01,
+        stroke_spread: 0.1,
+        clutter: 0.0,
+        contrast: 90.0,
+        aligned: 1.0,
+        complex: 1.0,
+        height: 12.0,
+    };
+
+    #[test]
+    fn clear_rows_are_text_if_they_are_long_enough() {
+        for strict in [Strictness::Drawing, Strictness::Photograph, Strictness::Context] {
+            let is_text = |letters: usize| strict.allows(&Row { letters, is_pair: letters == 2, ..WORD });
+            let least = (0..9).find(|&letters| is_text(letters)).filter(|&least| (least..9).all(is_text));
+            assert_eq!(least, Some(strict.least_letters()), "{strict:?}");
+        }
+        let two = Row { letters: 2, ..WORD };
+        assert!(!Strictness::Drawing.allows(&two) && !Strictness::Context.allows(&two), "no number");
+        assert!(!Strictness::Context.allows(&Row { letters: 1, width: 11.0, ..WORD }));
+    }
+
+    #[test]
+    fn each_limit_is_held() {
+        let worse: [fn(&mut Row); 7] = [
+            |row| row.unevenness = 0.11,
+            |row| row.spread = 0.26,
+            |row| row.stroke_spread = 0.46,
+            |row| row.clutter = 0.51,
+            |row| row.contrast = 24.0,
+            |row| row.aligned = 0.59,
+            |row| row.complex = 0.39,
+        ];
+        for (number, worsen) in worse.into_iter().enumerate() {
+            let mut row = WORD;
+            worsen(&mut row);
+            assert!(!Strictness::Photograph.allows(&row), "{number}");
+            // a drawing may be faint
+            assert_eq!(Strictness::Drawing.allows(&row), number == 4, "{number}");
+        }
+        let large = Row { height: 49.0, ..WORD };
+        assert!(!Strictness::Photograph.allows(&large) && Strictness::Drawing.allows(&large));
+    }
+
+    #[test]
+    fn short_small_and_slanted_rows_of_photographs_stand_clearer() {
+        let most = |row: Row| {
+            let is_text =
+                |percent: &u32| Strictness::Photograph.allows(&Row { clutter: *percent as f32 / 100.0, ..row });
+            (0..=100).rev().find(is_text)
+        };
+        let of = |letters: usize| [0.0, 30.0, 85.0].map(|angle| most(Row { letters, angle, ..WORD }));
+        assert_eq!(of(3), [Some(10); 3]);
+        assert_eq!(of(4), [Some(15), Some(5), Some(15)]);
+        assert_eq!(of(5), [Some(30), Some(15), Some(30)]);
+        assert_eq!(of(9), [Some(40), Some(30), Some(40)]);
+        assert_eq!(most(Row { height: 5.0, ..WORD }), Some(30), "small ones");
+    }
+}

@@ -1,0 +1,70 @@
+//! What waits in a heap, ordered by its rank alone.
+
+use std::cmp::Ordering;
+
+/// An item and its rank: of two the one of the higher rank is the greater, whatever they are.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ranked<K, T> {
+    pub(crate) rank: K,
+    pub(crate) item: T,
+}
+
+impl<K: Ord, T> Ord for Ranked<K, T> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.rank.cmp(&other.rank)
+    }
+}
+
+impl<K: Ord, T> PartialOrd for Ranked<K, T> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<K: Ord, T> PartialEq for Ranked<K, T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl<K: Ord, T> Eq for Ranked<K, T> {}
+
+/// A number as a part of a rank, in the order of [`f64::total_cmp`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Total(pub(crate) f64);
+
+impl Ord for Total {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+impl PartialOrd for Total {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Total {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Total {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cmp::Reverse;
+    use std::collections::BinaryHeap;
+
+    #[test]
+    fn the_highest_rank_comes_first_and_of_equal_ones_the_earlier() {
+        let numbered = [2.0, -1.0, 2.0, f64::INFINITY, -0.0].into_iter().enumerate();
+        let mut heap: BinaryHeap<Ranked<(Total, Reverse<usize>), f64>> =
+            numbered.map(|(number, item)| Ranked { rank: (Total(item), Reverse(number)), item }).collect();
+        let order: Vec<usize> = std::iter::from_fn(|| heap.pop()).map(|next| next.rank.1.0).collect();
+        assert_eq!(order, [3, 0, 2, 4, 1]);
+    }
+}
