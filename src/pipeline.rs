@@ -29,6 +29,7 @@ mod read;
 mod redraw;
 mod request;
 pub mod sheets;
+mod small_areas;
 mod subject;
 mod text_reader;
 mod texts;

@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_4;
 
 use crate::geom::ninths::ninth;
-use crate::geom::outline;
+use crate::geom::{nearest_on_segment, outline};
 use crate::lines::{Arrow, arrows};
 use crate::page::Line;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -26,6 +26,8 @@ const CLOSED: f32 = 0.05;
 /// point to these.
 type OpenBox = (&'static str, [MmPoint; 2], f32, fn(MmPoint, MmRect) -> f32);
 
+/// An end of a line lies on another one that is so near to it, mm, beside what both may be off straight.
+const ENDS_ON: f32 = 0.5;
 /// How far an open rectangle may lie off its straight sides, mm.
 const SLACK: f32 = 1.0;
 /// Least side of one, mm: as narrow a bend is a hook.
@@ -40,6 +42,8 @@ struct Shape {
     extent: MmRect,
     /// How far it may lie off a straight side, mm.
     slack: f32,
+    /// Whether its two ends lie on another line, as those of a bar on its axis.
+    stands: bool,
     /// Which way each of its arrowheads points.
     ways: Vec<&'static str>,
 }
@@ -61,7 +65,7 @@ impl Shape {
         let extent = path
             .iter()
             .fold(MmRect::new(first, first), |extent, &at| MmRect::new(extent.min.min(at), extent.max.max(at)));
-        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * gap), ways: Vec::new() })
+        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * gap), stands: false, ways: Vec::new() })
     }
 
     fn area(&self) -> f32 {
@@ -127,8 +131,8 @@ impl Shape {
             _ => return wording.say("arrow-both", &[place, mm("length", self.length)]),
         }
         if let Some(side) = self.open_side() {
-            return wording
-                .say("shape-open", &[place, mm("width", width), mm("height", height), ("side", side.into())]);
+            let message = if self.stands { "shape-stands" } else { "shape-open" };
+            return wording.say(message, &[place, mm("width", width), mm("height", height), ("side", side.into())]);
         }
         let chord: MmVector = self.path[self.path.len() - 1] - self.path[0];
         let straight = chord.length() >= STRAIGHTNESS * self.length;
@@ -177,6 +181,22 @@ fn written(at: MmPoint) -> MmPoint {
     MmPoint::new((100.0 * at.x).round() / 100.0, (100.0 * at.y).round() / 100.0)
 }
 
+/// Whether both ends of an open rectangle lie on one other line.
+fn stands(number: usize, shapes: &[Shape]) -> bool {
+    let shape = &shapes[number];
+    if shape.open_side().is_none() {
+        return false;
+    }
+    let ends = [shape.path[0], shape.path[shape.path.len() - 1]];
+    // rows of dots end a step before one another
+    let reach = shape.slack + ENDS_ON;
+    let lies_on = |at: MmPoint, other: &Shape| {
+        other.path.windows(2).any(|pair| nearest_on_segment(at, pair[0], pair[1]).0 <= reach)
+    };
+    let mut others = shapes.iter().enumerate().filter(|(other, _)| *other != number);
+    others.any(|(_, other)| ends.iter().all(|end| lies_on(*end, other)))
+}
+
 /// Sentences on the longest lines, the longest first.
 pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wording) -> Vec<String> {
     let arrows = arrows(lines);
@@ -188,6 +208,8 @@ pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wordin
     let others = lines.iter().enumerate().filter(|(number, _)| !is_head(*number));
     let mut shapes: Vec<Shape> = others.filter_map(of_line).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
+    let stands: Vec<bool> = (0..shapes.len()).map(|number| stands(number, &shapes)).collect();
+    shapes.iter_mut().zip(stands).for_each(|(shape, stands)| shape.stands = stands);
     let text = |(number, shape): (usize, &Shape)| {
         let others = shapes.iter().enumerate().filter(|(other, _)| *other != number && shape.closed);
         let holds = others.filter(|(_, other)| other.closed && shape.holds(other)).count();
@@ -254,6 +276,9 @@ mod tests {
         let at = MmPoint::new;
         let bar = line(vec![at(20.0, 140.0), at(20.0, 100.0), at(40.0, 100.4), at(40.0, 140.0)]);
         let told_of = |line: Line| told(&[line], figure, 9, Wording::english()).concat();
+        let axis = line(vec![at(10.0, 140.0), at(140.0, 140.0)]);
+        let with_axis = told(&[bar.clone(), axis], figure, 9, Wording::english()).concat();
+        assert!(with_axis.contains("in the lower left that a line closes at the bottom, 20 mm wide"), "{with_axis}");
         assert_eq!(told_of(bar), "A rectangle in the lower left, open at the bottom, 20 mm wide and 40 mm high.");
         let zigzag = line(vec![at(20.0, 140.0), at(20.0, 100.0), at(30.0, 120.0), at(40.0, 100.0), at(40.0, 140.0)]);
         assert!(told_of(zigzag).starts_with("A bent line"));

@@ -83,7 +83,7 @@ impl Checked {
     }
 
     /// The same as SARIF 2.1.0 (OASIS), for programs that collect what checkers find. `file` is the page's name. Places
-    /// in mm are properties, as SARIF has none for drawings.
+    /// are names and, in mm, properties, as SARIF has none for drawings.
     pub fn to_sarif(&self, file: &str) -> String {
         let rule = |rule: &Rule| {
             let (number, unit) = self.number(rule);
@@ -100,7 +100,11 @@ impl Checked {
                 "ruleId": finding.rule.id,
                 "level": finding.severity().name(),
                 "message": { "text": format!("{}: {}; {}", finding.place, finding.what, finding.remedy()) },
-                "locations": [{ "physicalLocation": { "artifactLocation": { "uri": file } } }],
+                "locations": [{
+                    // viewers show nothing without a region; a drawing has no lines of text
+                    "physicalLocation": { "artifactLocation": { "uri": file }, "region": { "startLine": 1 } },
+                    "logicalLocations": [{ "name": place(finding), "kind": "object" }],
+                }],
                 "properties": {
                     "place": finding.place,
                     "at_mm": finding.at.map(point),
@@ -133,6 +137,12 @@ fn corners(extent: MmRect) -> [f64; 4] {
     [extent.min.x, extent.min.y, extent.max.x, extent.max.y].map(rounded)
 }
 
+/// Where something was found, in words and in mm.
+fn place(finding: &Finding) -> String {
+    let at = finding.at.map(|at| format!(", {:.0} mm from the left and {:.0} mm from the top", at.x, at.y));
+    format!("{}{}", finding.place, at.unwrap_or_default())
+}
+
 impl Finding {
     /// What to do about it.
     fn remedy(&self) -> String {
@@ -147,10 +157,7 @@ impl Finding {
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}: {}", self.severity().name(), self.rule.id, self.place)?;
-        if let Some(at) = self.at {
-            write!(f, ", {:.0} mm from the left and {:.0} mm from the top", at.x, at.y)?;
-        }
+        write!(f, "{} {}: {}", self.severity().name(), self.rule.id, place(self))?;
         write!(f, ": {}. What to do: {}.", self.what, self.remedy())
     }
 }

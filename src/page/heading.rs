@@ -117,6 +117,23 @@ impl Heading {
     pub(super) fn on(
         params: &HeadingParams,
         cells: &CellGrid<'_>,
+        size: [f32; 2],
+        margin: f32,
+        beside: f32,
+    ) -> Option<Self> {
+        let as_asked = Self::aligned(params, cells, size, margin, beside);
+        let has_title = |heading: &Self| heading.lines > 0;
+        if params.title == 0 || params.number == 0 || as_asked.as_ref().is_some_and(has_title) {
+            return as_asked;
+        }
+        // in the middle a title leaves as much blank on its left as the number takes: on the left it has more room
+        let left = HeadingParams { align: Align::Left, ..*params };
+        Self::aligned(&left, cells, size, margin, beside).filter(has_title).or(as_asked)
+    }
+
+    fn aligned(
+        params: &HeadingParams,
+        cells: &CellGrid<'_>,
         [width, height]: [f32; 2],
         margin: f32,
         beside: f32,

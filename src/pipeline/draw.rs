@@ -14,6 +14,7 @@ use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, Request};
+use super::small_areas;
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
@@ -142,6 +143,9 @@ pub(super) fn draw(
         let size = picture.raster.size();
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
+        if of_picture && erased.is_empty() {
+            notes.extend(small_areas::told(classes, &picture.raster, &edges, &layout, plan));
+        }
         let outlines = areas.as_ref().filter(|_| of_picture);
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
         blank(classes, &erased);

@@ -3,8 +3,8 @@
 use super::dots;
 use super::given::blank_cells;
 use super::progress::{Event, Stage, Watch, run};
+use super::small_areas::{BROAD, broadest};
 use crate::classes::{self, Class, Classes};
-use crate::geom::distance::distances;
 use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Texture};
@@ -74,30 +74,13 @@ pub(super) fn blank_ground(classes: &mut Classes, plan: &Plan) -> Option<Note> {
     Some(Note::NotOnPage(About::Areas, told))
 }
 
-/// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
-const BROAD: f32 = 1.5;
-
 /// What the maker is told of the areas of a drawing that have a colour and no sign of its texture, on paper.
 fn told_bare_areas(classes: &Classes, textures: &[Texture], layout: &Layout) -> Option<Note> {
     let (size, place) = (classes.size, layout.figure);
     let (width, height) = (size.width as usize, size.height as usize);
     let mm_per_cell = place.width() / size.width as f32;
     let region = |x: usize, y: usize| classes.region[y * width + x];
-    let is_border = |cell: usize| {
-        let (x, y) = (cell % width, cell / width);
-        let inside = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
-        let own = region(x, y);
-        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| region(x, y) != own)
-    };
-    let borders: Vec<bool> = (0..size.len()).map(is_border).collect();
-    let mut broadest = vec![(0.0_f32, 0_usize); classes.regions.len()];
-    for (cell, depth) in distances(&borders, size).into_iter().enumerate() {
-        if let Some(region) = classes.region[cell]
-            && (depth + 0.5) * mm_per_cell > broadest[region as usize].0
-        {
-            broadest[region as usize] = ((depth + 0.5) * mm_per_cell, cell);
-        }
-    }
+    let broadest = broadest(classes, mm_per_cell);
     let mut is_bare: Vec<bool> = broadest.iter().map(|(radius, _)| *radius >= BROAD).collect();
     for glyph in textures.iter().flat_map(|texture| &texture.glyphs) {
         let share = (glyph.at - place.min).component_div(place.size().to_vector());

@@ -61,6 +61,12 @@ arrow = Ein Pfeil { $place }, { $length } mm lang; seine Spitze zeigt { $way ->
    *[right] nach rechts
 }.
 arrow-both = Eine Linie { $place }, { $length } mm lang, mit einer Pfeilspitze an jedem Ende.
+shape-stands = Ein Rechteck { $place }, das eine Linie { $side ->
+    [above] oben
+    [left] links
+    [right] rechts
+   *[below] unten
+} schließt, { $width } mm breit und { $height } mm hoch.
 shape-open = Ein Rechteck { $place }, { $side ->
     [above] oben
     [left] links

@@ -67,6 +67,13 @@ arrow = An arrow { $place }, { $length } mm long, whose head points { $way ->
    *[right] to the right
 }.
 arrow-both = A line { $place }, { $length } mm long, with an arrowhead at each end.
+# a bar of a chart on its axis
+shape-stands = A rectangle { $place } that a line closes { $side ->
+    [above] at the top
+    [left] on the left
+    [right] on the right
+   *[below] at the bottom
+}, { $width } mm wide and { $height } mm high.
 shape-open = A rectangle { $place }, open { $side ->
     [above] at the top
     [left] on the left

@@ -61,6 +61,12 @@ arrow = Una flecha { $place }, de { $length } mm de largo, cuya punta señala { 
    *[right] a la derecha
 }.
 arrow-both = Una línea { $place }, de { $length } mm de largo, con una punta de flecha en cada extremo.
+shape-stands = Un rectángulo { $place } que una línea cierra { $side ->
+    [above] por arriba
+    [left] por la izquierda
+    [right] por la derecha
+   *[below] por abajo
+}, de { $width } mm de ancho y { $height } mm de alto.
 shape-open = Un rectángulo { $place }, abierto { $side ->
     [above] por arriba
     [left] por la izquierda

@@ -61,6 +61,12 @@ arrow = Une flèche { $place }, longue de { $length } mm, dont la pointe est dir
    *[right] vers la droite
 }.
 arrow-both = Une ligne { $place }, longue de { $length } mm, avec une pointe de flèche à chaque bout.
+shape-stands = Un rectangle { $place } fermé { $side ->
+    [above] en haut
+    [left] à gauche
+    [right] à droite
+   *[below] en bas
+} par une ligne, de { $width } mm de large et { $height } mm de haut.
 shape-open = Un rectangle { $place }, ouvert { $side ->
     [above] en haut
     [left] à gauche

@@ -56,6 +56,12 @@ arrow = Strzałka { $place }, długości { $length } mm; jej grot wskazuje { $wa
    *[right] w prawo
 }.
 arrow-both = Linia { $place }, długości { $length } mm, z grotem strzałki na każdym końcu.
+shape-stands = Prostokąt { $place }, zamknięty { $side ->
+    [above] u góry
+    [left] z lewej strony
+    [right] z prawej strony
+   *[below] u dołu
+} linią, szerokości { $width } mm i wysokości { $height } mm.
 shape-open = Prostokąt { $place }, otwarty { $side ->
     [above] u góry
     [left] z lewej strony

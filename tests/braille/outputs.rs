@@ -204,6 +204,22 @@ fn sheets_have_their_numbers() {
     assert!(check(page.to_svg(), None).expect("read").errors() == 0);
 }
 
+/// A title that has no room in the middle of a row beside the page number begins on the left.
+#[test]
+fn a_title_has_room_beside_the_page_number_of_a_display() {
+    let profile = Profile::named("dot-pad").expect("it is built in");
+    let options = Options::new(profile).title("Animal cell").page_number(12);
+    let drawing = convert(&samples::read("cell.svg"), &options).expect("a page");
+    let written = |role: TextRole| drawing.page.braille.iter().find(|text| text.role == role);
+    let title = written(TextRole::Title).unwrap_or_else(|| panic!("no title: {:?}", drawing.notes));
+    let number = written(TextRole::Number).expect("a number");
+    assert_eq!((title.lines.len(), number.text.as_str()), (1, "12"));
+    let side = |dots: &[MmPoint], of: fn(f32, f32) -> f32| dots.iter().map(|at| at.x).reduce(of).expect("dots");
+    let between = side(&number.dots.at, f32::min) - side(&title.dots.at, f32::max);
+    assert!(between > 3.0 * CellSize::MARBURG.cell, "{between} mm");
+    assert_eq!(check(drawing.page.to_svg(), None).expect("read").errors(), 0);
+}
+
 /// In PEF title and key stand in front of the pages of dots as text, as wide as these at most.
 #[test]
 fn a_pef_has_title_and_key_as_text() {

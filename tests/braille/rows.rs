@@ -2,6 +2,7 @@
 
 use super::labels::{labels_of, options, place};
 use std::fmt::Write as _;
+use tactograph::marks::Line;
 use tactograph::{Drawing, MmPoint, MmRect, Note, convert};
 
 const MONTHS: [&str; 14] = [
@@ -305,4 +306,63 @@ fn titles_of_axes_stand_at_their_ends() {
         assert!(upright.max.y < top.min.y && upright.min.x <= top.max.x, "{profile}: {upright:?} {top:?}");
         assert!(level.min.y > first.max.y, "{profile}: {level:?} {first:?}");
     }
+}
+
+/// Where the short ticks of an axis are drawn longer, its numbers stand at them and not in their place, the one at the
+/// corner of two axes too; the title of the axis, which is level in print, stands above all of them and names no bar.
+#[test]
+fn numbers_stand_at_ticks_that_are_drawn_longer_and_the_title_above_them() {
+    let mut svg = "<svg xmlns='http://www.w3.org/2000/svg' width='900' height='600' font-family='sans-serif' \
+        font-size='20'><rect width='900' height='600' fill='#fff'/>\
+        <path d='M120 80V500H860' fill='none' stroke='#000' stroke-width='3'/>\
+        <text x='120' y='62' text-anchor='middle'>Pupils</text>"
+        .to_owned();
+    for k in 0..5 {
+        let y = 500 - 84 * k;
+        write!(
+            svg,
+            "<path d='M108 {y}H120' stroke='#000' stroke-width='3'/><text x='100' y='{}' text-anchor='end'>{}</text>",
+            y + 7,
+            3 * k
+        )
+        .expect("a string takes it");
+    }
+    for (k, height) in (0..5).zip([336, 252, 112, 56, 196]) {
+        let (x, y) = (160 + 140 * k, 500 - height);
+        write!(svg, "<rect x='{x}' y='{y}' width='80' height='{height}' fill='#fff' stroke='#000' stroke-width='2'/>")
+            .expect("a string takes it");
+    }
+    let drawing = drawn(&(svg + "</svg>"), "swell-a4");
+    let figure = drawing.page.figure.place;
+    let labels = labels_of(&drawing);
+    let at = |text: &str| {
+        let found = labels.iter().find(|label| label.text == text);
+        place(found.unwrap_or_else(|| panic!("{text} is left out: {:?}", drawing.notes)))
+    };
+    for k in 0..5 {
+        let tick = figure.min.y + (500.0 - 84.0 * k as f32) / 600.0 * figure.height();
+        let number = at(&(3 * k).to_string());
+        assert!((number.center().y - tick).abs() < 3.0, "{}: {number:?}, its tick at {tick}", 3 * k);
+        let is_tick = |line: &&Line| {
+            let points = || line.runs.iter().flat_map(|run| &run.points);
+            points().all(|at| (at.y - tick).abs() < 0.5) && line.length() < 20.0
+        };
+        let ticks = drawing.page.figure.lines.iter().filter(is_tick).count();
+        assert!(k == 0 || ticks == 1, "{} has its tick", 3 * k);
+    }
+    let (title, highest) = (at("Pupils"), at("12"));
+    assert!(title.max.y < highest.min.y && title.min.x < across(figure, 160.0 / 900.0), "{title:?}");
+}
+
+/// Of words in a column only those without room are abbreviated: the names of a cell's parts, which stand one below
+/// another, are all there in full.
+#[test]
+fn words_of_a_column_are_written_in_full_where_each_has_room() {
+    let svg = std::fs::read("samples/cell.svg").expect("a sample");
+    let drawing = convert(&svg, &options("swell-a4").label_texts(true)).expect("a page");
+    let labels = labels_of(&drawing);
+    let mut words: Vec<&str> =
+        labels.iter().filter(|label| label.abbreviation.is_none()).map(|label| label.text.as_str()).collect();
+    words.sort_unstable();
+    assert_eq!(words, ["membrane", "mitochondrion", "nucleus", "vacuole"], "{:?}", drawing.notes);
 }

@@ -1,0 +1,128 @@
+//! Coloured areas of a drawing that are too small for a texture: what they mean is not on the page, and not in the key.
+
+use crate::classes::{self, Classes};
+use crate::edges::Edges;
+use crate::geom::distance::distances;
+use crate::page::Medium;
+use crate::page::layout::Layout;
+use crate::profile::Plan;
+use crate::raster::Raster;
+use crate::units::{MmVector, PageTransform};
+use crate::{About, Note};
+
+/// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
+pub(super) const BROAD: f32 = 1.5;
+/// The smallest area that is told, as a share of the smallest with a texture: what is smaller is a mark.
+const LEAST: f32 = 0.2;
+/// So much of it at least has no texture, or another one, as it was too small.
+const MOSTLY: f32 = 0.5;
+
+/// Of each region the radius of the largest circle in it, mm, and the cell in its middle.
+pub(super) fn broadest(classes: &Classes, mm_per_cell: f32) -> Vec<(f32, usize)> {
+    let size = classes.size;
+    let (width, height) = (size.width as usize, size.height as usize);
+    let region = |x: usize, y: usize| classes.region[y * width + x];
+    let is_border = |cell: usize| {
+        let (x, y) = (cell % width, cell / width);
+        let inside = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
+        let own = region(x, y);
+        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| region(x, y) != own)
+    };
+    let borders: Vec<bool> = (0..size.len()).map(is_border).collect();
+    let mut broadest = vec![(0.0_f32, 0_usize); classes.regions.len()];
+    for (cell, depth) in distances(&borders, size).into_iter().enumerate() {
+        if let Some(region) = classes.region[cell]
+            && (depth + 0.5) * mm_per_cell > broadest[region as usize].0
+        {
+            broadest[region as usize] = ((depth + 0.5) * mm_per_cell, cell);
+        }
+    }
+    broadest
+}
+
+/// What the maker is told of the areas of a drawing that are too small for a texture, on paper. `classes` are the sorted
+/// colours of its picture.
+pub(super) fn told(classes: &Classes, raster: &Raster, edges: &Edges, layout: &Layout, plan: &Plan) -> Option<Note> {
+    if !edges.of_drawing() || !matches!(layout.medium, Medium::Print(_)) {
+        return None;
+    }
+    let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
+    let params = plan.classes(px_per_mm);
+    let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
+    let fine = classes::sort(raster, &contours, &classes::Params { min_area: LEAST * params.min_area, ..params });
+    let least = plan.profile().colours.min_area;
+    let lost = lost(classes, &fine, layout.figure.width() / fine.size.width as f32, least);
+    let (first, cell) = *lost.first()?;
+    let mut colours: Vec<&str> = lost.iter().map(|(region, _)| fine.regions[*region].class.name()).collect();
+    colours.sort_unstable();
+    colours.dedup();
+    let width = fine.size.width as usize;
+    let mm_per_cell = layout.figure.width() / fine.size.width as f32;
+    let at = layout.figure.min + MmVector::new((cell % width) as f32, (cell / width) as f32) * mm_per_cell;
+    let at = format!("at {:.0}, {:.0} mm", at.x, at.y);
+    let (areas, they_are) = match lost.len() {
+        1 => (format!("the texture of 1 area ({}, {at})", fine.regions[first].class.name()), "it is"),
+        count => (format!("the textures of {count} areas ({}; the first {at})", colours.join(", ")), "they are"),
+    };
+    let why = format!("{they_are} smaller than {least} square mm (colours.min_area), in which fingers tell a texture");
+    let told = format!("{areas}, as {why}; say in labels what matters of the colours, or make the figure larger");
+    Some(Note::NotOnPage(About::Areas, told))
+}
+
+/// The regions of `fine` that are smaller than `least`, square mm, no strokes, and not in `classes`; each with the cell
+/// in its middle.
+fn lost(classes: &Classes, fine: &Classes, mm_per_cell: f32, least: f32) -> Vec<(usize, usize)> {
+    let class_of =
+        |classes: &Classes, cell: usize| classes.region[cell].map(|number| classes.regions[number as usize].class);
+    let mut gone = vec![0_u32; fine.regions.len()];
+    for cell in 0..fine.region.len() {
+        if let Some(region) = fine.region[cell]
+            && class_of(classes, cell) != class_of(fine, cell)
+        {
+            gone[region as usize] += 1;
+        }
+    }
+    let cell_area = mm_per_cell * mm_per_cell;
+    let is_lost = |region: usize| {
+        let cells = fine.regions[region].cells as f32;
+        cells * cell_area < least && gone[region] as f32 >= MOSTLY * cells
+    };
+    let broad = broadest(fine, mm_per_cell).into_iter().enumerate();
+    let lost = broad.filter(|(region, (radius, _))| *radius >= 2.0 * BROAD && is_lost(*region));
+    lost.map(|(region, (_, cell))| (region, cell)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::classes::{Class, Region};
+    use crate::raster::plane::Plane;
+    use crate::units::Size;
+
+    /// Twenty by ten cells of a square mm with boxes of a class: left, top, width, height.
+    fn classes(boxes: &[(Class, [usize; 4])]) -> Classes {
+        let size = Size::new(20, 10);
+        let mut region = vec![None; size.len()];
+        let mut regions = Vec::new();
+        for (number, &(class, [left, top, width, height])) in (0..).zip(boxes) {
+            for y in top..top + height {
+                region[y * 20 + left..y * 20 + left + width].fill(Some(number));
+            }
+            regions.push(Region { class, colour: [0; 3], cells: (width * height) as u32 });
+        }
+        Classes { size, region, regions, lightness: Plane::filled(size, 0.5), fringe: Vec::new() }
+    }
+
+    #[test]
+    fn small_areas_that_are_gone_are_lost_and_strokes_and_large_ones_are_not() {
+        let bar = (Class::Yellow, [1, 1, 7, 8]);
+        let (stroke, large) = ((Class::Red, [10, 0, 2, 10]), (Class::Blue, [13, 0, 7, 10]));
+        let lost = |kept: &[(Class, [usize; 4])]| {
+            let lost = lost(&classes(kept), &classes(&[bar, stroke, large]), 1.0, 60.0);
+            lost.into_iter().map(|(region, _)| region).collect::<Vec<_>>()
+        };
+        assert_eq!(lost(&[large]), [0]);
+        assert_eq!(lost(&[bar, large]), [], "it is there");
+        assert_eq!(lost(&[(Class::Green, bar.1), large]), [0], "with another sign");
+    }
+}
