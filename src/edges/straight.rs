@@ -7,13 +7,12 @@
 //! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the
 //! wall and the bars end on it.
 
+use super::params::HEADING;
 use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 use crate::units::{Px, PxVector};
 use lyon::geom::euclid::Box2D;
 
-/// The direction of a line beside a vertex is taken over this much of it, px.
-const HEADING: f32 = 8.0;
 /// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15
 /// degrees).
 const STRAIGHT_COSINE: f32 = 0.966;

@@ -11,7 +11,7 @@
 
 use super::junction::{extend_to, heading};
 use super::marks::PointMark;
-use super::params::{Params, RING_FARTHEST};
+use super::params::{HEADING, Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
 use crate::geom::outline::{circle_points, roundness};
@@ -37,8 +37,6 @@ const ROUND: f32 = 0.85;
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
 const BESIDE: f32 = 1.0;
-/// The direction of an end is taken over this much of its line, mm.
-const HEADING: f32 = 2.0;
 /// A point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {

@@ -2,12 +2,11 @@
 //! line.
 
 use super::skeleton::{Node, Path};
+use crate::edges::params::HEADING;
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::first_beyond;
 use crate::units::{PxPoint, PxVector};
 
-/// The direction of an arm is taken from its junction over this much of it, px.
-const HEADING: f32 = 8.0;
 /// Two arms go on through a junction if the cosine between their directions is at most this (30 degrees from straight).
 const STRAIGHT_COSINE: f32 = -0.866;
 /// The two straightest arms of a junction are one line, unless they make a sharper corner than this (120 degrees).

@@ -10,7 +10,7 @@ use std::collections::HashSet;
 use super::Stroke;
 use super::centre::{contrast_across, interpolated};
 use crate::edges::contour::{Contour, ContourPoint};
-use crate::edges::params::Params;
+use crate::edges::params::{HEADING, Params};
 use crate::geom::link::{End, Thread, link};
 use crate::geom::nearby::Index;
 use crate::geom::right_of;
@@ -22,8 +22,6 @@ use lyon::geom::euclid::Box2D;
 const FARTHEST: f32 = 6.0;
 /// It is followed in steps of this, px.
 const STEP: f32 = 1.0;
-/// The direction is taken over this much of the continuation, and over so much of the stroke before its end, px.
-const HEADING: f32 = 8.0;
 /// The middle of what is seen is looked for so far to both sides, px, beyond half the width of the stroke.
 const ASIDE: f32 = 1.5;
 /// The middle of what is seen is at most this far from where the stroke would go straight on, px.

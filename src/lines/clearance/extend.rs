@@ -6,6 +6,7 @@ use crate::geom::nearby::Segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::junction;
+use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
 
@@ -17,8 +18,6 @@ const AHEAD_COSINE: f32 = 0.5;
 /// The direction to the other line is asked for where the distance to it is longer than this, mm; a shorter one has no
 /// direction worth asking for.
 const TURN: f32 = 0.75;
-/// The heading is taken over this much of the line, mm.
-const HEADING: f32 = 2.0;
 /// A line that would join another this near to where a third one does is extended to the same point, mm.
 const SNAP: f32 = 1.5;
 /// Points nearer than this, mm, are one.
