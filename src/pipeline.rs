@@ -10,7 +10,6 @@ mod dots;
 mod draw;
 mod drawn_areas;
 mod finish;
-mod give_way;
 mod given;
 mod hand_lines;
 mod joined_bars;

@@ -12,7 +12,7 @@ use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
-/// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
+/// Grey values (0..=255) up to the first count as black, from the second on as white.
 const BLACK: u8 = 8;
 const WHITE: u8 = 248;
 /// Most colours that are told one by one.

@@ -17,7 +17,6 @@ mod finding;
 mod gaps;
 mod ink;
 mod joins;
-mod left_out;
 mod limits;
 mod mark;
 mod marks;
@@ -143,6 +142,6 @@ fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));
-    found.extend(left_out::findings(page));
+    found.extend(overview::left_out(page));
     found
 }

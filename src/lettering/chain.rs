@@ -3,22 +3,24 @@
 use super::glyph::{Glyph, Point};
 use crate::geom::components::DisjointSets;
 
-/// Of two letters of a text, the higher one is at most so many times as high (j beside x).
+/// Greatest ratio of the heights of two neighbouring letters (j beside x).
 const HEIGHTS: f32 = 2.3;
-/// Strokes of two letters differ in width at most by this factor, and by so many pixels more, as at small sizes a width
-/// is uncertain by one.
+/// Greatest ratio of the widths of their strokes, and what is added to it, px: at small sizes a width is uncertain by
+/// about a pixel.
 const STROKES: f32 = 1.7;
 const STROKE_UNSURE: f32 = 0.8;
-/// Of two letters, the fainter one has at least this share of the contrast of the other.
+/// Least ratio of the contrasts of two letters, the fainter one by the other.
 const CONTRASTS: f32 = 0.6;
-/// Colours of two letters are at most so far apart, in contrasts.
+/// Greatest distance between the colours of two letters, as a share of their contrast.
 const COLOURS: f32 = 0.5;
-/// The gap between two letters is at most so many heights of the higher one.
+/// Greatest gap between two neighbouring letters, in heights of the higher one.
 const GAP: f32 = 1.0;
-/// Two letters overlap across the direction by at least this share of the lower one.
+/// Greatest overlap of two neighbouring letters along the line, in heights of the higher one: slanted ones overlap.
+const OVERLAP_ALONG: f32 = 0.5;
+/// Least overlap of their extents across the line, as a share of the lower one's height.
 const OVERLAP: f32 = 0.5;
 
-/// A letter as it lies along a direction: from where to where along it and across it.
+/// A letter in the coordinates of a line of text: its extent along the line and across it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RotatedLetter {
     /// Which of the glyphs it is.
@@ -75,7 +77,7 @@ fn follows(a: &RotatedLetter, b: &RotatedLetter) -> bool {
     high <= HEIGHTS * low
         && overlap >= OVERLAP * low
         && apart <= GAP * high
-        && apart >= -0.5 * high
+        && apart >= -OVERLAP_ALONG * high
         && 0.5 * (b.along[0] + b.along[1]) > 0.5 * (a.along[0] + a.along[1])
 }
 

@@ -6,8 +6,7 @@
 
 use std::cell::OnceCell;
 
-use super::colours::Colours;
-use super::levels::{Contrast, Levels};
+use super::levels::{Colours, Contrast, Levels};
 use crate::geom::components::{self, Connectivity};
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
@@ -20,10 +19,12 @@ const LOCAL: usize = 3;
 /// A point or a direction, px from the top left corner.
 pub(super) type Point = [f32; 2];
 
-/// Largest letter, px.
+/// Greatest height of a letter, px.
 pub(super) const LARGEST: usize = 72;
-/// Longest word of letters that touch one another, px.
+/// Greatest length of a word whose letters touch one another, px.
 const LONGEST: usize = 260;
+/// A part with a shorter longer side, px, is no letter.
+const LEAST_SIDE: usize = 4;
 /// A part of fewer pixels is a dot at most.
 const LEAST_AREA: usize = 5;
 /// A part that fills less of its convex hull than this is no bar and no dot.
@@ -154,7 +155,7 @@ pub(super) fn glyphs(
             width,
             hull: OnceCell::new(),
         };
-        if glyph.cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= 4 {
+        if glyph.cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= LEAST_SIDE {
             measure(&mut glyph, thin, plane, colours, &is_clear);
         }
         found.push(glyph);

@@ -1,10 +1,10 @@
 //! What is asked of a row of shapes before it is taken for a line of text.
 //!
-//! The numbers were chosen together, on generated charts, maps, signs and worksheets (`tools --bin text` prints how much
-//! text is found with them, and how much of the drawing is lost) and on 44 photographs. What tells text from rows of
-//! anything else best is that hardly anything else lies around it (clutter), that its colour is even and its contrast
-//! high; then that its shapes are unlike one another. In a photograph things form rows at random, so more is asked
-//! there, and most of few letters.
+//! The numbers were chosen together, on generated charts, maps, signs and worksheets (`tools --bin text` prints how
+//! much text is found with them, and how much of the drawing is lost) and on 44 photographs. What tells text from rows
+//! of anything else best is that hardly anything else lies around it (clutter), that its colour is even and its
+//! contrast high; then that its shapes are unlike one another. In a photograph things form rows at random, so more is
+//! asked there, and most of few letters.
 
 use super::glyph::Glyph;
 
@@ -59,8 +59,8 @@ struct Limits {
     height: f32,
 }
 
-/// Three letters or more of a drawing. Gridlines, leader lines and outlines run close by text in charts, so half as many
-/// pixels as its own may lie around it.
+/// Three letters or more of a drawing. Gridlines, leader lines and outlines run close by text in charts, so half as
+/// many pixels as its own may lie around it.
 const DRAWING: Limits = Limits {
     unevenness: 0.1,
     spread: 0.25,
@@ -72,8 +72,8 @@ const DRAWING: Limits = Limits {
     height: f32::INFINITY,
 };
 
-/// Two letters of a drawing, such as the numbers at an axis: clear of other things, as two marks side by side are common
-/// in drawings.
+/// Two letters of a drawing, such as the numbers at an axis: clear of other things, as two marks side by side are
+/// common in drawings.
 const PAIR_IN_DRAWING: Limits = Limits { clutter: 0.15, aligned: 0.0, complex: 0.5, height: 45.0, ..DRAWING };
 
 /// Four letters or more of a photograph, where nothing else is around them: see [`CLUTTER_IN_PHOTOGRAPH`].

@@ -1,12 +1,10 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
-use super::area::each_cell;
 use super::chain::{axes, chains, distance, groups, placed};
-use super::colours::Colours;
 use super::glyph::{Glyph, Thin, glyphs, thin};
-use super::levels::Levels;
+use super::levels::{Colours, Levels};
 use super::limits::{Length, Strictness};
-use super::line::{TextLine, line, median};
+use super::line::{TextLine, each_cell, line, median};
 use super::shape::are_unlike;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;

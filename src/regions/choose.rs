@@ -6,9 +6,8 @@ use std::collections::BinaryHeap;
 
 use super::arcs::Crack;
 use super::disc::Disc;
-use super::members::Members;
 use super::merge::Node;
-use super::tree::Tree;
+use super::tree::{Members, Tree};
 use crate::geom::distance::squared_distances;
 use crate::ranked::{Ranked, Total};
 use crate::units::Size;
@@ -62,9 +61,9 @@ const HALF_CONTRAST: f64 = 20.0;
 const COMPACT: f64 = 0.75;
 /// Exponent of the area.
 const AREA: f64 = 0.33;
-/// A region of this share of the picture is none, but its ground.
+/// A region of this share of the picture or more is its ground, and counts nothing.
 const GROUND: f64 = 0.7;
-/// ... and from this much less on it counts fully.
+/// Below that share the ground fades out: a region counts fully from a share on that is less by this.
 const GROUND_RANGE: f64 = 0.3;
 /// What a region loses that lies along the frame.
 const FRAME: f64 = 0.8;
@@ -83,7 +82,8 @@ const WIDE: f64 = 2.5;
 const SAME: f32 = 4.0;
 /// Most of an outline that may be the same as those before it.
 const MOST_SAME: f64 = 0.7;
-/// What an outline loses that is as near to others as it may be.
+/// Share of its gain that an outline loses where as much of it as is allowed is near to outlines chosen before; less in
+/// proportion.
 const NEAR: f64 = 0.7;
 
 /// A region that may be chosen.

@@ -1,8 +1,7 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
 use super::disc::Disc;
-use super::members::Members;
-use super::tree::Tree;
+use super::tree::{Members, Tree};
 use crate::geom::distance::{FAR, squared_distances};
 use crate::raster::shrink::Shrinker;
 use crate::units::Size;

@@ -41,8 +41,8 @@ struct Adjacency {
     alive: bool,
 }
 
-/// In which order regions are merged: by cost, the cheapest first; of equal ones by the length of their arc, the longest
-/// first; then by the number of the adjacency.
+/// In which order regions are merged: by cost, the cheapest first; of equal ones by the length of their arc, the
+/// longest first; then by the number of the adjacency.
 type Turn = (Reverse<Total>, Total, Reverse<u32>);
 
 /// What merging works on.

@@ -22,7 +22,6 @@ mod grid;
 mod heights;
 mod label_map;
 mod mask;
-mod members;
 mod merge;
 mod outline;
 mod subject;

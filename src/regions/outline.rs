@@ -11,8 +11,8 @@ use crate::units::{PxPoint, PxVector, Size};
 
 /// Outlines are smoothed over at least this much, cells: their cracks run in steps.
 const LEAST_SMOOTHING: f32 = 1.2;
-/// ... and where no contour is seen along them over so many times as much: their changes of bending, 4.5 in 100 mm,
-/// fall by a third, and what they agree with people's stays the same.
+/// Where no contour is seen along them they are smoothed over so many times as much: their changes of bending, 4.5 in
+/// 100 mm, fall by a third, and what they agree with people's stays the same.
 const UNSEEN: f32 = 2.0;
 /// The direction of an outline is taken over this many sides of cells before and after a place.
 const SPAN: usize = 3;

@@ -17,7 +17,6 @@ mod other;
 mod paths;
 #[cfg(feature = "pdf")]
 mod pdf;
-mod pixels;
 mod png;
 mod rows;
 mod scans;
@@ -79,7 +78,7 @@ pub(crate) fn decode_picture(picture: picture::Picture<'_>, options: &Options<'_
         picture::PixelSource::File(bytes) => decode(bytes, options),
         picture::PixelSource::Rgba8 { size, pixels } => {
             check_page(options.page)?;
-            pixels::decode_rgba8(size, pixels, options)
+            rows::decode_rgba8(size, pixels, options)
         }
     }
 }

@@ -1,13 +1,15 @@
-//! Rows of a file's samples become the working picture: linear light, shrunk, upright.
+//! Rows of samples, of a file or in memory, become the working picture: linear light, shrunk, upright.
 
 use std::ops::Range;
 
 use image::metadata::Orientation;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::colour::{Meaning, apply_matrix};
-use super::light::{Layout, Light};
+use super::colour::{Kind, Meaning, apply_matrix};
+use super::job::{Job, Options, Picture};
+use super::light::{Depth, Layout, Light};
 use super::orient::{turned, upright};
+use crate::Error;
 use crate::raster::crop::PixelPart;
 use crate::raster::planes::{Planes, Raster};
 use crate::raster::shrink::{Extent, Shrinker};
@@ -135,4 +137,17 @@ fn push(row: &[u8], light: &mut Light, shrink: &mut Planes<Shrinker<f64>>) {
 
 fn finished(shrink: Planes<Shrinker<f64>>) -> Option<Planes<Vec<f32>>> {
     shrink.map(|shrinker| shrinker.finish_whole().map(|plane| plane.values)).all()
+}
+
+/// What pixels in memory are called where a file's format is named.
+const FORMAT: &str = "RGBA";
+
+/// The working picture of RGBA samples in sRGB, 8 bits each, that a program has in memory: treated as those of a PNG
+/// file with the same samples.
+pub(super) fn decode_rgba8(size: Size, pixels: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+    let job = Job::begin(FORMAT, size, Orientation::NoTransforms, options)?;
+    let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
+    let source = Extents::pixels(size.width, job.part);
+    let samples = Samples::new(layout, Meaning::Srgb, source, job.target, job.orientation);
+    job.end(samples.raster(pixels))
 }
