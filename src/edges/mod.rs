@@ -270,7 +270,7 @@ impl<'a> Ridges<'a> {
 /// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in
 /// rows that are half transparent or black.
 const BORDER: f32 = 2.0;
-/// ... if the cosine between the two is at least this (18 degrees).
+/// An edge runs along the border if the cosine between the two is at least this (18 degrees).
 const ALONG_BORDER: f32 = 0.95;
 
 /// Whether a point belongs to the border of the picture.

@@ -224,7 +224,7 @@ impl<'a> RowOfLabels<'a> {
         let step = self.context.params.step;
         let steps = |mm: f32| (mm / step).ceil() as i32;
         let (nearest, furthest) = if at == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
-        // below before above
+        // offsets below are tried before those above
         let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != Lies::BelowPoints;
         let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
         let offsets: Vec<f32> = offsets.collect();

@@ -115,7 +115,7 @@ fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Ve
         let chain = edges.chain(range);
         let polyline = Polyline::of_chain(chain, range.kind, transform);
         let polyline = match range.kind.exact {
-            // its corners are corners
+            // exact paths are not smoothed: their corners are meant
             true => polyline,
             false if range.kind.of_drawing => polyline.smoothed_between_corners(params.smoothing),
             false => polyline.smoothed(params.smoothing).evened(),

@@ -4,8 +4,7 @@
 /// exactly its side runs. The two sides of a narrow bar can so become farther apart by as much, with room to spare.
 pub(super) const RING_FARTHEST: f32 = 1.6;
 
-/// The direction of an end is taken over this much of its line, mm: about the width of a line, within which a bend is
-/// not felt.
+/// The direction of an end is taken over this much of its line, mm: a little more than the widest line is wide.
 pub(super) const HEADING: f32 = 2.0;
 
 /// How lines are drawn. Lengths are in millimetres on the sheet.

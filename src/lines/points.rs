@@ -21,14 +21,14 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// A filled point is drawn as many times as broad as the broadest line: sizes that differ by 30 percent are told apart
 /// (BANA, as quoted by others), and three is more than any line.
 pub(super) const BEAD: f32 = 3.0;
-/// ... on a piece of this length, mm: with its round ends it is a disc.
+/// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
 const BEAD_LENGTH: f32 = 0.1;
 /// The smallest shape that is taken for a point, mm across: in a figure it is a dot, in an overview a sixth of one that
 /// has room in the figure.
 const SMALLEST: f32 = 0.6;
-/// The largest, in distances of two lines: a larger shape has room as it is.
+/// The largest filled point, in distances of two lines: a larger shape has room as it is.
 const LARGEST: f32 = 1.25;
-/// ... of hollow ones: up to about here the lines that end at a ring would take its place.
+/// The largest hollow point, in the same: up to about here the lines that end at a ring would take its place.
 const LARGEST_HOLLOW: f32 = 2.5;
 /// Area of a point at least, as a share of that of a circle with its circumference: a square has 0.79, an equal-sided
 /// triangle, as the head of an arrow, 0.60, a hexagon 0.91.

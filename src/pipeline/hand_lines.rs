@@ -349,7 +349,7 @@ const STEP: f32 = 0.1;
 /// A line meets another if it comes this near, as a share of that: two lines that were drawn to touch seldom do
 /// exactly.
 const MEETS: f32 = 0.25;
-/// ... and is beside it for no longer than this, in the same unit: a line that crosses at 42 degrees or more.
+/// A line only crosses another if it is beside it for no longer than this, in the same unit: at 42 degrees or more.
 const CROSSING: f32 = 3.0;
 
 /// Takes the parts of contours out that are `gone`; each chain has its number.

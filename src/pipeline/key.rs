@@ -136,7 +136,7 @@ pub(super) fn sheets(
 /// Page numbers of a key, at the top on the right of its sheets.
 #[derive(Clone, Copy)]
 struct Number<'a> {
-    /// The page number of the first sheet; without it sheets have none.
+    /// Page number of the first sheet; `None`: sheets have no numbers.
     first: Option<u32>,
     entries: &'a Entries<'a>,
     cells: &'a CellGrid<'a>,

@@ -23,9 +23,9 @@ use crate::{About, Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
-/// What is lighter than this is white: nothing is printed.
+/// A grey value (0..=255) from this on is white: nothing is printed.
 const WHITE: u8 = 250;
-/// What is darker than this is black.
+/// A grey value up to this is black.
 const BLACK: u8 = 16;
 /// Two pieces of a line are one where their ends are this near, mm.
 const JOINED: f32 = 0.05;

@@ -42,7 +42,7 @@ const MIDWAY: f32 = 1e-3;
 const BESIDE: usize = 2;
 /// A row is that of a tick if it leads as its line does but for 30 degrees: the cosine.
 const ALONG: f32 = 0.87;
-/// ... and the tick is no farther from its place along the line, in pitches.
+/// A row is that of a tick if it lies no farther than this beside the tick, in pitches.
 const ASIDE: f32 = 0.75;
 /// A side of a tick that is so much longer than the shortest of its scale is longer on the page.
 const LONGER: f32 = 1.3;

@@ -39,7 +39,8 @@ use crate::units::{PxPoint, Size};
 const FAINT: f32 = 0.5;
 /// A picture has no noise up to this standard deviation of a pixel, in units of strength: a third of a code value.
 const QUIET: f32 = 0.13;
-/// ... otherwise from this many standard deviations on: opening and closing find the extremes of noise.
+/// With more noise, the thresholds are at least so many standard deviations of it: opening and closing find the
+/// extremes of noise.
 const LOW_NOISE: f32 = 4.0;
 const HIGH_NOISE: f32 = 8.0;
 /// Half sides of the squares, px, the largest as wide as strokes may be.
@@ -239,9 +240,10 @@ pub(super) struct Taken {
 
 /// Width at which pixels show the thinnest strokes, px; up to twice as wide they are taken as equally wide.
 const THINNEST: f32 = 1.5;
-/// A stroke runs along in another where its middle is no farther beyond the other's width than this, px ...
+/// A stroke runs along in another where its middle is no farther beyond the other's width than this, px.
 const COVERED: f32 = 1.0;
-/// ... for at least so many of its widths, and this much more, px; over less it crosses the other, or ends on it.
+/// It does so for at least so many of its widths, and this much more, px; over less it crosses the other, or ends on
+/// it.
 const CROSSED_WIDTHS: f32 = 2.0;
 const CROSSED: f32 = 8.0;
 /// Of a part that is new one vertex in so many at least lies away from others and their sides.

@@ -31,7 +31,7 @@ pub(in crate::lines) fn spread(
         lines.iter().map(|line| line.vertices.iter().map(|vertex| vertex.at).collect()).collect()
     };
     let own = places(&lines);
-    // junctions are found once, before lines move: which lines join does not change
+    // which lines join does not change, so junctions are found once, on the lines before they move
     let at_first = drawn(&lines, area, params);
     let passages: Vec<Passage> = lines
         .par_iter()
