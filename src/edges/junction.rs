@@ -47,7 +47,7 @@ const ON: f32 = 0.75;
 const ALONG: f32 = 5.0;
 
 /// An end of a contour with the line that it follows and the junction to which the line leads.
-struct Extension {
+struct EndExtension {
     contour: usize,
     at_start: bool,
     line: LineFit,
@@ -177,7 +177,7 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
 }
 
 /// Where an end meets another contour if it continues straight on.
-fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: bool) -> Option<Extension> {
+fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: bool) -> Option<EndExtension> {
     let contour = &contours[number];
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
     let ContourPoint { at: end, blur, .. } = contour.vertices[tip];
@@ -205,7 +205,7 @@ fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: 
             nearest = Some(distance);
         }
     });
-    nearest.map(|distance| Extension { contour: number, at_start, line, junction: from + ahead * distance })
+    nearest.map(|distance| EndExtension { contour: number, at_start, line, junction: from + ahead * distance })
 }
 
 /// Distance along the ray at which it crosses the segment `a`-`b`, if it does.
@@ -216,8 +216,8 @@ fn crossing(from: PxPoint, ahead: PxVector, a: PxPoint, b: PxPoint) -> Option<f3
 }
 
 /// Moves the last points of a contour onto its line, up to the junction.
-fn apply(contour: &mut Contour, extension: &Extension) {
-    let Extension { at_start, line, junction, .. } = extension;
+fn apply(contour: &mut Contour, extension: &EndExtension) {
+    let EndExtension { at_start, line, junction, .. } = extension;
     if !at_start {
         contour.reverse();
     }

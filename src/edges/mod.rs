@@ -198,7 +198,7 @@ impl<'a> Ridges<'a> {
         let discs = if drawn { discs::find(&points, size, &params) } else { Vec::new() };
         if !strokes.is_empty() {
             // their sides are no contours
-            let taken = stroke::Taken::by(&strokes, size, params.sigma);
+            let taken = stroke::StrokeCover::by(&strokes, size, params.sigma);
             points.retain(|point| !taken.has(point.at));
         }
         if points.is_empty() && strokes.is_empty() {

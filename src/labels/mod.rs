@@ -42,7 +42,7 @@ use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
 use crate::units::MmPoint;
 use candidates::{Candidate, Spacing, TIGHTEST};
-use forms::{Form, Forms, Kind};
+use forms::{Form, FormKind, Forms};
 use groups::Group;
 use room::Room;
 use surroundings::Surroundings;
@@ -270,7 +270,7 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         leader: candidate.leader,
         crosses: candidate.leader.is_some() && candidate.crosses,
         stands: candidate.stands,
-        is_bare: kind == Kind::Bare,
+        is_bare: kind == FormKind::Bare,
     })
 }
 

@@ -6,7 +6,7 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
 use super::finding::FoundBreach;
-use super::limits::{Limits, MediumLimits};
+use super::limits::{MediumLimits, RuleLimits};
 use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
@@ -19,7 +19,12 @@ const WHITE: u8 = 248;
 const MOST: usize = 6;
 
 /// All that is no black mark. `typed` are the texts of a page that are written in braille, with their places.
-pub(super) fn findings(document: &Document<'_>, tree: &Tree, typed: &[TypedText], limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(
+    document: &Document<'_>,
+    tree: &Tree,
+    typed: &[TypedText],
+    limits: &RuleLimits,
+) -> Vec<FoundBreach> {
     let mut seen = Seen::default();
     seen.add(tree.root(), 1.0);
     let mut found = Vec::new();

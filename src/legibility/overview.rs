@@ -1,7 +1,7 @@
 //! Whether the overview shows what the figure shows, and nothing else; and what the figure lacks of its picture.
 
 use super::finding::{FoundBreach, around};
-use super::limits::{Limits, SHAPE};
+use super::limits::{RuleLimits, SHAPE};
 use super::marks::name_in;
 use super::paths::{Paths, point_at};
 use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
@@ -16,7 +16,13 @@ const STEP: f32 = 0.5;
 const MISSING: f32 = 0.5;
 
 /// `paths` are those of the figure, `index` their segments.
-pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(
+    page: &Page,
+    names: &Names,
+    paths: &Paths,
+    index: &Nearby,
+    limits: &RuleLimits,
+) -> Vec<FoundBreach> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
     let of_overview = Paths::of(&overview.lines, f32::INFINITY);
@@ -31,7 +37,7 @@ fn added(
     overview: &Overview,
     (paths, names): (&Paths, &[String]),
     (index, scale): (&Nearby, f32),
-    limits: &Limits,
+    limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
     let of_line = |number: usize| {
@@ -53,7 +59,7 @@ fn lacking(
     overview: &Overview,
     (paths, names): (&Paths, &[String]),
     (of_overview, scale): (&Paths, f32),
-    limits: &Limits,
+    limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let index = of_overview.index(5.0);
     let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;

@@ -2,8 +2,8 @@
 //! pixels it covers.
 
 use super::chain::{RotatedLetter, axes, distance, placed};
-use super::glyph::{Glyph, LARGEST};
-use super::limits::{Length, Row, Strictness};
+use super::glyph::{LARGEST, LetterShape};
+use super::limits::{LetterLength, Row, Strictness};
 use crate::units::Size;
 
 /// Least height of letters, px.
@@ -17,8 +17,8 @@ const HEIGHT_OF_LINE: [usize; 2] = [3, 4];
 /// What is wider than this, in heights, is no letter but a word of letters that touch one another.
 const WIDEST: f32 = 1.3;
 /// Widest gap between letters on the whole (the median), and between words of letters that touch.
-const GAP: Length = Length::new(0.45, 1.0);
-const GAP_OF_WORDS: Length = Length::new(0.9, 0.0);
+const GAP: LetterLength = LetterLength::new(0.45, 1.0);
+const GAP_OF_WORDS: LetterLength = LetterLength::new(0.9, 0.0);
 /// Letters reach over at most so much across their line, in heights: from the top of an accent to the foot of a `g`.
 const ACROSS: f32 = 2.2;
 /// Breadth in heights by which the letters of a word that touch one another are counted.
@@ -28,7 +28,7 @@ const HANGING: f32 = 0.9;
 /// What letters count that are bars or dots when the clearest of several lines is taken; others count 1 more.
 const SIMPLE: f32 = 0.5;
 /// How far letters stand off their line.
-const OFF_LINE: Length = Length::new(0.1, 0.8);
+const OFF_LINE: LetterLength = LetterLength::new(0.1, 0.8);
 /// A line that turns by less than this lies as it was found, degrees.
 const LEAST_TURN: f32 = 0.7;
 /// A line of fewer letters than this is turned only if that sets this share more of them on the line: one that hangs
@@ -38,7 +38,7 @@ const BETTER_OF_FEW: f32 = 0.1;
 /// A longer one is turned unless that sets fewer of them on it; the hundredth is for rounding.
 const BETTER: f32 = -0.01;
 /// Digits of a number differ in height by at most this, and have at most this gap, in heights.
-const HEIGHTS_OF_PAIR: Length = Length::new(0.2, 1.0);
+const HEIGHTS_OF_PAIR: LetterLength = LetterLength::new(0.2, 1.0);
 const GAP_OF_PAIR: f32 = 0.5;
 /// Texts have one style if their heights, their strokes and their contrasts differ at most by these factors, and by so
 /// many pixels or units more, and their colours by this share of their contrast.
@@ -49,13 +49,13 @@ const STYLE_UNSURE: f32 = 0.7;
 const STYLE_COLOUR: f32 = 0.15;
 /// Texts belong to one row or column if their angles differ by at most this, degrees, and their heights by this.
 const ROW_ANGLE: f32 = 2.0;
-const ROW_HEIGHT: Length = Length::new(0.15, 1.0);
+const ROW_HEIGHT: LetterLength = LetterLength::new(0.15, 1.0);
 /// In a row they stand on one line but for this, and at most so many heights apart, as numbers below an axis do.
-const ROW_LEVEL: Length = Length::new(0.2, 0.8);
+const ROW_LEVEL: LetterLength = LetterLength::new(0.2, 0.8);
 const ROW_GAP: f32 = 15.0;
 /// In a column their left ends, right ends or middles are at one place but for this, and they are at most so many
 /// heights apart, as numbers beside an axis are.
-const COLUMN_END: Length = Length::new(0.25, 1.0);
+const COLUMN_END: LetterLength = LetterLength::new(0.25, 1.0);
 const COLUMN_GAP: f32 = 8.0;
 
 /// A row of things that may be a line of text.
@@ -116,7 +116,7 @@ fn slope(letters: &[RotatedLetter]) -> f32 {
 }
 
 /// The line that a chain of letters is, if their heights, gaps and strokes are those of text.
-pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
+pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
     let (letters, angle) = straightened(glyphs, chain, angle);
     let n = letters.len();
     let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
@@ -145,7 +145,8 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Opt
     let at_top = share(&|letter| (letter.across[0] - top).abs() <= OFF_LINE.of(height));
     let aligned = on_line(&letters, height).max(HANGING * at_top);
     let complex = share(&|letter| !glyphs[letter.of].is_solid());
-    let mean = |of: &dyn Fn(&Glyph) -> f32| letters.iter().map(|letter| of(&glyphs[letter.of])).sum::<f32>() / n as f32;
+    let mean =
+        |of: &dyn Fn(&LetterShape) -> f32| letters.iter().map(|letter| of(&glyphs[letter.of])).sum::<f32>() / n as f32;
     let contrast = mean(&|glyph| glyph.contrast);
     let colour = [0, 1, 2].map(|i| mean(&|glyph| glyph.colour[i]));
     let variance = (0..3).map(|i| mean(&|glyph| (glyph.colour[i] - colour[i]).powi(2))).sum::<f32>();
@@ -178,7 +179,7 @@ fn on_line(letters: &[RotatedLetter], height: f32) -> f32 {
 
 /// Letters of a chain as they lie at the angle of the line that they stand on, and that angle; as they are, where that
 /// does not set more of them on the line: short words seem to be aslant where letters hang below it.
-fn straightened(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> (Vec<RotatedLetter>, f32) {
+fn straightened(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) -> (Vec<RotatedLetter>, f32) {
     let turn = if chain.len() < 3 { 0.0 } else { slope(chain) };
     if turn.abs() <= LEAST_TURN {
         return (chain.to_vec(), angle);

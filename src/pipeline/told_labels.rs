@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::unwritten::{Lacks, Refused, named};
+use super::unwritten::{Lacks, RefusedTexts, named};
 use crate::labels::{self, NEAR, Placed, Stands, Unplaced, Wanted};
 use crate::listing::first_few;
 use crate::page::Figure;
@@ -163,7 +163,7 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
 
 /// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
 pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
-    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), Refused::default(), Lacks::default());
+    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), RefusedTexts::default(), Lacks::default());
     let mut thinned: BTreeMap<i64, Vec<String>> = BTreeMap::new();
     let mut misleading = Vec::new();
     let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

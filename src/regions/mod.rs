@@ -34,5 +34,5 @@ pub use choose::{Chosen, OfFigure, Params};
 pub use grid::RegionGrid;
 pub use heights::Heights;
 pub use mask::Mask;
-pub use trace::{Areas, RegionOutline, TracePoint, TracedContour};
+pub use trace::{OutlineAreas, RegionOutline, TracePoint, TracedContour};
 pub use tree::{Detail, Tree};

@@ -55,7 +55,7 @@ struct IndexedPoint {
     at: PxPoint,
 }
 
-type PointIndex = Index<IndexedPoint, Px>;
+type StrokeIndex = Index<IndexedPoint, Px>;
 
 /// The continuation from an end of a stroke, and what it leads to.
 struct Continuation {
@@ -72,7 +72,7 @@ type StrokeEnd = (usize, bool);
 pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params) -> Vec<Stroke> {
     let Some(size) = planes.first().map(|plane| plane.size) else { return strokes };
     let picture = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
-    let mut marks = PointIndex::new(picture, CELL);
+    let mut marks = StrokeIndex::new(picture, CELL);
     for (number, stroke) in strokes.iter().enumerate() {
         for (vertex, point) in stroke.contour.vertices.iter().enumerate() {
             marks.put_at(point.at, IndexedPoint { stroke: number, vertex: Some(vertex), at: point.at });
@@ -135,7 +135,7 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
 fn continuation(
     end: StrokeEnd,
     strokes: &[Stroke],
-    marks: &PointIndex,
+    marks: &StrokeIndex,
     planes: &[Plane],
     params: &Params,
 ) -> Option<Continuation> {
@@ -183,7 +183,7 @@ fn meets(
     (number, at_start): StrokeEnd,
     walked: f32,
     strokes: &[Stroke],
-    marks: &PointIndex,
+    marks: &StrokeIndex,
     widest: f32,
 ) -> Option<IndexedPoint> {
     let Stroke { contour, width, .. } = &strokes[number];

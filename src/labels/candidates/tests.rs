@@ -1,6 +1,6 @@
 //! Where a label can lie: what makes a place better than another, and which leader lines there are.
 
-use super::super::forms::Kind;
+use super::super::forms::FormKind;
 use super::super::placed::Params;
 use super::super::room::Room;
 use super::*;
@@ -43,7 +43,7 @@ fn box_at(x: f32, y: f32) -> MmRect {
 
 /// The first label in a place among others.
 fn placed(wanted: &[Wanted], place: MmRect, room: &Room, params: &Params) -> Option<Candidate> {
-    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: Kind::Text, cost: 0.0 };
+    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: FormKind::Text, cost: 0.0 };
     candidate(&wanted[0], 0, &form, place, &Surroundings::of(0, wanted, 20.0, room, params))
 }
 
@@ -131,7 +131,7 @@ fn a_leader_line_crosses_others_only_where_it_may() {
     assert!(drawn.crosses && (300.0..1000.0).contains(&drawn.cost), "less than an abbreviation: {}", drawn.cost);
     // along a line it would be felt as a part of that
     let cost = |room: &Room| {
-        let join = Join::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
+        let join = Attachment::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
         let (params, place) = (params(), box_at(91.0, 120.0));
         cost(0.0, &label[0], place, join, &Surroundings::of(0, &label, 20.0, room, &params))
     };
