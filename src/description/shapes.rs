@@ -30,7 +30,7 @@ const LEAST_BOX: f32 = 4.0;
 /// How much its length may differ from that of three sides, as a share.
 const AS_LONG: f32 = 0.12;
 
-struct Shape {
+struct LineShape {
     path: Vec<MmPoint>,
     length: f32,
     closed: bool,
@@ -39,7 +39,7 @@ struct Shape {
     slack: f32,
 }
 
-impl Shape {
+impl LineShape {
     fn of(line: &Line) -> Option<Self> {
         // the second row of dots of a heavy line is no length of its own
         let is_dotted = line.runs.first().is_some_and(|run| run.pen != Default::default());
@@ -149,9 +149,9 @@ fn written(at: MmPoint) -> MmPoint {
 
 /// Sentences on the longest lines, the longest first.
 pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wording) -> Vec<String> {
-    let mut shapes: Vec<Shape> = lines.iter().filter_map(Shape::of).collect();
+    let mut shapes: Vec<LineShape> = lines.iter().filter_map(LineShape::of).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
-    let text = |(number, shape): (usize, &Shape)| {
+    let text = |(number, shape): (usize, &LineShape)| {
         let others = shapes.iter().enumerate().filter(|(other, _)| *other != number && shape.closed);
         let holds = others.filter(|(_, other)| other.closed && shape.holds(other)).count();
         shape.told(holds, figure, wording)

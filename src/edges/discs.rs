@@ -19,26 +19,28 @@ use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
 use crate::units::{Px, PxPoint, Size};
 
-/// The smallest radius, in scales of the edge detector: smaller discs are edges round nothing.
+/// Least radius of a disc, in scales of the edge detector: a smaller one has no inside between its edges.
 const SMALLEST: f32 = 2.0;
-/// The largest, in widths of the widest stroke that is drawn as one line: larger discs have room as they are.
+/// Greatest radius of a disc, in widths of the widest stroke that is drawn as one line: larger ones have room as they
+/// are.
 const LARGEST: f32 = 0.65;
-/// A circle is seen if there are points in so many of [`PARTS`] parts of it: lines hide the others. Of a square, the
-/// middles of whose sides lie on a circle, ten are.
+/// A circle is seen if there are ridge points in so many of its [`PARTS`] equal arcs: lines hide the others. A square,
+/// whose sides touch a circle at their middles, has points in ten.
 const SEEN: usize = 14;
 const PARTS: usize = 24;
-/// Least pairs of opposite parts of the circle in which points are seen: at the round end of a stroke there are three.
+/// Least number of pairs of opposite arcs that both have points: the round end of a stroke has three.
 const OPPOSITE: usize = 5;
-/// The points that are seen lie no farther from the circle than this, px.
+/// Greatest distance of these points from the circle, px.
 const OFF: f32 = 0.9;
-/// The normals of the points that are seen lead to the middle of the circle: the cosine (20 degrees).
+/// Least cosine between the normal of such a point and the radius through it (20 degrees).
 const RADIAL: f32 = 0.94;
-/// The edges of an outline are at least so far apart, px, and it leaves a hole of this share of the radius.
+/// A hollow disc has an outline at least so wide, px, and a hole with a radius of at least this share of the outer one.
 const OUTLINE: f32 = 1.5;
 const HOLE: f32 = 0.3;
-/// Contours are bent so far from the side of a disc, in scales of the edge detector.
+/// Distance from the side of a disc up to which contours are bent, in scales of the edge detector.
 const BENT: f32 = 1.2;
-/// The direction of an end is taken over this length, px.
+/// The direction of an end at a disc is taken over this length, px: 2 px more than elsewhere, as it is bent beside the
+/// disc.
 const HEADING: f32 = 10.0;
 /// An end leads to the middle if it does not pass it farther away than this share of the radius and this much more, px.
 const MIDDLE: f32 = 0.35;

@@ -198,7 +198,7 @@ impl<'a> Ridges<'a> {
         let discs = if drawn { discs::find(&points, size, &params) } else { Vec::new() };
         if !strokes.is_empty() {
             // their sides are no contours
-            let taken = stroke::Taken::by(&strokes, size, params.sigma);
+            let taken = stroke::StrokeCover::by(&strokes, size, params.sigma);
             points.retain(|point| !taken.has(point.at));
         }
         if points.is_empty() && strokes.is_empty() {
@@ -270,7 +270,7 @@ impl<'a> Ridges<'a> {
 /// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in
 /// rows that are half transparent or black.
 const BORDER: f32 = 2.0;
-/// ... if the cosine between the two is at least this (18 degrees).
+/// An edge runs along the border if the cosine between the two is at least this (18 degrees).
 const ALONG_BORDER: f32 = 0.95;
 
 /// Whether a point belongs to the border of the picture.

@@ -1,6 +1,7 @@
 //! A line that comes back to itself is a ring, and what leads to the ring: where a leader meets a circle, the two may
 //! have been found as one line.
 
+use super::params::HEADING;
 use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 
@@ -10,8 +11,6 @@ const NEAR: f32 = 2.0;
 const AHEAD_LENGTH: f32 = 8.0;
 /// An end that meets its own line goes on in it: least cosine between their directions (37 degrees).
 const SMOOTH: f32 = 0.8;
-/// Directions are taken over this much of a line, px, but for what is near the place, which may be bent.
-const HEADING: f32 = 8.0;
 const BENT: f32 = 3.0;
 
 /// A ring is at least this many least lengths of a contour long: what is shorter is felt as a dot at an end.

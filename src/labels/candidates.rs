@@ -221,7 +221,7 @@ fn reach(label: &Wanted) -> f32 {
 
 /// How a label is joined to what it names.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Join {
+enum Attachment {
     /// It stands beside that.
     Beside,
     /// By a leader line that crosses no other.
@@ -230,7 +230,7 @@ enum Join {
     LeaderAcross([MmPoint; 2]),
 }
 
-impl Join {
+impl Attachment {
     fn leader(self) -> Option<[MmPoint; 2]> {
         match self {
             Self::Beside => None,
@@ -252,25 +252,25 @@ fn candidate(
         return None;
     }
     let join = join(label, place, around)?;
-    let (leader, crosses) = (join.leader(), matches!(join, Join::LeaderAcross(_)));
+    let (leader, crosses) = (join.leader(), matches!(join, Attachment::LeaderAcross(_)));
     let cost = cost(form.cost, label, place, join, around);
     Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
 /// unless a leader line crosses it, and for the nearest anchor.
-fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Join> {
+fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
     let &Surroundings { room, params, end, anchor, .. } = around;
     let is_point = label.anchor.is_empty();
     let nearest = anchor.clamp(place.min, place.max);
     let is_open = || !room.is_parted(nearest, anchor, end);
     let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
     if is_near || !is_point && is_beside_outline(nearest, place, around) {
-        return Some(Join::Beside);
+        return Some(Attachment::Beside);
     }
     let clear = clear_leader(place, around);
     if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
-        return Some(Join::Leader(segment));
+        return Some(Attachment::Leader(segment));
     }
     if !params.may_cross || is_open() {
         return None;
@@ -278,7 +278,7 @@ fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Join
     let segment = leader_from(nearest, around.tip)?;
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear = label.led_from.is_none() || around.leads_to_own(place, segment);
-    is_clear.then_some(Join::LeaderAcross(segment))
+    is_clear.then_some(Attachment::LeaderAcross(segment))
 }
 
 /// A leader line from a point of a label to its tip; none if it would be too short to be felt as a line.
@@ -302,15 +302,15 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
 }
 
 /// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
-fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Join, around: &Surroundings<'_>) -> f32 {
+fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment, around: &Surroundings<'_>) -> f32 {
     let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
     let distance = distance(label, place, around);
     let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
     let leader = match join {
-        Join::Beside => 0.0,
-        Join::Leader(_) => LEADER,
-        Join::LeaderAcross([from, to]) => {
+        Attachment::Beside => 0.0,
+        Attachment::Leader(_) => LEADER,
+        Attachment::LeaderAcross([from, to]) => {
             let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
             across + ALONG_A_LINE * room.along(from, to, end)
         }

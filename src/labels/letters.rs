@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::forms::{Form, Forms, Kind};
+use super::forms::{Form, FormKind, Forms};
 use super::groups::{Group, Lies};
 use super::placed::{Unplaced, Wanted};
 use super::scale;
@@ -56,7 +56,7 @@ pub(super) fn add(
                 of.forms.push(Form {
                     lines: vec![cells],
                     abbreviation: Some(letter),
-                    kind: Kind::Letter,
+                    kind: FormKind::Letter,
                     cost: LETTER,
                 });
             }
@@ -77,7 +77,7 @@ pub(super) fn add_bare(
         if let (Ok(of), Some(braille)) = (&mut forms[label], braille)
             && braille.lacking.is_empty()
         {
-            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: Kind::Bare, cost: BARE });
+            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: FormKind::Bare, cost: BARE });
         }
     }
 }

@@ -42,7 +42,7 @@ use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
 use crate::units::MmPoint;
 use candidates::{Candidate, Spacing, TIGHTEST};
-use forms::{Form, Forms, Kind};
+use forms::{Form, FormKind, Forms};
 use groups::Group;
 use room::Room;
 use surroundings::Surroundings;
@@ -50,8 +50,8 @@ use surroundings::Surroundings;
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
 
-/// Labels have less blank between them where they lie nearer to what they name by this, all of them together, mm: in a
-/// row under the bars of a chart each is below its bar.
+/// The narrower spacing is taken if all labels together then lie nearer to their anchors by at least this, mm: in a row
+/// under the bars of a chart each is below its bar.
 const WORTH_LESS_BLANK: f32 = 8.0;
 
 /// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some
@@ -270,7 +270,7 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         leader: candidate.leader,
         crosses: candidate.leader.is_some() && candidate.crosses,
         stands: candidate.stands,
-        is_bare: kind == Kind::Bare,
+        is_bare: kind == FormKind::Bare,
     })
 }
 

@@ -5,7 +5,7 @@
 use super::candidates::{BEFORE_LEADER, Candidate, JUST, TIGHTEST};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
-use super::forms::{Form, Kind};
+use super::forms::{Form, FormKind};
 use super::groups::{Group, Lies, OF_AN_AXIS};
 use super::placed::Stands;
 use super::ticks;
@@ -21,7 +21,7 @@ const SECOND_ROW: f32 = 5.0;
 
 /// In which form the labels of a group are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Level {
+enum FormLevel {
     Whole,
     TwoLines,
     /// Each as it fits beside its anchor, in a column.
@@ -32,16 +32,16 @@ enum Level {
     UnitOnce,
 }
 
-impl Level {
+impl FormLevel {
     /// The number of a label's form; of those that have no such form, the whole text.
     fn form(self, forms: &[Form], fits: impl Fn(&Form) -> bool) -> usize {
         let is = |form: &Form| match self {
             Self::Whole => false,
             Self::Fitting => fits(form),
             Self::TwoLines => form.is_in_two_lines(),
-            Self::Short => form.kind == Kind::Short,
-            Self::Letters => form.kind == Kind::Letter,
-            Self::UnitOnce => form.kind == Kind::Bare,
+            Self::Short => form.kind == FormKind::Short,
+            Self::Letters => form.kind == FormKind::Letter,
+            Self::UnitOnce => form.kind == FormKind::Bare,
         };
         forms.iter().position(is).unwrap_or(0)
     }
@@ -62,7 +62,7 @@ pub(super) fn placed(groups: &[Group], context: &Context<'_>) -> InRows {
     for group in groups {
         let mut selections = ticks::selections(group, context.wanted, context.room).into_iter();
         let found = selections
-            .find_map(|ticks::Numbers { group, count }| Some((of_group(&group, context, &placed)?, group, count)));
+            .find_map(|ticks::AxisNumbers { group, count }| Some((of_group(&group, context, &placed)?, group, count)));
         let Some((found, some, count)) = found else { continue };
         if count > 1 {
             group.members.iter().for_each(|&member| thinned[member] = Some(count));
@@ -95,17 +95,18 @@ enum At {
 }
 
 /// The arrangements and forms in which the labels of a group are tried, in this order.
-fn attempts(group: &Group) -> Vec<(Arrangement, Level)> {
-    let words = [Level::Whole, Level::TwoLines, Level::Fitting, Level::UnitOnce, Level::Short];
+fn attempts(group: &Group) -> Vec<(Arrangement, FormLevel)> {
+    let words = [FormLevel::Whole, FormLevel::TwoLines, FormLevel::Fitting, FormLevel::UnitOnce, FormLevel::Short];
     let is_column = matches!(group.lies, Lies::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
-    let of = |at: At, levels: &[Level]| -> Vec<(Arrangement, Level)> {
+    let of = |at: At, levels: &[FormLevel]| -> Vec<(Arrangement, FormLevel)> {
         let arrangements = (1..=at_most_rows).map(|rows| Arrangement { rows, at });
         arrangements.flat_map(|arrangement| levels.iter().map(move |&level| (arrangement, level))).collect()
     };
     let is_axis = group.steps.is_some() || !is_column && group.members.len() >= OF_AN_AXIS;
-    let letters: &[Level] = if is_column || group.steps.is_some() { &[] } else { &[Level::Letters] };
-    let (known, unknown): (&[Level], &[Level]) = if group.is_of_months { (letters, &[]) } else { (&[], letters) };
+    let letters: &[FormLevel] = if is_column || group.steps.is_some() { &[] } else { &[FormLevel::Letters] };
+    let (known, unknown): (&[FormLevel], &[FormLevel]) =
+        if group.is_of_months { (letters, &[]) } else { (&[], letters) };
     let of_margin = if is_axis { of(At::Margin, &words) } else { Vec::new() };
     let led = if is_column { Vec::new() } else { of(At::Led, &words) };
     [of(At::Near, &words), of(At::Near, known), led, of_margin, of(At::Near, unknown), of(At::Led, unknown)].concat()
@@ -125,7 +126,7 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
     // the first number of a column, or the last of a row, that has a unit: zero may have none
     let has_unit = |i: &usize| {
         let forms = context.forms[group.members[*i]].as_ref();
-        forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == Kind::Bare))
+        forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == FormKind::Bare))
     };
     let mut numbers = 0..group.members.len();
     let with_unit =
@@ -134,7 +135,7 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
     for (arrangement, level) in attempts(group) {
         let number_of = |(i, &label): (usize, &usize)| {
             // in two lines, if it has them
-            let level = if level == Level::UnitOnce && Some(i) == with_unit { Level::TwoLines } else { level };
+            let level = if level == FormLevel::UnitOnce && Some(i) == with_unit { FormLevel::TwoLines } else { level };
             context.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
         };
         let forms: Vec<usize> = group.members.iter().enumerate().map(number_of).collect();
@@ -142,10 +143,10 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
         let is_short = |(&label, &number): (&usize, &usize)| {
             context.forms[label].as_ref().is_ok_and(|forms| forms.forms[number].abbreviation.is_some())
         };
-        if level == Level::Fitting && group.members.iter().zip(&forms).any(is_short) {
+        if level == FormLevel::Fitting && group.members.iter().zip(&forms).any(is_short) {
             continue;
         }
-        if level == Level::Short
+        if level == FormLevel::Short
             && let Some(found) = each_as_it_fits(group, context, placed)
         {
             return Some(found);
@@ -224,7 +225,7 @@ impl<'a> RowOfLabels<'a> {
         let step = self.context.params.step;
         let steps = |mm: f32| (mm / step).ceil() as i32;
         let (nearest, furthest) = if at == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
-        // below before above
+        // offsets below are tried before those above
         let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != Lies::BelowPoints;
         let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
         let offsets: Vec<f32> = offsets.collect();

@@ -18,15 +18,15 @@ const BESIDE: f32 = 0.25;
 const STEP: f32 = 0.5;
 
 /// Numbers of an axis of which every so many-th is written; `count` is that, 1 where all are.
-pub(super) struct Numbers {
+pub(super) struct AxisNumbers {
     pub(super) group: Group,
     pub(super) count: i64,
 }
 
 /// All numbers of a group, then fewer of them in the order in which they are tried: first those that are the ones with
 /// a tick, where only some have one; then those that all have one.
-pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<Numbers> {
-    let mut all = vec![Numbers { group: group.clone(), count: 1 }];
+pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<AxisNumbers> {
+    let mut all = vec![AxisNumbers { group: group.clone(), count: 1 }];
     let Some(steps) = &group.steps else { return all };
     let ticks: Vec<bool> = with_tick(group, wanted, room);
     let is_tick_of_all = |every: i64| steps.iter().zip(&ticks).all(|(&step, &has)| (step % every == 0) == has);
@@ -46,7 +46,7 @@ pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<N
         .collect();
     fewer.sort_unstable();
     fewer.dedup();
-    all.extend(fewer.into_iter().map(|(_, count)| Numbers { group: group.every(count), count }));
+    all.extend(fewer.into_iter().map(|(_, count)| AxisNumbers { group: group.every(count), count }));
     all.retain(|numbers| numbers.group.members.len() > 1);
     all
 }

@@ -12,7 +12,7 @@ const IN_PRINT: f32 = 30.0;
 /// How far a title may be moved, mm: away from the numbers to where it is free, and left and right.
 const AWAY: f32 = 15.0;
 const ASIDE: f32 = 30.0;
-/// ... and up to above an axis that goes on over its last number.
+/// How far a title may be moved up, mm: to above an axis that goes on over its last number.
 const ABOVE: f32 = 30.0;
 /// A text is turned if its box is so many times as high as it is wide.
 const TURNED: f32 = 1.5;

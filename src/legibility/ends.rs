@@ -1,7 +1,7 @@
 //! Ends of lines that point at one another over a small gap: a contour that seems broken.
 
 use super::finding::FoundBreach;
-use super::limits::Limits;
+use super::limits::RuleLimits;
 use super::marks::name_in;
 use super::paths::{Paths, point_at};
 use super::rules::BROKEN_LINE;
@@ -30,7 +30,7 @@ struct Tip {
     is_dot: bool,
 }
 
-pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &RuleLimits) -> Vec<FoundBreach> {
     let most = limits.missed_gap();
     // the second row of a heavy line of dots ends where it does because of the first
     let first_rows = (0..paths.paths.len()).filter(|path| !paths.paths[*path].second);

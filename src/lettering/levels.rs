@@ -1,10 +1,35 @@
-//! A plane in so few levels that a pixel is a byte: a vector holds four times as many, and as much less is copied.
+//! The planes in which text is looked for: of colours, and each in so few levels that a pixel is a byte: a vector holds
+//! four times as many, and as much less is copied.
 
 use pulp::Arch;
 
 use crate::raster::plane::Plane;
 use crate::raster::residue::{Polarity, residue, square_max};
+use crate::raster::{Raster, lab};
 use crate::units::Size;
+
+/// Lightness and twice a and b of a picture: of a drawing whole planes, all of which are looked at; of a photograph
+/// lightness alone, and the rest where it is asked for.
+pub(super) struct Colours<'a> {
+    raster: &'a Raster,
+    pub(super) planes: Vec<Plane>,
+}
+
+impl<'a> Colours<'a> {
+    pub(super) fn new(raster: &'a Raster, is_drawing: bool) -> Self {
+        let planes = if is_drawing { lab::whole(raster) } else { vec![lab::whole_lightness(raster)] };
+        Self { raster, planes }
+    }
+
+    /// The colour of a pixel.
+    pub(super) fn at(&self, cell: usize) -> [f32; 3] {
+        match &self.planes[..] {
+            [l, a, b] => [l.values[cell], a.values[cell], b.values[cell]],
+            // of a photograph, or grey
+            _ => lab::pixel(self.raster, cell),
+        }
+    }
+}
 
 /// Between the least value of a plane and the greatest there are so many levels: of lightness less than half a unit.
 const LEVELS: f32 = 255.0;

@@ -1,12 +1,10 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
-use super::area::each_cell;
 use super::chain::{axes, chains, distance, groups, placed};
-use super::colours::Colours;
-use super::glyph::{Glyph, Thin, contrast, glyphs};
-use super::levels::Levels;
-use super::limits::{Length, Strictness};
-use super::line::{TextLine, line, median};
+use super::glyph::{LetterShape, Thin, contrast, glyphs};
+use super::levels::{Colours, Levels};
+use super::limits::{LetterLength, Strictness};
+use super::line::{TextLine, each_cell, line, median};
 use super::shape::are_unlike;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
@@ -43,15 +41,15 @@ const ABOVE: f32 = 1.5 * BESIDE;
 /// Clutter is looked for as far around a line as this, in heights of its letters.
 const CLUTTER: f32 = 0.4;
 /// The ground around a line is looked at from this far on, beyond the smoothing of letters, as far as that.
-const GROUND_FROM: Length = Length::new(0.1, 1.0);
-const GROUND_TO: Length = Length::new(0.3, 3.0);
+const GROUND_FROM: LetterLength = LetterLength::new(0.1, 1.0);
+const GROUND_TO: LetterLength = LetterLength::new(0.3, 3.0);
 /// Least distance of the letters' colour from that of the ground, as a share of their contrast.
 const STANDS_OUT: f32 = 0.45;
 
 /// What is thin in a plane, and what of it may be letters.
 pub(super) struct Look {
     pub(super) thin: Thin,
-    glyphs: Vec<Glyph>,
+    glyphs: Vec<LetterShape>,
     letters: Vec<usize>,
     strict: Strictness,
 }
@@ -140,7 +138,7 @@ impl Look {
         let [along, across] = axes(line.angle);
         let (beside, behind, above) = (BESIDE * line.height, BEHIND * line.height, ABOVE * line.height);
         let is_letter = |i: usize| line.letters.iter().any(|letter| letter.of == i);
-        let is_inside = |glyph: &Glyph| {
+        let is_inside = |glyph: &LetterShape| {
             let (u, v) = (glyph.reach(along), glyph.reach(across));
             u[0] >= line.along[0] - beside
                 && u[1] <= line.along[1] + behind

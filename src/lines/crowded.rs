@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::candidates::Candidates;
+use super::candidates::LineCandidates;
 use super::clearance::{Cleared, clear, spread};
 use super::junction;
 use super::outlines::Rank;
@@ -26,10 +26,10 @@ const HOPELESS: f32 = 0.5;
 /// whichever keeps most of them; also returns what was to be drawn and how it is drawn then. Where nothing has to be
 /// left out this costs nothing more, else up to five times as much.
 pub(super) fn cleared(
-    candidates: impl Fn(&Params) -> Candidates + Sync,
+    candidates: impl Fn(&Params) -> LineCandidates + Sync,
     area: MmRect,
     params: Params,
-) -> (Arc<Candidates>, Vec<Cleared>, Params) {
+) -> (Arc<LineCandidates>, Vec<Cleared>, Params) {
     let wide = Params { widen_bars: params.of_drawing, ..params };
     let merged = Params { widen_bars: false, ..params };
     let of_wide = Arc::new(candidates(&wide));
@@ -64,13 +64,13 @@ pub(super) fn cleared(
 
 /// Lines cleared with one set of parameters.
 struct Attempt {
-    candidates: Arc<Candidates>,
+    candidates: Arc<LineCandidates>,
     cleared: Vec<Cleared>,
     params: Params,
 }
 
 impl Attempt {
-    fn of(candidates: &Arc<Candidates>, area: MmRect, params: Params, moves_apart: bool) -> Self {
+    fn of(candidates: &Arc<LineCandidates>, area: MmRect, params: Params, moves_apart: bool) -> Self {
         let cleared = if moves_apart {
             let (apart, saliencies) = apart(candidates, area, &params);
             clear(apart, &saliencies, area, &params)
@@ -80,7 +80,7 @@ impl Attempt {
         Self { candidates: candidates.clone(), cleared, params }
     }
 
-    fn taken(self) -> (Arc<Candidates>, Vec<Cleared>, Params) {
+    fn taken(self) -> (Arc<LineCandidates>, Vec<Cleared>, Params) {
         (self.candidates, self.cleared, self.params)
     }
 
@@ -109,12 +109,12 @@ impl Attempt {
 }
 
 /// Saliency of what is wanted. What is too short for a line, as a small box that became its centreline, is wanted too.
-fn wanted(candidates: &Candidates) -> f32 {
+fn wanted(candidates: &LineCandidates) -> f32 {
     candidates.saliencies.iter().sum::<f32>() + candidates.short.length()
 }
 
 /// The lines of a drawing, moved apart, and their saliencies.
-fn apart(lines: &Candidates, area: MmRect, params: &Params) -> (Vec<(Polyline<Vertex>, Rank)>, Vec<f32>) {
+fn apart(lines: &LineCandidates, area: MmRect, params: &Params) -> (Vec<(Polyline<Vertex>, Rank)>, Vec<f32>) {
     let (mut polylines, ranks): (Vec<_>, Vec<_>) = lines.lines.iter().cloned().unzip();
     if let Some(apart) = spread(&polylines, area, params) {
         polylines = apart;

@@ -33,7 +33,7 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
-use candidates::Candidates;
+use candidates::LineCandidates;
 use clearance::Cleared;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use vertex::{Vertex, nearby};
@@ -76,7 +76,7 @@ pub fn draw_with(
     params: &Params,
 ) -> Lines {
     let params = Params { of_drawing: edges.of_drawing(), ..*params };
-    let candidates = |params: &Params| Candidates::of(edges, outlines, transform, area, params);
+    let candidates = |params: &Params| LineCandidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     keep_few_others(&mut cleared, outlines);
     // Detail comes last and takes whole lines, so that less of it is a subset.

@@ -28,7 +28,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
-use crate::regions::{Areas, Chosen, Detail, Mask};
+use crate::regions::{Chosen, Detail, Mask, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
@@ -47,7 +47,7 @@ const LEAST_TOLD: f32 = 3.0;
 const LEAST_TOLD_OF_DOTS: f32 = 0.05;
 
 /// All marks of a picture, where its layout puts them.
-pub(super) struct Marks {
+pub(super) struct DrawnMarks {
     pub(super) figure: Figure,
     pub(super) overview: Option<(MmRect, Vec<Line>)>,
     pub(super) layout: Layout,
@@ -66,7 +66,7 @@ pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout, &dyn Fn(Size) -> Re
 
 /// A picture that is read and laid out, with its contours.
 struct Found {
-    picture: decode::Picture,
+    picture: decode::Decoded,
     is_flat: bool,
     layout: Layout,
     texts: Vec<Text>,
@@ -128,7 +128,7 @@ pub(super) fn draw(
     layout_of: &LayoutOf<'_>,
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Marks, Error> {
+) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
     let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } =
         find(picture, (given, words), request, layout_of, with_room, watch)?;
@@ -145,7 +145,7 @@ pub(super) fn draw(
         })
     };
     request.go_on()?;
-    let DrawnLines { lines: drawn, areas, instead } = drawn;
+    let FigureLines { lines: drawn, areas, instead } = drawn;
     notes.extend(told_left_out(&drawn, &edges, &layout));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
@@ -170,7 +170,7 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
-    Ok(Marks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
+    Ok(DrawnMarks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
 }
 
 /// What the maker is told of lines that were given and are too short for this figure.
@@ -224,13 +224,13 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
         }
         Ok(size)
     };
-    let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
+    let options = decode::DecodeOptions { crop: None, page: None, ..request.decoding(&working_size) };
     let drawn = decode::decode(bytes, &options)?;
     Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), None, &mut |_| ()))
 }
 
 /// How large the overview of a picture is laid out.
-pub(super) fn overview_of(picture: &decode::Picture, content: &Content, given: &Given, plan: &Plan) -> OverviewSize {
+pub(super) fn overview_of(picture: &decode::Decoded, content: &Content, given: &Given, plan: &Plan) -> OverviewSize {
     let is_photograph = picture.drawing.is_none() && content.kind().is_some_and(|kind| !kind.is_drawing);
     // few shapes need no more room
     let has_regions = plan.region_detail().is_some() && plan.lines().most_shapes.is_none();
@@ -277,7 +277,7 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
 /// The contours of a picture: those of a vector drawing from its own geometry. Its kind, where it is known, is not
 /// found out again.
 pub(super) fn edges_of(
-    picture: &decode::Picture,
+    picture: &decode::Decoded,
     kind: Option<&PictureKind>,
     params: &edges::Params,
     regions: Option<Detail>,
@@ -306,7 +306,7 @@ pub(super) fn edges_of(
 
 /// The contours of a picture; none where the page needs none.
 pub(super) fn find_edges(
-    picture: &decode::Picture,
+    picture: &decode::Decoded,
     content: &Content,
     layout: &Layout,
     plan: &Plan,
@@ -326,10 +326,10 @@ pub(super) fn find_edges(
 
 /// What becomes of the lines of a figure.
 #[derive(Default)]
-pub(super) struct DrawnLines {
+pub(super) struct FigureLines {
     pub(super) lines: Lines,
     /// The areas that the outlines of regions among them surround.
-    pub(super) areas: Option<Areas>,
+    pub(super) areas: Option<OutlineAreas>,
     /// How the bars of a chart are drawn that have no room as they are.
     pub(super) instead: Option<Instead>,
 }
@@ -343,7 +343,7 @@ pub(super) fn draw_lines(
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> DrawnLines {
+) -> FigureLines {
     let reason = if !plan.profile().figure.lines {
         "figure.lines is off"
     } else if edges.is_empty() {
@@ -359,17 +359,17 @@ pub(super) fn draw_lines(
             let detail = plan.lines().detail;
             let drawn = draw(edges, &transform, detail);
             if !may_join || plan.lines().most_shapes.is_some() {
-                return DrawnLines { lines: drawn, areas, instead: None };
+                return FigureLines { lines: drawn, areas, instead: None };
             }
             let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
             let redraw =
                 Redraw { edges, transforms, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
             let (lines, instead) = redraw.whole(drawn, &transform);
-            DrawnLines { lines, areas, instead }
+            FigureLines { lines, areas, instead }
         });
     };
     watch(Event::Skip(Stage::Lines, reason));
-    DrawnLines::default()
+    FigureLines::default()
 }
 
 /// The lines of the figure, with what is lost. What has no room as a point of dots may have room as it is.
@@ -406,9 +406,9 @@ fn draw_whole(
 }
 
 /// What the maker is told of lines that are left out as there are to be few.
-fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
+fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan: &Plan) -> Option<Note> {
     let most = plan.lines().most_shapes?;
-    let shapes = beyond.shapes + areas.map_or(0, Areas::beyond);
+    let shapes = beyond.shapes + areas.map_or(0, OutlineAreas::beyond);
     Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 

@@ -233,7 +233,7 @@ impl HandLine {
 }
 
 /// A point or a tick on a line of a page, as it is in a drawing.
-struct Mark {
+struct LineMark {
     points: Vec<MmPoint>,
     closed: bool,
     is_disc: bool,
@@ -243,11 +243,11 @@ struct Mark {
 const CIRCLE: u32 = 24;
 
 /// The beads of a printed line, and the ticks and points of one of dots.
-fn marks_of(line: &Line) -> Vec<Mark> {
+fn marks_of(line: &Line) -> Vec<LineMark> {
     let circle = |at: MmPoint, radius: f32, is_disc: bool| {
         let turn = |k: u32| (k as f32 * std::f32::consts::TAU / CIRCLE as f32).sin_cos();
         let points = (0..CIRCLE).map(turn).map(|(y, x)| at + MmVector::new(x, y) * radius).collect();
-        Mark { points, closed: true, is_disc }
+        LineMark { points, closed: true, is_disc }
     };
     let beads = line.beads().map(|run| {
         let middle = MmRect::from_points(&run.points).center();
@@ -256,7 +256,7 @@ fn marks_of(line: &Line) -> Vec<Mark> {
     let points = line.row_points().map(|point| circle(point.at, point.radius, point.is_filled));
     let ticks = line.row_ticks().map(|(run, at)| {
         let points = std::iter::once(at).chain(run.points.last().copied()).collect();
-        Mark { points, closed: false, is_disc: false }
+        LineMark { points, closed: false, is_disc: false }
     });
     beads.chain(points).chain(ticks).collect()
 }
@@ -349,7 +349,7 @@ const STEP: f32 = 0.1;
 /// A line meets another if it comes this near, as a share of that: two lines that were drawn to touch seldom do
 /// exactly.
 const MEETS: f32 = 0.25;
-/// ... and is beside it for no longer than this, in the same unit: a line that crosses at 42 degrees or more.
+/// A line only crosses another if it is beside it for no longer than this, in the same unit: at 42 degrees or more.
 const CROSSING: f32 = 3.0;
 
 /// Takes the parts of contours out that are `gone`; each chain has its number.

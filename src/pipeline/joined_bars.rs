@@ -208,11 +208,11 @@ impl Instead {
 /// as near, or at their own sides.
 struct BarRow {
     bars: Vec<Bar>,
-    ends: [End; 2],
+    ends: [RowEnd; 2],
 }
 
 #[derive(Clone, Copy)]
-struct End {
+struct RowEnd {
     at: f32,
     /// Whether an axis is there.
     is_axis: bool,
@@ -245,7 +245,7 @@ impl Chart {
             wanted.extend((!is_low).then(|| WantedPath { path: vec![a, b], reach, or_none: false, weight }));
             // a side is not the axis beside it, and may have moved away from that
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
-                let End { at, is_axis } = self.end(bar, gap_px, is_last);
+                let RowEnd { at, is_axis } = self.end(bar, gap_px, is_last);
                 if is_axis {
                     let inwards = 0.5 * tolerances.reach / transform.mm_per_px();
                     let across = own + if is_last { -inwards } else { inwards };
@@ -336,7 +336,7 @@ impl Chart {
     }
 
     /// Where a row ends beside a bar: at an axis no further than `gap_px` from it, or at its own side.
-    fn end(&self, bar: &Bar, gap_px: f32, is_last: bool) -> End {
+    fn end(&self, bar: &Bar, gap_px: f32, is_last: bool) -> RowEnd {
         let (own, outwards) = if is_last { (bar.to, 1.0) } else { (bar.from, -1.0) };
         let beyond = |at: f32| (at - own) * outwards;
         let is_of_bar =
@@ -345,7 +345,7 @@ impl Chart {
             |at: f32| beyond(at) > SAME && beyond(at) <= gap_px && self.has_side(at, bar.top) && !is_of_bar(at);
         let axis = self.sides.iter().map(|side| side.at).filter(|&at| is_axis(at));
         let axis = axis.min_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
-        End { at: axis.unwrap_or(own), is_axis: axis.is_some() }
+        RowEnd { at: axis.unwrap_or(own), is_axis: axis.is_some() }
     }
 
     /// Whether a place is on the top of a bar.

@@ -23,12 +23,12 @@ const STEP: f32 = 1.0;
 const REACH: f32 = 8.0;
 /// A line of which less than this share is there is lost.
 const LOST: f32 = 0.2;
-/// ... and one that a person drew is lost in part where less than this is there: every line of theirs is meant, and up
+/// A line that a person drew is lost in part where less than this share is there: every line of theirs is meant, and up
 /// to a step of dots and the width of a line is missing where lines meet.
 const IN_PART: f32 = 0.7;
 /// Most lines that are named.
 const MOST: usize = 6;
-/// ... and so many of those that a person drew.
+/// Most lines that are named of those that a person drew.
 const MOST_BY_HAND: usize = 20;
 
 /// The lines of `before` that each line of `after` stands for, and what share of each line of `before` is there. Both

@@ -6,7 +6,7 @@ use crate::page::layout::{self, Layout, OverviewParams};
 use crate::page::{MIRRORED, MediumParams};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
-use crate::raster::decode::{Fonts, Header, Limits, Options};
+use crate::raster::decode::{DecodeOptions, FontLoader, Header, Limits};
 use crate::units::Size;
 
 /// Which part of a picture is drawn, and how. The default is all of it, as large as the sheet allows, for the front.
@@ -138,7 +138,7 @@ pub struct Request<'a> {
     /// What decoding may cost.
     pub limits: Limits,
     /// Fonts for drawings; asked only when a drawing has text.
-    pub fonts: &'a Fonts<'a>,
+    pub fonts: &'a FontLoader<'a>,
     /// What the page is called, such as the picture's file name.
     pub title: &'a str,
     /// The language in which the page is described (BCP 47); English where the program has no words in it.
@@ -159,8 +159,8 @@ impl Request<'_> {
     }
 
     /// How the picture is decoded.
-    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> Options<'b> {
+    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> DecodeOptions<'b> {
         let Fit { crop, page, keep_text, keep_ground, .. } = self.fit;
-        Options { limits: self.limits, fonts: self.fonts, crop, page, keep_text, keep_ground, working_size }
+        DecodeOptions { limits: self.limits, fonts: self.fonts, crop, page, keep_text, keep_ground, working_size }
     }
 }

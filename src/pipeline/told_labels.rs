@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::unwritten::{Lacks, Refused, named};
+use super::unwritten::{Lacks, RefusedTexts, named};
 use crate::labels::{self, NEAR, Placed, Stands, Unplaced, Wanted};
 use crate::listing::first_few;
 use crate::page::Figure;
@@ -17,7 +17,7 @@ pub(super) const NO_CODE_OF_WORDS: &str = "there is no braille code for the lang
 pub(super) const NOTHING_TO_TELL: &str =
     "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
 const NO_ROOM: &str = "there is no room";
-/// ... of numbers along an axis of which every so many-th stands.
+/// Why some numbers along an axis are left out where every so many-th stands.
 const EVERY: [(i64, &str); 3] = [
     (2, "there is room for every second number along an axis only"),
     (5, "there is room for every fifth number along an axis only"),
@@ -25,7 +25,7 @@ const EVERY: [(i64, &str); 3] = [
 ];
 const _: () =
     assert!(EVERY[0].0 == labels::EVERY[0] && EVERY[1].0 == labels::EVERY[1] && EVERY[2].0 == labels::EVERY[2]);
-/// ... and of those of which only some have a tick on the page.
+/// The same where only those stand that have a tick on the page.
 const AT_TICKS: &str = "there is room for the numbers at the ticks of the page only";
 const NO_CELLS: &str = "their code has no cells for them";
 const MISLEADING: &str = "without characters that their code has no cells for they would say something else";
@@ -163,7 +163,7 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
 
 /// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
 pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
-    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), Refused::default(), Lacks::default());
+    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), RefusedTexts::default(), Lacks::default());
     let mut thinned: BTreeMap<i64, Vec<String>> = BTreeMap::new();
     let mut misleading = Vec::new();
     let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

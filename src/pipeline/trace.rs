@@ -1,7 +1,7 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
 use super::draw::{
-    DrawnLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, told_left_out, working_size,
+    FigureLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, told_left_out, working_size,
 };
 use super::given::Given;
 use super::joined_bars;
@@ -130,7 +130,7 @@ pub fn trace<'p>(
         Subject::Contours | Subject::ContoursAtFullResolution => Trace::of_edges(&edges, source),
         Subject::Lines => {
             let regions = regions_of_figure(&edges, &layout, plan, watch);
-            let DrawnLines { lines: drawn, instead, .. } =
+            let FigureLines { lines: drawn, instead, .. } =
                 draw_lines(&edges, regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
             notes.extend(told_left_out(&drawn, &edges, &layout));
             notes.extend(joined_bars::told(instead, None));

@@ -62,7 +62,7 @@ const STEP: f32 = 1.0;
 
 /// The words of a page in braille.
 #[derive(Debug, Default)]
-pub(super) struct Written<'a> {
+pub(super) struct WrittenWords<'a> {
     title: Option<Title>,
     heading: Option<HeadingParams>,
     /// The page number of the first sheet.
@@ -82,7 +82,7 @@ struct Title {
 /// Most sheets after the first: room for the digits of their numbers is kept.
 const MOST_SHEETS: u32 = 50;
 
-impl<'a> Written<'a> {
+impl<'a> WrittenWords<'a> {
     /// The words in the code that the profile names, or that of their language.
     pub(super) fn new(words: &Words<'a>, plan: &Plan) -> Self {
         let settings = &plan.profile().braille;

@@ -5,7 +5,7 @@ use super::keys::Profile;
 use crate::Error;
 use crate::devices::Device;
 use crate::dots::textures::Least;
-use crate::legibility::{Limits, MediumLimits};
+use crate::legibility::{MediumLimits, RuleLimits};
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
 use crate::{classes, dots, edges, lines, regions, textures};
@@ -260,7 +260,7 @@ impl Plan {
     }
 
     /// The numbers that a page of this profile is held against.
-    pub fn limits(&self) -> Limits {
+    pub fn limits(&self) -> RuleLimits {
         let Profile { page, lines, colours, textures, braille, print, .. } = self.profile();
         let medium = match self.medium() {
             MediumParams::Print(_) => MediumLimits::Print {
@@ -277,7 +277,7 @@ impl Plan {
                 MediumLimits::Dots { pitch, line_gap, texture_gap }
             }
         };
-        Limits {
+        RuleLimits {
             margin: page.margin,
             line_length: lines.min_length,
             texture_area: colours.min_area,

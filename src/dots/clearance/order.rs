@@ -11,7 +11,7 @@ use crate::units::MmRect;
 /// A line ends on another if it comes this near to its middle, mm: junctions are drawn so, but for the tolerance with
 /// which lines are simplified.
 const TOUCH: f32 = 0.1;
-/// So many lines can stand on one another, one after the other; of those that do so in a circle none is the first.
+/// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
 const DEPTH: usize = 8;
 
 /// The numbers of the lines of a part of the sheet, the strongest given first, in this order. Ends that meet other ends

@@ -78,7 +78,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
 
 /// A segment of a contour.
 #[derive(Debug, Clone, Copy)]
-struct Piece {
+struct PathPiece {
     a: PxPoint,
     b: PxPoint,
     reach: f32,
@@ -88,7 +88,7 @@ struct Piece {
 pub(super) struct Covered {
     columns: usize,
     rows: usize,
-    cells: Vec<Vec<Piece>>,
+    cells: Vec<Vec<PathPiece>>,
 }
 
 impl Covered {
@@ -109,7 +109,7 @@ impl Covered {
 
     fn add(&mut self, line: &Polyline<Edgel>, reach: f32) {
         for (a, b) in line.segments() {
-            let piece = Piece { a: a.at, b: b.at, reach };
+            let piece = PathPiece { a: a.at, b: b.at, reach };
             for cell in self.cells_around(a.at.min(b.at), a.at.max(b.at), reach) {
                 self.cells[cell].push(piece);
             }
@@ -126,7 +126,7 @@ impl Covered {
     }
 
     /// The pieces whose reach may take in a point.
-    fn at(&self, at: PxPoint) -> impl Iterator<Item = &Piece> {
+    fn at(&self, at: PxPoint) -> impl Iterator<Item = &PathPiece> {
         self.cells_around(at, at, 0.0).flat_map(|cell| &self.cells[cell])
     }
 

@@ -10,7 +10,7 @@ use crate::lines::params::Params;
 use crate::lines::vertex::{FoundIn, Vertex};
 use crate::units::MmRect;
 
-/// Longest stack of lines standing on one another that is followed; a circle of such lines ends there, too.
+/// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
 const DEPTH: usize = 8;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;

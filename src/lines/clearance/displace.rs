@@ -95,7 +95,7 @@ mod tests {
     }
 
     fn drawn_apart(polyline: &Polyline<Vertex>, lines: &DrawnLines<'_>) -> bool {
-        lines.states(polyline).iter().all(|state| *state != super::super::drawn::State::TooNear)
+        lines.states(polyline).iter().all(|state| *state != super::super::drawn::LineState::TooNear)
     }
 
     #[test]

@@ -17,7 +17,7 @@ const STRETCH: f32 = 2.0;
 const STEEP: f32 = 0.35;
 
 /// A displacement at a place of a line, given by its arc, mm.
-type Push = (f32, MmVector);
+type LinePush = (f32, MmVector);
 
 /// A straight stretch of a line.
 struct StraightPart {
@@ -52,7 +52,7 @@ pub(super) fn shifts(
     }
     let given = |i: usize| shifts[i].unwrap_or(pushes[i]);
     let pushed = (0..pushes.len()).map(|i| (passage.arcs[i], given(i))).filter(|(_, push)| *push != MmVector::zero());
-    let pushed: Vec<Push> = pushed.collect();
+    let pushed: Vec<LinePush> = pushed.collect();
     shifts
         .iter()
         .zip(&passage.arcs)
@@ -153,7 +153,7 @@ fn slid(stretch: &StraightPart, along: MmVector) -> MmVector {
 
 /// The longest of the displacements at `arc`, each of which fades along the line; near junctions the line stays where
 /// it is.
-fn faded(arc: f32, pushes: &[Push], passage: &Passage) -> MmVector {
+fn faded(arc: f32, pushes: &[LinePush], passage: &Passage) -> MmVector {
     let mut longest = MmVector::zero();
     // those farther away have faded: of an open line the others are a run, of a ring there may be two more
     let at = |arc: f32| pushes.partition_point(|(there, _)| *there < arc);

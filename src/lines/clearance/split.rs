@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::drawn::{DrawnLines, State};
+use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
 use super::passage::Junction;
 use crate::geom::polyline::Polyline;
@@ -63,7 +63,7 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
 /// they join.
 pub(super) fn split(
     polyline: &Polyline<Vertex>,
-    states: &[State],
+    states: &[LineState],
     extended: bool,
     drawn: &DrawnLines<'_>,
 ) -> Vec<Polyline<Vertex>> {
@@ -73,7 +73,7 @@ pub(super) fn split(
     if polyline.closed && params.is_dot(length) {
         return Vec::new();
     }
-    let (open, states) = match states.iter().position(|state| *state == State::TooNear) {
+    let (open, states) = match states.iter().position(|state| *state == LineState::TooNear) {
         Some(start) if polyline.closed => {
             let count = states.len();
             (polyline.opened_at(start), (0..=count).map(|k| states[(start + k) % count]).collect())
@@ -131,11 +131,11 @@ fn pieces(
 }
 
 /// The stretches of vertices between those that are too near to lines.
-fn apart_stretches(states: &[State]) -> Vec<Range<usize>> {
+fn apart_stretches(states: &[LineState]) -> Vec<Range<usize>> {
     let mut stretches = Vec::new();
     let mut at = 0;
-    for alike in states.chunk_by(|a, b| (*a == State::TooNear) == (*b == State::TooNear)) {
-        if !alike.contains(&State::TooNear) {
+    for alike in states.chunk_by(|a, b| (*a == LineState::TooNear) == (*b == LineState::TooNear)) {
+        if !alike.contains(&LineState::TooNear) {
             stretches.push(at..at + alike.len());
         }
         at += alike.len();
@@ -145,12 +145,12 @@ fn apart_stretches(states: &[State]) -> Vec<Range<usize>> {
 
 /// The stretches of vertices between those that are near to lines so that some are too near. A stretch that
 /// is near, but nowhere too near, divides nothing.
-fn clear_stretches(states: &[State]) -> Vec<Range<usize>> {
+fn clear_stretches(states: &[LineState]) -> Vec<Range<usize>> {
     let mut stretches = Vec::new();
     let (mut start, mut at) = (0, 0);
-    for near in states.chunk_by(|a, b| (*a == State::Free) == (*b == State::Free)) {
+    for near in states.chunk_by(|a, b| (*a == LineState::Free) == (*b == LineState::Free)) {
         let end = at + near.len();
-        if near.contains(&State::TooNear) {
+        if near.contains(&LineState::TooNear) {
             stretches.push(start..at);
             start = end;
         }
@@ -176,8 +176,8 @@ mod tests {
     #[test]
     #[expect(clippy::single_range_in_vec_init, reason = "lists of stretches, of which there may be one")]
     fn stretches_end_where_a_near_one_has_something_too_near() {
-        use State::{Free, Joined, TooNear};
-        let all = |states: &[State]| clear_stretches(states);
+        use LineState::{Free, Joined, TooNear};
+        let all = |states: &[LineState]| clear_stretches(states);
         assert_eq!(all(&[Free, Free, Joined, TooNear, Joined, Free]), [0..2, 5..6]);
         assert_eq!(all(&[Joined, Free, Joined, Free]), [0..4], "junctions divide nothing");
         assert_eq!(all(&[TooNear, Free, TooNear]), [1..2]);
@@ -187,7 +187,7 @@ mod tests {
 
     #[test]
     fn an_axis_stays_where_bars_stand_on_it() {
-        use State::{Free, Joined, TooNear};
+        use LineState::{Free, Joined, TooNear};
         assert_eq!(apart_stretches(&[TooNear, Joined, Joined, TooNear, Free, Joined]), [1..3, 4..6]);
         assert_eq!(apart_stretches(&[TooNear]), []);
         // bars 9 mm apart, and what was drawn of the axis before them
@@ -198,7 +198,7 @@ mod tests {
         let lines = drawn(&all);
         let axis = polyline(&[(14.0, 50.0), (62.0, 50.0)], false);
         let states = lines.states(&axis);
-        assert!(states.contains(&State::TooNear));
+        assert!(states.contains(&LineState::TooNear));
         let mut stroke = axis;
         stroke.vertices.iter_mut().for_each(|vertex| vertex.contrast = [0.0; 3]);
         let pieces = split(&stroke, &states, false, &lines);
@@ -221,7 +221,7 @@ mod tests {
         let pieces = split(&whole, &lines.states(&whole), true, &lines);
         assert_eq!(pieces.len(), 2);
         assert!(pieces.iter().all(|piece| piece.length() > 28.0 && piece.length() < 35.0));
-        assert!(pieces.iter().all(|piece| !lines.states(piece).contains(&State::TooNear)));
+        assert!(pieces.iter().all(|piece| !lines.states(piece).contains(&LineState::TooNear)));
     }
 
     #[test]
