@@ -33,6 +33,7 @@ mod text_reader;
 mod texts;
 mod textures;
 mod told_labels;
+mod told_lines;
 pub mod trace;
 mod typed;
 mod unwritten;

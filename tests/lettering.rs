@@ -229,3 +229,17 @@ fn light_letters_and_letters_that_stand_upright_are_text() {
     assert!(upright.texts.len() >= 4, "{:?}", upright.texts);
     assert!(upright.texts.iter().all(|text| (text.angle - 90.0).abs() < 2.0), "{:?}", upright.texts);
 }
+
+#[test]
+fn letters_in_a_picture_of_lines_are_no_lines_and_are_told() {
+    let options = || Options::new(profile()).lines(labelled_chart()).expect("a picture of lines");
+    let blank = |options: &Options| converted([WIDTH, HEIGHT], |i| if i == 0 { 254 } else { 255 }, options);
+    let drawing = blank(&options());
+    assert!(same(&drawing, &Canvas::chart().drawing(false)).iter().all(|share| *share > 0.97));
+    let told = drawing.notes.iter().map(ToString::to_string).find(|note| note.contains("in the picture of lines"));
+    assert!(told.is_some_and(|note| note.contains("6 texts")), "{:?}", drawing.notes);
+    let checked = tactograph::check(drawing.page.to_svg(), None).expect("a page");
+    assert_eq!(checked.errors(), 0, "{checked}");
+    let kept = blank(&options().keep_text(true));
+    assert!(!kept.notes.iter().any(|note| note.to_string().contains("in the picture of lines")));
+}

@@ -1,6 +1,7 @@
 //! The library and the program from outside. One program, so that the library is linked once: `cargo test --test suite
 //! golden::` runs a part of it. Only `tests/tidy`, which needs no library, stands alone.
 
+mod arrows;
 mod bars;
 mod bitmaps;
 mod braille;

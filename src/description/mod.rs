@@ -66,7 +66,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     sentences.push(("sheet", sheet(felt, wording)));
     let lines = &felt.figure.lines;
     let told = shapes::told(lines, felt.figure.place, MOST_LINES, wording);
-    let shorter = lines.len() - told.len();
+    let shorter = shapes::count(lines) - told.len();
     sentences.extend(told.into_iter().map(|text| ("shape", text)));
     if shorter > 0 {
         sentences.push(("lines", wording.say("lines-more", &[("lines", shorter.into())])));
@@ -76,7 +76,7 @@ fn marks(page: &Page, wording: &Wording) -> Vec<(&'static str, String)> {
     sentences.extend(texts(felt, wording).into_iter().map(|text| ("text", text)));
     if let Some(overview) = &felt.overview {
         let [width, height] = size(overview.place);
-        let values = [("width", width), ("height", height), ("lines", overview.lines.len().into())];
+        let values = [("width", width), ("height", height), ("lines", shapes::count(&overview.lines).into())];
         sentences.push(("overview", wording.say("overview", &values)));
     }
     if InSet::of(page) == Some(InSet::Followed) {
@@ -134,7 +134,7 @@ fn sheet(page: &Page, wording: &Wording) -> String {
         ("height", height.into()),
         ("across", across),
         ("down", down),
-        ("lines", page.figure.lines.len().into()),
+        ("lines", shapes::count(&page.figure.lines).into()),
         ("areas", page.figure.textures.len().into()),
     ];
     wording.say("sheet", &values)

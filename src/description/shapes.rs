@@ -1,7 +1,10 @@
 //! Lines in words: form, place and size, as far as they are certain.
 
+use std::f32::consts::FRAC_PI_4;
+
 use crate::geom::ninths::ninth;
 use crate::geom::outline;
+use crate::lines::{Arrow, arrows};
 use crate::page::Line;
 use crate::units::{MmPoint, MmRect, MmVector};
 use crate::wording::{Value, Wording};
@@ -37,6 +40,8 @@ struct LineShape {
     extent: MmRect,
     /// How far it may lie off a straight side, mm.
     slack: f32,
+    /// Which way each of its arrowheads points.
+    ways: Vec<&'static str>,
 }
 
 impl LineShape {
@@ -56,7 +61,7 @@ impl LineShape {
         let extent = path
             .iter()
             .fold(MmRect::new(first, first), |extent, &at| MmRect::new(extent.min.min(at), extent.max.max(at)));
-        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * gap) })
+        Some(Self { path, length, closed, extent, slack: SLACK.max(0.8 * gap), ways: Vec::new() })
     }
 
     fn area(&self) -> f32 {
@@ -116,6 +121,11 @@ impl LineShape {
                 false => wording.say("shape-closed", &[place, mm("width", width), mm("height", height), holds]),
             };
         }
+        match self.ways[..] {
+            [] => {}
+            [way] => return wording.say("arrow", &[place, mm("length", self.length), ("way", way.into())]),
+            _ => return wording.say("arrow-both", &[place, mm("length", self.length)]),
+        }
         if let Some(side) = self.open_side() {
             return wording
                 .say("shape-open", &[place, mm("width", width), mm("height", height), ("side", side.into())]);
@@ -137,6 +147,26 @@ impl LineShape {
     }
 }
 
+/// Which way an arrow points, in steps of 45 degrees.
+fn way(arrow: &Arrow) -> &'static str {
+    let eighths = (arrow.toward.angle_from_x_axis().radians / FRAC_PI_4).round() as i32;
+    match eighths.rem_euclid(8) {
+        0 => "right",
+        1 => "down-right",
+        2 => "down",
+        3 => "down-left",
+        4 => "left",
+        5 => "up-left",
+        6 => "up",
+        _ => "up-right",
+    }
+}
+
+/// How many of lines are told as themselves: the head of an arrow is part of it.
+pub(super) fn count(lines: &[Line]) -> usize {
+    lines.len() - arrows(lines).iter().filter(|arrow| arrow.head.is_some()).count()
+}
+
 /// The least of some distances, whatever their sign.
 fn off(distances: [f32; 3]) -> f32 {
     distances.into_iter().map(f32::abs).fold(f32::MAX, f32::min)
@@ -149,7 +179,14 @@ fn written(at: MmPoint) -> MmPoint {
 
 /// Sentences on the longest lines, the longest first.
 pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wording) -> Vec<String> {
-    let mut shapes: Vec<LineShape> = lines.iter().filter_map(LineShape::of).collect();
+    let arrows = arrows(lines);
+    let is_head = |number: usize| arrows.iter().any(|arrow| arrow.head == Some(number));
+    let ways = |number: usize| -> Vec<&str> {
+        arrows.iter().filter(|arrow| arrow.line == number).map(|arrow| way(arrow)).collect()
+    };
+    let of_line = |(number, line)| Some(LineShape { ways: ways(number), ..LineShape::of(line)? });
+    let others = lines.iter().enumerate().filter(|(number, _)| !is_head(*number));
+    let mut shapes: Vec<LineShape> = others.filter_map(of_line).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
     let text = |(number, shape): (usize, &LineShape)| {
         let others = shapes.iter().enumerate().filter(|(other, _)| *other != number && shape.closed);
@@ -194,6 +231,21 @@ mod tests {
                 "A bent line in the upper left, 30 mm long.",
             ]
         );
+    }
+
+    #[test]
+    fn an_arrow_is_told_with_its_way_and_its_head_is_no_line() {
+        let figure = MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 150.0));
+        let at = MmPoint::new;
+        let shaft = line(vec![at(60.0, 60.0), at(60.0, 10.0)]);
+        let head = |y: f32, back: f32| line(vec![at(56.0, y + back), at(60.0, y), at(64.0, y + back)]);
+        let told = |lines: &[Line]| (told(lines, figure, 9, Wording::english()).concat(), count(lines));
+        let one = told(&[head(10.0, 5.7), shaft.clone()]);
+        assert_eq!(one, ("An arrow in the upper middle, 50 mm long, whose head points up.".to_owned(), 1));
+        let both = told(&[shaft.clone(), head(10.0, 5.7), head(60.0, -5.7)]);
+        assert_eq!(both, ("A line in the upper middle, 50 mm long, with an arrowhead at each end.".to_owned(), 1));
+        assert_eq!(told(&[shaft.clone(), head(10.0, -5.7)]).1, 2, "it points back");
+        assert_eq!(told(&[shaft, head(7.0, 5.7)]).1, 2, "it is not at the end of the line");
     }
 
     #[test]

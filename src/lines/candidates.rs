@@ -4,13 +4,14 @@
 use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::clearance::Cleared;
+use super::faint::FaintStrokes;
 use super::lost::{LossTally, Lost};
-use super::marks::TickMark;
+use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
 use super::points::{self, Point};
 use super::vertex::{Vertex, nearby};
-use super::{centreline, join, junction, saliency, ticks, weight};
+use super::{arrowheads, centreline, faint, join, junction, saliency, ticks, weight};
 use crate::edges::{ChainRange, Edges};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, PageTransform};
@@ -33,6 +34,8 @@ pub(super) struct LineCandidates {
     pub(super) points: Vec<Point>,
     /// The ticks of scales that are handed on.
     pub(super) scales: Vec<Vec<TickMark>>,
+    /// The heads of arrows.
+    pub(super) heads: Vec<HeadMark>,
 }
 
 impl LineCandidates {
@@ -44,6 +47,7 @@ impl LineCandidates {
         params: &Params,
     ) -> Self {
         let mut polylines = on_the_sheet(edges, transform, params);
+        let heads = if params.of_drawing { arrowheads::take(&mut polylines, area, params) } else { Vec::new() };
         let takes_points = params.of_drawing && params.takes_points;
         let points = if takes_points { points::take(&mut polylines, params) } else { Vec::new() };
         let mut polylines = join::join(polylines, params.join_gap);
@@ -79,13 +83,14 @@ impl LineCandidates {
         polylines.par_iter_mut().for_each(|polyline| weight::assign(polyline, params));
         let has_outlines = contours < polylines.len();
         let rank = |(number, line): (usize, &Polyline<Vertex>)| match number {
+            _ if faint::is_faint(line) => Rank::Faint,
             _ if !has_outlines => Rank::Ordinary,
             _ if number < contours => Rank::of(line),
             _ => of_outlines[number - contours],
         };
         let ranks: Vec<Rank> = polylines.iter().enumerate().map(rank).collect();
         let saliencies = saliency::saliencies(&polylines, params);
-        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short, points, scales }
+        Self { lines: polylines.into_iter().zip(ranks).collect(), saliencies, contours, short, points, scales, heads }
     }
 
     /// What of those contours that have at least this saliency is not `drawn`, and what is too short.
@@ -111,9 +116,11 @@ impl LineCandidates {
 /// The contours on the sheet, in an order and in directions that do not depend on where in the picture each was found
 /// first.
 fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Vec<Polyline<Vertex>> {
+    let faint = FaintStrokes::of(edges);
     let polyline = |range: &ChainRange| {
         let chain = edges.chain(range);
         let polyline = Polyline::of_chain(chain, range.kind, transform);
+        let polyline = if faint.holds(edges, range) { faint::weaken(polyline, params) } else { polyline };
         let polyline = match range.kind.exact {
             // exact paths are not smoothed: their corners are meant
             true => polyline,

@@ -10,7 +10,7 @@ use super::clearance::{Cleared, clear, spread};
 use super::junction;
 use super::outlines::Rank;
 use super::params::Params;
-use super::saliency::saliencies;
+use super::saliency::saliency;
 use super::vertex::Vertex;
 use crate::geom::polyline::Polyline;
 use crate::units::MmRect;
@@ -84,15 +84,21 @@ impl Attempt {
         (self.candidates, self.cleared, self.params)
     }
 
-    /// Length of what is not drawn, mm.
+    /// Length of what is not drawn, mm; but for faint lines, which are to give way.
     fn lost(&self) -> f32 {
-        let wanted: f32 = self.candidates.lines.iter().map(|(line, _)| line.length()).sum();
-        wanted - self.cleared.iter().map(|line| line.polyline.length()).sum::<f32>()
+        let lines = self.candidates.lines.iter().filter(|(_, rank)| *rank != Rank::Faint);
+        let wanted: f32 = lines.map(|(line, _)| line.length()).sum();
+        wanted - self.strong().map(|line| line.polyline.length()).sum::<f32>()
+    }
+
+    /// What is drawn but for faint lines.
+    fn strong(&self) -> impl Iterator<Item = &Cleared> {
+        self.cleared.iter().filter(|line| line.rank != Rank::Faint)
     }
 
     /// Saliency of what is drawn: a ring in parts or a line that wavers counts for less.
     fn drawn(&self) -> f32 {
-        self.cleared.iter().map(|line| line.saliency).sum()
+        self.strong().map(|line| line.saliency).sum()
     }
 
     fn wanted(&self) -> f32 {
@@ -110,17 +116,22 @@ impl Attempt {
 
 /// Saliency of what is wanted. What is too short for a line, as a small box that became its centreline, is wanted too.
 fn wanted(candidates: &LineCandidates) -> f32 {
-    candidates.saliencies.iter().sum::<f32>() + candidates.short.length()
+    let strong = candidates.lines.iter().zip(&candidates.saliencies).filter(|((_, rank), _)| *rank != Rank::Faint);
+    strong.map(|(_, saliency)| saliency).sum::<f32>() + candidates.short.length()
 }
 
 /// The lines of a drawing, moved apart, and their saliencies.
 fn apart(lines: &LineCandidates, area: MmRect, params: &Params) -> (Vec<(Polyline<Vertex>, Rank)>, Vec<f32>) {
-    let (mut polylines, ranks): (Vec<_>, Vec<_>) = lines.lines.iter().cloned().unzip();
+    // faint lines, such as an even grid, stay where they are
+    let (mut faint, strong): (Vec<_>, Vec<_>) = lines.lines.iter().cloned().partition(|(_, rank)| *rank == Rank::Faint);
+    let (mut polylines, ranks): (Vec<_>, Vec<_>) = strong.into_iter().unzip();
     if let Some(apart) = spread(&polylines, area, params) {
         polylines = apart;
         // an end may have come off the line on which it lay
         junction::extend(&mut polylines, area, params.join_gap);
     }
-    let saliencies = saliencies(&polylines, params);
-    (polylines.into_iter().zip(ranks).collect(), saliencies)
+    let mut all: Vec<(Polyline<Vertex>, Rank)> = polylines.into_iter().zip(ranks).collect();
+    all.append(&mut faint);
+    let saliencies = all.iter().map(|(line, _)| saliency(line, params)).collect();
+    (all, saliencies)
 }

@@ -1,15 +1,17 @@
 //! Marks on lines that are handed on, to be drawn where the lines become dots: a row of dots has no beads, and room on
 //! it is counted in dots.
 
-use crate::units::{MmPoint, MmVector};
+use crate::units::{MmPoint, MmRect, MmVector};
 
-/// Points and ticks on the lines of a drawing.
+/// Points, ticks and heads of arrows on the lines of a drawing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LineMarks {
     /// Points, such as those of a number line.
     pub points: Vec<PointMark>,
     /// The ticks of each scale, in order along its line.
     pub scales: Vec<Vec<TickMark>>,
+    /// The heads of arrows, those that are drawn already too.
+    pub heads: Vec<HeadMark>,
 }
 
 /// A small round shape on a line.
@@ -21,6 +23,19 @@ pub struct PointMark {
     pub radius: f32,
     /// Whether it is a disc, and not a ring.
     pub is_filled: bool,
+}
+
+/// The head of an arrow at the end of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeadMark {
+    /// Its tip, where its line ends.
+    pub at: MmPoint,
+    /// Which way it points: of length 1.
+    pub toward: MmVector,
+    /// What it covers in the drawing.
+    pub extent: MmRect,
+    /// Whether it is among the lines already.
+    pub is_drawn: bool,
 }
 
 /// A tick on a line.

@@ -10,11 +10,13 @@
 //! Outlines of regions, where there are any (`outlines`), come in before `junction`, and go before other lines in
 //! `clearance`.
 
+mod arrowheads;
 mod candidates;
 mod centreline;
 mod clearance;
 mod corner;
 mod crowded;
+mod faint;
 mod few;
 mod join;
 mod junction;
@@ -38,10 +40,11 @@ use clearance::Cleared;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use vertex::{Vertex, nearby};
 
+pub use arrowheads::{Arrow, arrows, is_triangle};
 pub use few::Beyond;
 pub use line::{Height, Line, Pen, Run};
 pub use lost::{Lost, LostMarks, LostScale, LostSign};
-pub use marks::{LineMarks, PointMark, TickMark};
+pub use marks::{HeadMark, LineMarks, PointMark, TickMark};
 pub use outlines::Outlines;
 pub use params::Params;
 
@@ -52,9 +55,9 @@ use crate::units::{MmRect, PageTransform};
 /// The lines of a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Lines {
-    /// The rings of hollow points on lines, then all others, the weightiest first.
+    /// The rings of hollow points on lines, then all others, the weightiest first, and then the heads of arrows.
     pub lines: Vec<Line>,
-    /// Points and ticks on them that are handed on.
+    /// Points and ticks on them that are handed on, and the heads of arrows.
     pub marks: LineMarks,
     /// What is not drawn for want of room.
     pub lost: Lost,
@@ -79,6 +82,7 @@ pub fn draw_with(
     let candidates = |params: &Params| LineCandidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     keep_few_others(&mut cleared, outlines);
+    faint::without_scraps(&mut cleared, &candidates.lines, &params);
     // Detail comes last and takes whole lines, so that less of it is a subset.
     let least = saliency::least(cleared.first().map_or(0.0, |line| line.saliency), &params);
     let mut drawn: Vec<_> = cleared.iter().filter(|line| line.saliency >= least).collect();
@@ -97,20 +101,24 @@ pub fn draw_with(
     beyond.shapes += candidates.points.len() - points.len();
     let polylines: Vec<_> = drawn.iter().map(|line| &line.polyline).collect();
     let handed_on = if params.hands_marks_on { points.iter().map(points::Point::mark).collect() } else { Vec::new() };
-    let marks = LineMarks { points: handed_on, scales: candidates.scales.clone() };
+    let mut marks = LineMarks { points: handed_on, scales: candidates.scales.clone(), heads: candidates.heads.clone() };
     let points = if params.hands_marks_on { &[] } else { points };
     let points = points::draw(points, &polylines, area, &params);
     lost.rings += points.lost;
+    let heads = if params.hands_marks_on { &mut [] } else { &mut marks.heads[..] };
+    let heads = arrowheads::draw(heads, &polylines, area, &params);
     let finish = |(number, line): (usize, &Cleared)| -> Vec<Line> {
-        let parts = points.parts(number, &line.polyline, &line.anchored, &params);
+        let (shaft, anchored) = heads.shaft(number, &line.polyline, &line.anchored);
+        let parts = points.parts(number, &shaft, &anchored, &params);
         parts.iter().filter_map(|(part, anchored)| weight::finish(part, anchored, &params)).collect()
     };
-    let finish_ring = |ring: &Polyline<Vertex>| weight::finish(ring, &vec![false; ring.vertices.len()], &params);
+    let finish_mark = |mark: &Polyline<Vertex>| weight::finish(mark, &vec![false; mark.vertices.len()], &params);
     // on a grid of dots the first lines get the dots that they need
-    let mut lines: Vec<Line> = points.rings.iter().filter_map(finish_ring).collect();
+    let mut lines: Vec<Line> = points.rings.iter().filter_map(finish_mark).collect();
     let others: Vec<Line> =
         drawn.into_par_iter().enumerate().flat_map_iter(|(number, line)| finish((number, line))).collect();
     lines.extend(others);
+    lines.extend(heads.heads.iter().filter_map(finish_mark));
     Lines { lines, marks, lost, beyond }
 }
 

@@ -22,6 +22,8 @@ pub struct Outlines {
 /// When a line is drawn: the greatest first, then by saliency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
+    /// A stroke that is much thinner and paler than the others of its drawing.
+    Faint,
     /// Any line.
     Ordinary,
     /// An outline of a region, or what is left of one.

@@ -39,6 +39,15 @@ pub(super) enum FoundIn {
     Stroke,
     /// In a vector drawing, and exactly there.
     Vector,
+    /// The same, of a stroke that is faint beside others.
+    FaintStroke,
+}
+
+impl FoundIn {
+    /// Whether it is exactly where it is in a vector drawing.
+    pub(super) fn is_exact(self) -> bool {
+        matches!(self, Self::Vector | Self::FaintStroke)
+    }
 }
 
 impl Located for Vertex {
@@ -67,10 +76,10 @@ impl Blend for Vertex {
 
 impl Vertex {
     /// Its strength; of a stroke in a drawing at least full strength: one that is half a pixel wide is found with half
-    /// its contrast, or less, and means as much as a wide one.
+    /// its contrast, or less, and means as much as a wide one; a faint one of a vector drawing is meant, too.
     pub(super) fn counted_strength(&self, full_strength: f32) -> f32 {
         match self.source {
-            FoundIn::Stroke => self.strength.max(full_strength),
+            FoundIn::Stroke | FoundIn::FaintStroke => self.strength.max(full_strength),
             FoundIn::Pixels | FoundIn::Vector => self.strength,
         }
     }

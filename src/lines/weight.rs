@@ -2,7 +2,7 @@
 
 use super::line::{Line, Run};
 use super::params::Params;
-use super::vertex::{FoundIn, Vertex};
+use super::vertex::Vertex;
 use crate::geom::polyline::{Polyline, PolylineRef, smooth};
 use crate::geom::{crossing, simplify::simplify};
 use crate::units::MmPoint;
@@ -93,7 +93,7 @@ pub(super) fn finish(polyline: &Polyline<Vertex>, anchored: &[bool], params: &Pa
     if points.len() < 2 {
         return None;
     }
-    let exact = polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
+    let exact = polyline.vertices.iter().all(|vertex| vertex.source.is_exact());
     let mut tolerance = if exact { params.tolerance.min(EXACT_TOLERANCE) } else { params.tolerance };
     let mut runs = drawn(polyline, &points, anchored, tolerance);
     // Where a line bends sharply its simplified sides may cross: there it stays nearer to what it was.
@@ -156,6 +156,7 @@ fn crosses_itself(runs: &[Run]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lines::vertex::FoundIn;
 
     fn straight(strength: impl Fn(f32) -> f32) -> Line {
         let vertices = (0..=300)

@@ -15,8 +15,12 @@ use crate::profile::Plan;
 use crate::units::MmRect;
 
 /// Lines in `area` as the device presses them; on a printed page they stay.
-pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
-    let Medium::Dots(medium) = &layout.medium else { return drawn };
+pub(super) fn pressed(mut drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) -> Lines {
+    let Medium::Dots(medium) = &layout.medium else {
+        let heads = drawn.marks.heads.iter().filter(|head| !head.is_drawn);
+        drawn.lost.signs.extend(heads.map(|head| LostSign { at: head.at, is_arrowhead: true }));
+        return drawn;
+    };
     // What the grid has no room for counts as crowded out too, by length.
     let length = |lines: &[Line]| {
         lines.iter().map(|line| line.runs.first().map_or(0.0, |run| run.polyline().length())).sum::<f32>()
@@ -43,6 +47,8 @@ pub(super) fn pressed(drawn: Lines, area: MmRect, layout: &Layout, plan: &Plan) 
     lost.signs.extend(signs);
     let points = drawn.marks.points.iter().zip(&shown.points).filter(|(_, is_drawn)| !**is_drawn);
     lost.signs.extend(points.map(|(point, _)| LostSign { at: point.at, is_arrowhead: false }));
+    let heads = drawn.marks.heads.iter().zip(&shown.heads).filter(|(_, is_drawn)| !**is_drawn);
+    lost.signs.extend(heads.map(|(head, _)| LostSign { at: head.at, is_arrowhead: true }));
     lost.scales = drawn.marks.scales.iter().zip(&shown.scales).filter_map(lost_ticks).collect();
     Lines { lines, marks: drawn.marks, lost, beyond: drawn.beyond }
 }

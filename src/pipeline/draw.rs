@@ -17,11 +17,11 @@ use super::request::{Fit, LayoutOf, OverviewSize, Request};
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
+use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified};
 use super::words::{Words, become_labels};
 use crate::classes::{self, Classes};
-use crate::devices::Family;
 use crate::edges::{self, Edges, PictureKind, Ridges};
-use crate::lines::{self, Beyond, Line, Lines, Lost, LostSign, Outlines};
+use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
 use crate::picture::Picture;
@@ -34,17 +34,6 @@ use crate::{About, Error, Note};
 
 /// Smallest width and height of a picture, px: below this there is nothing to find a contour in.
 const MIN_PIXELS: u32 = 8;
-
-/// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
-/// 0.2 to 0.3 and lose little by it.
-const CROWDED: f32 = 0.35;
-/// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
-const DENSE: f32 = 0.2;
-/// Length of the lines left out from which the maker of a drawing is told, mm: there every line is meant. Less is lost
-/// where lines meet.
-const LEAST_TOLD: f32 = 3.0;
-/// On a grid of dots lines are longer or shorter by about this share, which is no loss.
-const LEAST_TOLD_OF_DOTS: f32 = 0.05;
 
 /// All marks of a picture, where its layout puts them.
 pub(super) struct DrawnMarks {
@@ -104,9 +93,10 @@ fn find(
 
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let mut edges = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
+    let (mut edges, of_given) = contours_of(given, picture.raster.size(), &layout, &erased, request, || {
         find_edges(&picture, &content, &layout, plan, watch)
     })?;
+    notes.extend(of_given);
     notes.extend(told_short(given, &layout, plan));
     if plan.profile().figure.lines && given.lines.is_none() {
         let draw = |edges: &Edges| draw_lines(edges, None, true, &layout, plan, &mut |_| ()).lines.lines;
@@ -188,7 +178,7 @@ fn told_short(given: &Given, layout: &Layout, plan: &Plan) -> Option<Note> {
 }
 
 /// The contours of a picture of this size: what a person gave, or what `find` finds, with the lines that were added,
-/// and without what is erased.
+/// and without what is erased; and what is told of the first.
 ///
 /// # Errors
 /// If what was given cannot be read or is of another shape than the picture.
@@ -199,22 +189,33 @@ pub(super) fn contours_of(
     erased: &[[f32; 4]],
     request: &Request<'_>,
     find: impl FnOnce() -> Edges,
-) -> Result<Edges, Error> {
+) -> Result<(Edges, Option<Note>), Error> {
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
+    let mut told = None;
     let mut edges = match &given.lines {
         Some(GivenLines::Vectors(lines)) => lines.edges(size)?,
-        Some(GivenLines::Picture(bytes)) => edges_of_drawn(bytes, size, request, px_per_mm)?,
+        Some(GivenLines::Picture(bytes)) => {
+            let (edges, of_texts) = edges_of_drawn(bytes, size, request, px_per_mm)?;
+            told = of_texts;
+            edges
+        }
         None => find(),
     };
     if let Some(added) = &given.added {
         added.add_to(&mut edges, request.plan.lines().max_spacing() * px_per_mm)?;
     }
     erase(&mut edges, erased.to_vec());
-    Ok(edges)
+    Ok((edges, told))
 }
 
-/// The lines of a picture of lines, as contours of a picture of this size.
-fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f32) -> Result<Edges, Error> {
+/// The lines of a picture of lines, as contours of a picture of this size, and what is told of letters in it, which are
+/// left out as those of any picture.
+fn edges_of_drawn(
+    bytes: &[u8],
+    size: Size,
+    request: &Request<'_>,
+    px_per_mm: f32,
+) -> Result<(Edges, Option<Note>), Error> {
     let working_size = |source: Header| {
         let shape = |size: Size| size.width as f32 / size.height as f32;
         enough_pixels(source.size)?;
@@ -225,8 +226,13 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
         Ok(size)
     };
     let options = decode::DecodeOptions { crop: None, page: None, ..request.decoding(&working_size) };
-    let drawn = decode::decode(bytes, &options)?;
-    Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), None, &mut |_| ()))
+    let Read { picture, content } = read(bytes.into(), &options, None, &mut |_| ())?;
+    let texts = picture.texts.iter().filter(|text| !text.hidden).count();
+    let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
+    let why = "fingers read no print letters";
+    let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
+    let edges = edges_of(&picture, content.kind(), &request.plan.edges(px_per_mm), None, &mut |_| ());
+    Ok((edges, (texts > 0).then(|| Note::NotOnPage(About::Lines, told))))
 }
 
 /// How large the overview of a picture is laid out.
@@ -405,63 +411,12 @@ fn draw_whole(
     if plain.lost.signs.len() < drawn.lost.signs.len() { plain } else { drawn }
 }
 
-/// What the maker is told of lines that are left out as there are to be few.
-fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan: &Plan) -> Option<Note> {
-    let most = plan.lines().most_shapes?;
-    let shapes = beyond.shapes + areas.map_or(0, OutlineAreas::beyond);
-    Some(Note::Simplified { shapes, lines: beyond.lines, most })
-}
-
-/// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
-pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
-    let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
-    let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
-    let least = match layout.medium {
-        Medium::Print(_) => LEAST_TOLD,
-        Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
-    };
-    let of_drawing = edges.of_drawing();
-    let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
-    let place = drawn.lost.place_name();
-    // a display has one sheet, so a figure is not spread over several
-    let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
-    if of_drawing && has_sheets && lost >= least && share >= DENSE {
-        let width = layout.figure.width().round() as u32;
-        return Some(Note::TooDense { millimetres, percent, place, width });
-    }
-    (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
-}
-
 /// What the maker is told of a figure that is narrower than asked for.
 fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     let (wanted, width) = (fit.width?, layout.figure.width());
     let why = "the room beside it is for the drawing's own words; give the words as labels, or ask for more";
     let told = format!("the figure is {width:.0} mm wide and not {wanted:.0}, as {why}");
     (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
-}
-
-/// What the maker is told of dashed lines.
-fn told_dashed(edges: &Edges) -> Option<Note> {
-    let (lines, they_are) = match edges.dashed {
-        0 => return None,
-        1 => ("1 dashed line".to_owned(), "it is"),
-        count => (format!("{count} dashed lines"), "they are"),
-    };
-    let why = "dashes would be too short for fingers; where the difference matters, say so in the title or a label";
-    Some(Note::TakenAs(About::Lines, format!("{lines}: {they_are} drawn without gaps, as {why}")))
-}
-
-/// What is kept in the page of contours that are not drawn.
-pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
-    let whole = |mm: f32| mm.max(0.0).round() as u32;
-    let by_place = Some(lost.by_place.map(whole));
-    let millimetres = whole(of_lines(lost));
-    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes: shapes as u32 }
-}
-
-/// How much of lines is lost, mm: marks that are too short are told by themselves, and no room would help them.
-fn of_lines(lost: &Lost) -> f32 {
-    (lost.lost - lost.marks.length).max(0.0)
 }
 
 /// The areas that a person gave, or the colours of the picture.

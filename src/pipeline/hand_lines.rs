@@ -242,7 +242,7 @@ struct LineMark {
 /// So many points are a circle.
 const CIRCLE: u32 = 24;
 
-/// The beads of a printed line, and the ticks and points of one of dots.
+/// The beads of a printed line, and the ticks, points and heads of one of dots.
 fn marks_of(line: &Line) -> Vec<LineMark> {
     let circle = |at: MmPoint, radius: f32, is_disc: bool| {
         let turn = |k: u32| (k as f32 * std::f32::consts::TAU / CIRCLE as f32).sin_cos();
@@ -258,7 +258,12 @@ fn marks_of(line: &Line) -> Vec<LineMark> {
         let points = std::iter::once(at).chain(run.points.last().copied()).collect();
         LineMark { points, closed: false, is_disc: false }
     });
-    beads.chain(points).chain(ticks).collect()
+    let heads = line.row_heads().map(|(tip, _, [one, other])| LineMark {
+        points: vec![one, tip, other],
+        closed: false,
+        is_disc: false,
+    });
+    beads.chain(points).chain(ticks).chain(heads).collect()
 }
 
 /// Runs that follow one another, line by line.

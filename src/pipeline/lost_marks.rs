@@ -69,6 +69,7 @@ pub(super) fn of(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTra
         let is_tick = |(from, to): (MmPoint, MmPoint)| nearest_on_segment(at, from, to).0 < DRAWN;
         let points = &handed_on.points;
         points.iter().any(|point| (at - point.at).length() < point.radius + DRAWN)
+            || handed_on.heads.iter().any(|head| head.extent.inflate(DRAWN, DRAWN).contains(at))
             || ticks().any(|tick| is_tick(tick.segment()))
     };
     let points = |chain: &ChainRange| -> Vec<MmPoint> {

@@ -7,10 +7,8 @@ use super::unwritten::named;
 use super::words::Words;
 use crate::edges::Edges;
 use crate::geom::outline::distance_to_box;
-use crate::geom::polyline::PolylineRef;
-use crate::geom::simplify::simplify;
 use crate::labels::NEAR;
-use crate::lines::{Line, Lines, LostSign};
+use crate::lines::{Line, Lines, LostSign, is_triangle};
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect, PageTransform};
 use crate::{About, Note};
@@ -24,16 +22,20 @@ pub(super) const MOVED: f32 = 3.0;
 
 /// Small rings among the contours of a drawing of which there is none among its lines. One that is no
 /// broader than `widest_stroke`, mm, may be drawn as its centreline.
-pub(super) fn of(edges: &Edges, drawn: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
+pub(super) fn of(edges: &Edges, drawn_lines: &Lines, transform: &PageTransform, widest_stroke: f32) -> Vec<LostSign> {
     if !edges.of_drawing() {
         return Vec::new();
     }
-    let lines = &drawn.lines;
+    let lines = &drawn_lines.lines;
     let rings = lines.iter().filter(|line| is_small_ring(line)).map(extent);
     // what becomes of points that are handed on is told where they are drawn
-    let points =
-        drawn.marks.points.iter().map(|point| MmRect::new(point.at, point.at).inflate(point.radius, point.radius));
+    let points = drawn_lines
+        .marks
+        .points
+        .iter()
+        .map(|point| MmRect::new(point.at, point.at).inflate(point.radius, point.radius));
     let drawn: Vec<MmRect> = rings.chain(lines.iter().flat_map(beads)).chain(points).collect();
+    let heads = &drawn_lines.marks.heads;
     let mut lost: Vec<LostSign> = Vec::new();
     for chain in edges.chains.iter().filter(|chain| chain.closed) {
         let points: Vec<MmPoint> =
@@ -52,7 +54,9 @@ pub(super) fn of(edges: &Edges, drawn: &Lines, transform: &PageTransform, widest
         let is_narrow = ring.width().min(ring.height()) <= widest_stroke;
         // the line that an arrowhead ends is no centreline of it
         let is_arrowhead = is_tip(&points, lines);
-        let is_drawn = || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
+        let is_head = heads.iter().any(|head| head.extent.inflate(HEAD, HEAD).contains(ring.center()));
+        let is_drawn =
+            || is_head || drawn.iter().any(alike) || is_narrow && !is_arrowhead && lines.iter().any(is_centreline);
         if is_small(ring) && !is_drawn() && !lost.iter().any(|sign| near(sign.at)) {
             lost.push(LostSign { at: ring.center(), is_arrowhead });
         }
@@ -65,10 +69,10 @@ pub(super) fn beads(line: &Line) -> impl Iterator<Item = MmRect> {
     line.beads().map(|run| MmRect::from_points(&run.points).inflate(0.5 * run.width, 0.5 * run.width))
 }
 
+/// What is so near to the head of an arrow is part of it, mm.
+const HEAD: f32 = 0.6;
 /// Longest side of an arrowhead, mm: a larger triangle, such as a mountain on a map, is a shape by itself.
 const ARROWHEAD: f32 = 7.0;
-/// How far a triangle may be off its three sides, as a share of its own size.
-const OFF_SIDES: f32 = 0.15;
 
 /// Whether a drawn ring is an arrowhead of one of the lines.
 pub(super) fn is_arrowhead(ring: &Line, lines: &[Line]) -> bool {
@@ -82,20 +86,6 @@ fn is_tip(points: &[MmPoint], lines: &[Line]) -> bool {
     let size = extent.width().max(extent.height());
     size <= ARROWHEAD && is_triangle(points, size) && is_at_end(lines, extent)
 }
-
-/// Whether a ring of this size has three corners.
-fn is_triangle(ring: &[MmPoint], size: f32) -> bool {
-    let corners = simplify(PolylineRef { vertices: ring, closed: true }, OFF_SIDES * size);
-    let corner = |i: usize| corners.get(i).and_then(|&at| ring.get(at));
-    let (Some(a), Some(b), Some(c)) = (corner(0), corner(1), corner(2)) else { return false };
-    // a circle of three corners has more outside of them: most of a triangle is inside
-    let area = 0.5 * (*b - *a).cross(*c - *a).abs();
-    let around: f32 = ring.iter().zip(ring.iter().cycle().skip(1)).map(|(p, q)| (*p - *a).cross(*q - *a)).sum();
-    corners.len() == 3 && area >= LEAST_INSIDE * 0.5 * around.abs()
-}
-
-/// How much of a triangle is inside its three corners at least, as a share: of a circle it is 0.41, of a square a half.
-const LEAST_INSIDE: f32 = 0.75;
 
 /// Whether a line ends in a box or close beside it.
 fn is_at_end(lines: &[Line], ring: MmRect) -> bool {
@@ -134,15 +124,26 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
     let labels = words.labels.iter().filter_map(|label| on(label).map(|at| (label.text.as_str(), MmRect::new(at, at))));
     let all: Vec<(&str, MmRect)> = labels.chain(texts).collect();
     let are_labels = words.own_texts || !words.labels.is_empty();
-    let (heads, others): (Vec<LostSign>, Vec<LostSign>) = lost.iter().partition(|sign| sign.is_arrowhead);
-    let arrows = heads.first().map(|first| {
-        let heads = if heads.len() == 1 { "1 arrowhead" } else { &format!("{} arrowheads", heads.len()) };
-        let at = format!("the first at {:.0}, {:.0} mm", first.at.x, first.at.y);
-        let why = "they are smaller than what fingers tell apart from the line; say in the title or a label which way \
-                   the lines lead, or draw larger ones";
-        Note::NotOnPage(About::Lines, format!("{heads} at ends of lines ({at}): {why}"))
+    let (heads_lost, others): (Vec<LostSign>, Vec<LostSign>) = lost.iter().partition(|sign| sign.is_arrowhead);
+    let arrows = (!heads_lost.is_empty()).then(|| {
+        let count = heads_lost.len();
+        let heads = if count == 1 { "1 arrowhead" } else { &format!("{count} arrowheads") };
+        let why = "there is no room for them beside other lines; say in the title or a label which way the lines lead, \
+                   or make the figure larger";
+        Note::NotOnPage(About::Lines, format!("{heads} at ends of lines ({}): {why}", places(&heads_lost)))
     });
     told_of_shapes(&others, &all, are_labels).into_iter().chain(arrows).collect()
+}
+
+/// So many places of signs are told.
+const PLACES: usize = 6;
+
+/// The places of signs, the first of them if they are many.
+fn places(signs: &[LostSign]) -> String {
+    let places: Vec<String> =
+        signs.iter().take(PLACES).map(|sign| format!("{:.0}, {:.0}", sign.at.x, sign.at.y)).collect();
+    let more = if signs.len() > PLACES { "; and others" } else { "" };
+    format!("at {} mm{more}", places.join("; "))
 }
 
 fn told_of_shapes(lost: &[LostSign], all: &[(&str, MmRect)], are_labels: bool) -> Option<Note> {
@@ -171,29 +172,9 @@ mod tests {
     use super::*;
     use crate::lines::Run;
 
-    fn points(corners: &[(f32, f32)]) -> Vec<MmPoint> {
-        // some points on each side, as edgels are
-        let at = |i: usize| MmPoint::from(corners[i % corners.len()]);
-        (0..corners.len()).flat_map(|i| (0..8).map(move |k| at(i).lerp(at(i + 1), k as f32 / 8.0))).collect()
-    }
-
-    #[test]
-    fn a_triangle_has_three_corners() {
-        let of = |corners: &[(f32, f32)]| is_triangle(&points(corners), 4.0);
-        assert!(of(&[(0.0, 0.0), (4.0, 2.0), (0.0, 4.0)]));
-        assert!(!of(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]), "a square");
-        let circle: Vec<(f32, f32)> = (0..24)
-            .map(|i| (i as f32 * std::f32::consts::TAU / 24.0).sin_cos())
-            .map(|(y, x)| (2.0 * x, 2.0 * y))
-            .collect();
-        assert!(!of(&circle));
-        assert!(!is_triangle(&[], 4.0));
-    }
-
     #[test]
     fn arrowheads_are_told_by_themselves() {
-        let line =
-            Line { strength: 1.0, runs: vec![Run::stroke(1.0, points(&[(0.0, 0.0), (50.0, 0.0)])[..9].to_vec())] };
+        let line = Line { strength: 1.0, runs: vec![Run::stroke(1.0, vec![MmPoint::zero(), MmPoint::new(50.0, 0.0)])] };
         let ring = |x: f32| MmRect::new(MmPoint::new(x, -2.0), MmPoint::new(x + 4.0, 2.0));
         assert!(is_at_end(std::slice::from_ref(&line), ring(49.0)));
         assert!(!is_at_end(&[line], ring(20.0)), "in the middle of the line");
@@ -208,6 +189,6 @@ mod tests {
         let told: Vec<String> = told(&lost, &[], &Words::default(), &figure).iter().map(ToString::to_string).collect();
         assert_eq!(told.len(), 2);
         assert!(told[0].contains("1 small closed shape (at 20, 0 mm)"), "{}", told[0]);
-        assert!(told[1].contains("2 arrowheads at ends of lines (the first at 50, 0 mm)"), "{}", told[1]);
+        assert!(told[1].contains("2 arrowheads at ends of lines (at 50, 0; 80, 0 mm)"), "{}", told[1]);
     }
 }

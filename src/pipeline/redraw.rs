@@ -1,7 +1,7 @@
 //! A page that was read, drawn anew for another paper or device.
 
 use super::areas;
-use super::draw::{DrawnMarks, FigureLines, draw_lines, left_out, told_left_out};
+use super::draw::{DrawnMarks, FigureLines, draw_lines};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::key::KeySheets;
@@ -10,9 +10,10 @@ use super::overview::{draw_overview, told_of_overview};
 use super::progress::Watch;
 use super::request::Request;
 use super::textures::{blank_ground, draw_textures, told_bare};
+use super::told_lines::{left_out, told_left_out};
 use super::words::{Words, WrittenWords};
 use crate::braille::Translate;
-use crate::lines::{Line, Pen, Run};
+use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
 use crate::page::{BrailleText, Figure, InSet, MediumParams, Page, TextRole};
 use crate::profile::Plan;
@@ -111,8 +112,10 @@ pub(super) fn marks(
     let mut notes: Vec<Note> = told_left_out(&drawn, &edges, &layout).map(of_page).into_iter().collect();
     notes.extend(hand_lines.told_outside());
     if plan.profile().figure.lines {
-        let (stand_for, shares) =
+        let (stand_for, mut shares) =
             kept_lines::matched(&page.figure.lines, page.figure.place, &drawn.lines, layout.figure);
+        // of heads of arrows is told by themselves
+        arrows(&page.figure.lines).iter().filter_map(|arrow| arrow.head).for_each(|head| shares[head] = 1.0);
         keep_widths(&mut drawn.lines, &stand_for, (page, lines), own, plan);
         notes.extend(kept_lines::lost(lines, &shares));
     }

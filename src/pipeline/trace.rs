@@ -1,14 +1,13 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{
-    FigureLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, told_left_out, working_size,
-};
+use super::draw::{FigureLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, working_size};
 use super::given::Given;
 use super::joined_bars;
 use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
 use super::request::{Fit, OverviewSize, Request};
+use super::told_lines::told_left_out;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
 use crate::page::layout::Layout;
@@ -120,10 +119,11 @@ pub fn trace<'p>(
     let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let edges = contours_of(given, read.picture.raster.size(), &layout, &erased, request, || {
+    let (edges, of_given) = contours_of(given, read.picture.raster.size(), &layout, &erased, request, || {
         find_edges(&read, tracing, &layout, plan, watch)
     })?;
     notes.extend(given.notes.iter().cloned());
+    notes.extend(of_given);
     drop(read);
     request.go_on()?;
     let trace = match tracing.subject {

@@ -50,6 +50,17 @@ line-upright = Eine gerade senkrechte Linie { $place }, { $length } mm lang{ $lo
 }.
 line-slanting = Eine gerade schräge Linie { $place }, { $length } mm lang.
 line-bent = Eine gebogene Linie { $place }, { $length } mm lang.
+arrow = Ein Pfeil { $place }, { $length } mm lang; seine Spitze zeigt { $way ->
+    [left] nach links
+    [up] nach oben
+    [down] nach unten
+    [up-right] nach rechts oben
+    [up-left] nach links oben
+    [down-right] nach rechts unten
+    [down-left] nach links unten
+   *[right] nach rechts
+}.
+arrow-both = Eine Linie { $place }, { $length } mm lang, mit einer Pfeilspitze an jedem Ende.
 shape-open = Ein Rechteck { $place }, { $side ->
     [above] oben
     [left] links

@@ -55,6 +55,18 @@ line-upright = A straight upright line { $place }, { $length } mm long{ $long ->
 }.
 line-slanting = A straight slanting line { $place }, { $length } mm long.
 line-bent = A bent line { $place }, { $length } mm long.
+# $way: where the head points
+arrow = An arrow { $place }, { $length } mm long, whose head points { $way ->
+    [left] to the left
+    [up] up
+    [down] down
+    [up-right] up and to the right
+    [up-left] up and to the left
+    [down-right] down and to the right
+    [down-left] down and to the left
+   *[right] to the right
+}.
+arrow-both = A line { $place }, { $length } mm long, with an arrowhead at each end.
 shape-open = A rectangle { $place }, open { $side ->
     [above] at the top
     [left] on the left

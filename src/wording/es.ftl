@@ -50,6 +50,17 @@ line-upright = Una línea recta vertical { $place }, de { $length } mm de largo{
 }.
 line-slanting = Una línea recta inclinada { $place }, de { $length } mm de largo.
 line-bent = Una línea curva { $place }, de { $length } mm de largo.
+arrow = Una flecha { $place }, de { $length } mm de largo, cuya punta señala { $way ->
+    [left] a la izquierda
+    [up] hacia arriba
+    [down] hacia abajo
+    [up-right] hacia arriba a la derecha
+    [up-left] hacia arriba a la izquierda
+    [down-right] hacia abajo a la derecha
+    [down-left] hacia abajo a la izquierda
+   *[right] a la derecha
+}.
+arrow-both = Una línea { $place }, de { $length } mm de largo, con una punta de flecha en cada extremo.
 shape-open = Un rectángulo { $place }, abierto { $side ->
     [above] por arriba
     [left] por la izquierda

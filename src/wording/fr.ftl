@@ -50,6 +50,17 @@ line-upright = Une ligne droite verticale { $place }, longue de { $length } mm{ 
 }.
 line-slanting = Une ligne droite oblique { $place }, longue de { $length } mm.
 line-bent = Une ligne courbe { $place }, longue de { $length } mm.
+arrow = Une flèche { $place }, longue de { $length } mm, dont la pointe est dirigée { $way ->
+    [left] vers la gauche
+    [up] vers le haut
+    [down] vers le bas
+    [up-right] vers le haut à droite
+    [up-left] vers le haut à gauche
+    [down-right] vers le bas à droite
+    [down-left] vers le bas à gauche
+   *[right] vers la droite
+}.
+arrow-both = Une ligne { $place }, longue de { $length } mm, avec une pointe de flèche à chaque bout.
 shape-open = Un rectangle { $place }, ouvert { $side ->
     [above] en haut
     [left] à gauche

@@ -45,6 +45,17 @@ line-upright = Prosta pionowa linia { $place }, długości { $length } mm{ $long
 }.
 line-slanting = Prosta ukośna linia { $place }, długości { $length } mm.
 line-bent = Zagięta linia { $place }, długości { $length } mm.
+arrow = Strzałka { $place }, długości { $length } mm; jej grot wskazuje { $way ->
+    [left] w lewo
+    [up] w górę
+    [down] w dół
+    [up-right] w górę i w prawo
+    [up-left] w górę i w lewo
+    [down-right] w dół i w prawo
+    [down-left] w dół i w lewo
+   *[right] w prawo
+}.
+arrow-both = Linia { $place }, długości { $length } mm, z grotem strzałki na każdym końcu.
 shape-open = Prostokąt { $place }, otwarty { $side ->
     [above] u góry
     [left] z lewej strony

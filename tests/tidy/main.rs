@@ -53,7 +53,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("touch", &["units", "geom", "raster", "page"]), // feels the page as ink
     // Rules over finished marks, by the names that the file of the page has.
     ("legibility", &["units", "geom", "braille", "wording", "devices", "page", "reading", "touch"]),
-    ("description", &["units", "geom", "wording", "page", "legibility"]), // a page in sentences
+    ("description", &["units", "geom", "wording", "lines", "page", "legibility"]), // a page in sentences
     (
         "profile",
         &[

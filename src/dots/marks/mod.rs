@@ -1,4 +1,4 @@
-//! Points and ticks on lines of dots. They are dots of the line on which they are:
+//! Points, ticks and heads of arrows on lines of dots. They are dots of the line on which they are:
 //!
 //! ```text
 //!   #     #     #        a tick: a row of dots across the line, two of them or more
@@ -9,8 +9,9 @@
 //!                   . # # # .  # # #
 //! ```
 //!
-//! Points come first, and a line with points has one row of dots, so that they stand out from it.
+//! Points come first, then heads. A line with any has one row of dots, so that they stand out from it.
 
+mod head;
 mod lattice;
 mod scale;
 
@@ -64,7 +65,7 @@ pub(super) struct Placed {
     pub(super) runs: Vec<Vec<Vec<MmPoint>>>,
     /// The dots of rows that are left out, as a ring is hollow.
     pub(super) hidden: Vec<Vec<MmPoint>>,
-    /// Which rows have points.
+    /// Which rows have points or heads.
     pub(super) has_points: Vec<bool>,
     pub(super) shown: Shown,
 }
@@ -74,6 +75,8 @@ pub(super) struct Placed {
 pub struct Shown {
     /// Which points.
     pub points: Vec<bool>,
+    /// Which heads of arrows.
+    pub heads: Vec<bool>,
     /// Which ticks of each scale.
     pub scales: Vec<ShownScale>,
 }
@@ -82,7 +85,8 @@ impl Shown {
     /// Nothing of these marks.
     pub(super) fn none_of(marks: &LineMarks) -> Self {
         let none = |scale: &Vec<TickMark>| ShownScale { ticks: vec![false; scale.len()], every: 1 };
-        Self { points: vec![false; marks.points.len()], scales: marks.scales.iter().map(none).collect() }
+        let [points, heads] = [marks.points.len(), marks.heads.len()].map(|count| vec![false; count]);
+        Self { points, heads, scales: marks.scales.iter().map(none).collect() }
     }
 }
 
@@ -135,6 +139,10 @@ pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, param
     for point in &marks.points {
         let is_drawn = places.point(point);
         places.placed.shown.points.push(is_drawn);
+    }
+    for head in &marks.heads {
+        let is_drawn = places.head(head);
+        places.placed.shown.heads.push(is_drawn);
     }
     for (number, scale) in marks.scales.iter().enumerate() {
         let shown = places.scale(number, scale);

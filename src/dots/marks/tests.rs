@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::devices::Grid;
+use crate::lines::{HeadMark, Height, Line, Run};
 use crate::units::MmRect;
 
 const PARAMS: Params =
@@ -28,7 +29,7 @@ fn point(x: f32, radius: f32, is_filled: bool) -> PointMark {
 }
 
 fn placed(points: &[PointMark], scale: &[TickMark], rows: &[Row]) -> Placed {
-    let marks = LineMarks { points: points.to_vec(), scales: vec![scale.to_vec()] };
+    let marks = LineMarks { points: points.to_vec(), scales: vec![scale.to_vec()], ..LineMarks::default() };
     let grid = grid();
     place(&marks, rows, Lattice::Grid { grid: &grid, within: [[0, 59], [0, 39]] }, &PARAMS)
 }
@@ -109,10 +110,55 @@ fn anywhere_a_point_is_six_dots_around_one() {
     let marks = |is_filled: bool| LineMarks {
         points: vec![point(41.0, 1.5, is_filled)],
         scales: vec![vec![tick(60.3, 2.0, 2.0), tick(80.3, 2.0, 0.0)]],
+        ..LineMarks::default()
     };
     let place =
         |is_filled: bool| super::place(&marks(is_filled), &rows(None), Lattice::Free { part, pitch: 2.0 }, &PARAMS);
     assert_eq!((counts(&place(true)), counts(&place(false))), (vec![7, 2, 2, 2], vec![6, 2, 2, 2]));
     let hidden = &place(true).hidden[0];
     assert_eq!(hidden.len(), 3, "those of the line make way: {hidden:?}");
+}
+
+#[test]
+fn the_head_of_an_arrow_is_two_rows_at_the_end_of_its_row() {
+    let head = |x: f32, way: f32| HeadMark {
+        at: MmPoint::new(x, 40.3),
+        toward: MmVector::new(way, 0.0),
+        extent: MmRect::zero(),
+        is_drawn: false,
+    };
+    let grid = grid();
+    let place = |rows: &[Row], heads: &[HeadMark]| {
+        let marks = LineMarks { heads: heads.to_vec(), ..LineMarks::default() };
+        super::place(&marks, rows, Lattice::Grid { grid: &grid, within: [[0, 59], [0, 39]] }, &PARAMS)
+    };
+    let all = place(&rows(None), &[head(113.0, 1.0), head(4.0, -1.0), head(60.0, 1.0), head(113.0, -1.0)]);
+    assert_eq!(all.shown.heads, [true, true, false, false], "at both ends, not in the middle nor against its way");
+    let dots: Vec<[f32; 2]> = all.runs[0][0].iter().map(|at| [at.x, at.y]).collect();
+    assert_eq!(dots, [[110.0, 36.0], [112.0, 38.0], [112.0, 42.0], [110.0, 44.0]]);
+    assert!(all.has_points[0], "its line has one row");
+    let beside = |y: f32| {
+        let dots = (50..58).map(|x| MmPoint::new(2.0 * x as f32, y)).collect();
+        rows(Some(Row { dots, closed: false, is_heavy: false }))
+    };
+    assert_eq!(place(&beside(48.0), &[head(113.0, 1.0)]).shown.heads, [false], "no room");
+    assert_eq!(place(&beside(52.0), &[head(113.0, 1.0)]).shown.heads, [true]);
+}
+
+#[test]
+fn a_head_of_dots_is_read_again_and_is_neither_a_tick_nor_a_point() {
+    let at = |x: f32, y: f32| MmPoint::new(2.0 * x, 2.0 * y);
+    let run = |dots: &[(f32, f32)]| Run::dots(1.6, dots.iter().map(|&(x, y)| at(x, y)).collect(), Height::High);
+    let row: Vec<(f32, f32)> = (0..20).map(|x| (x as f32, 10.0)).collect();
+    let second: Vec<(f32, f32)> = (0..20).map(|x| (x as f32, 11.0)).collect();
+    let line = |more: &[(f32, f32)]| Line { strength: 90.0, runs: vec![run(&row), run(more)] };
+    let level = line(&[(17.0, 12.0), (18.0, 11.0), (18.0, 9.0), (17.0, 8.0)]);
+    let heads: Vec<_> = level.row_heads().collect();
+    assert_eq!(heads, [(at(19.0, 10.0), MmVector::new(1.0, 0.0), [at(17.0, 12.0), at(17.0, 8.0)])]);
+    assert_eq!((level.row_ticks().count(), level.row_points().count()), (0, 0));
+    assert_eq!(line(&second).row_heads().count(), 0, "a second row");
+    let slant: Vec<(f32, f32)> = (0..20).map(|k| (k as f32, k as f32)).collect();
+    let slant =
+        Line { strength: 9.0, runs: vec![run(&slant), run(&[(17.0, 19.0), (18.0, 19.0), (19.0, 18.0), (19.0, 17.0)])] };
+    assert_eq!((slant.row_heads().count(), slant.row_ticks().count(), slant.row_points().count()), (1, 0, 0));
 }

@@ -8,7 +8,7 @@ use super::passage::Junction;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
-use crate::lines::vertex::{FoundIn, Vertex, dot};
+use crate::lines::vertex::{Vertex, dot};
 
 /// A line that joins another this near to its end, mm, ends there.
 const TIP: f32 = 0.01;
@@ -80,7 +80,7 @@ pub(super) fn split(
         }
         _ => (polyline.clone(), states.to_vec()),
     };
-    let is_drawn = polyline.vertices.iter().all(|vertex| vertex.source == FoundIn::Vector);
+    let is_drawn = polyline.vertices.iter().all(|vertex| vertex.source.is_exact());
     let least = if is_drawn { WHOLE_DRAWN } else { WHOLE } * length;
     let kept = |pieces: &[Polyline<Vertex>]| pieces.iter().map(Polyline::length).sum::<f32>();
     let coarse = pieces(&open.vertices, clear_stretches(&states), extended, drawn);

@@ -1,0 +1,175 @@
+//! Heads of arrows among the contours of a drawing.
+
+use super::measures::{HEADING, end};
+use super::shapes::{Tip, is_leg, tips};
+use crate::geom::nearby::Index;
+use crate::geom::nearest_on_segment;
+use crate::geom::polyline::Polyline;
+use crate::lines::junction::heading;
+use crate::lines::vertex::Vertex;
+use crate::units::{Mm, MmPoint, MmRect, MmVector};
+
+/// The end of a shaft is no farther from its head than this, mm, nor are its strokes from its tip.
+const BESIDE: f32 = 1.0;
+/// A head points as its shaft leads, but for 32 degrees: the cosine.
+const ALONG: f32 = 0.85;
+/// The tip lies no farther from the line of the shaft than this share of half its width.
+const ASIDE: f32 = 0.5;
+/// A shaft is at least so many times as long as its head.
+const SHAFT: f32 = 1.5;
+/// The ends of strokes of a head are free: no other line is so near, mm.
+const FREE: f32 = 0.5;
+/// Side of the cells in which parts are looked for, mm.
+const CELL: f32 = 5.0;
+
+/// The end of a line.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    pub(super) line: usize,
+    pub(super) at_start: bool,
+    pub(super) at: MmPoint,
+    /// Which way its line leads there.
+    pub(super) heading: MmVector,
+}
+
+/// A head that was found.
+pub(super) struct Head {
+    pub(super) tip: Tip,
+    pub(super) shaft: End,
+    /// The contours that it is.
+    pub(super) lines: Vec<usize>,
+}
+
+/// Contours, and which of them may be parts of heads.
+pub(super) struct Contours<'a> {
+    polylines: &'a [Polyline<Vertex>],
+    /// By place: the tips of a contour, with its number.
+    tips: Index<(usize, Tip), Mm>,
+    /// By place: the ends of open contours.
+    ends: Index<End, Mm>,
+    /// Which may be heads, and which strokes of them.
+    is_head: Vec<bool>,
+    is_leg: Vec<bool>,
+}
+
+impl<'a> Contours<'a> {
+    pub(super) fn of(polylines: &'a [Polyline<Vertex>], area: MmRect) -> Self {
+        let mut all = Self {
+            polylines,
+            tips: Index::new(area, CELL),
+            ends: Index::new(area, CELL),
+            is_head: vec![false; polylines.len()],
+            is_leg: polylines.iter().map(is_leg).collect(),
+        };
+        for (line, polyline) in polylines.iter().enumerate() {
+            for tip in tips(polyline) {
+                all.is_head[line] = true;
+                all.tips.put_over(tip.apex.min(tip.base()), tip.apex.max(tip.base()), (line, tip));
+            }
+            for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
+                if let (Some(at), Some(heading)) = (end(polyline, at_start), heading(polyline, at_start, HEADING)) {
+                    all.ends.put_at(at, End { line, at_start, at, heading });
+                }
+            }
+        }
+        all
+    }
+
+    /// The heads of arrows; no contour is part of two.
+    pub(super) fn heads(&self) -> Vec<Head> {
+        let mut heads: Vec<Head> = Vec::new();
+        if self.is_leg.iter().chain(&self.is_head).all(|is_part| !is_part) {
+            return heads;
+        }
+        let mut taken = vec![false; self.polylines.len()];
+        for (line, polyline) in self.polylines.iter().enumerate().filter(|(_, line)| !line.closed) {
+            for at_start in [true, false] {
+                let ends = end(polyline, at_start).zip(heading(polyline, at_start, HEADING));
+                let Some((at, heading)) = ends else { continue };
+                let shaft = End { line, at_start, at, heading };
+                let Some((tip, lines)) = self.whole(&shaft, &taken).or_else(|| self.of_legs(&shaft, &taken)) else {
+                    continue;
+                };
+                let is_long = polyline.length() >= SHAFT * tip.axis().length();
+                if is_long && !taken[line] && !self.goes_on(&tip, line) {
+                    lines.iter().for_each(|line| taken[*line] = true);
+                    heads.push(Head { tip, shaft, lines });
+                }
+            }
+        }
+        heads
+    }
+
+    /// A head of one contour at the end of a shaft.
+    fn whole(&self, shaft: &End, taken: &[bool]) -> Option<(Tip, Vec<usize>)> {
+        let mut best: Option<(f32, usize, Tip)> = None;
+        self.tips.around(shaft.at, shaft.at, BESIDE, |&(line, tip)| {
+            if line == shaft.line || taken[line] || !fits(&tip, shaft) || !self.is_free(&tip, line) {
+                return;
+            }
+            let along = tip.axis().normalize().dot(shaft.heading);
+            if best.is_none_or(|(most, of, _)| along > most || along == most && line < of) {
+                best = Some((along, line, tip));
+            }
+        });
+        best.map(|(_, line, tip)| (tip, vec![line]))
+    }
+
+    /// A head of two strokes that begin at the end of a shaft.
+    fn of_legs(&self, shaft: &End, taken: &[bool]) -> Option<(Tip, Vec<usize>)> {
+        let mut sides: [Option<(f32, usize, MmPoint)>; 2] = [None; 2];
+        self.ends.around(shaft.at, shaft.at, BESIDE, |leg| {
+            let far = (leg.at - shaft.at).length();
+            if leg.line == shaft.line || taken[leg.line] || !self.is_leg[leg.line] || far > BESIDE {
+                return;
+            }
+            let Some(wing) = end(&self.polylines[leg.line], !leg.at_start) else { return };
+            let side = &mut sides[usize::from(shaft.heading.cross(wing - shaft.at) > 0.0)];
+            if side.is_none_or(|(least, line, _)| far < least || far == least && leg.line < line) {
+                *side = Some((far, leg.line, wing));
+            }
+        });
+        let [Some((_, left, one)), Some((_, right, other))] = sides else { return None };
+        let tip = Tip::of(shaft.at, [one, other])?;
+        let are_free = [(one, left), (other, right)].iter().all(|&(wing, of)| self.is_free_end(wing, of));
+        (fits(&tip, shaft) && are_free).then(|| (tip, vec![left, right]))
+    }
+
+    /// Whether the ends of an open contour touch nothing: those of a roof stand on walls.
+    fn is_free(&self, tip: &Tip, line: usize) -> bool {
+        let is_outline = self.polylines[line].closed;
+        is_outline || tip.wings.iter().all(|wing| self.is_free_end(*wing, line))
+    }
+
+    fn is_free_end(&self, wing: MmPoint, line: usize) -> bool {
+        let mut is_free = true;
+        self.ends.around(wing, wing, FREE, |end| {
+            is_free &= end.line == line || self.is_leg[end.line] || (end.at - wing).length() > FREE;
+        });
+        is_free
+    }
+
+    /// Whether another line goes on at a tip where the shaft ends: then the triangle is a sign within a line.
+    fn goes_on(&self, tip: &Tip, shaft: usize) -> bool {
+        let Some(axis) = tip.axis().try_normalize() else { return true };
+        let mut goes_on = false;
+        self.ends.around(tip.apex, tip.apex, BESIDE, |end| {
+            let is_line = end.line != shaft && !self.is_leg[end.line] && !self.is_head[end.line];
+            let is_line = is_line && self.polylines[end.line].length() > tip.axis().length();
+            let is_at = (end.at - tip.apex).length() <= BESIDE;
+            goes_on |= is_line && is_at && end.heading.dot(axis) <= -ALONG;
+        });
+        goes_on
+    }
+}
+
+/// Whether a head is that of a shaft: it points as that leads, and lies before it.
+fn fits(tip: &Tip, shaft: &End) -> bool {
+    let Some(axis) = tip.axis().try_normalize() else { return false };
+    let length = tip.axis().length();
+    let along = (shaft.at - tip.base()).dot(axis);
+    let line = (shaft.at - shaft.heading * length, shaft.at + shaft.heading * (length + BESIDE));
+    axis.dot(shaft.heading) >= ALONG
+        && (-BESIDE..=length + BESIDE).contains(&along)
+        && nearest_on_segment(tip.apex, line.0, line.1).0 <= ASIDE * tip.half_width() + 0.2
+}

@@ -1,0 +1,71 @@
+//! Heads of arrows: small triangles and open angles at the ends of lines. Which way a line leads is what an arrow says,
+//! and as contours its head is too small for lines, or a clot at the end of its shaft.
+//!
+//! ```text
+//!            \                  drawn in a size that fingers find, as two strokes as broad as the shaft,
+//!   -----------\                which end in its tip; the tip keeps the least blank from what it points at
+//!              /
+//!            /
+//! ```
+
+mod find;
+mod finished;
+mod measures;
+mod place;
+mod shapes;
+mod shorten;
+
+use self::find::{Contours, Head};
+use self::shorten::make_room;
+use super::junction::extend_to;
+use super::marks::HeadMark;
+use super::params::Params;
+use super::vertex::Vertex;
+use crate::geom::polyline::Polyline;
+use crate::units::MmRect;
+
+pub use finished::{Arrow, arrows};
+pub(super) use place::draw;
+pub use shapes::is_triangle;
+
+/// Short contours so near to a head are parts of it, mm.
+const CRUMB: f32 = 0.6;
+/// A shaft that ends before the tip by less than this is not led on, mm.
+const AT_TIP: f32 = 0.05;
+
+/// Takes the heads of arrows out of the contours of a drawing. Their shafts lead to their tips, or end so far before
+/// what these point at that there is room for the heads.
+pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: &Params) -> Vec<HeadMark> {
+    let heads = Contours::of(polylines, area).heads();
+    if heads.is_empty() {
+        return Vec::new();
+    }
+    let mut taken = vec![false; polylines.len()];
+    let mut marks: Vec<HeadMark> = Vec::new();
+    for Head { tip, shaft, lines } in &heads {
+        lines.iter().for_each(|line| taken[*line] = true);
+        let points = lines.iter().flat_map(|line| polylines[*line].vertices.iter().map(|vertex| vertex.at));
+        let extent = MmRect::from_points(points.chain([tip.apex]));
+        let toward = tip.axis().try_normalize().unwrap_or(shaft.heading);
+        if (tip.apex - shaft.at).dot(toward) > AT_TIP {
+            extend_to(&mut polylines[shaft.line], shaft.at_start, tip.apex);
+        }
+        marks.push(HeadMark { at: tip.apex, toward, extent, is_drawn: false });
+    }
+    let shafts: Vec<usize> = heads.iter().map(|head| head.shaft.line).collect();
+    let parts: Vec<MmRect> = marks.iter().map(|mark| mark.extent.inflate(CRUMB, CRUMB)).collect();
+    for (line, polyline) in polylines.iter().enumerate().filter(|(line, _)| !shafts.contains(line)) {
+        let is_in = |head: &MmRect| polyline.vertices.iter().all(|vertex| head.contains(vertex.at));
+        taken[line] |= parts.iter().any(is_in);
+    }
+    make_room(&heads, &mut marks, polylines, &taken, area, params);
+    let mut number = 0;
+    polylines.retain(|_| {
+        number += 1;
+        !taken[number - 1]
+    });
+    marks
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,153 @@
+//! Room for the heads of arrows among the lines that are drawn.
+
+use super::measures::{HEADING, LENGTHS, SPREAD, end};
+use super::shorten::shortened;
+use crate::geom::nearby::Nearby;
+use crate::geom::polyline::Polyline;
+use crate::geom::segment_distance;
+use crate::lines::junction::heading;
+use crate::lines::marks::HeadMark;
+use crate::lines::params::{Params, RING_FARTHEST};
+use crate::lines::vertex::{FoundIn, Vertex, nearby};
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// The end of a shaft as drawn leads as it did, but for 45 degrees: the cosine.
+const ALONG: f32 = 0.7;
+/// A shaft is shortened by at most this for its head to have room, mm, in steps.
+const MOST: f32 = 8.0;
+const STEP: f32 = 0.5;
+
+/// Heads that are drawn.
+#[derive(Debug, Default)]
+pub(in crate::lines) struct Drawn {
+    /// Their strokes.
+    pub(in crate::lines) heads: Vec<Polyline<Vertex>>,
+    /// The shafts that are shorter for them: the number of the line, which end, and by how much, mm.
+    shorter: Vec<(usize, bool, f32)>,
+}
+
+impl Drawn {
+    /// A line, of this number among those that are drawn, as long as its heads let it be; with what of it is anchored.
+    pub(in crate::lines) fn shaft(
+        &self,
+        number: usize,
+        line: &Polyline<Vertex>,
+        anchored: &[bool],
+    ) -> (Polyline<Vertex>, Vec<bool>) {
+        let (mut line, mut anchored) = (line.clone(), anchored.to_vec());
+        for &(_, at_start, cut) in self.shorter.iter().filter(|(of, _, cut)| *of == number && *cut > 0.0) {
+            let shorter = shortened(&line, at_start, cut);
+            let gone = line.vertices.len() - shorter.vertices.len();
+            if at_start {
+                anchored.drain(..gone);
+            } else {
+                anchored.truncate(anchored.len() - gone);
+            }
+            line = shorter;
+        }
+        (line, anchored)
+    }
+}
+
+/// Draws heads at the ends of `lines`, where there is room, apart from `taken` places with their radii.
+pub(in crate::lines) fn draw(
+    marks: &mut [HeadMark],
+    lines: &[&Polyline<Vertex>],
+    area: MmRect,
+    params: &Params,
+) -> Drawn {
+    let mut drawn = Drawn::default();
+    if marks.is_empty() {
+        return drawn;
+    }
+    let segments = nearby(lines.iter().copied(), area, params);
+    let mut taken: Vec<(usize, bool)> = Vec::new();
+    for mark in marks {
+        let Some((line, at_start)) = shaft_of(mark, lines).filter(|shaft| !taken.contains(shaft)) else { continue };
+        let places = Places { line, lines, segments: &segments, others: &drawn.heads, area, params };
+        let Some((head, cut)) = places.head(at_start) else { continue };
+        taken.push((line, at_start));
+        drawn.heads.push(head);
+        drawn.shorter.push((line, at_start, cut));
+        mark.is_drawn = true;
+    }
+    drawn
+}
+
+/// The end of a line that is the shaft of a head, as it is drawn: the line's number, and whether it begins there.
+fn shaft_of(mark: &HeadMark, lines: &[&Polyline<Vertex>]) -> Option<(usize, bool)> {
+    let ends = lines.iter().enumerate().filter(|(_, line)| !line.closed);
+    let ends = ends.flat_map(|(number, line)| [true, false].map(|at_start| (number, at_start, *line)));
+    let near = ends.filter_map(|(number, at_start, line)| {
+        let far = (end(line, at_start)? - mark.at).length();
+        let leads = far <= 2.0 * RING_FARTHEST && heading(line, at_start, HEADING)?.dot(mark.toward) >= ALONG;
+        leads.then_some((far, number, at_start))
+    });
+    near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, number, at_start)| (number, at_start))
+}
+
+/// Where a head may be on a line.
+struct Places<'a> {
+    line: usize,
+    lines: &'a [&'a Polyline<Vertex>],
+    segments: &'a Nearby,
+    others: &'a [Polyline<Vertex>],
+    area: MmRect,
+    params: &'a Params,
+}
+
+impl Places<'_> {
+    /// The largest head for which there is room, and by how much the shaft is shorter then, mm.
+    fn head(&self, at_start: bool) -> Option<(Polyline<Vertex>, f32)> {
+        let line = self.lines[self.line];
+        let most = (line.length() - self.params.min_length).clamp(0.0, MOST);
+        let cuts = (0..=(most / STEP) as u32).map(|step| step as f32 * STEP);
+        let shafts: Vec<(f32, Polyline<Vertex>)> = cuts.map(|cut| (cut, shortened(line, at_start, cut))).collect();
+        LENGTHS.iter().find_map(|length| {
+            shafts.iter().find_map(|(cut, shaft)| {
+                let at = end(shaft, at_start)?;
+                let strokes = strokes(at, heading(shaft, at_start, HEADING)?, *length);
+                self.has_room(strokes, at_start).then(|| (self.polyline(strokes, at_start), *cut))
+            })
+        })
+    }
+
+    /// Whether the strokes of a head are clear of all other lines, and of all but the end of its own.
+    fn has_room(&self, [left, apex, right]: [MmPoint; 3], at_start: bool) -> bool {
+        let (clearance, length) = (self.params.max_clearance(), self.lines[self.line].length());
+        let own_end = self.params.approach(0.5 * self.params.width_max, 0.5 * self.params.width_max);
+        let arcs = self.lines[self.line].arc_lengths();
+        let is_own_end = |index: u32| {
+            let arc = arcs.get(index as usize).copied().unwrap_or(0.0);
+            if at_start { arc <= own_end } else { arc >= length - own_end }
+        };
+        [(left, apex), (apex, right)].into_iter().all(|stroke| {
+            let mut is_free = self.area.contains(stroke.0) && self.area.contains(stroke.1);
+            let reach = clearance + 0.5 * (stroke.1 - stroke.0).length();
+            self.segments.around_point(stroke.0.lerp(stroke.1, 0.5), reach, |segment| {
+                let is_own = segment.line as usize == self.line && is_own_end(segment.index);
+                is_free &= is_own || segment_distance(stroke, (segment.a, segment.b)) >= clearance;
+            });
+            let others = self.others.iter().flat_map(|head| head.vertices.windows(2));
+            is_free && others.map(|pair| (pair[0].at, pair[1].at)).all(|at| segment_distance(stroke, at) >= clearance)
+        })
+    }
+
+    /// A head as a line, as broad as its shaft.
+    fn polyline(&self, strokes: [MmPoint; 3], at_start: bool) -> Polyline<Vertex> {
+        let shaft = &self.lines[self.line].vertices;
+        let end = if at_start { shaft.first() } else { shaft.last() };
+        let (strength, width) = end.map_or((0.0, self.params.width_max), |end| (end.strength, end.width));
+        let vertex = |at: MmPoint| Vertex { at, strength, contrast: [0.0; 3], width, source: FoundIn::Vector };
+        Polyline::open(strokes.map(vertex).to_vec())
+    }
+}
+
+/// The strokes of a head with its tip at a place: their ends, and that between them.
+fn strokes(apex: MmPoint, toward: MmVector, length: f32) -> [MmPoint; 3] {
+    let turned = |degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        apex - MmVector::new(toward.x * cos - toward.y * sin, toward.x * sin + toward.y * cos) * length
+    };
+    [turned(SPREAD), apex, turned(-SPREAD)]
+}

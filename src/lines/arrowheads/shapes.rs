@@ -1,0 +1,137 @@
+//! Which contours may be the head of an arrow, by their form alone.
+
+use crate::geom::polyline::{Polyline, PolylineRef};
+use crate::geom::simplify::simplify;
+use crate::lines::vertex::Vertex;
+use crate::units::{MmPoint, MmRect, MmVector};
+
+/// The longest side of a head in the drawing, mm: a larger triangle is a shape by itself.
+const LARGEST: f32 = 12.0;
+/// ... and the shortest: two or three pixels.
+const SMALLEST: f32 = 0.6;
+/// How far a triangle or a leg may be off its straight sides, as a share of its size.
+const OFF_SIDES: f32 = 0.15;
+/// ... and the hull of one.
+const OFF_HULL: f32 = 0.08;
+/// How much of a triangle is inside its three corners at least, as a share: of a circle it is 0.41, of a square a half.
+const LEAST_INSIDE: f32 = 0.75;
+/// How much of the triangle around it a head with a notch fills at least.
+const NOTCHED: f32 = 0.35;
+/// An open contour is a triangle if it is at least this share of the way around: a shaft may interrupt its base.
+const AROUND: f32 = 0.75;
+/// The two sides of a head differ by at most this share.
+const ALIKE: f32 = 0.65;
+/// Half the width of a head, as a share of its length.
+const WIDTHS: std::ops::RangeInclusive<f32> = 0.2..=1.5;
+
+/// A corner that may be the tip of a head, and the two others.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tip {
+    pub(super) apex: MmPoint,
+    pub(super) wings: [MmPoint; 2],
+}
+
+impl Tip {
+    /// A tip whose two sides are alike.
+    pub(super) fn of(apex: MmPoint, wings: [MmPoint; 2]) -> Option<Self> {
+        let tip = Self { apex, wings };
+        let [one, other] = wings.map(|wing| (wing - apex).length());
+        let (half, length) = (0.5 * (wings[1] - wings[0]).length(), tip.axis().length());
+        let is_head = one.min(other) >= ALIKE * one.max(other) && WIDTHS.contains(&(half / length.max(f32::EPSILON)));
+        (is_head && (SMALLEST..=LARGEST).contains(&one.max(other))).then_some(tip)
+    }
+
+    /// The middle between its two other corners.
+    pub(super) fn base(&self) -> MmPoint {
+        self.wings[0].lerp(self.wings[1], 0.5)
+    }
+
+    /// From there to the tip.
+    pub(super) fn axis(&self) -> MmVector {
+        self.apex - self.base()
+    }
+
+    pub(super) fn half_width(&self) -> f32 {
+        0.5 * (self.wings[1] - self.wings[0]).length()
+    }
+}
+
+/// The corners of a contour that may be tips of a head.
+pub(super) fn tips(contour: &Polyline<Vertex>) -> Vec<Tip> {
+    let points: Vec<MmPoint> = contour.vertices.iter().map(|vertex| vertex.at).collect();
+    let extent = MmRect::from_points(&points);
+    let size = extent.width().max(extent.height());
+    // an open head is wider than its sides are long
+    if points.len() < 3 || !(SMALLEST..=1.5 * LARGEST).contains(&size) {
+        return Vec::new();
+    }
+    let around = hull(&points);
+    let length = PolylineRef { vertices: &around, closed: true }.length();
+    let is_outline = contour.closed || contour.length() >= AROUND * length && area(&points) >= NOTCHED * area(&around);
+    if is_outline {
+        let Some([a, b, c]) = corners_of_hull(&around, OFF_HULL * size) else { return Vec::new() };
+        let fills = area(&points) >= NOTCHED * area(&around);
+        let tips = [(a, [b, c]), (b, [c, a]), (c, [a, b])].into_iter().filter(|_| fills);
+        return tips.filter_map(|(apex, wings)| Tip::of(apex, wings)).collect();
+    }
+    let corners = simplify(PolylineRef { vertices: &points, closed: false }, OFF_SIDES * size);
+    match corners[..] {
+        [a, b, c] => Tip::of(points[b], [points[a], points[c]]).into_iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a contour may be one of the two strokes of a head.
+pub(super) fn is_leg(contour: &Polyline<Vertex>) -> bool {
+    let (Some(first), Some(last)) = (contour.vertices.first(), contour.vertices.last()) else { return false };
+    let (chord, length) = ((last.at - first.at).length(), contour.length());
+    !contour.closed && (SMALLEST..=LARGEST).contains(&length) && chord >= (1.0 - OFF_SIDES) * length
+}
+
+/// Whether a ring of this size has three corners.
+pub fn is_triangle(ring: &[MmPoint], size: f32) -> bool {
+    let corners = simplify(PolylineRef { vertices: ring, closed: true }, OFF_SIDES * size);
+    let [a, b, c] = corners[..] else { return false };
+    // a circle of three corners has more outside of them: most of a triangle is inside
+    area(&[ring[a], ring[b], ring[c]]) >= LEAST_INSIDE * area(ring)
+}
+
+/// The corners of a convex hull that has three, but for a tolerance.
+fn corners_of_hull(hull: &[MmPoint], tolerance: f32) -> Option<[MmPoint; 3]> {
+    // what is farthest from any place is a corner
+    let far = |i: &usize| (hull[*i] - hull[0]).square_length();
+    let start = (0..hull.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?;
+    let path: Vec<MmPoint> = (0..=hull.len()).map(|i| hull[(start + i) % hull.len()]).collect();
+    let corners = simplify(PolylineRef { vertices: &path, closed: false }, tolerance);
+    let [a, b, c, _] = corners[..] else { return None };
+    let corners = [path[a], path[b], path[c]];
+    (area(&corners) >= LEAST_INSIDE * area(hull)).then_some(corners)
+}
+
+/// The area of a ring.
+fn area(ring: &[MmPoint]) -> f32 {
+    let Some(&first) = ring.first() else { return 0.0 };
+    0.5 * ring.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<f32>().abs()
+}
+
+/// The convex hull of points (Andrew 1979).
+fn hull(points: &[MmPoint]) -> Vec<MmPoint> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let half = |points: &mut dyn Iterator<Item = &MmPoint>| {
+        let mut chain: Vec<MmPoint> = Vec::new();
+        for &at in points {
+            while let [.., a, b] = chain[..]
+                && (b - a).cross(at - a) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(at);
+        }
+        chain.pop();
+        chain
+    };
+    let (mut lower, upper) = (half(&mut sorted.iter()), half(&mut sorted.iter().rev()));
+    lower.extend(upper);
+    lower
+}

@@ -1,0 +1,168 @@
+//! Which contours are heads of arrows, and what is drawn of them.
+
+use super::measures::LENGTHS;
+use super::*;
+use crate::lines::vertex::{FoundIn, SPACING};
+use crate::lines::{Line, weight};
+use crate::units::MmPoint;
+
+const PARAMS: Params = Params { of_drawing: true, ..Params::TEST };
+
+fn contour(points: &[(f32, f32)], closed: bool) -> Polyline<Vertex> {
+    let vertex = |&(x, y): &(f32, f32)| Vertex {
+        at: MmPoint::new(x, y),
+        strength: 60.0,
+        contrast: [0.0; 3],
+        width: PARAMS.width_max,
+        source: FoundIn::Vector,
+    };
+    let mut line = Polyline { vertices: points.iter().map(vertex).collect(), closed };
+    line.subdivide(SPACING);
+    line
+}
+
+fn area() -> MmRect {
+    MmRect::new(MmPoint::zero(), MmPoint::new(150.0, 100.0))
+}
+
+fn shaft() -> Polyline<Vertex> {
+    contour(&[(10.0, 50.0), (60.0, 50.0)], false)
+}
+
+/// The heads among contours, and how many contours are left.
+fn taken(mut contours: Vec<Polyline<Vertex>>) -> (Vec<HeadMark>, Vec<Polyline<Vertex>>) {
+    let heads = take(&mut contours, area(), &PARAMS);
+    (heads, contours)
+}
+
+/// Ways in which drawings have a head at the right end of the shaft.
+fn heads() -> Vec<(&'static str, Vec<Polyline<Vertex>>)> {
+    let triangle = [(59.0, 48.0), (63.0, 50.0), (59.0, 52.0)];
+    vec![
+        ("a triangle", vec![contour(&triangle, true)]),
+        (
+            "a triangle with a wavering base",
+            vec![contour(&[(59.0, 48.0), (63.0, 50.0), (59.0, 52.0), (58.9999, 50.5)], true)],
+        ),
+        ("one that begins at the end of its shaft", vec![contour(&[(60.0, 48.0), (64.0, 50.0), (60.0, 52.0)], true)]),
+        (
+            "one that its shaft interrupts",
+            vec![contour(&[(59.0, 49.7), triangle[0], triangle[1], triangle[2], (59.0, 50.3)], false)],
+        ),
+        ("with a notch", vec![contour(&[(57.0, 48.0), (63.0, 50.0), (57.0, 52.0), (58.5, 50.0)], true)]),
+        ("an angle", vec![contour(&[(58.0, 48.0), (60.4, 50.0), (58.0, 52.0)], false)]),
+        (
+            "two strokes",
+            vec![contour(&[(57.0, 48.0), (60.0, 50.0)], false), contour(&[(60.0, 50.0), (57.0, 52.0)], false)],
+        ),
+    ]
+}
+
+#[test]
+fn heads_are_found_however_they_are_drawn() {
+    for (name, head) in heads() {
+        let (heads, left) = taken(std::iter::once(shaft()).chain(head).collect());
+        assert!(matches!(heads[..], [head] if head.toward.x > 0.99), "{name}: {heads:?}");
+        assert_eq!(left.len(), 1, "{name}");
+        let tip = left[0].vertices.iter().map(|vertex| vertex.at.x).fold(0.0, f32::max);
+        assert!((tip - heads[0].at.x).abs() < 0.3 && tip >= 59.9, "{name}: {tip}");
+    }
+}
+
+#[test]
+fn what_is_no_head_stays() {
+    let cases: [(&str, Vec<Polyline<Vertex>>); 7] = [
+        ("it points back", vec![contour(&[(63.0, 48.0), (59.0, 50.0), (63.0, 52.0)], true)]),
+        ("a square", vec![contour(&[(60.0, 48.0), (64.0, 48.0), (64.0, 52.0), (60.0, 52.0)], true)]),
+        ("a large triangle", vec![contour(&[(60.0, 40.0), (80.0, 50.0), (60.0, 60.0)], true)]),
+        ("across", vec![contour(&[(58.0, 50.0), (62.0, 50.0), (60.0, 54.0)], true)]),
+        ("beside", vec![contour(&[(59.0, 58.0), (63.0, 60.0), (59.0, 62.0)], true)]),
+        (
+            "a sign within a line",
+            vec![
+                contour(&[(59.0, 48.0), (63.0, 50.0), (59.0, 52.0)], true),
+                contour(&[(63.0, 50.0), (99.0, 50.0)], false),
+            ],
+        ),
+        (
+            "a roof on its walls",
+            vec![
+                contour(&[(57.0, 46.0), (60.0, 50.0), (57.0, 54.0)], false),
+                contour(&[(57.0, 46.0), (30.0, 46.0)], false),
+                contour(&[(57.0, 54.0), (30.0, 54.0)], false),
+            ],
+        ),
+    ];
+    for (name, others) in cases {
+        let count = 1 + others.len();
+        let (heads, left) = taken(std::iter::once(shaft()).chain(others).collect());
+        assert!(heads.is_empty() && left.len() == count, "{name}: {heads:?}");
+    }
+}
+
+#[test]
+fn a_shaft_ends_before_what_it_points_at() {
+    let wall = contour(&[(61.0, 10.0), (61.0, 90.0)], false);
+    let (heads, left) = taken([shaft(), contour(&[(58.0, 48.0), (60.4, 50.0), (58.0, 52.0)], false), wall].to_vec());
+    let gap = 61.0 - heads[0].at.x;
+    assert!((PARAMS.max_clearance()..PARAMS.max_clearance() + 0.5).contains(&gap), "{gap}");
+    assert!(left.iter().any(|line| (line.length() - (heads[0].at.x - 10.0)).abs() < 0.05));
+}
+
+/// The finished lines of contours with heads at their ends, and which heads are drawn.
+fn drawn(contours: Vec<Polyline<Vertex>>) -> (Vec<Line>, Vec<bool>) {
+    let (mut heads, left) = taken(contours);
+    let lines: Vec<&Polyline<Vertex>> = left.iter().collect();
+    let drawn = draw(&mut heads, &lines, area(), &PARAMS);
+    let shafts =
+        left.iter().enumerate().map(|(number, line)| drawn.shaft(number, line, &vec![false; line.vertices.len()]));
+    let finish = |(line, anchored): (Polyline<Vertex>, Vec<bool>)| weight::finish(&line, &anchored, &PARAMS);
+    let of_heads = drawn.heads.iter().map(|head| (head.clone(), vec![false; head.vertices.len()]));
+    (shafts.chain(of_heads).filter_map(finish).collect(), heads.iter().map(|head| head.is_drawn).collect())
+}
+
+#[test]
+fn a_head_is_two_strokes_that_meet_at_the_end_of_its_shaft() {
+    for (name, head) in heads() {
+        let (lines, is_drawn) = drawn(std::iter::once(shaft()).chain(head).collect());
+        assert!(lines.len() == 2 && is_drawn == [true], "{name}");
+        let found = arrows(&lines);
+        assert!(matches!(found[..], [Arrow { line: 0, head: Some(1), .. }]), "{name}: {found:?}");
+        assert!((lines[1].length() - 2.0 * LENGTHS[0]).abs() < 0.1, "{name}");
+    }
+    let both = [
+        shaft(),
+        contour(&[(58.0, 48.0), (60.0, 50.0), (58.0, 52.0)], false),
+        contour(&[(12.0, 48.0), (10.0, 50.0), (12.0, 52.0)], false),
+    ];
+    assert_eq!(arrows(&drawn(both.to_vec()).0).len(), 2);
+    let angle = [shaft(), contour(&[(60.0, 50.0), (60.0, 60.0), (70.0, 60.0)], false)];
+    assert!(arrows(&drawn(angle.to_vec()).0).is_empty(), "an angle that is no head");
+}
+
+#[test]
+fn a_head_without_room_is_smaller_or_left_out() {
+    let head = || contour(&[(58.0, 49.0), (60.4, 50.0), (58.0, 51.0)], false);
+    let beside = |y: f32| [shaft(), head(), contour(&[(5.0, y), (90.0, y)], false)].to_vec();
+    let (lines, is_drawn) = drawn(beside(58.4));
+    let length = lines.last().map_or(0.0, Line::length);
+    assert!(is_drawn == [true] && length < 2.0 * LENGTHS[0] - 0.5, "{length}");
+    let (lines, is_drawn) = drawn(beside(55.5));
+    assert!(is_drawn == [false] && lines.len() == 2);
+}
+
+#[test]
+fn a_triangle_has_three_corners() {
+    let points = |corners: &[(f32, f32)]| -> Vec<MmPoint> {
+        let at = |i: usize| MmPoint::from(corners[i % corners.len()]);
+        // some points on each side, as edgels are
+        (0..corners.len()).flat_map(|i| (0..8).map(move |k| at(i).lerp(at(i + 1), k as f32 / 8.0))).collect()
+    };
+    let of = |corners: &[(f32, f32)]| is_triangle(&points(corners), 4.0);
+    assert!(of(&[(0.0, 0.0), (4.0, 2.0), (0.0, 4.0)]));
+    assert!(!of(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]), "a square");
+    let circle: Vec<(f32, f32)> =
+        (0..24).map(|i| (i as f32 * std::f32::consts::TAU / 24.0).sin_cos()).map(|(y, x)| (2.0 * x, 2.0 * y)).collect();
+    assert!(!of(&circle));
+    assert!(!is_triangle(&[], 4.0));
+}

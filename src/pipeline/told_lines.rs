@@ -1,0 +1,72 @@
+//! What the maker is told of lines that are not drawn, or drawn otherwise.
+
+use crate::devices::Family;
+use crate::edges::Edges;
+use crate::lines::{Beyond, Lines, Lost};
+use crate::page::layout::Layout;
+use crate::page::{LeftOut, Medium};
+use crate::profile::Plan;
+use crate::regions::OutlineAreas;
+use crate::{About, Note};
+
+/// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
+/// 0.2 to 0.3 and lose little by it.
+const CROWDED: f32 = 0.35;
+/// Share of the contours of a drawing from which the maker is told that it is too dense for its size.
+const DENSE: f32 = 0.2;
+/// Length of the lines left out from which the maker of a drawing is told, mm: there every line is meant. Less is lost
+/// where lines meet.
+const LEAST_TOLD: f32 = 3.0;
+/// On a grid of dots lines are longer or shorter by about this share, which is no loss.
+const LEAST_TOLD_OF_DOTS: f32 = 0.05;
+
+/// What the maker is told of lines that are left out as there are to be few.
+pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan: &Plan) -> Option<Note> {
+    let most = plan.lines().most_shapes?;
+    let shapes = beyond.shapes + areas.map_or(0, OutlineAreas::beyond);
+    Some(Note::Simplified { shapes, lines: beyond.lines, most })
+}
+
+/// What the maker is told of contours that are not drawn: of a drawing always, of a photograph when it is much.
+pub(super) fn told_left_out(drawn: &Lines, edges: &Edges, layout: &Layout) -> Option<Note> {
+    let (wanted, lost) = (drawn.lost.wanted, of_lines(&drawn.lost));
+    let share = if wanted > 0.0 { (lost / wanted).min(1.0) } else { 0.0 };
+    let least = match layout.medium {
+        Medium::Print(_) => LEAST_TOLD,
+        Medium::Dots(_) => LEAST_TOLD.max(LEAST_TOLD_OF_DOTS * wanted),
+    };
+    let of_drawing = edges.of_drawing();
+    let (millimetres, percent) = (lost.round() as u32, (100.0 * share).round() as u32);
+    let place = drawn.lost.place_name();
+    // a display has one sheet, so a figure is not spread over several
+    let has_sheets = !matches!(&layout.medium, Medium::Dots(dots) if matches!(dots.device.family, Family::Pins { .. }));
+    if of_drawing && has_sheets && lost >= least && share >= DENSE {
+        let width = layout.figure.width().round() as u32;
+        return Some(Note::TooDense { millimetres, percent, place, width });
+    }
+    (share >= CROWDED || of_drawing && lost >= least).then_some(Note::LinesLeftOut { millimetres, percent, place })
+}
+
+/// What the maker is told of dashed lines.
+pub(super) fn told_dashed(edges: &Edges) -> Option<Note> {
+    let (lines, they_are) = match edges.dashed {
+        0 => return None,
+        1 => ("1 dashed line".to_owned(), "it is"),
+        count => (format!("{count} dashed lines"), "they are"),
+    };
+    let why = "dashes would be too short for fingers; where the difference matters, say so in the title or a label";
+    Some(Note::TakenAs(About::Lines, format!("{lines}: {they_are} drawn without gaps, as {why}")))
+}
+
+/// What is kept in the page of contours that are not drawn.
+pub(super) fn left_out(lost: &Lost, shapes: usize) -> LeftOut {
+    let whole = |mm: f32| mm.max(0.0).round() as u32;
+    let by_place = Some(lost.by_place.map(whole));
+    let millimetres = whole(of_lines(lost));
+    LeftOut { millimetres, of: whole(lost.wanted), by_place, shapes: shapes as u32 }
+}
+
+/// How much of lines is lost, mm: marks that are too short are told by themselves, and no room would help them.
+fn of_lines(lost: &Lost) -> f32 {
+    (lost.lost - lost.marks.length).max(0.0)
+}
