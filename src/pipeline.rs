@@ -65,6 +65,7 @@ use crate::{Error, Note};
 use draw::{DrawnMarks, draw};
 use finish::{finished, origin, too_black};
 use progress::run;
+use request::OverviewSize;
 use words::WrittenWords;
 
 /// A page and what its maker should know.
@@ -118,10 +119,11 @@ pub fn convert_with_words<'p>(
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let written = WrittenWords::new(words, request.plan);
-    let layout_of = |size: Size| written.layout(size, request);
-    let with_room = |drawing: &margins::Lettered<'_>, layout: Layout| {
-        margins::with_room(drawing, words, &written, request.plan, layout, &layout_of)
-    };
+    let layout_of = |size: Size, overview: OverviewSize| written.layout(size, overview, request);
+    let with_room =
+        |drawing: &margins::Lettered<'_>, layout: Layout, layout_of: &dyn Fn(Size) -> Result<Layout, Error>| {
+            margins::with_room(drawing, words, &written, request.plan, layout, layout_of)
+        };
     let marks = draw(picture.into(), (given, words), request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)
 }
@@ -141,7 +143,7 @@ pub fn redraw(
     let labels = redraw::labels(page);
     let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels) };
     let written = WrittenWords::new(&words, request.plan);
-    let layout = written.layout(redraw::shape(page), request)?;
+    let layout = written.layout(redraw::shape(page), OverviewSize::Own, request)?;
     let marks = redraw::marks((page, lines), own, layout, request, watch)?;
     compose(marks, &words, &written, request, watch)
 }

@@ -102,11 +102,9 @@ impl LetterShape {
     }
 }
 
-/// What is thin in a plane, and darker or lighter than its ground by `least`; none if nothing has the contrast
-/// `wanted`.
-pub(super) fn thin(levels: &Levels, polarity: Polarity, least: f32, wanted: f32) -> Option<Thin> {
-    let contrast = levels.contrast(RADIUS, LOCAL, polarity, wanted)?;
-    Some(Thin { set: contrast.at_least_half(least), contrast })
+/// By how much what is thin in a plane is darker or lighter than its ground; none if nothing is by `wanted`.
+pub(super) fn contrast(levels: &Levels, polarity: Polarity, wanted: f32) -> Option<Contrast> {
+    levels.contrast(RADIUS, LOCAL, polarity, wanted)
 }
 
 /// What is thin in a plane.

@@ -36,6 +36,9 @@ const LEVELS: f32 = 255.0;
 /// A level is no finer than this, in units of strength, however even a plane is.
 const FINEST: f32 = 0.1;
 
+/// So much of a picture, at least, is taken to be ground.
+const GROUND: f32 = 0.25;
+
 /// A plane in levels.
 pub(super) struct Levels {
     size: Size,
@@ -83,6 +86,20 @@ impl Contrast {
     /// In units of strength.
     pub(super) fn at(&self, cell: usize) -> f32 {
         f32::from(self.values[cell]) * self.unit
+    }
+
+    /// The contrast of the ground with itself, in units of strength: a low quantile of the largest around each pixel.
+    /// It is 0 on an even ground, and a few standard deviations of the noise on a noisy one.
+    pub(super) fn of_ground(&self) -> f32 {
+        let mut counts = [0_usize; 1 << u8::BITS];
+        self.most.iter().for_each(|&most| counts[usize::from(most)] += 1);
+        let wanted = (GROUND * self.most.len() as f32) as usize;
+        let mut below = 0;
+        let level = counts.iter().position(|count| {
+            below += count;
+            below > wanted
+        });
+        level.unwrap_or(0) as f32 * self.unit
     }
 
     /// Whether a pixel has at least this share of the largest contrast around it.
@@ -146,5 +163,20 @@ mod tests {
         let set = contrast.at_least_half(10.0);
         assert_eq!(set[..9], [false, false, false, true, true, false, false, false, false]);
         assert!(contrast.has_share(4, 0.85) && !contrast.has_share(3, 0.85));
+    }
+
+    #[test]
+    fn an_even_ground_has_no_contrast_with_itself_and_a_noisy_one_that_of_its_noise() {
+        let row = |noise: f32| -> Vec<f32> {
+            let mut row: Vec<f32> = (0..60).map(|x| 80.0 - noise * (x * 7 % 5) as f32).collect();
+            row[20..23].fill(20.0);
+            row
+        };
+        let of_ground = |noise: f32| {
+            let contrast = Levels::of(&plane(&row(noise))).contrast(6, 3, Polarity::Below, 10.0);
+            contrast.expect("there is a stroke").of_ground()
+        };
+        assert!(of_ground(0.0) <= 0.0);
+        assert!((3.0..5.0).contains(&of_ground(1.0)), "{}", of_ground(1.0));
     }
 }

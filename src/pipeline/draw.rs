@@ -13,7 +13,7 @@ use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
-use super::request::{Fit, Request};
+use super::request::{Fit, LayoutOf, OverviewSize, Request};
 use super::subject;
 use super::texts::{self, Text, placed};
 use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
@@ -61,8 +61,8 @@ pub(super) struct DrawnMarks {
     pub(super) notes: Vec<Note>,
 }
 
-/// The layout with room for the texts of a drawing.
-pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout) -> Layout + 'a;
+/// The layout with room for the texts of a drawing, which the last argument lays out in another size.
+pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout, &dyn Fn(Size) -> Result<Layout, Error>) -> Layout + 'a;
 
 /// A picture that is read and laid out, with its contours.
 struct Found {
@@ -84,7 +84,7 @@ fn find(
     picture: Picture<'_>,
     (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
-    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    layout_of: &LayoutOf<'_>,
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Found, Error> {
@@ -94,7 +94,8 @@ fn find(
     let Read { picture, content } = read(picture, &options, given.text_reader.as_ref(), watch)?;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
-    let layout = with_room(&lettered, layout_of(source)?);
+    let (overview, layout) = overview_of(&picture, &content, given, plan).fitting(source, plan, layout_of)?;
+    let layout = with_room(&lettered, layout, &|size| layout_of(size, overview));
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
@@ -124,7 +125,7 @@ pub(super) fn draw(
     picture: Picture<'_>,
     (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
-    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    layout_of: &LayoutOf<'_>,
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
@@ -228,17 +229,20 @@ fn edges_of_drawn(bytes: &[u8], size: Size, request: &Request<'_>, px_per_mm: f3
     Ok(edges_of(&drawn, None, &request.plan.edges(px_per_mm), None, &mut |_| ()))
 }
 
+/// How large the overview of a picture is laid out.
+pub(super) fn overview_of(picture: &decode::Decoded, content: &Content, given: &Given, plan: &Plan) -> OverviewSize {
+    let is_photograph = picture.drawing.is_none() && content.kind().is_some_and(|kind| !kind.is_drawing);
+    // few shapes need no more room
+    let has_regions = plan.region_detail().is_some() && plan.lines().most_shapes.is_none();
+    if is_photograph && has_regions && given.lines.is_none() { OverviewSize::OfPhotograph } else { OverviewSize::Own }
+}
+
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
 /// more than there are.
-pub(super) fn working_size(
-    source: Header,
-    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
-    fit: &Fit,
-    plan: &Plan,
-) -> Result<Size, Error> {
+pub(super) fn working_size(source: Header, layout_of: &LayoutOf<'_>, fit: &Fit, plan: &Plan) -> Result<Size, Error> {
     let Header { size, is_drawing } = source;
     enough_pixels(size)?;
-    let place = layout_of(size)?.figure;
+    let place = layout_of(size, OverviewSize::Own)?.figure;
     let figure = &plan.profile().figure;
     let side = place.width().min(place.height());
     if side < figure.min_side {
@@ -314,7 +318,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), Some(Detail::OUTLINES), watch);
+        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), plan.region_detail(), watch);
     };
     watch(Event::Skip(Stage::Edges, reason));
     Edges::none(picture.raster.size())

@@ -85,7 +85,7 @@ fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Opt
     // a drawing of paths alone was never on paper
     let is_painted = picture.drawing.as_ref().is_some_and(|drawing| drawing.pixel_areas.is_empty());
     let may_be_paper = !is_painted && !options.keep_ground;
-    Ok(match content.is_uniform() || options.keep_text && !may_be_paper {
+    Ok(match content.is_uniform() || options.keep_text && is_painted {
         true => (Read { picture, content }, None),
         false => on_white_paper(picture, may_be_paper),
     })
@@ -142,7 +142,10 @@ fn without_text(
     let erased = found.erased_from(raster);
     let raster = if finer.is_some() { erased.shrunk(working) } else { erased };
     // without its letters it may be of another kind, unless it is on paper
-    let kind = paper.and(content.kind()).map(|kind| kind.again_of(&raster));
+    let kind = match paper.and(content.kind()) {
+        Some(kind) => Some(kind.again_of(&raster)),
+        None => decoded.drawing.is_none().then(|| PictureKind::of(&raster, decoded.lossy)),
+    };
     let content = Content::of(&raster, kind);
     Read { picture: decode::Decoded { raster, texts, notes, ..decoded }, content }
 }

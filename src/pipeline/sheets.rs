@@ -63,8 +63,14 @@ pub fn convert<'p>(
     let plan = request.plan;
     let written = WrittenWords::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
-    let marks =
-        draw(picture.into(), (given, words), request, &|size| Ok(together(&lay(size)?)), &|_, layout| layout, watch)?;
+    let marks = draw(
+        picture.into(),
+        (given, words),
+        request,
+        &|size, _| Ok(together(&lay(size)?)),
+        &|_, layout, _| layout,
+        watch,
+    )?;
     let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {

@@ -4,7 +4,7 @@ use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::key::{self, Entries, KeySheets};
 use super::label::{CLEARANCE, Label};
-use super::request::Request;
+use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
     NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others, of_axes,
@@ -130,13 +130,13 @@ impl<'a> WrittenWords<'a> {
 
     /// Where a picture lies below its title. Where a title would leave the figure too small, or narrower than it is
     /// asked for, there is none.
-    pub(super) fn layout(&self, size: Size, request: &Request<'_>) -> Result<Layout, Error> {
+    pub(super) fn layout(&self, size: Size, overview: OverviewSize, request: &Request<'_>) -> Result<Layout, Error> {
         let (fit, plan) = (&request.fit, request.plan);
         let least = plan.profile().figure.min_side;
-        let below = self.heading.and_then(|heading| fit.layout_below(size, plan, Some(heading)).ok());
+        let below = self.heading.and_then(|heading| fit.layout_below(size, plan, Some(heading), overview).ok());
         match below.filter(|layout| layout.figure.width().min(layout.figure.height()) >= least) {
             Some(layout) => Ok(layout),
-            None => fit.layout(size, plan),
+            None => fit.layout(size, plan, overview),
         }
     }
 

@@ -173,6 +173,11 @@ impl Plan {
         }
     }
 
+    /// How fine the regions of a photograph are, of which some are outlined; none where none is.
+    pub fn region_detail(&self) -> Option<regions::Detail> {
+        self.profile.lines.regions.then_some(regions::Detail::OUTLINES)
+    }
+
     /// Which regions get an outline, in the figure or in the overview.
     pub fn regions(&self, of_overview: bool) -> regions::Params {
         let lines = self.lines();
