@@ -57,7 +57,7 @@ pub(super) struct Disc {
 }
 
 /// The contours of a drawing with each disc that lines lead to as a ring, at which they end.
-pub(super) fn parted(mut found: Vec<FoundContour>, discs: &[Disc], params: &Params) -> Vec<FoundContour> {
+pub(super) fn split_at_discs(mut found: Vec<FoundContour>, discs: &[Disc], params: &Params) -> Vec<FoundContour> {
     for disc in discs {
         let reach = disc.radius + BENT * params.sigma;
         let mut others: Vec<FoundContour> = Vec::with_capacity(found.len() + 2);
@@ -279,7 +279,7 @@ mod tests {
     fn a_disc_on_a_line_is_a_ring_between_two_straight_ends() {
         // the line was found round the upper half of the disc
         let line = stroke(&[(10.0, 50.0), (90.0, 50.0), (100.0, 44.0), (110.0, 50.0), (190.0, 50.0)]);
-        let parts = parted(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)), &params());
+        let parts = split_at_discs(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)), &params());
         let [before, after, ring] = &parts[..] else { panic!("{} contours", parts.len()) };
         assert!(!before.contour.closed && !after.contour.closed && ring.contour.closed && ring.stroke.is_none());
         let length = ring.contour.length();
@@ -292,7 +292,7 @@ mod tests {
         let line = stroke(&[(10.0, 50.0), (190.0, 50.0)]);
         let mut points = circle((100.0, 50.0), 9.0, 3.0);
         points.extend(circle((100.0, 50.0), 5.5, 0.0));
-        let parts = parted(vec![line], &discs(&points), &params());
+        let parts = split_at_discs(vec![line], &discs(&points), &params());
         let ring = parts.iter().find(|part| part.contour.closed).expect("a ring");
         assert!(ring.stroke.is_some_and(|width| (width - 3.5).abs() < 1.0), "{:?}", ring.stroke);
     }
@@ -307,7 +307,7 @@ mod tests {
     #[test]
     fn what_no_line_leads_to_or_is_no_circle_stays() {
         let beside = vec![stroke(&[(10.0, 57.0), (190.0, 57.0)])];
-        assert_eq!(parted(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0)), &params()), beside);
+        assert_eq!(split_at_discs(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0)), &params()), beside);
         // more than half of the circle is hidden
         assert_eq!(discs(&circle((100.0, 50.0), 8.0, 6.0)), []);
     }

@@ -59,7 +59,7 @@ use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use chain::Chain;
 use contour::ContourPoint;
 use discs::Disc;
-pub use drawing::find_drawn;
+pub use drawing::find_in_vector;
 pub use edgel::{ChainKind, ChainRange, Constraints, Edgel, Edges};
 use hysteresis::Selection;
 use noise::Noise;
@@ -237,13 +237,13 @@ impl<'a> Ridges<'a> {
         let mut found: Vec<FoundContour> = edges.chain(strokes).collect();
         let mut dashed = 0;
         if of_drawing {
-            (found, dashed) = dashes::united(found, params.sigma, params.min_length);
+            (found, dashed) = dashes::merged_dashes(found, params.sigma, params.min_length);
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
                 stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
             };
-            let met = tips::meet(found, params.sigma, &is_seen);
-            let given_back = straight::give_back(met, params.sigma, params.min_length);
-            found = discs::parted(rings::parted(given_back, params.min_length), &discs, params);
+            let met = tips::join_corners(found, params.sigma, &is_seen);
+            let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
+            found = discs::split_at_discs(rings::split_at_contact(reassigned, params.min_length), &discs, params);
         }
         let (mut contours, widths): (Vec<_>, Vec<_>) =
             found.into_iter().map(|found| (found.contour, found.stroke)).unzip();

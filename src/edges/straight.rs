@@ -42,24 +42,24 @@ struct Onward {
 /// Gives sides of contours to the strokes that go straight on in them: a side between two corners if strokes go on in
 /// it at both, all of an open contour beyond a corner if one goes on there. What is left of the contour ends at the
 /// corner. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
-pub(super) fn give_back(found: Vec<FoundContour>, sigma: f32, least: f32) -> Vec<FoundContour> {
+pub(super) fn reassign_sides(found: Vec<FoundContour>, sigma: f32, least: f32) -> Vec<FoundContour> {
     let piece = |found: FoundContour| OpenPart { free: [!found.contour.closed; 2], found };
     let mut pieces: Vec<OpenPart> = found.into_iter().map(piece).collect();
     give_sides(&mut pieces, least, |owner, pieces| {
         let ends @ [a, b] = facing(owner, pieces, sigma)?;
         let (side, rest) = between(&pieces[owner], a.corner, b.corner);
-        Some(Handover::of(owner, &ends, side, rest, pieces))
+        Some(Reassignment::of(owner, &ends, side, rest, pieces))
     });
     give_sides(&mut pieces, least, |owner, pieces| {
         let end = straightest(owner, pieces, sigma)?;
         let (side, rest) = behind(&pieces[owner], end);
-        Some(Handover::of(owner, &[end], side, vec![rest], pieces))
+        Some(Reassignment::of(owner, &[end], side, vec![rest], pieces))
     });
     pieces.into_iter().map(|piece| piece.found).collect()
 }
 
 /// A side of a contour goes over to other pieces.
-struct Handover {
+struct Reassignment {
     /// The pieces that are there no more: the contour, and those that get its side.
     gone: Vec<usize>,
     /// Those, as one line with the side.
@@ -70,10 +70,10 @@ struct Handover {
 
 /// Lets all pieces give sides away for as long as they have any to give; what is left of one, if it is at least `least`
 /// px long, has its turn once more.
-fn give_sides(pieces: &mut Vec<OpenPart>, least: f32, handover: impl Fn(usize, &[OpenPart]) -> Option<Handover>) {
+fn give_sides(pieces: &mut Vec<OpenPart>, least: f32, handover: impl Fn(usize, &[OpenPart]) -> Option<Reassignment>) {
     let mut owner = 0;
     while owner < pieces.len() {
-        let Some(Handover { mut gone, joined, rest }) = handover(owner, pieces) else {
+        let Some(Reassignment { mut gone, joined, rest }) = handover(owner, pieces) else {
             owner += 1;
             continue;
         };
@@ -88,7 +88,7 @@ fn give_sides(pieces: &mut Vec<OpenPart>, least: f32, handover: impl Fn(usize, &
     }
 }
 
-impl Handover {
+impl Reassignment {
     /// To the pieces of one or two ends. The side runs away from the first of them, and up to the second.
     fn of(owner: usize, ends: &[Onward], side: OpenPart, rest: Vec<OpenPart>, pieces: &[OpenPart]) -> Self {
         let gone = std::iter::once(owner).chain(ends.iter().map(|end| end.piece)).collect();
@@ -291,7 +291,7 @@ mod tests {
     #[test]
     fn a_roof_gets_its_base_line_back_from_the_wall() {
         let roof = stroke(&[(15.0, 50.0), (5.0, 50.0), (50.0, 20.0), (95.0, 50.0), (85.0, 50.0)], false);
-        let found = give_back(vec![wall(), roof], SIGMA, LEAST);
+        let found = reassign_sides(vec![wall(), roof], SIGMA, LEAST);
         let (rings, open): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.contour.closed);
         let ([roof], [wall]) = (&rings[..], &open[..]) else { panic!("a ring and an open line: {found:?}") };
         assert!(is_near(&roof.contour, 50.0, 50.0) && !is_near(&wall.contour, 50.0, 50.0));
@@ -307,7 +307,7 @@ mod tests {
                 left.contour.reverse();
                 right.contour.reverse();
             }
-            let found = give_back(vec![left, wall(), right], SIGMA, LEAST);
+            let found = reassign_sides(vec![left, wall(), right], SIGMA, LEAST);
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             assert!(matches!(lengths[..], [base, wall] if (base - 98.0).abs() < 1.0 && (wall - 140.0).abs() < 1.0));
@@ -327,7 +327,7 @@ mod tests {
                         found.contour.reverse();
                     }
                 }
-                let found = give_back(all.to_vec(), SIGMA, LEAST);
+                let found = reassign_sides(all.to_vec(), SIGMA, LEAST);
                 assert_eq!(found.len(), 2, "{turned:b} turned");
                 let base = found.iter().find(|found| is_near(&found.contour, 50.0, 50.0)).expect("it has the side");
                 let corners = [(20.0, 50.0), (80.0, 50.0), (15.0, 50.0), (85.0, 50.0)];
@@ -355,7 +355,7 @@ mod tests {
         };
         let piece = |from: f32, to: f32| stroke(&[(from, 50.0), (to, 50.0)], false);
         let all = vec![piece(0.0, 20.0), bar(20.0), piece(50.0, 70.0), bar(70.0), piece(100.0, 130.0)];
-        let found = give_back(all, SIGMA, LEAST);
+        let found = reassign_sides(all, SIGMA, LEAST);
         assert!(found.iter().all(|found| !found.contour.closed));
         let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
         lengths.sort_by(f32::total_cmp);
@@ -372,7 +372,7 @@ mod tests {
             if turned {
                 axis.contour.reverse();
             }
-            let found = give_back(vec![corner.clone(), axis], SIGMA, LEAST);
+            let found = reassign_sides(vec![corner.clone(), axis], SIGMA, LEAST);
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             let [side, axis] = lengths[..] else { panic!("a side and an axis: {lengths:?}") };
@@ -386,7 +386,7 @@ mod tests {
         let [high_left, high_right] = eaves(46.0);
         for others in [vec![left], vec![high_left, high_right]] {
             let all: Vec<FoundContour> = std::iter::once(wall()).chain(others).collect();
-            assert_eq!(give_back(all.clone(), SIGMA, LEAST), all);
+            assert_eq!(reassign_sides(all.clone(), SIGMA, LEAST), all);
         }
     }
 
@@ -396,7 +396,7 @@ mod tests {
         let (level, slanted) =
             (stroke(&[(0.0, 50.0), (46.0, 50.0)], false), stroke(&[(2.0, 58.5), (46.0, 51.0)], false));
         for ends in [[level.clone(), slanted.clone()], [slanted.clone(), level.clone()]] {
-            let found = give_back(ends.into_iter().chain([corner.clone()]).collect(), SIGMA, LEAST);
+            let found = reassign_sides(ends.into_iter().chain([corner.clone()]).collect(), SIGMA, LEAST);
             let longest = found.iter().max_by(|a, b| a.contour.length().total_cmp(&b.contour.length())).expect("three");
             assert!(found.len() == 3 && is_near(&longest.contour, 0.0, 50.0) && is_near(&longest.contour, 98.0, 50.0));
         }

@@ -1,7 +1,7 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Stands, Wanted};
+use super::placed::{PlacedAs, Wanted};
 use super::surroundings::{AT_END, NEAR, Surroundings};
 use crate::geom::outline::{corners, distance_to_box};
 use crate::geom::segment_distance;
@@ -19,7 +19,7 @@ pub(super) struct Candidate {
     /// Whether that leads across other lines.
     pub(super) crosses: bool,
     pub(super) cost: f32,
-    pub(super) stands: Stands,
+    pub(super) stands: PlacedAs,
 }
 
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
@@ -57,7 +57,7 @@ const OFF_CENTRE: f32 = 0.1;
 /// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
 const TO_LEADER: f32 = 3.5;
 /// What rounding may add to a distance, mm.
-const HAIR: f32 = 0.01;
+const EPSILON_MM: f32 = 0.01;
 /// What a leader line costs: the millimetres that another place may lie further away.
 const LEADER: f32 = 10.0;
 /// What a leader line across other lines costs: more than an abbreviation.
@@ -88,9 +88,9 @@ pub(super) struct Spacing {
 }
 
 /// The least blank: where there is room for no more.
-pub(super) const TIGHTEST: Spacing = Spacing { aside: 6.0, above: 3.5 };
+pub(super) const MIN_SPACING: Spacing = Spacing { aside: 6.0, above: 3.5 };
 /// The same, less a hair for sums of floating point.
-pub(super) const JUST: Spacing = Spacing { aside: 5.99, above: 3.49 };
+pub(super) const MIN_SPACING_ROUNDED: Spacing = Spacing { aside: 5.99, above: 3.49 };
 
 impl Spacing {
     /// As columns of a table in braille, which two blank cells keep apart; one above the other, more than lines of one
@@ -124,13 +124,19 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 
 impl Candidate {
     /// One that is placed together with its row.
-    pub(super) fn of_row(form: usize, place: MmRect, leader: Option<[MmPoint; 2]>, cost: f32, stands: Stands) -> Self {
+    pub(super) fn of_row(
+        form: usize,
+        place: MmRect,
+        leader: Option<[MmPoint; 2]>,
+        cost: f32,
+        stands: PlacedAs,
+    ) -> Self {
         Self { form, place, leader, crosses: false, cost, stands }
     }
 
     /// Whether it is placed with others, in a row or at one, and stays there.
     pub(super) fn is_fixed(&self) -> bool {
-        self.stands != Stands::Alone
+        self.stands != PlacedAs::Alone
     }
 
     /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight segment.
@@ -147,14 +153,14 @@ impl Candidate {
     pub(super) fn is_too_near(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
         let Spacing { aside, above } = spacing;
         // nearly all pairs are far apart, and their distances need not be known
-        let far = aside.max(above).max(TO_LEADER + off).max(BEFORE_LEADER) + HAIR;
+        let far = aside.max(above).max(TO_LEADER + off).max(BEFORE_LEADER) + EPSILON_MM;
         if !self.extent().inflate(far, far).intersects(&other.extent()) {
             return false;
         }
         let near = self.place.inflate(aside, above).intersects(&other.place);
         let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
             leader.is_some_and(|[a, b]| {
-                let far = TO_LEADER + off + HAIR;
+                let far = TO_LEADER + off + EPSILON_MM;
                 if !MmRect::from_points([a, b]).inflate(far, far).intersects(&place) {
                     return false;
                 }
@@ -254,7 +260,7 @@ fn candidate(
     let join = join(label, place, around)?;
     let (leader, crosses) = (join.leader(), matches!(join, Attachment::LeaderAcross(_)));
     let cost = cost(form.cost, label, place, join, around);
-    Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
+    Some(Candidate { form: number, place, leader, crosses, cost, stands: PlacedAs::Alone })
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,

@@ -18,7 +18,7 @@ use crate::units::{MmPoint, MmRect, PageTransform};
 
 /// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in
 /// proportion, has joined nothing and will not: it is not looked at further.
-const CRUMB: f32 = 0.5;
+const NEGLIGIBLE: f32 = 0.5;
 
 /// What is to be drawn as far as there is room for it.
 pub(super) struct LineCandidates {
@@ -61,8 +61,9 @@ impl LineCandidates {
             }
         }
         let mut short = LossTally::new(area);
-        let is_crumb =
-            |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
+        let is_crumb = |polyline: &Polyline<Vertex>| {
+            polyline.weighted_length(params.full_strength) < NEGLIGIBLE * params.min_length
+        };
         if params.of_drawing {
             polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
         }

@@ -33,23 +33,23 @@ pub(super) fn cleared(
     let wide = Params { widen_bars: params.of_drawing, ..params };
     let merged = Params { widen_bars: false, ..params };
     let of_wide = Arc::new(candidates(&wide));
-    let mut best = Attempt::of(&of_wide, area, wide, false);
+    let mut best = Attempt::of(&of_wide, area, wide);
     if !params.of_drawing || best.lost() < params.min_length {
         return best.taken();
     }
     let of_merged = Arc::new(candidates(&merged));
     if best.drawn() < HOPELESS * best.wanted() {
-        return Attempt::of(&of_merged, area, merged, false).taken();
+        return Attempt::of(&of_merged, area, merged).taken();
     }
     // the most that could be drawn: bars with both sides
     let most = wanted(&of_wide);
     let thin = wide.thin();
     let of_thin = || Arc::new(candidates(&thin));
     let tries: [&(dyn Fn() -> Attempt + Sync); 4] = [
-        &|| Attempt::of(&of_wide, area, wide, true),
-        &|| Attempt::of(&of_merged, area, merged, false),
-        &|| Attempt::of(&of_merged, area, merged, true),
-        &|| Attempt::of(&of_thin(), area, thin, true),
+        &|| Attempt::moved_apart(&of_wide, area, wide),
+        &|| Attempt::of(&of_merged, area, merged),
+        &|| Attempt::moved_apart(&of_merged, area, merged),
+        &|| Attempt::moved_apart(&of_thin(), area, thin),
     ];
     let attempts: Vec<Attempt> = tries.into_par_iter().map(|attempt| attempt()).collect();
     let mut kept = best.kept(most);
@@ -70,13 +70,16 @@ struct Attempt {
 }
 
 impl Attempt {
-    fn of(candidates: &Arc<LineCandidates>, area: MmRect, params: Params, moves_apart: bool) -> Self {
-        let cleared = if moves_apart {
-            let (apart, saliencies) = apart(candidates, area, &params);
-            clear(apart, &saliencies, area, &params)
-        } else {
-            clear(candidates.lines.clone(), &candidates.saliencies, area, &params)
-        };
+    /// Of lines where they are.
+    fn of(candidates: &Arc<LineCandidates>, area: MmRect, params: Params) -> Self {
+        let cleared = clear(candidates.lines.clone(), &candidates.saliencies, area, &params);
+        Self { candidates: candidates.clone(), cleared, params }
+    }
+
+    /// Of lines that are moved apart beforehand.
+    fn moved_apart(candidates: &Arc<LineCandidates>, area: MmRect, params: Params) -> Self {
+        let (apart, saliencies) = apart(candidates, area, &params);
+        let cleared = clear(apart, &saliencies, area, &params);
         Self { candidates: candidates.clone(), cleared, params }
     }
 

@@ -4,7 +4,7 @@ use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 
-use super::joined_bars::{self, BarTolerances, Instead, Redraw};
+use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::leaders;
 use super::lost_marks;
 use super::lost_signs;
@@ -291,7 +291,7 @@ pub(super) fn edges_of(
 ) -> Edges {
     let raster = &picture.raster;
     if let Some(drawing) = &picture.drawing {
-        return run(watch, Stage::Edges, || edges::find_drawn(raster, drawing, params));
+        return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
     }
     let own;
     let kind = match kind {
@@ -337,7 +337,7 @@ pub(super) struct FigureLines {
     /// The areas that the outlines of regions among them surround.
     pub(super) areas: Option<OutlineAreas>,
     /// How the bars of a chart are drawn that have no room as they are.
-    pub(super) instead: Option<Instead>,
+    pub(super) instead: Option<BarStyle>,
 }
 
 /// The lines of the figure, with the outlines of its `regions`; bars of a chart may be drawn otherwise if they

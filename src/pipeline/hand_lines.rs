@@ -101,7 +101,7 @@ impl HandLines {
     ///
     /// # Errors
     /// As [`HandLines::edges`].
-    pub(super) fn edges_below(
+    pub(super) fn edges_under_own(
         &self,
         names: &[LineName],
         size: Size,
@@ -456,7 +456,7 @@ mod tests {
         let lines = HandLines { lines, aspect: 1.0, left_outside: 0.0 };
         let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
         let edges =
-            lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
+            lines.edges_under_own(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
         let row =
             |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
         assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
@@ -470,7 +470,7 @@ mod tests {
         assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
         assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
         let none = lines
-            .edges_below(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
+            .edges_under_own(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
             .expect("the same shape");
         assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
     }

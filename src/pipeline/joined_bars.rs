@@ -17,7 +17,7 @@ const ALONG: f32 = 0.9;
 
 /// How bars that are torn are drawn instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Instead {
+pub(super) struct BarStyle {
     bars: Bars,
     has_grid: bool,
     /// How many bars are too low for an outline.
@@ -127,7 +127,7 @@ impl<T> Redraw<'_, T> {
     /// Draws a drawing whose bars are torn as `first`, drawn `at` this transform, in other variants, until they are
     /// whole: for each variant and each transform. Gives what lacks least of them, and how it was drawn if it is not
     /// the first.
-    pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<Instead>) {
+    pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<BarStyle>) {
         let Self { edges, tolerances, detail, draw, .. } = *self;
         let Some(chart) = Chart::of(edges) else { return (first, None) };
         // judged by all lines whatever the detail, so that less of it is a part of more
@@ -166,14 +166,14 @@ impl<T> Redraw<'_, T> {
 }
 
 /// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
-pub(super) fn told(in_figure: Option<Instead>, in_overview: Option<Instead>) -> Vec<Note> {
+pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
     // as in the figure is no news
     let in_overview = in_overview.filter(|_| in_overview != in_figure);
     let of_figure = in_figure.iter().flat_map(|instead| instead.told(false));
     of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(true))).collect()
 }
 
-impl Instead {
+impl BarStyle {
     fn told(self, of_overview: bool) -> Vec<Note> {
         let (about, place) = if of_overview { (About::Overview, "in the overview ") } else { (About::Lines, "") };
         let bars = match self.bars {
@@ -223,7 +223,7 @@ struct Redrawn {
     edges: Edges,
     /// The paths along which there should be lines then.
     wanted: Vec<WantedPath>,
-    instead: Instead,
+    instead: BarStyle,
 }
 
 impl Chart {
@@ -293,7 +293,7 @@ impl Chart {
                 kept.push_as(kind, path.vertices.into_iter().map(edgel), false);
             }
         }
-        let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
+        let instead = BarStyle { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
         let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
         let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());

@@ -46,7 +46,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
     for line in after {
         // few lines are near, and the others need not be looked at
         let mut own: BTreeMap<u32, f32> = BTreeMap::new();
-        for (a, b) in way_of(line) {
+        for (a, b) in path_of(line) {
             let length = (b - a).length() * scale;
             let count = (length / STEP).ceil().max(1.0);
             for k in 0..count as u32 {
@@ -61,7 +61,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
         own.into_iter().for_each(|(line, of)| lengths[line as usize] += of);
     }
     let share = |(line, kept): (&Line, f32)| {
-        let length: f32 = way_of(line).iter().map(|(a, b)| (*b - *a).length()).sum();
+        let length: f32 = path_of(line).iter().map(|(a, b)| (*b - *a).length()).sum();
         if length > 0.0 { kept / length } else { 1.0 }
     };
     (stand_for, before.iter().zip(lengths).map(share).collect())
@@ -76,7 +76,7 @@ fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
 }
 
 /// The segments of a line, without the second row of a heavy line of dots.
-fn way_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
+fn path_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
     let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
     let rows = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
     let ticks = line.row_ticks().filter_map(|(run, at)| Some((at, *run.points.last()?)));

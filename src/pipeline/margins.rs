@@ -6,7 +6,7 @@ use super::label::CLEARANCE;
 use super::texts::{self, Text};
 use super::words::{self, Words, WrittenWords, own_texts};
 use crate::Error;
-use crate::labels::{self, Foretold, Wanted, rows_beyond};
+use crate::labels::{self, RowPrediction, Wanted, row_overhang};
 use crate::page::Medium;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
@@ -24,7 +24,7 @@ const LOWER: f32 = 2.0;
 /// How often the room is computed: a smaller drawing has its words elsewhere. After three of them less than 0.1 mm
 /// is lacking; in one more, room that nothing stands in falls away.
 const ROUNDS: usize = 4;
-/// How far lines may lie beside where they are foretold, mm: they are moved apart, and labels with them.
+/// How far lines may lie beside where they are predicted, mm: they are moved apart, and labels with them.
 const MOVED: f32 = 2.0;
 /// What is no lack of room, mm.
 const SLACK: f32 = 0.1;
@@ -198,8 +198,8 @@ fn lacks(
         Medium::Print(_) => Some(plan.lines().min_length),
         Medium::Dots(_) => None,
     };
-    let foretold = Foretold { wanted: &wanted, contours, line_width, longer_to, params: &params };
-    let [left, top, right, bottom] = rows_beyond(&foretold, &cells, translator, layout.room);
+    let predicted = RowPrediction { wanted: &wanted, contours, line_width, longer_to, params: &params };
+    let [left, top, right, bottom] = row_overhang(&predicted, &cells, translator, layout.room);
     // ... and braille is brought on to it
     let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + step + MOVED);
     // a word above all else, such as a heading, is higher than its print

@@ -1,7 +1,7 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
 use super::dots;
-use super::joined_bars::{BarTolerances, Instead, Redraw};
+use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
 use super::request::OF_PHOTOGRAPH;
@@ -58,7 +58,7 @@ pub(super) struct DrawnOverview {
     /// How many of the things that the picture is about are too small for it.
     pub(super) subjects_lacking: usize,
     /// How the bars of a chart are drawn that have no room as they are.
-    pub(super) instead: Option<Instead>,
+    pub(super) instead: Option<BarStyle>,
 }
 
 /// An overview in one place.
@@ -100,7 +100,7 @@ impl Figure<'_> {
 
     /// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger
     /// one.
-    fn with_whole_bars(&self, drawn: Overview, place: MmRect) -> (Overview, Option<Instead>) {
+    fn with_whole_bars(&self, drawn: Overview, place: MmRect) -> (Overview, Option<BarStyle>) {
         let &Self { edges, layout, plan, .. } = self;
         if plan.lines().most_shapes.is_some() {
             return (drawn, None);

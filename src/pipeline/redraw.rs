@@ -94,7 +94,7 @@ pub(super) fn marks(
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
     let hand_lines = HandLines::of_figure(page, own);
-    let mut edges = hand_lines.edges_below(lines, size, blank, params.full_strength)?;
+    let mut edges = hand_lines.edges_under_own(lines, size, blank, params.full_strength)?;
     if let MediumParams::Dots { device, .. } = plan.medium()
         && !device.has_heights()
     {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::unwritten::{Lacks, RefusedTexts, named};
-use crate::labels::{self, NEAR, Placed, Stands, Unplaced, Wanted};
+use crate::labels::{self, NEAR, Placed, PlacedAs, Unplaced, Wanted};
 use crate::listing::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
@@ -103,7 +103,7 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
             .filter(is_nearer)
             .min_by(|a, b| far(&a.anchor, &placed.place).total_cmp(&far(&b.anchor, &placed.place)));
         other
-            .filter(|_| placed.leader.is_none() && !matches!(placed.stands, Stands::InMargin | Stands::AsTitle))
+            .filter(|_| placed.leader.is_none() && !matches!(placed.stands, PlacedAs::InMargin | PlacedAs::AsTitle))
             .map(|other| other.text.as_str())
     };
     let all = wanted.iter().zip(results).enumerate();
@@ -157,7 +157,7 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
     let in_margin = "labels of a row or column stand in the margin beside the drawing, each in line with its place, as \
                      there is no room for them there";
     let bare = "of numbers along an axis only one has the unit, as there is no room for it behind each";
-    let of_margin = tell(&those(|label| label.stands == Stands::InMargin), in_margin);
+    let of_margin = tell(&those(|label| label.stands == PlacedAs::InMargin), in_margin);
     of_margin.into_iter().chain(tell(&those(|label| label.is_bare), bare)).collect()
 }
 
@@ -227,7 +227,7 @@ mod tests {
                 abbreviation: None,
                 leader: None,
                 crosses: false,
-                stands: Stands::Alone,
+                stands: PlacedAs::Alone,
                 is_bare: false,
             })
         };

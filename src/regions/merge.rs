@@ -11,7 +11,7 @@ const COLOUR: f64 = 0.15;
 /// A difference of colour counts at most this much.
 const MOST_COLOUR: f64 = 30.0;
 /// Regions of this share of the picture, and smaller ones, merge early: crumbs are no regions.
-const CRUMB: f64 = 0.003;
+const NEGLIGIBLE: f64 = 0.003;
 /// How much size counts.
 const POWER: f64 = 0.3;
 
@@ -160,7 +160,7 @@ impl Merging {
 
 /// What a region of an area counts beside a larger one, and beside a smaller one.
 fn weights(area: f64, cells: f64, part: f64) -> [f64; 2] {
-    [CRUMB, part].map(|share| (area / (area + share * cells)).powf(POWER))
+    [NEGLIGIBLE, part].map(|share| (area / (area + share * cells)).powf(POWER))
 }
 
 /// Distance of the mean colours of two regions.

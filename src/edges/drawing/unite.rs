@@ -23,7 +23,7 @@ const CORNER: f32 = 25.0;
 /// The contours without those parts that coincide with one before them. Strokes come before outlines, then those with
 /// the longest side between two corners: so a side that goes on beyond the other's corners is whole, and the other ends
 /// on it.
-pub(super) fn united(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
+pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
     // in whole pixels: rounding decides nothing
     confirmed.sort_by_key(|contour| (contour.stroke.is_none(), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);

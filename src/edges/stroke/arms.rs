@@ -74,7 +74,7 @@ pub(super) fn joined(paths: Vec<SkeletonPath>, nodes: &[SkeletonNode]) -> Vec<St
         }
     }
     let lone = |node: usize| arms_of[node].len() < 2;
-    strung(&paths, &partner, nodes, &lone)
+    concatenated(&paths, &partner, nodes, &lone)
 }
 
 /// The arms of every junction.
@@ -138,7 +138,7 @@ fn pairs(arms: &[Arm]) -> Vec<(Arm, Arm)> {
 }
 
 /// The lines along paths and their partners.
-fn strung(
+fn concatenated(
     paths: &[SkeletonPath],
     partner: &[[Option<Partner>; 2]],
     nodes: &[SkeletonNode],

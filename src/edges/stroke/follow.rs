@@ -11,7 +11,7 @@ use super::Stroke;
 use super::centre::{contrast_across, interpolated};
 use crate::edges::contour::{Contour, ContourPoint};
 use crate::edges::params::{HEADING, Params};
-use crate::geom::link::{End, Thread, link};
+use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::nearby::Index;
 use crate::geom::right_of;
 use crate::raster::plane::Plane;
@@ -238,7 +238,7 @@ fn joined(strokes: Vec<Stroke>, met: &[[StrokeEnd; 2]]) -> Vec<Stroke> {
     let reach = met.iter().map(|pair| (end(pair[0]).at - end(pair[1]).at).length()).fold(0.0, f32::max);
     let threads = link(strokes.len(), &ends, reach, |a, b| is_pair(a, b).then(|| (b.at - a.at).length()));
     let mut left: Vec<Option<Stroke>> = strokes.into_iter().map(Some).collect();
-    let of_thread = |thread: Thread| {
+    let of_thread = |thread: LinkedChain| {
         let mut parts = thread.parts.iter().filter_map(|part| {
             let mut stroke = left[part.polyline].take()?;
             if part.reversed {

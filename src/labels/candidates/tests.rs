@@ -153,26 +153,26 @@ fn labels_of_texts_stand_above_or_below_rather_than_beside() {
 }
 
 fn at_leader(place: MmRect, leader: [(f32, f32); 2]) -> Candidate {
-    Candidate::of_row(0, place, Some(leader.map(MmPoint::from)), 0.0, Stands::Alone)
+    Candidate::of_row(0, place, Some(leader.map(MmPoint::from)), 0.0, PlacedAs::Alone)
 }
 
 #[test]
 fn leader_lines_that_are_too_near_conflict() {
     let one = at_leader(box_at(0.0, 0.0), [(23.0, 3.0), (80.0, 3.0)]);
-    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), TIGHTEST, 0.0);
+    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), MIN_SPACING, 0.0);
     assert!(conflicts(5.9) && !conflicts(6.1), "3 mm of blank");
     // and what lies in the way of a leader line
     let label = |y: f32| Candidate { leader: None, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
-    assert!(one.conflicts(&label(6.4), TIGHTEST, 0.0) && !one.conflicts(&label(6.6), TIGHTEST, 0.0), "3.5 mm");
-    assert!(one.conflicts(&label(6.6), TIGHTEST, 0.5), "its dots lie off by half a millimetre");
-    let fixed = |of: Candidate| Candidate { stands: Stands::InRow, ..of };
-    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), TIGHTEST, 0.0), "rows keep their own blank");
+    assert!(one.conflicts(&label(6.4), MIN_SPACING, 0.0) && !one.conflicts(&label(6.6), MIN_SPACING, 0.0), "3.5 mm");
+    assert!(one.conflicts(&label(6.6), MIN_SPACING, 0.5), "its dots lie off by half a millimetre");
+    let fixed = |of: Candidate| Candidate { stands: PlacedAs::InRow, ..of };
+    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), MIN_SPACING, 0.0), "rows keep their own blank");
 }
 
 #[test]
 fn the_best_places_are_kept_some_distance_apart() {
     let places = |count: usize, step: f32| -> Vec<Candidate> {
-        let at = |k: usize| Candidate::of_row(k, box_at(k as f32 * step, 0.0), None, k as f32, Stands::Alone);
+        let at = |k: usize| Candidate::of_row(k, box_at(k as f32 * step, 0.0), None, k as f32, PlacedAs::Alone);
         apart((0..count).rev().map(at).collect())
     };
     let near: Vec<usize> = places(20, 1.0).iter().map(|place| place.form).collect();

@@ -183,7 +183,8 @@ impl<'a> DrawnLines<'a> {
         let back_and_forth = back_and_forth(&crossings, round);
         crossings.append(&mut ends);
         let mut passage = Passage { arcs, round, junctions: crossings };
-        let joins = |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.winds(at, vertices, &passage);
+        let joins =
+            |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.stays_beside(at, vertices, &passage);
         passage.junctions = passage.junctions.iter().enumerate().filter(|at| joins(*at)).map(|(_, at)| *at).collect();
         passage
     }
@@ -267,7 +268,7 @@ impl<'a> DrawnLines<'a> {
 
     /// Whether a polyline that joins a line does so again before it has been apart from it, or the line from the
     /// polyline: the two wind round one another.
-    fn winds(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
+    fn stays_beside(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
         let again = |other: &&Junction| other.line == junction.line && (other.arc - junction.arc).abs() > SPIKE;
         let mut others = passage.junctions.iter().filter(again);
         self.grazes(junction, vertices, passage)

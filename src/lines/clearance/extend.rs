@@ -112,7 +112,9 @@ impl Extension<'_> {
         self.drawn.segments().around(from.min(to), from.max(to), 0.0, |segment| {
             if let Some(at) = crossing((from, to), (segment.a, segment.b)) {
                 let distance = (at - from).length();
-                if hit.is_none_or(|(least, _)| distance < least) && !self.is_own_knot(segment, arc + distance, 0.0) {
+                if hit.is_none_or(|(least, _)| distance < least)
+                    && !self.closes_small_loop(segment, arc + distance, 0.0)
+                {
                     hit = Some((distance, at));
                 }
             }
@@ -123,7 +125,7 @@ impl Extension<'_> {
     /// The point of a line that is nearest to a vertex, within `reach`.
     fn nearest(&self, vertex: MmPoint, arc: f32, reach: f32) -> Option<(f32, MmPoint)> {
         let near = self.drawn.segments().nearest(vertex, reach, |segment| {
-            !self.is_own_knot(segment, arc, nearest_on_segment(vertex, segment.a, segment.b).0)
+            !self.closes_small_loop(segment, arc, nearest_on_segment(vertex, segment.a, segment.b).0)
         });
         near.map(|(distance, at, _)| (distance, at))
     }
@@ -179,7 +181,7 @@ impl Extension<'_> {
     }
 
     /// Whether the line, extended to a segment of its own, would have no loop that a finger finds.
-    fn is_own_knot(&self, segment: &Segment, arc: f32, distance: f32) -> bool {
+    fn closes_small_loop(&self, segment: &Segment, arc: f32, distance: f32) -> bool {
         let loop_length = self.length + arc - segment.arc;
         self.what == Extended::Line(segment.line) && is_bend(loop_length - self.drawn.params.max_stub(), distance)
     }

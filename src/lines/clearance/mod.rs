@@ -24,8 +24,8 @@ use self::displace::displaced;
 use self::drawn::{DrawnLines, LineState};
 use self::extend::{Extended, extension};
 use self::queue::Queue;
-use self::self_distance::returns;
-use self::split::{split, without_stubs};
+use self::self_distance::self_approach;
+use self::split::{PartEnds, split, without_stubs};
 use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
@@ -113,10 +113,13 @@ fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own:
     if states.contains(&LineState::TooNear) {
         return match displaced(&polyline, drawn) {
             Some(displaced) => Decision::Displace(displaced),
-            None => Decision::Split(split(&polyline, &states, round < EXTENDED_ROUNDS, drawn)),
+            None => {
+                let ends = if round < EXTENDED_ROUNDS { PartEnds::Extended } else { PartEnds::AsCut };
+                Decision::Split(split(&polyline, &states, ends, drawn))
+            }
         };
     }
-    match returns(&polyline, drawn.params, own) {
+    match self_approach(&polyline, drawn.params, own) {
         None => Decision::Draw(polyline),
         Some(back) if polyline.closed => {
             // begun after the stretch that is too near, it comes last
@@ -132,7 +135,7 @@ fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own:
 fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let mut rest = body.vertices.split_off(back);
     // an end that lay on the line itself, and made what is near it a junction, may be gone
-    while let Some(back) = returns(&body, drawn.params, own) {
+    while let Some(back) = self_approach(&body, drawn.params, own) {
         rest.splice(0..0, body.vertices.split_off(back.start));
     }
     let rest = Polyline::open(rest);
@@ -164,7 +167,7 @@ fn draw_body(
     let body = line.vertices.len();
     if let Some(added) = extension(&line.vertices, rest, Extended::Line(number), drawn) {
         line.vertices.extend(added);
-        if returns(&line, drawn.params, own).is_none() {
+        if self_approach(&line, drawn.params, own).is_none() {
             drawn.go_on(&line, body - 1, number);
         } else {
             line.vertices.truncate(body);

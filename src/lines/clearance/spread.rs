@@ -8,7 +8,7 @@ use super::displace::{MORE, OUTSIDE, farthest, is_held};
 use super::drawn::DrawnLines;
 use super::passage::Passage;
 use super::self_distance::is_rival;
-use super::shift::shifts;
+use super::shift::shifts_of_drawing;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
@@ -143,7 +143,7 @@ impl MovingLines<'_> {
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return pushes;
         }
-        shifts(line, &pushes, passage, true)
+        shifts_of_drawing(line, &pushes, passage)
     }
 
     /// How far a vertex may still move, mm.

@@ -124,8 +124,8 @@ fn a_remainder_of_a_bar_goes_unless_it_is_of_the_base() {
 
 #[test]
 fn the_overview_tells_only_what_the_figure_does_not() {
-    let touching = Instead { bars: Bars::Touching, has_grid: false, low: 1, is_at_axis: false };
-    let outline = Instead { bars: Bars::Outline, ..touching };
+    let touching = BarStyle { bars: Bars::Touching, has_grid: false, low: 1, is_at_axis: false };
+    let outline = BarStyle { bars: Bars::Outline, ..touching };
     assert!(told(None, None).is_empty());
     let of_figure = told(Some(touching), None);
     assert_eq!(of_figure.len(), 3, "bars, gridlines, a low bar: {of_figure:?}");

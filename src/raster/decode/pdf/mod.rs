@@ -1,4 +1,4 @@
-//! Pages of PDF documents. hayro interprets a page and writes it as an SVG drawing, which goes the way of all drawings;
+//! Pages of PDF documents. hayro interprets a page and writes it as an SVG drawing, which is decoded as any other;
 //! its texts, which are outlines of letters there, come from the document itself.
 //!
 //! ```text
