@@ -232,7 +232,7 @@ fn edges_of_drawn(
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
     let edges = edges_of(&picture, content.kind(), &request.plan.edges(px_per_mm), None, &mut |_| ());
-    Ok((edges, (texts > 0).then(|| Note::NotOnPage(About::Lines, told))))
+    Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, told))))
 }
 
 /// How large the overview of a picture is laid out.
