@@ -10,7 +10,6 @@ mod dots;
 mod draw;
 mod drawn_areas;
 mod finish;
-mod give_way;
 mod given;
 mod hand_lines;
 mod joined_bars;
@@ -65,10 +64,11 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
-use draw::{Marks, draw};
+use draw::{DrawnMarks, draw};
 use finish::{finished, origin, too_black};
 use progress::run;
-use words::Written;
+use request::OverviewSize;
+use words::WrittenWords;
 
 /// A page and what its maker should know.
 #[derive(Debug, Clone)]
@@ -120,11 +120,12 @@ pub fn convert_with_words<'p>(
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
-    let written = Written::new(words, request.plan);
-    let layout_of = |size: Size| written.layout(size, request);
-    let with_room = |drawing: &margins::Lettered<'_>, layout: Layout| {
-        margins::with_room(drawing, words, &written, request.plan, layout, &layout_of)
-    };
+    let written = WrittenWords::new(words, request.plan);
+    let layout_of = |size: Size, overview: OverviewSize| written.layout(size, overview, request);
+    let with_room =
+        |drawing: &margins::Lettered<'_>, layout: Layout, layout_of: &dyn Fn(Size) -> Result<Layout, Error>| {
+            margins::with_room(drawing, words, &written, request.plan, layout, layout_of)
+        };
     let marks = draw(picture.into(), (given, words), request, &layout_of, &with_room, watch)?;
     compose(marks, words, &written, request, watch)
 }
@@ -143,22 +144,22 @@ pub fn redraw(
 ) -> Result<Drawing, Error> {
     let labels = redraw::labels(page);
     let words = Words { key, translate, before: Some(&page.figure), ..redraw::words(page, &labels) };
-    let written = Written::new(&words, request.plan);
-    let layout = written.layout(redraw::shape(page), request)?;
+    let written = WrittenWords::new(&words, request.plan);
+    let layout = written.layout(redraw::shape(page), OverviewSize::Own, request)?;
     let marks = redraw::marks((page, lines), own, layout, request, watch)?;
     compose(marks, &words, &written, request, watch)
 }
 
 /// The page of these marks, with its words.
 fn compose(
-    marks: Marks,
+    marks: DrawnMarks,
     words: &Words<'_>,
-    written: &Written<'_>,
+    written: &WrittenWords<'_>,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Drawing, Error> {
     let plan = request.plan;
-    let Marks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
+    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told

@@ -31,27 +31,27 @@ impl<K: Ord, T> Eq for Ranked<K, T> {}
 
 /// A number as a part of a rank, in the order of [`f64::total_cmp`].
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Total(pub(crate) f64);
+pub(crate) struct TotalOrder(pub(crate) f64);
 
-impl Ord for Total {
+impl Ord for TotalOrder {
     fn cmp(&self, other: &Self) -> Ordering {
         self.0.total_cmp(&other.0)
     }
 }
 
-impl PartialOrd for Total {
+impl PartialOrd for TotalOrder {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Total {
+impl PartialEq for TotalOrder {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Total {}
+impl Eq for TotalOrder {}
 
 #[cfg(test)]
 mod tests {
@@ -62,8 +62,8 @@ mod tests {
     #[test]
     fn the_highest_rank_comes_first_and_of_equal_ones_the_earlier() {
         let numbered = [2.0, -1.0, 2.0, f64::INFINITY, -0.0].into_iter().enumerate();
-        let mut heap: BinaryHeap<Ranked<(Total, Reverse<usize>), f64>> =
-            numbered.map(|(number, item)| Ranked { rank: (Total(item), Reverse(number)), item }).collect();
+        let mut heap: BinaryHeap<Ranked<(TotalOrder, Reverse<usize>), f64>> =
+            numbered.map(|(number, item)| Ranked { rank: (TotalOrder(item), Reverse(number)), item }).collect();
         let order: Vec<usize> = std::iter::from_fn(|| heap.pop()).map(|next| next.rank.1.0).collect();
         assert_eq!(order, [3, 0, 2, 4, 1]);
     }

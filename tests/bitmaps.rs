@@ -36,6 +36,23 @@ fn a_noisy_scan_of_a_drawing_has_the_lines_of_the_drawing() {
     }
 }
 
+/// In noise a faint stroke comes apart where it is looked for at the scale of letters; its pieces are none.
+#[test]
+fn a_faint_ring_in_noise_is_whole_and_no_text() {
+    const RINGS: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="900" height="600"><rect width="900" height="600" fill="#fff"/>
+<g fill="none" stroke-width="6"><circle cx="450" cy="300" r="280" stroke="#222"/><circle cx="450" cy="300" r="195" stroke="#ebebeb"/>
+<circle cx="450" cy="300" r="110" stroke="#222"/></g></svg>"##;
+    let whole = lines(&page(&bitmap::png(RINGS, 1200).expect("a PNG")));
+    for seed in [0, 1] {
+        let scan = bitmap::scan(RINGS, 1200, seed).expect("a JPEG");
+        let options = Options::new(Profile::named("swell-a4").expect("it is built in"));
+        let drawing = tactograph::convert(&scan, &options).expect("a page");
+        assert!(drawing.texts.is_empty(), "seed {seed}: {:?}", drawing.notes);
+        let shares = shares(&whole, &lines(&drawing.page));
+        assert!(shares.drawn > 0.99 && shares.beside < 0.01, "seed {seed}: {shares:?}");
+    }
+}
+
 #[test]
 fn a_drawing_as_jpeg_has_the_lines_of_the_same_as_png() {
     let whole = lines(&page(&bitmap::png(MAP, 1200).expect("a PNG")));

@@ -10,7 +10,7 @@ use tactograph::internals::geom::polyline::Polyline;
 use tactograph::internals::lines::{self, Line};
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Header, Options, decode};
+use tactograph::internals::raster::decode::{DecodeOptions, Header, decode};
 use tactograph::internals::regions;
 use tactograph::internals::units::{MmPoint, MmRect, PageTransform, PxPoint, Size};
 
@@ -83,7 +83,7 @@ fn pictures() -> Vec<(String, Raster)> {
                 let side = |pixels: u32| (pixels as f32 * scale) as u32;
                 Ok(Size::new(side(source.size.width), side(source.size.height)))
             };
-            let options = Options { keep_text: false, ..Options::whole(&working_size) };
+            let options = DecodeOptions { keep_text: false, ..DecodeOptions::whole(&working_size) };
             let bytes = std::fs::read(path).expect("a sample can be read");
             let name = path.file_name().expect("it has a name").to_string_lossy().into_owned();
             (name, decode(&bytes, &options).expect("a sample can be decoded").raster)

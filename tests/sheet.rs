@@ -3,13 +3,13 @@
 
 use crate::common::page::{of_sample, page_for};
 use crate::common::{apart, samples};
-use tactograph::Note;
 use tactograph::internals::geom::nearby::{Nearby, Segment};
 use tactograph::internals::geom::nearest_on_segment;
 use tactograph::internals::page::{Class, Dots, Page, Run, Shape, Texture};
 use tactograph::internals::pipeline::Drawing;
 use tactograph::internals::profile::{BuiltIn, Profile, built_in};
 use tactograph::internals::units::{MmPoint, MmRect, MmVector};
+use tactograph::{Note, Options};
 
 /// Numbers are kept in f32; this is more than adding up a few of them loses.
 const ROUNDING: f32 = 1e-3;
@@ -27,6 +27,26 @@ fn profile(name: &str, settings: &[(&str, &str)]) -> Profile {
 /// The page of a sample with the default profile and one or more numbers changed.
 fn changed(name: &str, settings: &[(&str, &str)]) -> Page {
     page_for(&samples::read(name), name, &profile("swell-a4", settings), &mut |_| ()).page
+}
+
+/// The overview of a photograph is half as wide as the figure, that of a square one too, unless the figure is asked for
+/// as wide as it can be.
+#[test]
+fn the_overview_of_a_photograph_has_its_share_of_the_sheet() {
+    let share = |page: &Page| {
+        let overview = page.overview.as_ref().expect("there is one");
+        (overview.place.width() / page.figure.place.width(), page.figure.place.width())
+    };
+    for name in ["astronaut.png", "coffee.png"] {
+        let (of_width, _) = share(&changed(name, &[]));
+        assert!((of_width - 0.5).abs() < 1e-4, "{name}: {of_width}");
+    }
+    let (asked, widest) = share(&changed("astronaut.png", &[("lines.regions", "false")]));
+    assert!((asked - 0.4).abs() < 1e-4, "contours alone: {asked}");
+    let options = Options::new(tactograph::Profile::named("swell-a4").expect("built in")).width_mm(widest);
+    let page = tactograph::convert(&samples::read("astronaut.png"), &options).expect("as wide as it can be").page;
+    let (of_width, width) = share(&page);
+    assert!(width >= widest - 0.01 && of_width < 0.45, "{width} {of_width}");
 }
 
 #[test]

@@ -2,9 +2,10 @@
 
 use std::io::Cursor;
 
-use crate::common::page;
+use crate::common::{page, samples};
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, RgbImage};
 use tactograph::internals::note::Note;
+use tactograph::internals::page::Page;
 use tactograph::internals::pipeline::{Drawing, Event, Stage};
 
 /// Makes the page of a picture; gives it with the stages that ran and those that were skipped wholly or in part.
@@ -48,6 +49,24 @@ fn without_textures_colours_are_not_looked_at() {
     assert!(!ran.contains(&Stage::Classes) && !ran.contains(&Stage::Textures));
     assert_eq!(skipped, [(Stage::Classes, "figure.textures is off"), (Stage::Textures, "figure.textures is off")]);
     assert!(drawing.page.figure.textures.is_empty());
+}
+
+#[test]
+fn without_regions_none_are_looked_for_in_a_photograph() {
+    let stages = |settings: &[(&str, &str)]| {
+        let mut ran = Vec::new();
+        let photograph = samples::read("coffee.png");
+        let drawing = page::page_of(&photograph, "test", settings, &mut |event| {
+            if let Event::End(stage) = event {
+                ran.push(stage);
+            }
+        });
+        (ran.contains(&Stage::Regions), drawing.page)
+    };
+    let ((regions, with), (none, without)) = (stages(&[]), stages(&[("lines.regions", "false")]));
+    assert!(regions && !none);
+    let closed = |page: &Page| page.figure.lines.iter().flat_map(|line| &line.runs).filter(|run| run.closed).count();
+    assert!(closed(&with) > closed(&without), "{} {}", closed(&with), closed(&without));
 }
 
 #[test]

@@ -1,15 +1,16 @@
-//! Whether a page is legible.
+//! Whether a page is legible, and the page in sentences.
 
 use usvg::{ImageHrefResolver, Tree};
 
 use super::feeling::feel;
-use crate::Error;
+use crate::description::{self, Description};
 use crate::legibility::{self, Checked, Drawn, Fingertip};
 use crate::page::{Figure, Page, Parts};
 use crate::profile::{Plan, Profile};
 use crate::raster::decode::checked_document;
-use crate::reading;
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect, Size};
+use crate::wording::Wording;
+use crate::{Error, pipeline, reading};
 
 /// Fingertip by which textures are judged, mm.
 const FINGER: f32 = 1.0;
@@ -101,4 +102,38 @@ pub fn check_marked(page: impl AsRef<[u8]>, profile: Option<&Profile>) -> Result
 /// [`Error::Profile`] if the profile has faults.
 pub fn rules(profile: &Profile) -> Result<String, Error> {
     Ok(legibility::rules_as_text(&Plan::new(profile)?.limits()))
+}
+
+/// Describes a page in plain sentences, the most important first: the SVG of a page, as
+/// [`Page::to_svg`](crate::Page::to_svg) writes it or as somebody changed it in an editor. The last sentence is the
+/// verdict of [`check`], with the numbers of `profile` or of the profile that the page was made with. `language` is a
+/// tag of BCP 47: `en`, `de`, `es`, `fr` or `pl`; without it the language of the page's own description is taken.
+///
+/// # Errors
+/// As [`check`], [`Error::NotAPage`] of a drawing that has no layers of a page, and [`Error::NoSentences`] of another
+/// language.
+pub fn describe(
+    page: impl AsRef<[u8]>,
+    profile: Option<&Profile>,
+    language: Option<&str>,
+) -> Result<Description, Error> {
+    let wording = language.map(|tag| {
+        Wording::of_language(tag).ok_or_else(|| Error::NoSentences {
+            language: tag.to_owned(),
+            known: Wording::languages().collect::<Vec<_>>().join(", "),
+        })
+    });
+    let wording = wording.transpose()?;
+    let bytes = page.as_ref();
+    let read = reading::read(bytes)?;
+    let checked = check(bytes, profile)?;
+    let wording = wording.unwrap_or_else(|| Wording::nearest(&read.page.description_language));
+    // what somebody drew or typed is told as render makes it
+    let page = if read.areas.is_empty() && read.texts.is_empty() {
+        read.page
+    } else {
+        let plan = Plan::new(&Profile::of_page(&read.page.origin)?.0)?;
+        pipeline::adapted(&read, &plan, None)?.page
+    };
+    Ok(description::describe(&page, &checked.verdict, wording))
 }

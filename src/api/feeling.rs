@@ -7,7 +7,7 @@ use crate::touch::{self, Ink, Report};
 #[derive(Debug, Clone)]
 pub struct Felt {
     ink: Ink,
-    felt: touch::Felt,
+    felt: touch::FeltCells,
     report: Report,
 }
 

@@ -9,9 +9,9 @@ use usvg::fontdb::{Database, Family, Query};
 ///
 /// A text for which there is no font is left out of the page, which a [`Note`](crate::Note) tells.
 #[derive(Clone, Default)]
-pub struct Fonts(Option<Arc<Shared>>);
+pub struct Fonts(Option<Arc<SharedFonts>>);
 
-struct Shared {
+struct SharedFonts {
     source: FontSource,
     loaded: OnceLock<Arc<Database>>,
 }
@@ -42,7 +42,7 @@ impl Fonts {
     }
 
     fn of(source: FontSource) -> Self {
-        Self(Some(Arc::new(Shared { source, loaded: OnceLock::new() })))
+        Self(Some(Arc::new(SharedFonts { source, loaded: OnceLock::new() })))
     }
 
     /// The fonts, read now if they have not been before.

@@ -3,15 +3,13 @@
 //! Everything is done below, in the pipeline and the writers; here profiles are checked and options handed on.
 
 mod checking;
-mod describing;
 mod feeling;
 mod fonts;
 mod options;
 mod rendering;
 mod writing;
 
-pub use checking::{check, check_marked, rules};
-pub use describing::describe;
+pub use checking::{check, check_marked, describe, rules};
 pub use feeling::{Felt, feel};
 pub use fonts::Fonts;
 pub use options::Options;

@@ -1,17 +1,17 @@
 //! Where the signs of capitals stand.
 
-use super::table::{Capitals, Passage};
+use super::table::{CapitalPassage, Capitals};
 
 /// What is written before and after a character for the sake of capitals.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Around {
+pub(super) struct CapitalContext {
     pub(super) before: Vec<u8>,
     pub(super) after: Vec<u8>,
 }
 
 /// The signs of capitals around each character.
-pub(super) fn signs(text: &[char], capitals: &Capitals) -> Vec<Around> {
-    let mut around = vec![Around::default(); text.len()];
+pub(super) fn signs(text: &[char], capitals: &Capitals) -> Vec<CapitalContext> {
+    let mut around = vec![CapitalContext::default(); text.len()];
     let words = words(text);
     let mut next = 0;
     while next < words.len() {
@@ -51,7 +51,7 @@ fn has_capital(word: &[char]) -> bool {
 }
 
 /// How many words from the first on are a passage of capitals, if they are. Words without letters may lie in it.
-fn length(text: &[char], words: &[std::ops::Range<usize>], passage: &Passage) -> Option<usize> {
+fn length(text: &[char], words: &[std::ops::Range<usize>], passage: &CapitalPassage) -> Option<usize> {
     let of = |word: &std::ops::Range<usize>| &text[word.clone()];
     has_capital(of(words.first()?)).then_some(())?;
     let without_small = words.iter().take_while(|word| !of(word).iter().any(|letter| letter.is_lowercase())).count();
@@ -60,7 +60,12 @@ fn length(text: &[char], words: &[std::ops::Range<usize>], passage: &Passage) ->
     (count >= passage.words).then_some(last + 1)
 }
 
-fn mark_passage(text: &[char], words: &[std::ops::Range<usize>], passage: &Passage, around: &mut [Around]) {
+fn mark_passage(
+    text: &[char],
+    words: &[std::ops::Range<usize>],
+    passage: &CapitalPassage,
+    around: &mut [CapitalContext],
+) {
     let first_capital = |word: &std::ops::Range<usize>| word.clone().find(|&i| text[i].is_uppercase());
     let (Some(first), Some(last)) = (words.first(), words.last()) else { return };
     if let Some(at) = first_capital(first) {
@@ -75,7 +80,7 @@ fn mark_passage(text: &[char], words: &[std::ops::Range<usize>], passage: &Passa
     }
 }
 
-fn mark_word(text: &[char], word: std::ops::Range<usize>, capitals: &Capitals, around: &mut [Around]) {
+fn mark_word(text: &[char], word: std::ops::Range<usize>, capitals: &Capitals, around: &mut [CapitalContext]) {
     let mut i = word.start;
     while i < word.end {
         if !text[i].is_uppercase() {

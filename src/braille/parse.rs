@@ -25,7 +25,7 @@
 //! line that fits counts. What else a sign does: `number`, digits that follow belong to the same number; `<`, `>`: the
 //! space on that side falls out.
 
-use super::table::{AfterNumber, Capitals, Passage, Rule, Table};
+use super::table::{AfterNumber, CapitalPassage, Capitals, SignRule, Table};
 
 /// A table, or what is wrong with its text and on which line.
 pub(super) fn table(text: &str) -> Result<Table, String> {
@@ -78,7 +78,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
         "capital-passage" => {
             let words = part(0)?.parse().map_err(|_| "no number of words")?;
             let before_last = parts.get(3) == Some(&"before-last");
-            let passage = Passage { words, begin: cells(part(1)?)?, end: cells(part(2)?)?, before_last };
+            let passage = CapitalPassage { words, begin: cells(part(1)?)?, end: cells(part(2)?)?, before_last };
             capitals(table, &|capitals| capitals.passage = Some(passage.clone()));
         }
         "letters" => {
@@ -100,7 +100,7 @@ fn read(line: &str, table: &mut Table) -> Result<(), String> {
 }
 
 /// How a sign is written between its two neighbours, and what else it does.
-fn rule(neighbours: &str, dots: &str, flags: &[&str]) -> Result<Rule, String> {
+fn rule(neighbours: &str, dots: &str, flags: &[&str]) -> Result<SignRule, String> {
     let mut sides = neighbours.chars();
     let (left, right) = sides.next().zip(sides.next()).ok_or("a sign without neighbours")?;
     if let Some(flag) = flags.iter().find(|flag| !["number", "<", ">"].contains(flag)) {
@@ -108,7 +108,7 @@ fn rule(neighbours: &str, dots: &str, flags: &[&str]) -> Result<Rule, String> {
     }
     let has = |flag| flags.contains(&flag);
     let (in_number, joins_left, joins_right) = (has("number"), has("<"), has(">"));
-    Ok(Rule { left, right, cells: cells(dots)?, in_number, joins_left, joins_right })
+    Ok(SignRule { left, right, cells: cells(dots)?, in_number, joins_left, joins_right })
 }
 
 fn cells(text: &str) -> Result<Vec<u8>, String> {

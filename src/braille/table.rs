@@ -23,7 +23,7 @@ pub struct Table {
     pub(super) words: BTreeMap<String, String>,
     pub(super) letters: BTreeMap<char, Vec<u8>>,
     /// Signs of one or more characters, the rules of each in their order.
-    pub(super) signs: BTreeMap<String, Vec<Rule>>,
+    pub(super) signs: BTreeMap<String, Vec<SignRule>>,
     /// Length of the longest sign, in characters.
     pub(super) longest: usize,
 }
@@ -56,12 +56,12 @@ pub(super) struct Capitals {
     pub(super) end: Option<Vec<u8>>,
     /// Signs that do not end a word of capitals.
     pub(super) through: Vec<char>,
-    pub(super) passage: Option<Passage>,
+    pub(super) passage: Option<CapitalPassage>,
 }
 
 /// How a code writes several words in capitals.
 #[derive(Debug, Clone)]
-pub(super) struct Passage {
+pub(super) struct CapitalPassage {
     pub(super) begin: Vec<u8>,
     pub(super) end: Vec<u8>,
     /// From how many words on.
@@ -72,7 +72,7 @@ pub(super) struct Passage {
 
 /// What a sign is written as between these neighbours.
 #[derive(Debug, Clone)]
-pub(super) struct Rule {
+pub(super) struct SignRule {
     pub(super) left: char,
     pub(super) right: char,
     pub(super) cells: Vec<u8>,

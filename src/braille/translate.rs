@@ -1,9 +1,9 @@
 //! Text to cells, by the table of a code.
 
-use super::capitals::{self, Around};
+use super::capitals::{self, CapitalContext};
 use super::divide;
 use super::neighbours::Neighbours;
-use super::table::{Rule, Table};
+use super::table::{SignRule, Table};
 
 /// A text in braille.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -73,7 +73,7 @@ impl Table {
         let (text, places): (Vec<char>, Vec<usize>) = text.iter().copied().unzip();
         let around = match &self.capitals {
             Some(capitals) => capitals::signs(&self.without_signs(&text), capitals),
-            None => vec![Around::default(); text.len()],
+            None => vec![CapitalContext::default(); text.len()],
         };
         let mut divisions = divide::places(&text, self.language).into_iter().peekable();
         let mut out = Writer { table: self, text: &text, out: Braille::default(), in_number: false };
@@ -189,7 +189,7 @@ impl<'t> Writer<'t> {
     }
 
     /// The longest sign that begins at `i`, with its length.
-    fn sign(&self, i: usize) -> Option<(usize, &'t Rule)> {
+    fn sign(&self, i: usize) -> Option<(usize, &'t SignRule)> {
         let (table, rest) = (self.table, &self.text[i..]);
         (1..=table.longest.min(rest.len())).rev().find_map(|length| {
             let sign: String = rest[..length].iter().collect();

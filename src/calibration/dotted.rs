@@ -46,7 +46,7 @@ const LIGHTNESS: f32 = 0.5;
 
 /// What is raised: dots in columns and rows from the sample's own corner, or a texture.
 #[derive(Debug, Clone, Default)]
-struct Sample {
+struct DottedSample {
     dots: Vec<(usize, usize, Height)>,
     /// Dots off the grid, mm from the corner; only for devices that have none.
     free: Vec<MmVector>,
@@ -56,16 +56,16 @@ struct Sample {
     rows: usize,
 }
 
-struct Section {
+struct DottedSection {
     keys: Decides,
-    samples: Vec<Sample>,
+    samples: Vec<DottedSample>,
     key: String,
 }
 
 /// What stands in a place of a sheet.
-enum Item<'a> {
+enum DottedItem<'a> {
     Heading(Vec<Vec<u8>>),
-    Sample(&'a Sample, usize),
+    DottedSample(&'a DottedSample, usize),
 }
 
 /// The device on its sheet.
@@ -93,14 +93,14 @@ pub(super) fn sheets(plan: &Plan, dots: DotMedium) -> Result<Vec<Page>, Error> {
     let cells = CellGrid::of(&bed.medium, profile.braille.cell);
     let sections = bed.sections();
     let (mut blocks, mut items) = (Vec::new(), Vec::new());
-    let size = |item: &Item<'_>| bed.size(item, &cells);
+    let size = |item: &DottedItem<'_>| bed.size(item, &cells);
     for (number, section) in sections.iter().enumerate() {
-        let heading = Item::Heading(heading_of(number, section.keys, cells.cells_in(area.width())));
+        let heading = DottedItem::Heading(heading_of(number, section.keys, cells.cells_in(area.width())));
         let keeps = Block { size: size(&heading), section: number, starts_row: true, keeps: true, ..Block::default() };
         blocks.push(keeps);
         items.push(heading);
         for (i, sample) in section.samples.iter().enumerate() {
-            let item = Item::Sample(sample, i + 1);
+            let item = DottedItem::DottedSample(sample, i + 1);
             blocks.push(Block { size: size(&item), section: number, starts_row: i == 0, ..Block::default() });
             items.push(item);
         }
@@ -156,14 +156,14 @@ impl Bed<'_> {
             .map(|centres| (mm / step(centres, self.dots.pitch)).round().max(2.0) as usize)
     }
 
-    fn sections(&self) -> Vec<Section> {
+    fn sections(&self) -> Vec<DottedSection> {
         let pitch = self.dots.pitch;
         let mut sections = vec![self.pitches()];
         let [_, long] = self.count(LENGTH);
         let upright = |column: usize| (0..=long).map(move |row| (column, row, Height::High));
-        let sample = |dots: Vec<_>, columns| Sample { dots, columns, rows: long, ..Sample::default() };
+        let sample = |dots: Vec<_>, columns| DottedSample { dots, columns, rows: long, ..DottedSample::default() };
         let pair = |gap: usize| sample(upright(0).chain(upright(gap + 1)).collect(), gap + 1 + PAIR_GAP);
-        sections.push(Section {
+        sections.push(DottedSection {
             keys: &["dots.line_gap"],
             samples: GAPS.map(pair).to_vec(),
             key: format!("pairs of lines with {} empty dots between them", headings::listed(&GAPS)),
@@ -178,9 +178,9 @@ impl Bed<'_> {
                 "lines of one row of dots, and of two",
             )
         };
-        sections.push(Section { keys: &["dots.heavy_from"], samples, key: key.to_owned() });
+        sections.push(DottedSection { keys: &["dots.heavy_from"], samples, key: key.to_owned() });
         let every = |n: usize| sample(upright(0).step_by(n).collect(), 0);
-        sections.push(Section {
+        sections.push(DottedSection {
             keys: &["frame.pitch"],
             samples: EVERY.map(every).to_vec(),
             key: format!(
@@ -191,15 +191,19 @@ impl Bed<'_> {
         if let Some(&class) = classes.first() {
             let beside = |gap: usize| {
                 let sample = self.textured(class, 1.0, gap + 1);
-                Sample { dots: (0..sample.rows).map(|row| (0, row, Height::High)).collect(), ..sample }
+                DottedSample { dots: (0..sample.rows).map(|row| (0, row, Height::High)).collect(), ..sample }
             };
             let key =
                 format!("the texture of {} {} empty dots from a line", class.name(), headings::listed(&TEXTURE_GAPS));
-            sections.push(Section { keys: &["dots.texture_gap"], samples: TEXTURE_GAPS.map(beside).to_vec(), key });
+            sections.push(DottedSection {
+                keys: &["dots.texture_gap"],
+                samples: TEXTURE_GAPS.map(beside).to_vec(),
+                key,
+            });
             let names = classes.iter().map(|class| class.name()).collect::<Vec<_>>().join(", ");
             for (density, how) in [(1.0, "dense"), (0.0, "sparse")] {
                 let samples = classes.iter().map(|&class| self.textured(class, density, 0)).collect();
-                sections.push(Section {
+                sections.push(DottedSection {
                     keys: &["textures.palette"],
                     samples,
                     key: format!("{how} textures of {names}"),
@@ -210,17 +214,17 @@ impl Bed<'_> {
     }
 
     /// Lines of the grid's own pitch; where any pitch can be had, of several.
-    fn pitches(&self) -> Section {
+    fn pitches(&self) -> DottedSection {
         let [wide, long] = self.count(LENGTH);
         match self.dots.device.pitches() {
             Pitches::Between(least, most) => {
                 let pitches: Vec<f32> = PITCHES.into_iter().filter(|pitch| (least..=most).contains(pitch)).collect();
                 let free = |pitch: f32| {
                     let dots = (0..=(LENGTH / pitch) as usize).map(|i| MmVector::new(0.0, i as f32 * pitch));
-                    Sample { free: dots.collect(), rows: long, ..Sample::default() }
+                    DottedSample { free: dots.collect(), rows: long, ..DottedSample::default() }
                 };
                 let samples = pitches.iter().map(|&pitch| free(pitch)).collect();
-                Section {
+                DottedSection {
                     keys: &["dots.pitch"],
                     samples,
                     key: format!("lines of dots {} mm apart", headings::listed(&pitches)),
@@ -228,11 +232,11 @@ impl Bed<'_> {
             }
             Pitches::Listed(_) => {
                 let steps = wide.min(long);
-                let line = |dot: fn(usize) -> (usize, usize), columns, rows| Sample {
+                let line = |dot: fn(usize) -> (usize, usize), columns, rows| DottedSample {
                     dots: (0..=steps).map(|i| (dot(i).0, dot(i).1, Height::High)).collect(),
                     columns,
                     rows,
-                    ..Sample::default()
+                    ..DottedSample::default()
                 };
                 let samples =
                     vec![line(|i| (0, i), 0, steps), line(|i| (i, 0), steps, 0), line(|i| (i, i), steps, steps)];
@@ -242,7 +246,7 @@ impl Bed<'_> {
                     self.dots.device.name,
                     self.dots.device.pitches()
                 );
-                Section { keys: &["dots.pitch"], samples, key }
+                DottedSection { keys: &["dots.pitch"], samples, key }
             }
         }
     }
@@ -258,9 +262,9 @@ impl Bed<'_> {
         [self.count(mm[0])[0], self.count(mm[1])[1]]
     }
 
-    fn textured(&self, class: Class, density: f32, gap: usize) -> Sample {
+    fn textured(&self, class: Class, density: f32, gap: usize) -> DottedSample {
         let [columns, rows] = self.grid_of(PATCH);
-        Sample { texture: Some((class, density, gap)), columns: columns + gap, rows, ..Sample::default() }
+        DottedSample { texture: Some((class, density, gap)), columns: columns + gap, rows, ..DottedSample::default() }
     }
 
     /// What half a pitch around so many columns and rows takes.
@@ -276,16 +280,16 @@ impl Bed<'_> {
     }
 
     /// The room that an item needs wherever on the grid it comes to lie.
-    fn size(&self, item: &Item<'_>, cells: &CellGrid<'_>) -> MmVector {
+    fn size(&self, item: &DottedItem<'_>, cells: &CellGrid<'_>) -> MmVector {
         let [x, y] = [&self.grid.columns, &self.grid.rows].map(|centres| step(centres, self.dots.pitch));
         let slack = MmVector::new(2.0 * x, 2.0 * y);
         match item {
-            Item::Heading(lines) => {
+            DottedItem::Heading(lines) => {
                 let longest = lines.iter().map(Vec::len).max().unwrap_or(0);
                 let size = cells.extent(longest, lines.len());
                 MmVector::new(size.x, size.y + 2.0 * y)
             }
-            Item::Sample(sample, number) => {
+            DottedItem::DottedSample(sample, number) => {
                 let label = cells.extent(braille::number(*number).len(), 1);
                 let own = MmVector::new(sample.columns as f32 * x, sample.rows as f32 * y + BLANK + label.y);
                 MmVector::new(own.x.max(label.x), own.y) + slack + MmVector::splat(self.dots.diameter())
@@ -296,7 +300,7 @@ impl Bed<'_> {
     /// One sheet: every item from the dot that is next to the corner of its place.
     fn page(
         &self,
-        items: &[(&(Block, MmVector), &Item<'_>)],
+        items: &[(&(Block, MmVector), &DottedItem<'_>)],
         cells: &CellGrid<'_>,
         (title, description, origin): (String, String, Vec<(String, String)>),
     ) -> Result<Page, Error> {
@@ -309,8 +313,8 @@ impl Bed<'_> {
             let Some(first) = self.grid.at(start[0], start[1]) else { continue };
             let box_corner = first - MmVector::splat(radius);
             match item {
-                Item::Heading(braille) => label.extend(cells.dots(braille, box_corner)),
-                Item::Sample(sample, number) => {
+                DottedItem::Heading(braille) => label.extend(cells.dots(braille, box_corner)),
+                DottedItem::DottedSample(sample, number) => {
                     lines.extend(self.lines(sample, start, first));
                     if let Some((class, density, gap)) = sample.texture {
                         let place = self.place_of([start[0] + gap, start[1]], [sample.columns - gap, sample.rows]);
@@ -338,7 +342,7 @@ impl Bed<'_> {
     }
 
     /// The lines of a sample: dots of one height in one column or more are one line.
-    fn lines(&self, sample: &Sample, [column, row]: [usize; 2], first: MmPoint) -> Vec<Line> {
+    fn lines(&self, sample: &DottedSample, [column, row]: [usize; 2], first: MmPoint) -> Vec<Line> {
         let on_grid =
             sample.dots.iter().filter_map(|&(x, y, height)| Some((self.grid.at(column + x, row + y)?, height)));
         let free = sample.free.iter().map(|&by| (first + by, Height::High));

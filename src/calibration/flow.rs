@@ -32,7 +32,7 @@ const BETWEEN: f32 = 5.0;
 const BETWEEN_ROWS: f32 = 8.0;
 
 /// A sheet: each block with its corner.
-pub(super) type Sheet = Vec<(Block, MmVector)>;
+pub(super) type SheetOfSamples = Vec<(Block, MmVector)>;
 
 /// A block of this size is larger than the sheet without its margins.
 #[derive(Debug)]
@@ -66,8 +66,8 @@ impl SheetMarks {
 ///
 /// # Errors
 /// If a block is larger than the area.
-pub(super) fn place(blocks: Vec<Block>, area: MmVector) -> Result<Vec<Sheet>, TooLarge> {
-    let mut rows: Vec<(f32, f32, Sheet)> = Vec::new(); // width, height, blocks
+pub(super) fn place(blocks: Vec<Block>, area: MmVector) -> Result<Vec<SheetOfSamples>, TooLarge> {
+    let mut rows: Vec<(f32, f32, SheetOfSamples)> = Vec::new(); // width, height, blocks
     for block in blocks {
         if block.size.x > area.x || block.size.y > area.y {
             return Err(TooLarge(block.size));
@@ -82,7 +82,7 @@ pub(super) fn place(blocks: Vec<Block>, area: MmVector) -> Result<Vec<Sheet>, To
             _ => rows.push((block.size.x, block.size.y, vec![(block, MmVector::zero())])),
         }
     }
-    let mut sheets: Vec<Sheet> = Vec::new();
+    let mut sheets: Vec<SheetOfSamples> = Vec::new();
     let mut bottom = f32::INFINITY;
     let heights: Vec<f32> = rows.iter().map(|(_, height, _)| *height).collect();
     for (number, (_, height, row)) in rows.into_iter().enumerate() {
@@ -119,7 +119,7 @@ mod tests {
             block(10.0, 60.0, true), // 20 + 8 + 10 + 8 + 10 + 8 + 60 is more than the sheet has
         ];
         let sheets = place(blocks, MmVector::new(100.0, 120.0)).expect("all fit");
-        let corners = |sheet: &Sheet| sheet.iter().map(|(_, at)| (at.x, at.y)).collect::<Vec<_>>();
+        let corners = |sheet: &SheetOfSamples| sheet.iter().map(|(_, at)| (at.x, at.y)).collect::<Vec<_>>();
         assert_eq!(corners(&sheets[0]), [(0.0, 0.0), (55.0, 0.0), (0.0, 28.0), (0.0, 46.0)]);
         assert_eq!(corners(&sheets[1]), [(0.0, 0.0)]);
         let heading = Block { keeps: true, ..block(10.0, 10.0, true) };

@@ -22,7 +22,7 @@ mod flow;
 mod headings;
 mod samples;
 
-use flow::{Block, Sheet, SheetMarks};
+use flow::{Block, SheetMarks, SheetOfSamples};
 pub use headings::title;
 use headings::{Decides, heading_of, listed, told, words_of};
 
@@ -183,7 +183,7 @@ fn textured(class: Class, params: &textures::Params) -> Section {
 }
 
 /// One sheet as a page: a figure that fills it. As there is no picture, a pixel of the source is a millimetre.
-fn page(sheet: &Sheet, number: usize, count: usize, sections: &[Section], plan: &Plan) -> Result<Page, Error> {
+fn page(sheet: &SheetOfSamples, number: usize, count: usize, sections: &[Section], plan: &Plan) -> Result<Page, Error> {
     let profile = plan.profile();
     let [width, height, margin] = [profile.page.width, profile.page.height, profile.page.margin];
     let place = MmRect::new(MmPoint::new(margin, margin), MmPoint::new(width - margin, height - margin));

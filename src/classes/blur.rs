@@ -158,7 +158,7 @@ fn between(at: f32, count: usize) -> impl Iterator<Item = usize> {
 }
 
 /// A picture on its grid of cells.
-pub(super) struct Cells {
+pub(super) struct BlurCells {
     pub(super) size: Size,
     /// Blurred planes of the raster, linear light.
     pub(super) planes: Planes<Vec<f32>>,
@@ -168,7 +168,7 @@ pub(super) struct Cells {
     pub(super) conductance: Conductance,
 }
 
-impl Cells {
+impl BlurCells {
     /// The colour of a cell as sRGB values 0..=1, all three alike in a grey picture.
     pub(super) fn colour(&self, cell: usize) -> [f32; 3] {
         self.planes.as_ref().map(|plane| encoded(plane[cell])).as_colour()
@@ -177,13 +177,19 @@ impl Cells {
 
 /// Averages the picture over cells and blurs it with `sigma` (cells), both without crossing `contours`. Pixels nearer
 /// to a contour than `beside` px hardly count.
-pub(super) fn average(raster: &Raster, contours: &[Polyline<PxPoint>], size: Size, sigma: f32, beside: f32) -> Cells {
+pub(super) fn average(
+    raster: &Raster,
+    contours: &[Polyline<PxPoint>],
+    size: Size,
+    sigma: f32,
+    beside: f32,
+) -> BlurCells {
     let from = raster.size();
     let mut conductance = Conductance::open(size);
     if contours.is_empty() {
         let mut planes = raster.planes().as_ref().map(|plane| shrink(plane, from, size).values);
         conductance.diffuse(planes.as_mut_slice(), sigma);
-        return Cells { size, planes, weight: vec![1.0; size.len()], conductance };
+        return BlurCells { size, planes, weight: vec![1.0; size.len()], conductance };
     }
     let (sx, sy) = (size.width as f32 / from.width as f32, size.height as f32 / from.height as f32);
     for contour in contours {
@@ -208,7 +214,7 @@ pub(super) fn average(raster: &Raster, contours: &[Polyline<PxPoint>], size: Siz
     for plane in planes.as_mut_slice() {
         plane.iter_mut().zip(&total[0]).for_each(|(value, weight)| *value /= weight);
     }
-    Cells { size, planes, weight, conductance }
+    BlurCells { size, planes, weight, conductance }
 }
 
 /// Weight of every pixel: 1 if its centre is `beside` px or more away from the points of all contours, else

@@ -1,14 +1,14 @@
 //! Regions from labels: smooth boundaries, no component too small to be read, none that differs from its neighbour by a
 //! hair.
 
-use super::blur::{Cells, Conductance};
+use super::blur::{BlurCells, Conductance};
 use super::class::{Class, Region};
 use super::hue::{self, Membership, encoded};
 use crate::geom::components::{self, Connectivity, four_neighbours};
 use crate::raster::plane::Plane;
 use crate::units::Size;
 
-type Label = Option<Class>;
+type ComponentLabel = Option<Class>;
 
 /// Weight of a common boundary that a contour runs along, where a component looks for a neighbour to join.
 const BLOCKED_WEIGHT: f32 = 0.5;
@@ -28,7 +28,7 @@ const OPEN_SHARE: f32 = 0.6;
 /// weights, which are low along contours. Boundaries become smooth, what is narrower than about twice `sigma` vanishes
 /// (drawn outlines, tongues that have room for single glyphs only), and seams of mixed colour go to one side or the
 /// other.
-pub(super) fn smooth(memberships: &[Membership], grid: &Cells, sigma: f32) -> Vec<Label> {
+pub(super) fn smooth(memberships: &[Membership], grid: &BlurCells, sigma: f32) -> Vec<ComponentLabel> {
     if sigma <= 0.0 {
         return memberships.iter().map(Membership::label).collect();
     }
@@ -52,7 +52,12 @@ pub(super) fn smooth(memberships: &[Membership], grid: &Cells, sigma: f32) -> Ve
 /// Gives connected components (white ones too) of fewer than `min_cells` cells to the neighbour that suits best, until
 /// none is left or all is one. A neighbour suits by a long common boundary, a colour that is nearly its own, and no
 /// contour between.
-pub(super) fn join_small(labels: Vec<Label>, memberships: &[Membership], grid: &Cells, min_cells: f32) -> Vec<Label> {
+pub(super) fn join_small(
+    labels: Vec<ComponentLabel>,
+    memberships: &[Membership],
+    grid: &BlurCells,
+    min_cells: f32,
+) -> Vec<ComponentLabel> {
     let small = |area: &[usize]| (area.len() as f32) < min_cells;
     join(labels, grid.size, small, |area, label, border| {
         let membership = mean_membership(area, memberships, grid);
@@ -66,11 +71,11 @@ pub(super) fn join_small(labels: Vec<Label>, memberships: &[Membership], grid: &
 /// neighbour: a sky that passes from blue to grey, or alternates between them in haze, keeps to one class as long as it
 /// is not clearly another.
 pub(super) fn join_undecided(
-    labels: Vec<Label>,
+    labels: Vec<ComponentLabel>,
     memberships: &[Membership],
-    grid: &Cells,
+    grid: &BlurCells,
     min_cells: f32,
-) -> Vec<Label> {
+) -> Vec<ComponentLabel> {
     join(
         labels,
         grid.size,
@@ -87,7 +92,7 @@ pub(super) fn join_undecided(
 }
 
 /// The mean membership of some cells; those beside contours hardly count.
-fn mean_membership(cells: &[usize], memberships: &[Membership], grid: &Cells) -> Membership {
+fn mean_membership(cells: &[usize], memberships: &[Membership], grid: &BlurCells) -> Membership {
     let mut sum = [0.0_f64; Membership::PARTS];
     let mut total = 0.0;
     for &cell in cells {
@@ -140,7 +145,7 @@ pub(super) fn join<L: Copy + Ord>(
 }
 
 /// The connected components that have a texture, and which of them each cell belongs to.
-pub(super) fn regions(labels: &[Label], grid: &Cells) -> (Vec<Option<u32>>, Vec<Region>) {
+pub(super) fn regions(labels: &[ComponentLabel], grid: &BlurCells) -> (Vec<Option<u32>>, Vec<Region>) {
     let mut of_cell = vec![None; labels.len()];
     let mut regions = Vec::new();
     for area in components::of_labels(labels, grid.size, Connectivity::Four).iter() {
@@ -154,7 +159,7 @@ pub(super) fn regions(labels: &[Label], grid: &Cells) -> (Vec<Option<u32>>, Vec<
     (of_cell, regions)
 }
 
-fn mean_colour(cells: &[usize], grid: &Cells) -> [u8; 3] {
+fn mean_colour(cells: &[usize], grid: &BlurCells) -> [u8; 3] {
     let total: f64 = cells.iter().map(|&cell| f64::from(grid.weight[cell])).sum();
     let mean = |plane: &Vec<f32>| {
         let sum: f64 = cells.iter().map(|&cell| f64::from(grid.weight[cell] * plane[cell])).sum();
@@ -165,7 +170,7 @@ fn mean_colour(cells: &[usize], grid: &Cells) -> [u8; 3] {
 
 /// Lightness for the boldness of glyphs. Cells beside contours show the contour's own ink or a mixture, so they take
 /// theirs from their region.
-pub(super) fn lightness(colours: &[[f32; 3]], region: &[Option<u32>], grid: &Cells) -> Plane {
+pub(super) fn lightness(colours: &[[f32; 3]], region: &[Option<u32>], grid: &BlurCells) -> Plane {
     let size = grid.size;
     let own: Vec<f32> = colours.iter().map(|rgb| hue::lightness(*rgb)).collect();
     if grid.weight.iter().all(|weight| *weight >= 1.0) {
@@ -190,12 +195,12 @@ pub(super) fn fringe(
     size: Size,
     sigma: f32,
     min_cells: f32,
-) -> Vec<Label> {
+) -> Vec<ComponentLabel> {
     let class = |cell: usize| region[cell].map(|number| regions[number as usize].class);
-    let leans: Vec<Label> =
+    let leans: Vec<ComponentLabel> =
         (0..size.len()).map(|cell| class(cell).and_then(|class| hue::leaning(colours[cell], class))).collect();
     let within = Conductance::between(size, |cell, other| region[cell] == region[other]);
-    let share_of = |class: Label| {
+    let share_of = |class: ComponentLabel| {
         let mut planes = [leans.iter().map(|lean| f32::from(u8::from(*lean == class))).collect::<Vec<f32>>()];
         within.diffuse(&mut planes, sigma);
         let [plane] = planes;
@@ -221,7 +226,7 @@ mod tests {
     use crate::raster::Planes;
 
     /// Classes by their first letters; `g` is a green that is nearly blue.
-    fn read(map: &str) -> (Vec<Label>, Vec<Membership>, Cells) {
+    fn read(map: &str) -> (Vec<ComponentLabel>, Vec<Membership>, BlurCells) {
         let rows: Vec<&str> = map.split_whitespace().collect();
         let size = Size::new(rows[0].len() as u32, rows.len() as u32);
         let rgb = |c| match c {
@@ -234,13 +239,14 @@ mod tests {
         let colours: Vec<[f32; 3]> = rows.iter().flat_map(|row| row.chars().map(rgb)).collect();
         let memberships: Vec<Membership> = colours.iter().map(|rgb| hue::membership(*rgb, &Params::TEST)).collect();
         let planes = Planes::Colour([0, 1, 2].map(|channel| colours.iter().map(|rgb| rgb[channel]).collect()));
-        let grid = Cells { size, planes, weight: vec![1.0; size.len()], conductance: Conductance::open(size) };
+        let grid = BlurCells { size, planes, weight: vec![1.0; size.len()], conductance: Conductance::open(size) };
         (memberships.iter().map(Membership::label).collect(), memberships, grid)
     }
 
-    fn written(labels: &[Label], size: Size) -> String {
-        let letter =
-            |label: &Label| label.map_or('.', |class| class.name().to_uppercase().chars().next().unwrap_or('?'));
+    fn written(labels: &[ComponentLabel], size: Size) -> String {
+        let letter = |label: &ComponentLabel| {
+            label.map_or('.', |class| class.name().to_uppercase().chars().next().unwrap_or('?'))
+        };
         let rows: Vec<String> =
             labels.chunks(size.width as usize).map(|row| row.iter().map(letter).collect()).collect();
         rows.join(" ")
@@ -277,7 +283,7 @@ mod tests {
         let calm = join_undecided(labels.clone(), &memberships, &grid, 5.0);
         assert_eq!(written(&calm, grid.size), "BBBBBB BBBBBB BBBBBB BBBBBB");
         let same = |cell: usize, other: usize| labels[cell] == labels[other];
-        let parted = Cells { conductance: Conductance::between(grid.size, same), ..grid };
+        let parted = BlurCells { conductance: Conductance::between(grid.size, same), ..grid };
         assert_eq!(join_undecided(labels.clone(), &memberships, &parted, 5.0), labels);
     }
 

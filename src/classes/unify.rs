@@ -7,7 +7,7 @@ use super::class::{Class, Classes, Region};
 use super::clean::join;
 use crate::geom::components::{self, Connectivity};
 
-type Label = Option<Class>;
+type AreaClass = Option<Class>;
 
 /// An outlined area is of one class if that one has this share of it. Chosen by us: two thirds of an area are what a
 /// finger that sweeps over it meets first; below it, as at one half, the other part is as much what is there.
@@ -18,16 +18,16 @@ const CLEARLY: f32 = 0.65;
 /// cell, 0 for the ground between them, which may have any classes. Returns how many areas still have several classes.
 pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> usize {
     let class_of = |region: &Option<u32>| region.map(|region| classes.regions[region as usize].class);
-    let before: Vec<Label> = classes.region.iter().map(class_of).collect();
+    let before: Vec<AreaClass> = classes.region.iter().map(class_of).collect();
     let held = holders(&before, area);
     let own = before.iter().zip(area).map(|(label, area)| (*area, held[*area].unwrap_or(*label)));
     let small = |component: &[usize]| (component.len() as f32) < min_cells;
     let labels = join(own.collect(), classes.size, small, |component, (other, _), border| {
         (area[component[0]] == other).then_some(border.len() as f32)
     });
-    let labels: Vec<Label> = labels.into_iter().map(|(_, label)| label).collect();
+    let labels: Vec<AreaClass> = labels.into_iter().map(|(_, label)| label).collect();
     relabel(classes, &before, &labels);
-    let mut seen = vec![None::<Label>; held.len()];
+    let mut seen = vec![None::<AreaClass>; held.len()];
     let mut is_mixed = vec![false; held.len()];
     for (&area, &label) in area.iter().zip(&labels).filter(|(area, _)| **area > 0) {
         is_mixed[area] |= *seen[area].get_or_insert(label) != label;
@@ -36,13 +36,13 @@ pub fn unify_areas(classes: &mut Classes, area: &[usize], min_cells: f32) -> usi
 }
 
 /// By area the label that holds it clearly, if one does; the ground has none.
-fn holders(labels: &[Label], area: &[usize]) -> Vec<Option<Label>> {
+fn holders(labels: &[AreaClass], area: &[usize]) -> Vec<Option<AreaClass>> {
     let count = area.iter().max().map_or(0, |most| most + 1);
-    let mut cells = vec![BTreeMap::<Label, usize>::new(); count];
+    let mut cells = vec![BTreeMap::<AreaClass, usize>::new(); count];
     for (label, area) in labels.iter().zip(area) {
         *cells[*area].entry(*label).or_default() += 1;
     }
-    let holder = |(number, cells): (usize, BTreeMap<Label, usize>)| {
+    let holder = |(number, cells): (usize, BTreeMap<AreaClass, usize>)| {
         let all: usize = cells.values().sum();
         let (label, most) = cells.into_iter().max_by_key(|(_, count)| *count).filter(|_| number > 0)?;
         (most as f32 >= CLEARLY * all as f32).then_some(label)
@@ -52,7 +52,7 @@ fn holders(labels: &[Label], area: &[usize]) -> Vec<Option<Label>> {
 
 /// Makes regions of new labels. Cells that change take the lightness of those around them that do not, so that one
 /// texture is as bold all over.
-fn relabel(classes: &mut Classes, before: &[Label], labels: &[Label]) {
+fn relabel(classes: &mut Classes, before: &[AreaClass], labels: &[AreaClass]) {
     let mut of_cell = vec![None; labels.len()];
     let mut regions = Vec::new();
     for component in components::of_labels(labels, classes.size, Connectivity::Four).iter() {
@@ -101,7 +101,7 @@ mod tests {
             b'r' => Some(Class::Red),
             _ => None,
         };
-        let labels: Vec<Label> = rows.iter().flat_map(|row| row.bytes()).map(label).collect();
+        let labels: Vec<AreaClass> = rows.iter().flat_map(|row| row.bytes()).map(label).collect();
         let lightness = labels.iter().map(|label| if label.is_none() { 1.0 } else { 0.4 }).collect();
         let lightness = Plane { size, values: lightness };
         let mut classes = Classes { size, region: Vec::new(), regions: Vec::new(), lightness, fringe: Vec::new() };

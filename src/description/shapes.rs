@@ -35,7 +35,7 @@ const LEAST_BOX: f32 = 4.0;
 /// How much its length may differ from that of three sides, as a share.
 const AS_LONG: f32 = 0.12;
 
-struct Shape {
+struct LineShape {
     path: Vec<MmPoint>,
     length: f32,
     closed: bool,
@@ -48,7 +48,7 @@ struct Shape {
     ways: Vec<&'static str>,
 }
 
-impl Shape {
+impl LineShape {
     fn of(line: &Line) -> Option<Self> {
         // the second row of dots of a heavy line is no length of its own
         let is_dotted = line.runs.first().is_some_and(|run| run.pen != Default::default());
@@ -182,7 +182,7 @@ fn written(at: MmPoint) -> MmPoint {
 }
 
 /// Whether both ends of an open rectangle lie on one other line.
-fn stands(number: usize, shapes: &[Shape]) -> bool {
+fn stands(number: usize, shapes: &[LineShape]) -> bool {
     let shape = &shapes[number];
     if shape.open_side().is_none() {
         return false;
@@ -190,7 +190,7 @@ fn stands(number: usize, shapes: &[Shape]) -> bool {
     let ends = [shape.path[0], shape.path[shape.path.len() - 1]];
     // rows of dots end a step before one another
     let reach = shape.slack + ENDS_ON;
-    let lies_on = |at: MmPoint, other: &Shape| {
+    let lies_on = |at: MmPoint, other: &LineShape| {
         other.path.windows(2).any(|pair| nearest_on_segment(at, pair[0], pair[1]).0 <= reach)
     };
     let mut others = shapes.iter().enumerate().filter(|(other, _)| *other != number);
@@ -204,13 +204,13 @@ pub(super) fn told(lines: &[Line], figure: MmRect, most: usize, wording: &Wordin
     let ways = |number: usize| -> Vec<&str> {
         arrows.iter().filter(|arrow| arrow.line == number).map(|arrow| way(arrow)).collect()
     };
-    let of_line = |(number, line)| Some(Shape { ways: ways(number), ..Shape::of(line)? });
+    let of_line = |(number, line)| Some(LineShape { ways: ways(number), ..LineShape::of(line)? });
     let others = lines.iter().enumerate().filter(|(number, _)| !is_head(*number));
-    let mut shapes: Vec<Shape> = others.filter_map(of_line).collect();
+    let mut shapes: Vec<LineShape> = others.filter_map(of_line).collect();
     shapes.sort_by(|a, b| b.length.total_cmp(&a.length));
     let stands: Vec<bool> = (0..shapes.len()).map(|number| stands(number, &shapes)).collect();
     shapes.iter_mut().zip(stands).for_each(|(shape, stands)| shape.stands = stands);
-    let text = |(number, shape): (usize, &Shape)| {
+    let text = |(number, shape): (usize, &LineShape)| {
         let others = shapes.iter().enumerate().filter(|(other, _)| *other != number && shape.closed);
         let holds = others.filter(|(_, other)| other.closed && shape.holds(other)).count();
         shape.told(holds, figure, wording)

@@ -13,7 +13,7 @@ use super::gradient::Gradient;
 use super::maxima::MaximaFinder;
 use super::params::Params;
 use super::ridge::RidgePoint;
-use super::side_statistics::{self, Builder};
+use super::side_statistics::{self, StatisticsBuilder};
 use crate::raster::Raster;
 use crate::raster::lab;
 
@@ -24,7 +24,7 @@ const MIN_ROWS: usize = 64;
 
 /// The ridge points in reading order, and the statistics of the colours beside them. `weights` has the weight of each
 /// colour plane.
-pub(super) fn scan(raster: &Raster, weights: &[f32], params: &Params) -> (Vec<RidgePoint>, Builder) {
+pub(super) fn scan(raster: &Raster, weights: &[f32], params: &Params) -> (Vec<RidgePoint>, StatisticsBuilder) {
     let bands: Vec<_> = split(raster, params).into_par_iter().map(|rows| band(raster, weights, params, rows)).collect();
     let count: usize = bands.iter().map(|(points, _)| points.len()).sum();
     let mut bands = bands.into_iter();
@@ -54,7 +54,7 @@ fn split(raster: &Raster, params: &Params) -> Vec<Range<usize>> {
 }
 
 /// Processes the rows `own`.
-fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) -> (Vec<RidgePoint>, Builder) {
+fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) -> (Vec<RidgePoint>, StatisticsBuilder) {
     let arch = Arch::new();
     let (size, planes) = (raster.size(), lab::planes(raster));
     let wider =
@@ -64,7 +64,7 @@ fn band(raster: &Raster, weights: &[f32], params: &Params, own: Range<usize>) ->
         false => a.start.min(b.start)..a.end.max(b.end),
     };
 
-    let mut sides = Builder::new(size, planes, params, own.clone());
+    let mut sides = StatisticsBuilder::new(size, planes, params, own.clone());
     let mut maxima = MaximaFinder::new(size, params, own.clone());
     let tensors = both(&wider(&own, maxima.reach()), &sides.tensor_rows());
     let mut gradient = Gradient::new(size, planes, params.sigma, tensors.clone());

@@ -2,7 +2,7 @@
 //! sharp that the gradient has no clear direction there.
 
 use super::contour::{Contour, ContourPoint};
-use crate::geom::link::{End, Thread, link};
+use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Blend;
 use crate::units::Px;
 
@@ -82,7 +82,7 @@ fn cost(a: &End<Px>, b: &End<Px>, lengths: &[f32], sigma: f32) -> Option<f32> {
 }
 
 /// The contours of a thread as one, with points in the gaps; each is taken from `left`.
-fn concatenate(thread: &Thread, left: &mut [Option<Contour>]) -> Option<Contour> {
+fn concatenate(thread: &LinkedChain, left: &mut [Option<Contour>]) -> Option<Contour> {
     let mut whole = thread.concatenate(left, |before, next| {
         if let (Some(last), Some(first)) = (before.last().copied(), next.first()) {
             before.extend(between(&last, first));

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use super::contour::{Contour, ContourPoint, crossing};
 use super::tips::FoundContour;
-use crate::geom::link::{End, Part, Thread, link};
+use crate::geom::link::{End, LinkedChain, Part, link};
 use crate::geom::nearby::Index;
 use crate::geom::{first_eigenvector, right_of};
 use crate::units::{Px, PxPoint, PxVector};
@@ -54,7 +54,7 @@ struct DashRow<'a> {
 
 /// Strings dashes in a row together to one stroke each; also returns how many such rows there are. `sigma` is the scale
 /// of the edge detector and `least` the length of the shortest contour, px.
-pub(super) fn united(found: Vec<FoundContour>, sigma: f32, least: f32) -> (Vec<FoundContour>, usize) {
+pub(super) fn merged_dashes(found: Vec<FoundContour>, sigma: f32, least: f32) -> (Vec<FoundContour>, usize) {
     let dashes: Vec<Dash> = (0..).zip(&found).filter_map(|(number, found)| dash(number, found, sigma, least)).collect();
     if dashes.len() < FEWEST {
         return (found, 0);
@@ -168,7 +168,7 @@ fn cost(a: &End<Px>, b: &End<Px>, dashes: &[Dash]) -> Option<f32> {
 }
 
 impl<'a> DashRow<'a> {
-    fn of(thread: &Thread, dashes: &'a [Dash]) -> Self {
+    fn of(thread: &LinkedChain, dashes: &'a [Dash]) -> Self {
         let ends = |part: &Part| {
             let [start, last] = dashes[part.polyline].ends;
             if part.reversed { [last, start] } else { [start, last] }
@@ -291,13 +291,13 @@ mod tests {
     #[test]
     fn dashes_in_a_row_become_one_line_from_the_first_to_the_last() {
         let rings: Vec<FoundContour> = (0..8).map(|k| ring(20.0 + 16.0 * k as f32, 50.0)).collect();
-        let (united, rows) = united(rings, SIGMA, LEAST);
-        assert_eq!((united.len(), rows), (1, 1));
-        let line = &united[0].contour;
+        let (merged, rows) = merged_dashes(rings, SIGMA, LEAST);
+        assert_eq!((merged.len(), rows), (1, 1));
+        let line = &merged[0].contour;
         let (first, last) = (line.vertices[0].at, line.vertices[line.vertices.len() - 1].at);
         assert!((first.x.min(last.x) - 20.0).abs() < 0.5 && (first.x.max(last.x) - 142.0).abs() < 0.5);
         assert!(line.vertices.iter().all(|vertex| (vertex.at.y - 50.0).abs() < 0.2));
-        assert!(united[0].stroke.is_some_and(|width| (1.0..3.0).contains(&width)));
+        assert!(merged[0].stroke.is_some_and(|width| (1.0..3.0).contains(&width)));
     }
 
     #[test]
@@ -308,9 +308,9 @@ mod tests {
         };
         let dashes: Vec<FoundContour> =
             (0..24).map(|k| stroke(at(15.0 * k as f32), at(15.0 * k as f32 + 9.0))).collect();
-        let (united, rows) = united(dashes, SIGMA, LEAST);
-        assert_eq!((united.len(), rows), (1, 1));
-        let circle = &united[0].contour;
+        let (merged, rows) = merged_dashes(dashes, SIGMA, LEAST);
+        assert_eq!((merged.len(), rows), (1, 1));
+        let circle = &merged[0].contour;
         assert!(circle.closed && (circle.length() - 377.0).abs() < 4.0, "{}", circle.length());
     }
 
@@ -323,25 +323,25 @@ mod tests {
             };
             (0..5).map(piece).collect()
         };
-        assert_eq!(united(pieces(20.0, 14.0), SIGMA, LEAST).1, 1, "with nothing between them they are dashes");
+        assert_eq!(merged_dashes(pieces(20.0, 14.0), SIGMA, LEAST).1, 1, "with nothing between them they are dashes");
         let bars = (0..5).flat_map(|k| {
             let x = 41.0 + k as f32 * 34.0;
             [stroke((x, 20.0), (x, 120.0)), stroke((x + 12.0, 20.0), (x + 12.0, 120.0))]
         });
-        let (all, rows) = united(pieces(20.0, 14.0).into_iter().chain(bars).collect(), SIGMA, LEAST);
+        let (all, rows) = merged_dashes(pieces(20.0, 14.0).into_iter().chain(bars).collect(), SIGMA, LEAST);
         assert_eq!((all.len(), rows), (15, 0));
-        assert_eq!(united(pieces(60.0, 20.0), SIGMA, LEAST).1, 0, "too long");
-        assert_eq!(united(pieces(10.0, 30.0), SIGMA, LEAST).1, 0, "too far apart");
+        assert_eq!(merged_dashes(pieces(60.0, 20.0), SIGMA, LEAST).1, 0, "too long");
+        assert_eq!(merged_dashes(pieces(10.0, 30.0), SIGMA, LEAST).1, 0, "too far apart");
     }
 
     #[test]
     fn a_dashed_line_ends_on_what_its_last_dash_touches() {
         let base = stroke((10.0, 20.0), (10.0, 80.0));
         let rings = (0..5).map(|k| ring(24.0 + 16.0 * k as f32, 50.0)).chain([base]).collect();
-        let (united, rows) = united(rings, SIGMA, LEAST);
-        assert_eq!((united.len(), rows), (2, 1));
+        let (merged, rows) = merged_dashes(rings, SIGMA, LEAST);
+        assert_eq!((merged.len(), rows), (2, 1));
         let reach = |pick: fn(f32, f32) -> f32, from: f32| {
-            united[1].contour.vertices.iter().map(|vertex| vertex.at.x).fold(from, pick)
+            merged[1].contour.vertices.iter().map(|vertex| vertex.at.x).fold(from, pick)
         };
         assert!((reach(f32::min, 200.0) - 10.0).abs() < 0.1, "it meets the base, 14 px before the first dash");
         assert!((reach(f32::max, 0.0) - 98.0).abs() < 0.5, "and ends where nothing is");
@@ -351,8 +351,8 @@ mod tests {
     fn dots_and_uneven_pieces_are_no_dashes() {
         let uneven = [(20.0, 30.0), (36.0, 60.0), (66.0, 76.0), (82.0, 118.0), (124.0, 134.0)];
         let pieces = uneven.iter().map(|&(from, to)| stroke((from, 50.0), (to, 50.0))).collect();
-        assert_eq!(united(pieces, SIGMA, LEAST).1, 0);
+        assert_eq!(merged_dashes(pieces, SIGMA, LEAST).1, 0);
         let aside = (0..6).map(|k| ring(20.0, 20.0 + 14.0 * k as f32)).collect();
-        assert_eq!(united(aside, SIGMA, LEAST).1, 0, "beside one another, as steps of a ladder");
+        assert_eq!(merged_dashes(aside, SIGMA, LEAST).1, 0, "beside one another, as steps of a ladder");
     }
 }

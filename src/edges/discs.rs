@@ -19,26 +19,28 @@ use crate::geom::polyline::Polyline;
 use crate::geom::walk::runs;
 use crate::units::{Px, PxPoint, Size};
 
-/// The smallest radius, in scales of the edge detector: smaller discs are edges round nothing.
+/// Least radius of a disc, in scales of the edge detector: a smaller one has no inside between its edges.
 const SMALLEST: f32 = 2.0;
-/// The largest, in widths of the widest stroke that is drawn as one line: larger discs have room as they are.
+/// Greatest radius of a disc, in widths of the widest stroke that is drawn as one line: larger ones have room as they
+/// are.
 const LARGEST: f32 = 0.65;
-/// A circle is seen if there are points in so many of [`PARTS`] parts of it: lines hide the others. Of a square, the
-/// middles of whose sides lie on a circle, ten are.
+/// A circle is seen if there are ridge points in so many of its [`PARTS`] equal arcs: lines hide the others. A square,
+/// whose sides touch a circle at their middles, has points in ten.
 const SEEN: usize = 14;
 const PARTS: usize = 24;
-/// Least pairs of opposite parts of the circle in which points are seen: at the round end of a stroke there are three.
+/// Least number of pairs of opposite arcs that both have points: the round end of a stroke has three.
 const OPPOSITE: usize = 5;
-/// The points that are seen lie no farther from the circle than this, px.
+/// Greatest distance of these points from the circle, px.
 const OFF: f32 = 0.9;
-/// The normals of the points that are seen lead to the middle of the circle: the cosine (20 degrees).
+/// Least cosine between the normal of such a point and the radius through it (20 degrees).
 const RADIAL: f32 = 0.94;
-/// The edges of an outline are at least so far apart, px, and it leaves a hole of this share of the radius.
+/// A hollow disc has an outline at least so wide, px, and a hole with a radius of at least this share of the outer one.
 const OUTLINE: f32 = 1.5;
 const HOLE: f32 = 0.3;
-/// Contours are bent so far from the side of a disc, in scales of the edge detector.
+/// Distance from the side of a disc up to which contours are bent, in scales of the edge detector.
 const BENT: f32 = 1.2;
-/// The direction of an end is taken over this length, px.
+/// The direction of an end at a disc is taken over this length, px: 2 px more than elsewhere, as it is bent beside the
+/// disc.
 const HEADING: f32 = 10.0;
 /// An end leads to the middle if it does not pass it farther away than this share of the radius and this much more, px.
 const MIDDLE: f32 = 0.35;
@@ -55,7 +57,7 @@ pub(super) struct Disc {
 }
 
 /// The contours of a drawing with each disc that lines lead to as a ring, at which they end.
-pub(super) fn parted(mut found: Vec<FoundContour>, discs: &[Disc], params: &Params) -> Vec<FoundContour> {
+pub(super) fn split_at_discs(mut found: Vec<FoundContour>, discs: &[Disc], params: &Params) -> Vec<FoundContour> {
     for disc in discs {
         let reach = disc.radius + BENT * params.sigma;
         let mut others: Vec<FoundContour> = Vec::with_capacity(found.len() + 2);
@@ -277,7 +279,7 @@ mod tests {
     fn a_disc_on_a_line_is_a_ring_between_two_straight_ends() {
         // the line was found round the upper half of the disc
         let line = stroke(&[(10.0, 50.0), (90.0, 50.0), (100.0, 44.0), (110.0, 50.0), (190.0, 50.0)]);
-        let parts = parted(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)), &params());
+        let parts = split_at_discs(vec![line], &discs(&circle((100.0, 50.3), 8.4, 3.0)), &params());
         let [before, after, ring] = &parts[..] else { panic!("{} contours", parts.len()) };
         assert!(!before.contour.closed && !after.contour.closed && ring.contour.closed && ring.stroke.is_none());
         let length = ring.contour.length();
@@ -290,7 +292,7 @@ mod tests {
         let line = stroke(&[(10.0, 50.0), (190.0, 50.0)]);
         let mut points = circle((100.0, 50.0), 9.0, 3.0);
         points.extend(circle((100.0, 50.0), 5.5, 0.0));
-        let parts = parted(vec![line], &discs(&points), &params());
+        let parts = split_at_discs(vec![line], &discs(&points), &params());
         let ring = parts.iter().find(|part| part.contour.closed).expect("a ring");
         assert!(ring.stroke.is_some_and(|width| (width - 3.5).abs() < 1.0), "{:?}", ring.stroke);
     }
@@ -305,7 +307,7 @@ mod tests {
     #[test]
     fn what_no_line_leads_to_or_is_no_circle_stays() {
         let beside = vec![stroke(&[(10.0, 57.0), (190.0, 57.0)])];
-        assert_eq!(parted(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0)), &params()), beside);
+        assert_eq!(split_at_discs(beside.clone(), &discs(&circle((100.0, 50.0), 8.0, 0.0)), &params()), beside);
         // more than half of the circle is hidden
         assert_eq!(discs(&circle((100.0, 50.0), 8.0, 6.0)), []);
     }

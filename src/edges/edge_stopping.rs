@@ -19,7 +19,7 @@ use crate::units::Size;
 const HEIGHT_SCALE: f32 = 16.0;
 
 /// Up to three colour axes, and the weight of the sum.
-pub(super) type Cell = [f32; 4];
+pub(super) type WeightedColour = [f32; 4];
 
 /// The share of a colour that passes from a cell to its neighbour, 0..=1.
 pub(super) struct Barriers {
@@ -64,18 +64,18 @@ impl Barriers {
     }
 
     /// The filtered colours of the cells.
-    pub(super) fn filter(&self, cells: &[Cell]) -> Vec<Cell> {
+    pub(super) fn filter(&self, cells: &[WeightedColour]) -> Vec<WeightedColour> {
         let (rows_first, columns_first) =
             rayon::join(|| self.along_columns(&self.along_rows(cells)), || self.along_rows(&self.along_columns(cells)));
-        let mean = |(a, b): (&Cell, &Cell)| std::array::from_fn(|i| 0.5 * (a[i] + b[i]));
+        let mean = |(a, b): (&WeightedColour, &WeightedColour)| std::array::from_fn(|i| 0.5 * (a[i] + b[i]));
         rows_first.iter().zip(&columns_first).map(mean).collect()
     }
 
-    fn along_rows(&self, cells: &[Cell]) -> Vec<Cell> {
+    fn along_rows(&self, cells: &[WeightedColour]) -> Vec<WeightedColour> {
         let mut out = cells.to_vec();
         for (row, pass) in out.chunks_exact_mut(self.width).zip(self.right.chunks_exact(self.width)) {
-            let mut carried: Vec<Cell> = Vec::with_capacity(row.len());
-            let mut sum = Cell::default();
+            let mut carried: Vec<WeightedColour> = Vec::with_capacity(row.len());
+            let mut sum = WeightedColour::default();
             for x in (0..row.len()).rev() {
                 carried.push(sum); // the sum from the right of this cell
                 sum = add(sum, row[x]);
@@ -83,7 +83,7 @@ impl Barriers {
                     sum = sum.map(|v| v * pass[x - 1]);
                 }
             }
-            let mut sum = Cell::default();
+            let mut sum = WeightedColour::default();
             for (x, cell) in row.iter_mut().enumerate() {
                 let own = *cell;
                 *cell = normalised(add(own, add(sum, carried[self.width - 1 - x])));
@@ -93,12 +93,12 @@ impl Barriers {
         out
     }
 
-    fn along_columns(&self, cells: &[Cell]) -> Vec<Cell> {
+    fn along_columns(&self, cells: &[WeightedColour]) -> Vec<WeightedColour> {
         let width = self.width;
         let mut out = cells.to_vec();
         // first upwards: the sum from below each cell
-        let mut sums = vec![Cell::default(); width];
-        let mut below = vec![Cell::default(); cells.len()];
+        let mut sums = vec![WeightedColour::default(); width];
+        let mut below = vec![WeightedColour::default(); cells.len()];
         for y in (0..cells.len() / width).rev() {
             let row = y * width..(y + 1) * width;
             below[row.clone()].copy_from_slice(&sums);
@@ -109,7 +109,7 @@ impl Barriers {
                 }
             }
         }
-        sums.fill(Cell::default());
+        sums.fill(WeightedColour::default());
         for (i, cell) in out.iter_mut().enumerate() {
             let (sum, own) = (&mut sums[i % width], *cell);
             *cell = normalised(add(own, add(*sum, below[i])));
@@ -131,12 +131,12 @@ fn neighbours(at: f32, count: usize) -> impl Iterator<Item = (usize, f32)> {
         .map(|(i, share)| (i as usize, share))
 }
 
-fn add(a: Cell, b: Cell) -> Cell {
+fn add(a: WeightedColour, b: WeightedColour) -> WeightedColour {
     std::array::from_fn(|i| a[i] + b[i])
 }
 
 /// Divides a sum by its weight, which is at least that of the cell itself.
-fn normalised(cell: Cell) -> Cell {
+fn normalised(cell: WeightedColour) -> WeightedColour {
     cell.map(|v| v / cell[3])
 }
 
@@ -147,7 +147,7 @@ mod tests {
     const SIDE: usize = 12;
 
     /// Light in the left half and dark in the right, with a barrier between them from the top down to the row `end`.
-    fn scene(end: usize) -> (Barriers, Vec<Cell>) {
+    fn scene(end: usize) -> (Barriers, Vec<WeightedColour>) {
         let mut barriers = Barriers { width: SIDE, right: vec![1.0; SIDE * SIDE], down: vec![1.0; SIDE * SIDE] };
         (0..end).for_each(|y| barriers.right[y * SIDE + SIDE / 2 - 1] = 0.01);
         let light = |i: usize| if i % SIDE < SIDE / 2 { 80.0 } else { 20.0 };
@@ -171,7 +171,8 @@ mod tests {
     #[test]
     fn mirrored_and_transposed_cells_give_the_mirrored_and_transposed_result() {
         let value = |i: usize| ((i * 7919 + i * i * 31) % 97) as f32;
-        let cells: Vec<Cell> = (0..SIDE * SIDE).map(|i| [value(i), value(i + 5), value(i + 9), 1.0]).collect();
+        let cells: Vec<WeightedColour> =
+            (0..SIDE * SIDE).map(|i| [value(i), value(i + 5), value(i + 9), 1.0]).collect();
         let pass = |i: usize| (-value(i) / 30.0).exp();
         let barriers = Barriers {
             width: SIDE,
@@ -189,7 +190,7 @@ mod tests {
             right: map(&|x, y| y * SIDE + (2 * SIDE - 2 - x) % SIDE).iter().map(|&i| barriers.right[i]).collect(),
             down: mirror.iter().map(|&i| barriers.down[i]).collect(),
         };
-        let seen: Vec<Cell> = mirrored.filter(&mirror.iter().map(|&i| cells[i]).collect::<Vec<_>>());
+        let seen: Vec<WeightedColour> = mirrored.filter(&mirror.iter().map(|&i| cells[i]).collect::<Vec<_>>());
         assert_eq!(seen, mirror.iter().map(|&i| filtered[i]).collect::<Vec<_>>(), "mirrored");
         let turn = map(&|x, y| x * SIDE + y);
         let turned = Barriers {
@@ -197,7 +198,7 @@ mod tests {
             right: turn.iter().map(|&i| barriers.down[i]).collect(),
             down: turn.iter().map(|&i| barriers.right[i]).collect(),
         };
-        let seen: Vec<Cell> = turned.filter(&turn.iter().map(|&i| cells[i]).collect::<Vec<_>>());
+        let seen: Vec<WeightedColour> = turned.filter(&turn.iter().map(|&i| cells[i]).collect::<Vec<_>>());
         assert_eq!(seen, turn.iter().map(|&i| filtered[i]).collect::<Vec<_>>(), "transposed");
     }
 }

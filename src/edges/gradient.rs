@@ -110,13 +110,13 @@ impl Gradient {
         let pairs: Vec<(usize, usize)> =
             (0..=radius).map(|k| (slot(y.saturating_sub(k)), slot((y + k).min(size.height as usize - 1)))).collect();
         row.clear();
-        arch.dispatch(Rows { width, rings, pairs: &pairs, smooth, slope, columns, to: row });
+        arch.dispatch(TensorRows { width, rings, pairs: &pairs, smooth, slope, columns, to: row });
         take(row);
     }
 }
 
 /// Computes one row of the tensor from the rows around it. `pairs` holds their positions in the ring buffers.
-struct Rows<'a> {
+struct TensorRows<'a> {
     width: usize,
     rings: &'a [Vec<f32>],
     pairs: &'a [(usize, usize)],
@@ -126,7 +126,7 @@ struct Rows<'a> {
     to: &'a mut TensorRow,
 }
 
-impl WithSimd for Rows<'_> {
+impl WithSimd for TensorRows<'_> {
     type Output = ();
 
     #[inline(always)]

@@ -26,27 +26,28 @@ const TOO_CLOSE: f32 = 0.2;
 /// Side of the cells of the index of points, px.
 const CELL: f32 = 8.0;
 
-/// A contour may have a kink beside the end of another over this much to both sides of it, px; it is straightened where
-/// both sides of the kink are parts of one straight line. The end is no farther from it than this, too.
+/// Half length of the part of a contour in which a kink is looked for, px, and the greatest distance of the end of
+/// another contour that causes it. The kink is straightened where the parts before and after it lie on one straight
+/// line.
 const KINK: f32 = 9.0;
-/// A contour with a kink is straight for this much before and after it, px.
+/// Length over which a contour is straight before a kink and after it, px.
 const STRAIGHT_LENGTH: f32 = 12.0;
-/// A contour is straight if it is no farther off a line than this (RMS), px.
+/// Greatest distance of a straight part from its line, root mean square, px.
 const EVEN: f32 = 0.3;
-/// The straight parts before and after a kink are one line: least cosine between them (6 degrees), and how far one may
-/// lie beside the other, px.
+/// The straight parts before and after a kink lie on one line if the cosine between them is at least the first (6
+/// degrees) and one lies beside the other by at most the second, px.
 const COLLINEAR: f32 = 0.9945;
 const IN_LINE: f32 = 0.75;
 
-/// What runs no farther than this beside another contour, px, is in its place; what is no farther than that lies on it.
+/// Distances of a point from another contour, px: up to the first it runs beside that, up to the second it lies on it.
 const BESIDE: f32 = 1.5;
 const ON: f32 = 0.75;
-/// An end is cut off where it runs along another contour for more than this, px: one that meets it at the flattest
-/// angle (see `lines`) leaves it sooner.
+/// Length over which an end runs along another contour before it is cut off, px: one that meets the contour at the
+/// flattest angle (see `lines`) leaves it sooner.
 const ALONG: f32 = 5.0;
 
 /// An end of a contour with the line that it follows and the junction to which the line leads.
-struct Extension {
+struct EndExtension {
     contour: usize,
     at_start: bool,
     line: LineFit,
@@ -176,7 +177,7 @@ fn hook(contours: &[Contour], index: &PointIndex, kept: &[[usize; 2]], number: u
 }
 
 /// Where an end meets another contour if it continues straight on.
-fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: bool) -> Option<Extension> {
+fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: bool) -> Option<EndExtension> {
     let contour = &contours[number];
     let tip = if at_start { 0 } else { contour.vertices.len() - 1 };
     let ContourPoint { at: end, blur, .. } = contour.vertices[tip];
@@ -204,7 +205,7 @@ fn extension(contours: &[Contour], index: &PointIndex, number: usize, at_start: 
             nearest = Some(distance);
         }
     });
-    nearest.map(|distance| Extension { contour: number, at_start, line, junction: from + ahead * distance })
+    nearest.map(|distance| EndExtension { contour: number, at_start, line, junction: from + ahead * distance })
 }
 
 /// Distance along the ray at which it crosses the segment `a`-`b`, if it does.
@@ -215,8 +216,8 @@ fn crossing(from: PxPoint, ahead: PxVector, a: PxPoint, b: PxPoint) -> Option<f3
 }
 
 /// Moves the last points of a contour onto its line, up to the junction.
-fn apply(contour: &mut Contour, extension: &Extension) {
-    let Extension { at_start, line, junction, .. } = extension;
+fn apply(contour: &mut Contour, extension: &EndExtension) {
+    let EndExtension { at_start, line, junction, .. } = extension;
     if !at_start {
         contour.reverse();
     }

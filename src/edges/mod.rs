@@ -59,7 +59,7 @@ use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use chain::Chain;
 use contour::ContourPoint;
 use discs::Disc;
-pub use drawing::find_drawn;
+pub use drawing::find_in_vector;
 pub use edgel::{ChainKind, ChainRange, Constraints, Edgel, Edges};
 use hysteresis::Selection;
 use noise::Noise;
@@ -198,7 +198,7 @@ impl<'a> Ridges<'a> {
         let discs = if drawn { discs::find(&points, size, &params) } else { Vec::new() };
         if !strokes.is_empty() {
             // their sides are no contours
-            let taken = stroke::Taken::by(&strokes, size, params.sigma);
+            let taken = stroke::StrokeCover::by(&strokes, size, params.sigma);
             points.retain(|point| !taken.has(point.at));
         }
         if points.is_empty() && strokes.is_empty() {
@@ -237,13 +237,13 @@ impl<'a> Ridges<'a> {
         let mut found: Vec<FoundContour> = edges.chain(strokes).collect();
         let mut dashed = 0;
         if of_drawing {
-            (found, dashed) = dashes::united(found, params.sigma, params.min_length);
+            (found, dashed) = dashes::merged_dashes(found, params.sigma, params.min_length);
             let is_seen = |from: PxPoint, to: PxPoint, width: f32, least: f32| {
                 stroke::is_seen([from, to], width, least.max(0.5 * params.low), &planes)
             };
-            let met = tips::meet(found, params.sigma, &is_seen);
-            let given_back = straight::give_back(met, params.sigma, params.min_length);
-            found = discs::parted(rings::parted(given_back, params.min_length), &discs, params);
+            let met = tips::join_corners(found, params.sigma, &is_seen);
+            let reassigned = straight::reassign_sides(met, params.sigma, params.min_length);
+            found = discs::split_at_discs(rings::split_at_contact(reassigned, params.min_length), &discs, params);
         }
         let (mut contours, widths): (Vec<_>, Vec<_>) =
             found.into_iter().map(|found| (found.contour, found.stroke)).unzip();
@@ -270,7 +270,7 @@ impl<'a> Ridges<'a> {
 /// An edge this near to the border of the picture and along it, px, is the border: bitmaps that were exported end in
 /// rows that are half transparent or black.
 const BORDER: f32 = 2.0;
-/// ... if the cosine between the two is at least this (18 degrees).
+/// An edge runs along the border if the cosine between the two is at least this (18 degrees).
 const ALONG_BORDER: f32 = 0.95;
 
 /// Whether a point belongs to the border of the picture.

@@ -32,7 +32,7 @@ const MIN_POINTS: usize = 5;
 
 /// A parabola fitted around a point of a contour.
 #[derive(Debug, Clone, Copy)]
-struct Fit {
+struct ParabolaFit {
     /// Where it passes the point.
     at: PxPoint,
     /// Direction of the contour, of length 1, or a little less where two fits are mixed.
@@ -45,7 +45,7 @@ struct Fit {
     rms: f32,
 }
 
-impl Fit {
+impl ParabolaFit {
     /// This fit mixed with that of a wider window, which gets the weight `share`.
     fn mixed(&self, wider: &Self, share: f32) -> Self {
         Self {
@@ -79,7 +79,7 @@ pub(super) fn refine(contour: &mut Contour, sigma: f32) {
         return;
     }
     let arcs = contour.arc_lengths();
-    let fits: Vec<Option<Fit>> = (0..n).map(|i| best_fit(contour, &arcs, i, sigma)).collect();
+    let fits: Vec<Option<ParabolaFit>> = (0..n).map(|i| best_fit(contour, &arcs, i, sigma)).collect();
     for (point, fit) in contour.vertices.iter_mut().zip(fits) {
         if let Some(fit) = fit {
             point.at = fit.unshifted(point.blur, sigma);
@@ -88,12 +88,12 @@ pub(super) fn refine(contour: &mut Contour, sigma: f32) {
 }
 
 /// The fit over the widest window whose residual noise explains. `arcs` are the arc lengths of the contour.
-fn best_fit(contour: &Contour, arcs: &[f32], i: usize, sigma: f32) -> Option<Fit> {
+fn best_fit(contour: &Contour, arcs: &[f32], i: usize, sigma: f32) -> Option<ParabolaFit> {
     let total = *arcs.last()?;
     let max_half = if contour.closed { 0.45 * total } else { arcs[i].min(total - arcs[i]).max(WINDOWS[0] * sigma) };
     let max_rms = (NOISE_RMS * contour.vertices[i].position_sigma).hypot(MIN_RMS);
-    let mut window = Window { contour, arcs, centre: i, last: [i; 2], sums: Sums::new(&contour.vertices[i]) };
-    let mut best: Option<Fit> = None;
+    let mut window = Window { contour, arcs, centre: i, last: [i; 2], sums: ParabolaSums::new(&contour.vertices[i]) };
+    let mut best: Option<ParabolaFit> = None;
     for scales in WINDOWS {
         let half = (scales * sigma).min(max_half);
         window.widen(half);
@@ -115,7 +115,7 @@ struct Window<'a> {
     centre: usize,
     /// The last point that was added forwards, and backwards.
     last: [usize; 2],
-    sums: Sums,
+    sums: ParabolaSums,
 }
 
 impl Window<'_> {
@@ -144,7 +144,7 @@ impl Window<'_> {
 }
 
 /// Sums for least squares parabolas of x and y over the arc length.
-struct Sums {
+struct ParabolaSums {
     origin: PxPoint,
     /// Sums of the powers 0 to 4 of the arc length.
     moments: [f64; 5],
@@ -157,7 +157,7 @@ struct Sums {
     variances: f64,
 }
 
-impl Sums {
+impl ParabolaSums {
     /// The sums of one point alone, which becomes the origin.
     fn new(point: &ContourPoint) -> Self {
         let (moments, xs, ys) = ([0.0; 5], [0.0; 3], [0.0; 3]);
@@ -178,7 +178,7 @@ impl Sums {
     }
 
     /// The parabola over a window of half length `half`; none for too few points.
-    fn fit(&self, half: f32) -> Option<Fit> {
+    fn fit(&self, half: f32) -> Option<ParabolaFit> {
         let Self { moments, xs, ys, .. } = self;
         let count = moments[0];
         if count < 4.0 {
@@ -200,7 +200,7 @@ impl Sums {
         };
         let confidence = (1.0 - MIN_SIGNIFICANCE * variance / (curvature * curvature).max(1e-12)).max(0.0);
         let mix = |s: f64, q: f64| (s + (q - s) * confidence) as f32;
-        Some(Fit {
+        Some(ParabolaFit {
             at: self.origin + PxVector::new(mix(straight(xs), x[0]), mix(straight(ys), y[0])),
             confidence: confidence as f32,
             direction: PxVector::new((x[1] / speed) as f32, (y[1] / speed) as f32),

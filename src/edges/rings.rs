@@ -1,6 +1,7 @@
 //! A line that comes back to itself is a ring, and what leads to the ring: where a leader meets a circle, the two may
 //! have been found as one line.
 
+use super::params::HEADING;
 use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 
@@ -10,15 +11,13 @@ const NEAR: f32 = 2.0;
 const AHEAD_LENGTH: f32 = 8.0;
 /// An end that meets its own line goes on in it: least cosine between their directions (37 degrees).
 const SMOOTH: f32 = 0.8;
-/// Directions are taken over this much of a line, px, but for what is near the place, which may be bent.
-const HEADING: f32 = 8.0;
 const BENT: f32 = 3.0;
 
 /// A ring is at least this many least lengths of a contour long: what is shorter is felt as a dot at an end.
 const RING: f32 = 3.0;
 
 /// Contours of which those that come back to themselves are parted. `least` is the length of the shortest contour, px.
-pub(super) fn parted(found: Vec<FoundContour>, least: f32) -> Vec<FoundContour> {
+pub(super) fn split_at_contact(found: Vec<FoundContour>, least: f32) -> Vec<FoundContour> {
     let mut all = Vec::with_capacity(found.len());
     for found in found {
         let mut left = Some(found);
@@ -96,7 +95,7 @@ mod tests {
         let mut reversed = leader(0.98);
         reversed.contour.reverse();
         for found in [leader(1.0), leader(0.98), reversed] {
-            let parts = parted(vec![found], LEAST);
+            let parts = split_at_contact(vec![found], LEAST);
             let [ring, lead] = &parts[..] else { panic!("{}", parts.len()) };
             assert!(ring.contour.closed && (ring.contour.length() - 40.0 * TAU).abs() < 4.0);
             assert!(!lead.contour.closed && (lead.contour.length() - 60.0).abs() < 4.0);
@@ -111,7 +110,7 @@ mod tests {
             ContourPoint { at, ..*vertex }
         });
         let contour = Polyline::open(left.rev().chain(right.iter().copied()).collect());
-        let parts = parted(vec![FoundContour { stroke: Some(2.0), ..FoundContour::edge(contour) }], LEAST);
+        let parts = split_at_contact(vec![FoundContour { stroke: Some(2.0), ..FoundContour::edge(contour) }], LEAST);
         let [first, second, lead] = &parts[..] else { panic!("{}", parts.len()) };
         assert!([first, second].iter().all(|ring| ring.contour.closed));
         assert!([first, second].iter().all(|ring| (ring.contour.length() - 40.0 * TAU).abs() < 4.0));
@@ -122,7 +121,7 @@ mod tests {
     fn a_line_that_ends_elsewhere_or_across_itself_stays_one() {
         let across = polyline(&[(200.0, 100.0), (100.0, 100.0), (100.0, 60.0), (150.0, 60.0), (150.0, 98.0)]);
         for found in [leader(0.8), FoundContour { stroke: Some(2.0), ..FoundContour::edge(across) }] {
-            assert_eq!(parted(vec![found.clone()], LEAST), [found]);
+            assert_eq!(split_at_contact(vec![found.clone()], LEAST), [found]);
         }
     }
 }

@@ -11,7 +11,7 @@
 use std::ops::Range;
 
 use super::chain::Chain;
-use super::edge_stopping::{Barriers, Cell};
+use super::edge_stopping::{Barriers, WeightedColour};
 use super::gradient::TensorRow;
 use super::params::Params;
 use super::ridge::RidgePoint;
@@ -33,7 +33,7 @@ const NOT_PARALLEL: f32 = 5.0;
 const TINY: f32 = 1e-6;
 
 /// Gathers colours and gradients row by row.
-pub(super) struct Builder {
+pub(super) struct StatisticsBuilder {
     /// Size of the picture, px.
     picture: Size,
     params: Params,
@@ -53,9 +53,9 @@ pub(super) struct SideStatistics {
     offset: f32,
     grid: Size,
     /// In each cell the means of (up to) three colour axes, and the mean of the sum of their squares.
-    cells: Vec<Cell>,
+    cells: Vec<WeightedColour>,
     /// The same colours after the edge-stopping filter.
-    filtered: Vec<Cell>,
+    filtered: Vec<WeightedColour>,
     /// Mean gradient, as the sum of the heights of all edges on a straight line through the window, less the part that
     /// noise causes.
     surround: Plane,
@@ -70,7 +70,7 @@ pub(super) struct Sides {
     pub(super) variance: f32,
 }
 
-impl Builder {
+impl StatisticsBuilder {
     /// For a picture of `size`; the cells that begin in the rows `own` are filled.
     pub(super) fn new(size: Size, planes: usize, params: &Params, own: Range<usize>) -> Self {
         let fine = grid_size(size, params.side_cell);
@@ -243,7 +243,7 @@ struct GridPosition {
 }
 
 impl GridPosition {
-    fn look_up(&self, cells: &[Cell]) -> Cell {
+    fn look_up(&self, cells: &[WeightedColour]) -> WeightedColour {
         let [a, b] = [0, self.right].map(|right| &cells[self.first + right]);
         let [c, d] = [0, self.right].map(|right| &cells[self.first + self.down + right]);
         std::array::from_fn(|i| {
@@ -262,7 +262,7 @@ mod tests {
 
     /// The statistics of a picture of one colour plane with this gradient.
     fn statistics(colour: impl Fn(usize, usize) -> f32, gradient: impl Fn(usize, usize) -> [f32; 2]) -> SideStatistics {
-        let mut builder = Builder::new(SIZE, 1, &Params::default(), 0..SIZE.height as usize);
+        let mut builder = StatisticsBuilder::new(SIZE, 1, &Params::default(), 0..SIZE.height as usize);
         let width = SIZE.width as usize;
         for y in 0..SIZE.height as usize {
             builder.push_colours(&[(0..width).map(|x| colour(x, y)).collect()]);

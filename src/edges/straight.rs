@@ -7,13 +7,12 @@
 //! straightest line goes on (see `stroke::arms`), so the side is given back to the line that runs along it, and the
 //! wall and the bars end on it.
 
+use super::params::HEADING;
 use super::tips::FoundContour;
 use crate::geom::polyline::Polyline;
 use crate::units::{Px, PxVector};
 use lyon::geom::euclid::Box2D;
 
-/// The direction of a line beside a vertex is taken over this much of it, px.
-const HEADING: f32 = 8.0;
 /// An end goes straight on in one side of a corner if the cosine between their directions is at least this (15
 /// degrees).
 const STRAIGHT_COSINE: f32 = 0.966;
@@ -43,38 +42,38 @@ struct Onward {
 /// Gives sides of contours to the strokes that go straight on in them: a side between two corners if strokes go on in
 /// it at both, all of an open contour beyond a corner if one goes on there. What is left of the contour ends at the
 /// corner. `sigma` is the scale of the edge detector, `least` the length of the shortest contour, px.
-pub(super) fn give_back(found: Vec<FoundContour>, sigma: f32, least: f32) -> Vec<FoundContour> {
-    let piece = |found: FoundContour| Piece { free: [!found.contour.closed; 2], found };
-    let mut pieces: Vec<Piece> = found.into_iter().map(piece).collect();
+pub(super) fn reassign_sides(found: Vec<FoundContour>, sigma: f32, least: f32) -> Vec<FoundContour> {
+    let piece = |found: FoundContour| OpenPart { free: [!found.contour.closed; 2], found };
+    let mut pieces: Vec<OpenPart> = found.into_iter().map(piece).collect();
     give_sides(&mut pieces, least, |owner, pieces| {
         let ends @ [a, b] = facing(owner, pieces, sigma)?;
         let (side, rest) = between(&pieces[owner], a.corner, b.corner);
-        Some(Handover::of(owner, &ends, side, rest, pieces))
+        Some(Reassignment::of(owner, &ends, side, rest, pieces))
     });
     give_sides(&mut pieces, least, |owner, pieces| {
         let end = straightest(owner, pieces, sigma)?;
         let (side, rest) = behind(&pieces[owner], end);
-        Some(Handover::of(owner, &[end], side, vec![rest], pieces))
+        Some(Reassignment::of(owner, &[end], side, vec![rest], pieces))
     });
     pieces.into_iter().map(|piece| piece.found).collect()
 }
 
 /// A side of a contour goes over to other pieces.
-struct Handover {
+struct Reassignment {
     /// The pieces that are there no more: the contour, and those that get its side.
     gone: Vec<usize>,
     /// Those, as one line with the side.
-    joined: Piece,
+    joined: OpenPart,
     /// What is left of the contour.
-    rest: Vec<Piece>,
+    rest: Vec<OpenPart>,
 }
 
 /// Lets all pieces give sides away for as long as they have any to give; what is left of one, if it is at least `least`
 /// px long, has its turn once more.
-fn give_sides(pieces: &mut Vec<Piece>, least: f32, handover: impl Fn(usize, &[Piece]) -> Option<Handover>) {
+fn give_sides(pieces: &mut Vec<OpenPart>, least: f32, handover: impl Fn(usize, &[OpenPart]) -> Option<Reassignment>) {
     let mut owner = 0;
     while owner < pieces.len() {
-        let Some(Handover { mut gone, joined, rest }) = handover(owner, pieces) else {
+        let Some(Reassignment { mut gone, joined, rest }) = handover(owner, pieces) else {
             owner += 1;
             continue;
         };
@@ -89,9 +88,9 @@ fn give_sides(pieces: &mut Vec<Piece>, least: f32, handover: impl Fn(usize, &[Pi
     }
 }
 
-impl Handover {
+impl Reassignment {
     /// To the pieces of one or two ends. The side runs away from the first of them, and up to the second.
-    fn of(owner: usize, ends: &[Onward], side: Piece, rest: Vec<Piece>, pieces: &[Piece]) -> Self {
+    fn of(owner: usize, ends: &[Onward], side: OpenPart, rest: Vec<OpenPart>, pieces: &[OpenPart]) -> Self {
         let gone = std::iter::once(owner).chain(ends.iter().map(|end| end.piece)).collect();
         let (first, last) = (ends[0], ends.get(1));
         let is_ring = last.is_some_and(|last| last.piece == first.piece);
@@ -109,12 +108,12 @@ impl Handover {
         let vertices = parts.into_iter().flat_map(|part| part.found.contour.vertices).collect();
         let contour = Polyline { vertices, closed: is_ring };
         let found = FoundContour { whole: contour.length().max(whole), contour, stroke };
-        Self { gone, joined: Piece { found, free }, rest }
+        Self { gone, joined: OpenPart { found, free }, rest }
     }
 }
 
 /// Of the ends that go straight on in a side of an open contour, the straightest.
-fn straightest(owner: usize, pieces: &[Piece], sigma: f32) -> Option<Onward> {
+fn straightest(owner: usize, pieces: &[OpenPart], sigma: f32) -> Option<Onward> {
     let onward = if pieces[owner].found.contour.closed { Vec::new() } else { all_onward(owner, pieces, sigma) };
     onward
         .into_iter()
@@ -122,7 +121,7 @@ fn straightest(owner: usize, pieces: &[Piece], sigma: f32) -> Option<Onward> {
 }
 
 /// All ends that go straight on in a side of a contour.
-fn all_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Vec<Onward> {
+fn all_onward(owner: usize, pieces: &[OpenPart], sigma: f32) -> Vec<Onward> {
     let contour = &pieces[owner].found.contour;
     let bounds = Box2D::from_points(contour.vertices.iter().map(|vertex| vertex.at));
     let ends = (0..pieces.len()).filter(|piece| *piece != owner).flat_map(|piece| [(piece, true), (piece, false)]);
@@ -132,7 +131,7 @@ fn all_onward(owner: usize, pieces: &[Piece], sigma: f32) -> Vec<Onward> {
 
 /// A contour.
 #[derive(Debug, Clone)]
-struct Piece {
+struct OpenPart {
     found: FoundContour,
     /// Whether its start and its end are those with which it was found and may go on. Those that were made by dividing
     /// may not, so that dividing comes to an end: each takes one or two away.
@@ -141,7 +140,7 @@ struct Piece {
 
 /// The ends of strokes that go straight on along a contour, if there are two that do so towards one another in one
 /// side.
-fn facing(owner: usize, pieces: &[Piece], sigma: f32) -> Option<[Onward; 2]> {
+fn facing(owner: usize, pieces: &[OpenPart], sigma: f32) -> Option<[Onward; 2]> {
     let contour = &pieces[owner].found.contour;
     let onward = all_onward(owner, pieces, sigma);
     let pairs = onward.iter().flat_map(|a| onward.iter().map(move |b| [*a, *b]));
@@ -159,7 +158,7 @@ fn facing(owner: usize, pieces: &[Piece], sigma: f32) -> Option<[Onward; 2]> {
 fn onward(
     (number, at_start): (usize, bool),
     (owner, bounds): (usize, &Box2D<f32, Px>),
-    pieces: &[Piece],
+    pieces: &[OpenPart],
     sigma: f32,
 ) -> Option<Onward> {
     let (stroke, contour) = (&pieces[number].found.contour, &pieces[owner].found.contour);
@@ -206,7 +205,7 @@ fn width<'a>(ends: impl Iterator<Item = &'a FoundContour>, side: &FoundContour) 
     width.filter(|_| strokes + side.contour.length() >= edges)
 }
 
-impl Piece {
+impl OpenPart {
     fn reverse(&mut self) {
         self.found.contour.reverse();
         self.free.reverse();
@@ -230,7 +229,7 @@ impl Piece {
 }
 
 /// A contour divided at two of its vertices, both of which stay in all parts: the side between them, and what is left.
-fn between(piece: &Piece, from: usize, to: usize) -> (Piece, Vec<Piece>) {
+fn between(piece: &OpenPart, from: usize, to: usize) -> (OpenPart, Vec<OpenPart>) {
     let count = piece.found.contour.vertices.len();
     if piece.found.contour.closed {
         let run = |from: usize, to: usize| piece.run(from, (to + count - from) % count + 1, [false; 2]);
@@ -243,7 +242,7 @@ fn between(piece: &Piece, from: usize, to: usize) -> (Piece, Vec<Piece>) {
 }
 
 /// An open contour divided at a corner: the side in which an end goes on, directed away from it, and what is left.
-fn behind(piece: &Piece, end: Onward) -> (Piece, Piece) {
+fn behind(piece: &OpenPart, end: Onward) -> (OpenPart, OpenPart) {
     let count = piece.found.contour.vertices.len();
     let [start, last] = piece.free;
     let before = piece.run(0, end.corner + 1, [start, false]);
@@ -292,7 +291,7 @@ mod tests {
     #[test]
     fn a_roof_gets_its_base_line_back_from_the_wall() {
         let roof = stroke(&[(15.0, 50.0), (5.0, 50.0), (50.0, 20.0), (95.0, 50.0), (85.0, 50.0)], false);
-        let found = give_back(vec![wall(), roof], SIGMA, LEAST);
+        let found = reassign_sides(vec![wall(), roof], SIGMA, LEAST);
         let (rings, open): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.contour.closed);
         let ([roof], [wall]) = (&rings[..], &open[..]) else { panic!("a ring and an open line: {found:?}") };
         assert!(is_near(&roof.contour, 50.0, 50.0) && !is_near(&wall.contour, 50.0, 50.0));
@@ -308,7 +307,7 @@ mod tests {
                 left.contour.reverse();
                 right.contour.reverse();
             }
-            let found = give_back(vec![left, wall(), right], SIGMA, LEAST);
+            let found = reassign_sides(vec![left, wall(), right], SIGMA, LEAST);
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             assert!(matches!(lengths[..], [base, wall] if (base - 98.0).abs() < 1.0 && (wall - 140.0).abs() < 1.0));
@@ -328,7 +327,7 @@ mod tests {
                         found.contour.reverse();
                     }
                 }
-                let found = give_back(all.to_vec(), SIGMA, LEAST);
+                let found = reassign_sides(all.to_vec(), SIGMA, LEAST);
                 assert_eq!(found.len(), 2, "{turned:b} turned");
                 let base = found.iter().find(|found| is_near(&found.contour, 50.0, 50.0)).expect("it has the side");
                 let corners = [(20.0, 50.0), (80.0, 50.0), (15.0, 50.0), (85.0, 50.0)];
@@ -356,7 +355,7 @@ mod tests {
         };
         let piece = |from: f32, to: f32| stroke(&[(from, 50.0), (to, 50.0)], false);
         let all = vec![piece(0.0, 20.0), bar(20.0), piece(50.0, 70.0), bar(70.0), piece(100.0, 130.0)];
-        let found = give_back(all, SIGMA, LEAST);
+        let found = reassign_sides(all, SIGMA, LEAST);
         assert!(found.iter().all(|found| !found.contour.closed));
         let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
         lengths.sort_by(f32::total_cmp);
@@ -373,7 +372,7 @@ mod tests {
             if turned {
                 axis.contour.reverse();
             }
-            let found = give_back(vec![corner.clone(), axis], SIGMA, LEAST);
+            let found = reassign_sides(vec![corner.clone(), axis], SIGMA, LEAST);
             let mut lengths: Vec<f32> = found.iter().map(|found| found.contour.length()).collect();
             lengths.sort_by(f32::total_cmp);
             let [side, axis] = lengths[..] else { panic!("a side and an axis: {lengths:?}") };
@@ -387,7 +386,7 @@ mod tests {
         let [high_left, high_right] = eaves(46.0);
         for others in [vec![left], vec![high_left, high_right]] {
             let all: Vec<FoundContour> = std::iter::once(wall()).chain(others).collect();
-            assert_eq!(give_back(all.clone(), SIGMA, LEAST), all);
+            assert_eq!(reassign_sides(all.clone(), SIGMA, LEAST), all);
         }
     }
 
@@ -397,7 +396,7 @@ mod tests {
         let (level, slanted) =
             (stroke(&[(0.0, 50.0), (46.0, 50.0)], false), stroke(&[(2.0, 58.5), (46.0, 51.0)], false));
         for ends in [[level.clone(), slanted.clone()], [slanted.clone(), level.clone()]] {
-            let found = give_back(ends.into_iter().chain([corner.clone()]).collect(), SIGMA, LEAST);
+            let found = reassign_sides(ends.into_iter().chain([corner.clone()]).collect(), SIGMA, LEAST);
             let longest = found.iter().max_by(|a, b| a.contour.length().total_cmp(&b.contour.length())).expect("three");
             assert!(found.len() == 3 && is_near(&longest.contour, 0.0, 50.0) && is_near(&longest.contour, 98.0, 50.0));
         }

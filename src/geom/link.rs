@@ -30,14 +30,14 @@ pub struct Part {
 
 /// Polylines that follow one another.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Thread {
+pub struct LinkedChain {
     /// The polylines in order.
     pub parts: Vec<Part>,
     /// Whether the end of the last is linked to the start of the first.
     pub closed: bool,
 }
 
-impl Thread {
+impl LinkedChain {
     /// Its polylines as one; each is taken from `left`, and `append` adds the vertices of one to those before it. A
     /// ring that was one before stays as it is. None if nothing is left of it.
     pub fn concatenate<V: Blend>(
@@ -71,7 +71,7 @@ pub fn link<U>(
     ends: &[End<U>],
     reach: f32,
     cost: impl Fn(&End<U>, &End<U>) -> Option<f32>,
-) -> Vec<Thread> {
+) -> Vec<LinkedChain> {
     thread(count, ends, &partners(ends, reach, cost))
 }
 
@@ -97,7 +97,7 @@ fn partners<U>(ends: &[End<U>], reach: f32, cost: impl Fn(&End<U>, &End<U>) -> O
 }
 
 /// Follows the links from polyline to polyline.
-fn thread<U>(count: usize, ends: &[End<U>], partner: &[Option<usize>]) -> Vec<Thread> {
+fn thread<U>(count: usize, ends: &[End<U>], partner: &[Option<usize>]) -> Vec<LinkedChain> {
     // for each polyline the numbers of its two ends
     let mut ends_of: Vec<Option<[usize; 2]>> = vec![None; count];
     for (number, pair) in ends.chunks_exact(2).enumerate() {
@@ -111,7 +111,7 @@ fn thread<U>(count: usize, ends: &[End<U>], partner: &[Option<usize>]) -> Vec<Th
                 _ if taken[first] => continue,
                 None => {
                     taken[first] = true;
-                    threads.push(Thread { parts: vec![Part { polyline: first, reversed: false }], closed: false });
+                    threads.push(LinkedChain { parts: vec![Part { polyline: first, reversed: false }], closed: false });
                     continue;
                 }
                 Some(own) => own.into_iter().find(|&end| partner[end].is_none()).or(closed.then_some(own[0])),
@@ -125,7 +125,7 @@ fn thread<U>(count: usize, ends: &[End<U>], partner: &[Option<usize>]) -> Vec<Th
                 next = ends_of[end.polyline].and_then(|own| partner[own[usize::from(end.at_start)]]);
             }
             if !parts.is_empty() {
-                threads.push(Thread { parts, closed: next.is_some() });
+                threads.push(LinkedChain { parts, closed: next.is_some() });
             }
         }
     }
@@ -148,7 +148,7 @@ mod tests {
         lines.iter().enumerate().flat_map(both).collect()
     }
 
-    fn by_distance(lines: &[(MmPoint, MmPoint)], reach: f32) -> Vec<Thread> {
+    fn by_distance(lines: &[(MmPoint, MmPoint)], reach: f32) -> Vec<LinkedChain> {
         link(lines.len(), &ends(lines), reach, |a, b| {
             let distance = (b.at - a.at).length();
             (distance <= reach && a.polyline != b.polyline).then_some(distance)
@@ -159,7 +159,7 @@ mod tests {
         MmPoint::new(x, y)
     }
 
-    fn parts(thread: &Thread) -> Vec<(usize, bool)> {
+    fn parts(thread: &LinkedChain) -> Vec<(usize, bool)> {
         thread.parts.iter().map(|part| (part.polyline, part.reversed)).collect()
     }
 
@@ -206,7 +206,7 @@ mod tests {
     #[test]
     fn the_two_ends_of_one_polyline_may_be_linked() {
         let threads = link(1, &ends(&[(at(0., 0.), at(1., 0.))]), 2.0, |_, _| Some(1.0));
-        assert_eq!(threads, [Thread { parts: vec![Part { polyline: 0, reversed: false }], closed: true }]);
+        assert_eq!(threads, [LinkedChain { parts: vec![Part { polyline: 0, reversed: false }], closed: true }]);
     }
 
     #[test]

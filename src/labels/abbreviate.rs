@@ -96,7 +96,7 @@ fn proposals(text: &str) -> impl Iterator<Item = String> + use<> {
 
 /// Most letters of a text that abbreviations of two are made of; the alphabet is not longer.
 const MOST_LETTERS: usize = 40;
-/// ... and those of three.
+/// Most letters of a text that abbreviations of three are made of.
 const MOST_LETTERS_OF_THREE: usize = 12;
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Places where a label could lie, the best first.
 
 use super::forms::Form;
-use super::placed::{Stands, Wanted};
+use super::placed::{PlacedAs, Wanted};
 use super::surroundings::{AT_END, NEAR, Surroundings};
 use crate::geom::outline::{corners, distance_to_box};
 use crate::geom::segment_distance;
@@ -19,7 +19,7 @@ pub(super) struct Candidate {
     /// Whether that leads across other lines.
     pub(super) crosses: bool,
     pub(super) cost: f32,
-    pub(super) stands: Stands,
+    pub(super) stands: PlacedAs,
 }
 
 /// Furthest that a label lies from what it names, mm: the longest lead line that BANA is quoted with is 37.5 mm.
@@ -57,7 +57,7 @@ const OFF_CENTRE: f32 = 0.1;
 /// Blank between a label and the leader line of another, mm, beside what that lies off its straight segment.
 const TO_LEADER: f32 = 3.5;
 /// What rounding may add to a distance, mm.
-const HAIR: f32 = 0.01;
+const EPSILON_MM: f32 = 0.01;
 /// What a leader line costs: the millimetres that another place may lie further away.
 const LEADER: f32 = 10.0;
 /// What a leader line across other lines costs: more than an abbreviation.
@@ -88,9 +88,9 @@ pub(super) struct Spacing {
 }
 
 /// The least blank: where there is room for no more.
-pub(super) const TIGHTEST: Spacing = Spacing { aside: 6.0, above: 3.5 };
+pub(super) const MIN_SPACING: Spacing = Spacing { aside: 6.0, above: 3.5 };
 /// The same, less a hair for sums of floating point.
-pub(super) const JUST: Spacing = Spacing { aside: 5.99, above: 3.49 };
+pub(super) const MIN_SPACING_ROUNDED: Spacing = Spacing { aside: 5.99, above: 3.49 };
 
 impl Spacing {
     /// As columns of a table in braille, which two blank cells keep apart; one above the other, more than lines of one
@@ -124,13 +124,19 @@ fn blank(cells: &CellGrid<'_>, count: usize) -> f32 {
 
 impl Candidate {
     /// One that is placed together with its row.
-    pub(super) fn of_row(form: usize, place: MmRect, leader: Option<[MmPoint; 2]>, cost: f32, stands: Stands) -> Self {
+    pub(super) fn of_row(
+        form: usize,
+        place: MmRect,
+        leader: Option<[MmPoint; 2]>,
+        cost: f32,
+        stands: PlacedAs,
+    ) -> Self {
         Self { form, place, leader, crosses: false, cost, stands }
     }
 
     /// Whether it is placed with others, in a row or at one, and stays there.
     pub(super) fn is_fixed(&self) -> bool {
-        self.stands != Stands::Alone
+        self.stands != PlacedAs::Alone
     }
 
     /// Whether two labels cannot both be there; leader lines lie up to `off` mm off their straight segment.
@@ -147,14 +153,14 @@ impl Candidate {
     pub(super) fn is_too_near(&self, other: &Self, spacing: Spacing, off: f32) -> bool {
         let Spacing { aside, above } = spacing;
         // nearly all pairs are far apart, and their distances need not be known
-        let far = aside.max(above).max(TO_LEADER + off).max(BEFORE_LEADER) + HAIR;
+        let far = aside.max(above).max(TO_LEADER + off).max(BEFORE_LEADER) + EPSILON_MM;
         if !self.extent().inflate(far, far).intersects(&other.extent()) {
             return false;
         }
         let near = self.place.inflate(aside, above).intersects(&other.place);
         let over = |leader: Option<[MmPoint; 2]>, place: MmRect| {
             leader.is_some_and(|[a, b]| {
-                let far = TO_LEADER + off + HAIR;
+                let far = TO_LEADER + off + EPSILON_MM;
                 if !MmRect::from_points([a, b]).inflate(far, far).intersects(&place) {
                     return false;
                 }
@@ -221,7 +227,7 @@ fn reach(label: &Wanted) -> f32 {
 
 /// How a label is joined to what it names.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Join {
+enum Attachment {
     /// It stands beside that.
     Beside,
     /// By a leader line that crosses no other.
@@ -230,7 +236,7 @@ enum Join {
     LeaderAcross([MmPoint; 2]),
 }
 
-impl Join {
+impl Attachment {
     fn leader(self) -> Option<[MmPoint; 2]> {
         match self {
             Self::Beside => None,
@@ -252,25 +258,25 @@ fn candidate(
         return None;
     }
     let join = join(label, place, around)?;
-    let (leader, crosses) = (join.leader(), matches!(join, Join::LeaderAcross(_)));
+    let (leader, crosses) = (join.leader(), matches!(join, Attachment::LeaderAcross(_)));
     let cost = cost(form.cost, label, place, join, around);
-    Some(Candidate { form: number, place, leader, crosses, cost, stands: Stands::Alone })
+    Some(Candidate { form: number, place, leader, crosses, cost, stands: PlacedAs::Alone })
 }
 
 /// How a label in a place is joined to what it names. Readers take a label for what is on its own side of a line,
 /// unless a leader line crosses it, and for the nearest anchor.
-fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Join> {
+fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Attachment> {
     let &Surroundings { room, params, end, anchor, .. } = around;
     let is_point = label.anchor.is_empty();
     let nearest = anchor.clamp(place.min, place.max);
     let is_open = || !room.is_parted(nearest, anchor, end);
     let is_near = distance_to_box(anchor, place) <= NEAR && is_open() && around.is_own(place);
     if is_near || !is_point && is_beside_outline(nearest, place, around) {
-        return Some(Join::Beside);
+        return Some(Attachment::Beside);
     }
     let clear = clear_leader(place, around);
     if let Some(segment) = clear.or_else(|| to_outline(nearest, place, around).filter(|_| !is_point)) {
-        return Some(Join::Leader(segment));
+        return Some(Attachment::Leader(segment));
     }
     if !params.may_cross || is_open() {
         return None;
@@ -278,7 +284,7 @@ fn join(label: &Wanted, place: MmRect, around: &Surroundings<'_>) -> Option<Join
     let segment = leader_from(nearest, around.tip)?;
     // as the drawing leads to it, it may cross lines, and still names nothing else
     let is_clear = label.led_from.is_none() || around.leads_to_own(place, segment);
-    is_clear.then_some(Join::LeaderAcross(segment))
+    is_clear.then_some(Attachment::LeaderAcross(segment))
 }
 
 /// A leader line from a point of a label to its tip; none if it would be too short to be felt as a line.
@@ -302,15 +308,15 @@ fn clear_leader(place: MmRect, around: &Surroundings<'_>) -> Option<[MmPoint; 2]
 }
 
 /// What a place costs, in mm that another place may lie further away; `of_form` is what the label's form costs.
-fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Join, around: &Surroundings<'_>) -> f32 {
+fn cost(of_form: f32, label: &Wanted, place: MmRect, join: Attachment, around: &Surroundings<'_>) -> f32 {
     let &Surroundings { room, params, end, is_at_lower_side, anchor, .. } = around;
     let distance = distance(label, place, around);
     let elsewhere = if is_at_lower_side && place.min.y < anchor.y { NOT_BELOW } else { 0.0 };
     let glyphs = room.glyphs(place.inflate(params.texture_clearance, params.texture_clearance)) as f32;
     let leader = match join {
-        Join::Beside => 0.0,
-        Join::Leader(_) => LEADER,
-        Join::LeaderAcross([from, to]) => {
+        Attachment::Beside => 0.0,
+        Attachment::Leader(_) => LEADER,
+        Attachment::LeaderAcross([from, to]) => {
             let across = if label.led_from.is_some() { ACROSS_AS_DRAWN } else { ACROSS };
             across + ALONG_A_LINE * room.along(from, to, end)
         }

@@ -53,7 +53,7 @@ fn in_one_order(costs: &[Vec<f32>], conflict: &dyn Fn(Choice, Choice) -> bool, o
         let missing: Vec<usize> = order.iter().copied().filter(|&label| search.chosen[label].is_none()).collect();
         let mut changed = false;
         for label in missing {
-            changed |= search.make_way(label, DEPTH, &mut Vec::new());
+            changed |= search.displace_others(label, DEPTH, &mut Vec::new());
         }
         for &label in order {
             changed |= search.take_best(label);
@@ -80,7 +80,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The labels that stand in the way of a choice.
-    fn in_the_way(&self, choice: Choice) -> Vec<usize> {
+    fn blockers_of(&self, choice: Choice) -> Vec<usize> {
         let stands = |&label: &usize| {
             let other = self.chosen[label].map(|candidate| Choice { label, candidate });
             label != choice.label && other.is_some_and(|other| (self.conflict)(choice, other))
@@ -92,20 +92,20 @@ impl Search<'_> {
     fn take_best(&mut self, label: usize) -> bool {
         let before = self.chosen[label];
         let end = before.unwrap_or(self.costs[label].len());
-        let best = (0..end).find(|&candidate| self.in_the_way(Choice { label, candidate }).is_empty());
+        let best = (0..end).find(|&candidate| self.blockers_of(Choice { label, candidate }).is_empty());
         self.chosen[label] = best.or(before);
         self.chosen[label] != before
     }
 
     /// Finds a place for a label that has none by moving one or two others, and for these by moving others again, but
     /// none of `held`.
-    fn make_way(&mut self, label: usize, depth: usize, held: &mut Vec<usize>) -> bool {
+    fn displace_others(&mut self, label: usize, depth: usize, held: &mut Vec<usize>) -> bool {
         for candidate in 0..self.costs[label].len() {
             if self.tries == 0 {
                 return false;
             }
             self.tries -= 1;
-            let blockers = self.in_the_way(Choice { label, candidate });
+            let blockers = self.blockers_of(Choice { label, candidate });
             if blockers.len() > 2 || blockers.iter().any(|other| held.contains(other)) {
                 continue;
             }
@@ -115,7 +115,7 @@ impl Search<'_> {
             held.push(label);
             let all_placed = blockers.iter().all(|&other| {
                 self.take_best(other);
-                self.chosen[other].is_some() || depth > 0 && self.make_way(other, depth - 1, held)
+                self.chosen[other].is_some() || depth > 0 && self.displace_others(other, depth - 1, held)
             });
             held.pop();
             if all_placed {

@@ -1,9 +1,9 @@
 //! Words one below the other that have no room all in one form, as the names beside a diagram: each as it fits.
 
-use super::candidates::{Candidate, JUST};
+use super::candidates::{Candidate, MIN_SPACING_ROUNDED};
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
-use super::groups::{Group, Lies};
-use super::placed::Stands;
+use super::groups::{Group, Orientation};
+use super::placed::PlacedAs;
 use crate::units::{MmPoint, MmRect};
 
 /// Words of a column at the nearest edge at which most are written in full, in one line or two, and at most one or two
@@ -14,7 +14,7 @@ pub(super) fn each_as_it_fits(
     context: &Context<'_>,
     others: &[Option<Candidate>],
 ) -> Option<Vec<Candidate>> {
-    let Lies::Column(edge) = group.lies else { return None };
+    let Orientation::Column(edge) = group.lies else { return None };
     if group.steps.is_some() || group.is_of_months {
         return None;
     }
@@ -38,13 +38,13 @@ pub(super) fn each_as_it_fits(
                     let corner = MmPoint::new(left, middle(i) - 0.5 * size.y + moved as f32 * step);
                     let place = context.cells.snapped(MmRect::new(corner, corner + size));
                     let cost = form.cost + offset.abs() + (moved as f32 * step).abs();
-                    Candidate::of_row(number, place, None, cost, Stands::InRow)
+                    Candidate::of_row(number, place, None, cost, PlacedAs::InRow)
                 })
             });
             found.push(places.find(|candidate| {
                 let mut others = found.iter().chain(others.iter().flatten());
                 is_free(label, candidate, context)
-                    && others.all(|other| !candidate.is_too_near(other, JUST, context.params.leader_off))
+                    && others.all(|other| !candidate.is_too_near(other, MIN_SPACING_ROUNDED, context.params.leader_off))
             })?);
         }
         let short = members.iter().zip(&found).filter(|(label, of)| is_short(**label, of.form)).count();

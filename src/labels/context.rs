@@ -2,7 +2,7 @@
 
 use super::candidates::Candidate;
 use super::forms::Forms;
-use super::placed::{Params, Stands, Unplaced, Wanted};
+use super::placed::{Params, PlacedAs, Unplaced, Wanted};
 use super::room::Room;
 use super::surroundings::Surroundings;
 use crate::page::cells::CellGrid;
@@ -30,7 +30,7 @@ pub(super) fn is_free(label: usize, candidate: &Candidate, context: &Context<'_>
     let anchor = context.wanted[label].anchor.center();
     let nearest = anchor.clamp(place.min, place.max);
     let is_told = || match candidate.leader {
-        _ if candidate.stands == Stands::InMargin => true,
+        _ if candidate.stands == PlacedAs::InMargin => true,
         Some([from, to]) => {
             context.room.is_free_segment(from, to, around.end) && around.leads_to_own(place, [from, to])
         }

@@ -10,7 +10,7 @@ use crate::units::MmVector;
 
 /// What a form of a label is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum FormKind {
     /// The whole text.
     Text,
     /// An abbreviation of two or three cells.
@@ -21,7 +21,7 @@ pub(super) enum Kind {
     Bare,
 }
 
-impl Kind {
+impl FormKind {
     /// Whether a label may be written so by itself, and not only with all of its row.
     pub(super) fn is_of_one(self) -> bool {
         matches!(self, Self::Text | Self::Short)
@@ -34,7 +34,7 @@ pub(super) struct Form {
     pub(super) lines: Vec<Vec<u8>>,
     /// What is written in place of the text.
     pub(super) abbreviation: Option<String>,
-    pub(super) kind: Kind,
+    pub(super) kind: FormKind,
     /// What this form costs beside one in a single line: the millimetres that a label may lie further away for it.
     pub(super) cost: f32,
 }
@@ -91,16 +91,16 @@ pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Form
         };
         let length = braille.cells.len();
         let form = |lines, kind, cost| Form { lines, abbreviation: None, kind, cost };
-        let mut forms = vec![form(vec![braille.cells.clone()], Kind::Text, 0.0)];
+        let mut forms = vec![form(vec![braille.cells.clone()], FormKind::Text, 0.0)];
         if length > LONG {
             let whole = in_two(braille, Divide::Never);
             let divided = in_two(braille, Divide::Words).filter(|lines| Some(lines) != whole.as_ref());
-            forms.extend(whole.map(|lines| form(lines.into(), Kind::Text, SECOND_LINE)));
-            forms.extend(divided.map(|lines| form(lines.into(), Kind::Text, DIVIDED)));
+            forms.extend(whole.map(|lines| form(lines.into(), FormKind::Text, SECOND_LINE)));
+            forms.extend(divided.map(|lines| form(lines.into(), FormKind::Text, DIVIDED)));
         }
         forms.extend(short.filter(|short| short.cells.len() < length).map(|short| Form {
             abbreviation: Some(short.letters),
-            ..form(vec![short.cells], Kind::Short, ABBREVIATED)
+            ..form(vec![short.cells], FormKind::Short, ABBREVIATED)
         }));
         Ok(Forms { forms, lacking: braille.lacking.clone() })
     };

@@ -4,8 +4,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::forms::{Form, Forms, Kind};
-use super::groups::{Group, Lies};
+use super::forms::{Form, FormKind, Forms};
+use super::groups::{Group, Orientation};
 use super::placed::{Unplaced, Wanted};
 use super::scale;
 use crate::braille::Translator;
@@ -31,7 +31,9 @@ pub(super) fn add(
     let mut taken: BTreeSet<Vec<u8>> = forms.iter().flat_map(cells).collect();
     // a text has one letter on all of a page
     let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
-    for group in groups.iter_mut().filter(|group| !matches!(group.lies, Lies::Column(_)) && group.steps.is_none()) {
+    for group in
+        groups.iter_mut().filter(|group| !matches!(group.lies, Orientation::Column(_)) && group.steps.is_none())
+    {
         let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
         let spelled = |letter: char| {
             let cells = translator.spell(&letter.to_string()).ok().filter(|braille| braille.lacking.is_empty())?.cells;
@@ -56,7 +58,7 @@ pub(super) fn add(
                 of.forms.push(Form {
                     lines: vec![cells],
                     abbreviation: Some(letter),
-                    kind: Kind::Letter,
+                    kind: FormKind::Letter,
                     cost: LETTER,
                 });
             }
@@ -77,7 +79,7 @@ pub(super) fn add_bare(
         if let (Ok(of), Some(braille)) = (&mut forms[label], braille)
             && braille.lacking.is_empty()
         {
-            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: Kind::Bare, cost: BARE });
+            of.forms.push(Form { lines: vec![braille.cells], abbreviation: None, kind: FormKind::Bare, cost: BARE });
         }
     }
 }

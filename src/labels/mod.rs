@@ -5,8 +5,8 @@
 //!                                            `-> candidates (free places near the anchor) ------+-> choose -> placed
 //! ```
 //!
-//! The steps up to the titles of axes ([`begun`]) are also those of `foretold`, which computes the room that rows and
-//! columns need beside a drawing before it is laid out.
+//! The steps up to the titles of axes ([`place_rows_first`]) are also those of `predicted`, which computes the room
+//! that rows and columns need beside a drawing before it is laid out.
 //!
 //! Labels are horizontal, as fingers read them, and 3 mm from lines; textures make room for them. One that has to lie
 //! further away than 12 mm has a leader line. What has no room in full is abbreviated.
@@ -16,11 +16,11 @@ mod candidates;
 mod choose;
 mod columns;
 mod context;
-mod foretold;
 mod forms;
 mod groups;
 mod letters;
 mod placed;
+mod predicted;
 mod room;
 mod rows;
 mod scale;
@@ -29,9 +29,9 @@ mod ticks;
 mod titles;
 
 pub use choose::{Choice, choose};
-pub use foretold::{Foretold, rows_beyond};
 pub use forms::LONGEST;
-pub use placed::{Params, Placed, Stands, Unplaced, Wanted};
+pub use placed::{Params, Placed, PlacedAs, Unplaced, Wanted};
+pub use predicted::{RowPrediction, row_overhang};
 pub use scale::EVERY;
 pub use surroundings::NEAR;
 
@@ -41,8 +41,8 @@ use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::page::{Figure, Glyph};
 use crate::units::MmPoint;
-use candidates::{Candidate, Spacing, TIGHTEST};
-use forms::{Form, Forms, Kind};
+use candidates::{Candidate, MIN_SPACING, Spacing};
+use forms::{Form, FormKind, Forms};
 use groups::Group;
 use room::Room;
 use surroundings::Surroundings;
@@ -50,8 +50,8 @@ use surroundings::Surroundings;
 /// Most labels of a page. Chosen by us: a sheet of A3 has room for some 150, and looking for places takes its time.
 pub const MOST: usize = 300;
 
-/// Labels have less blank between them where they lie nearer to what they name by this, all of them together, mm: in a
-/// row under the bars of a chart each is below its bar.
+/// The narrower spacing is taken if all labels together then lie nearer to their anchors by at least this, mm: in a row
+/// under the bars of a chart each is below its bar.
 const WORTH_LESS_BLANK: f32 = 8.0;
 
 /// How often labels are moved a little, each to the best place that is free: the places that are chosen from are some
@@ -68,7 +68,8 @@ pub fn place(
 ) -> Vec<Result<Placed, Unplaced>> {
     let (wanted, too_many) = wanted.split_at(wanted.len().min(MOST));
     let room = Room::new(params.area, &figure.lines, &figure.textures, params.clearance);
-    let Begun { forms, around, placed: in_rows, thinned, titles, .. } = begun(wanted, translator, cells, &room, params);
+    let RowsPlaced { forms, around, placed: in_rows, thinned, titles, .. } =
+        place_rows_first(wanted, translator, cells, &room, params);
     let candidates_of = |(number, in_row): (usize, Option<Candidate>)| match (in_row, &forms[number]) {
         (Some(in_row), _) => vec![in_row],
         (None, Ok(_)) if thinned[number].is_some() || titles.contains(&number) => Vec::new(),
@@ -89,7 +90,7 @@ pub fn place(
 }
 
 /// Labels of which those in rows and columns have their places.
-struct Begun<'a> {
+struct RowsPlaced<'a> {
     wanted: &'a [Wanted],
     cells: &'a CellGrid<'a>,
     room: &'a Room,
@@ -106,7 +107,7 @@ struct Begun<'a> {
     titles: Vec<usize>,
 }
 
-impl Begun<'_> {
+impl RowsPlaced<'_> {
     fn context(&self) -> context::Context<'_> {
         let Self { wanted, cells, room, params, forms, around, .. } = self;
         context::Context { wanted, forms, around, room, params, cells }
@@ -114,25 +115,25 @@ impl Begun<'_> {
 }
 
 /// Writes labels in their forms and places those in rows and columns with their titles: what placing all of them and
-/// foretelling their room begin with.
-fn begun<'a>(
+/// predicting their room begin with.
+fn place_rows_first<'a>(
     wanted: &'a [Wanted],
     translator: &Translator<'_>,
     cells: &'a CellGrid<'a>,
     room: &'a Room,
     params: &'a Params,
-) -> Begun<'a> {
+) -> RowsPlaced<'a> {
     let texts: Vec<&str> = wanted.iter().map(|label| label.text.as_str()).collect();
     let mut forms = forms::of(&texts, translator);
     let around = around(wanted, &forms, room, cells, params);
     let groups = groups_of(wanted, &mut forms, &around, translator);
     let (placed, thinned, titles) = (Vec::new(), Vec::new(), Vec::new());
-    let mut begun = Begun { wanted, cells, room, params, forms, around, placed, thinned, titles };
-    let rows::InRows { mut placed, thinned } = rows::placed(&groups, &begun.context());
-    begun.titles = titles::place(&groups, &begun.context(), &mut placed);
-    begun.placed = placed;
-    begun.thinned = thinned;
-    begun
+    let mut rows = RowsPlaced { wanted, cells, room, params, forms, around, placed, thinned, titles };
+    let rows::InRows { mut placed, thinned } = rows::placed(&groups, &rows.context());
+    rows.titles = titles::place(&groups, &rows.context(), &mut placed);
+    rows.placed = placed;
+    rows.thinned = thinned;
+    rows
 }
 
 /// Points of what ticks of upright axes will be longer by than in the drawing, so that they are `least` mm long.
@@ -199,7 +200,7 @@ fn chosen(
         narrow.0.lost < wide.0.lost || narrow.0.lost == wide.0.lost && narrow.0.cost + WORTH_LESS_BLANK < wide.0.cost;
     let mut best = if is_better { narrow } else { wide };
     if best.0.lost > (0, 0) {
-        let tight = chosen_with(TIGHTEST);
+        let tight = chosen_with(MIN_SPACING);
         if tight.0.lost < best.0.lost {
             best = tight;
         }
@@ -270,7 +271,7 @@ fn placed(forms: Forms, chosen: Option<Candidate>) -> Result<Placed, Unplaced> {
         leader: candidate.leader,
         crosses: candidate.leader.is_some() && candidate.crosses,
         stands: candidate.stands,
-        is_bare: kind == Kind::Bare,
+        is_bare: kind == FormKind::Bare,
     })
 }
 

@@ -44,7 +44,7 @@ pub struct Wanted {
 
 /// What a label stands with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stands {
+pub enum PlacedAs {
     /// By itself.
     Alone,
     /// In its row or column, which was placed as a whole and keeps its own blank.
@@ -71,7 +71,7 @@ pub struct Placed {
     /// Whether that line crosses others, as there is room nowhere else.
     pub crosses: bool,
     /// Whether it stands by itself, in a row, in the margin or as the title of an axis.
-    pub stands: Stands,
+    pub stands: PlacedAs,
     /// Whether it is a number of an axis without its unit, which another has.
     pub is_bare: bool,
 }

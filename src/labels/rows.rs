@@ -2,12 +2,12 @@
 //! their order, all in one form, each beside what it names. One alone would take the room of its neighbour, or stand
 //! under the next bar.
 
-use super::candidates::{BEFORE_LEADER, Candidate, JUST, TIGHTEST};
+use super::candidates::{BEFORE_LEADER, Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
-use super::forms::{Form, Kind};
-use super::groups::{Group, Lies, OF_AN_AXIS};
-use super::placed::Stands;
+use super::forms::{Form, FormKind};
+use super::groups::{Group, OF_AN_AXIS, Orientation};
+use super::placed::PlacedAs;
 use super::ticks;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -21,7 +21,7 @@ const SECOND_ROW: f32 = 5.0;
 
 /// In which form the labels of a group are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Level {
+enum FormLevel {
     Whole,
     TwoLines,
     /// Each as it fits beside its anchor, in a column.
@@ -32,16 +32,16 @@ enum Level {
     UnitOnce,
 }
 
-impl Level {
+impl FormLevel {
     /// The number of a label's form; of those that have no such form, the whole text.
     fn form(self, forms: &[Form], fits: impl Fn(&Form) -> bool) -> usize {
         let is = |form: &Form| match self {
             Self::Whole => false,
             Self::Fitting => fits(form),
             Self::TwoLines => form.is_in_two_lines(),
-            Self::Short => form.kind == Kind::Short,
-            Self::Letters => form.kind == Kind::Letter,
-            Self::UnitOnce => form.kind == Kind::Bare,
+            Self::Short => form.kind == FormKind::Short,
+            Self::Letters => form.kind == FormKind::Letter,
+            Self::UnitOnce => form.kind == FormKind::Bare,
         };
         forms.iter().position(is).unwrap_or(0)
     }
@@ -62,7 +62,7 @@ pub(super) fn placed(groups: &[Group], context: &Context<'_>) -> InRows {
     for group in groups {
         let mut selections = ticks::selections(group, context.wanted, context.room).into_iter();
         let found = selections
-            .find_map(|ticks::Numbers { group, count }| Some((of_group(&group, context, &placed)?, group, count)));
+            .find_map(|ticks::AxisNumbers { group, count }| Some((of_group(&group, context, &placed)?, group, count)));
         let Some((found, some, count)) = found else { continue };
         if count > 1 {
             group.members.iter().for_each(|&member| thinned[member] = Some(count));
@@ -79,12 +79,12 @@ pub(super) fn placed(groups: &[Group], context: &Context<'_>) -> InRows {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Arrangement {
     rows: usize,
-    at: At,
+    at: RowPlace,
 }
 
 /// Where a row stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum At {
+enum RowPlace {
     /// Near to what it names.
     Near,
     /// Further away, with leader lines.
@@ -95,26 +95,35 @@ enum At {
 }
 
 /// The arrangements and forms in which the labels of a group are tried, in this order.
-fn attempts(group: &Group) -> Vec<(Arrangement, Level)> {
-    let words = [Level::Whole, Level::TwoLines, Level::Fitting, Level::UnitOnce, Level::Short];
-    let is_column = matches!(group.lies, Lies::Column(_));
+fn attempts(group: &Group) -> Vec<(Arrangement, FormLevel)> {
+    let words = [FormLevel::Whole, FormLevel::TwoLines, FormLevel::Fitting, FormLevel::UnitOnce, FormLevel::Short];
+    let is_column = matches!(group.lies, Orientation::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
-    let of = |at: At, levels: &[Level]| -> Vec<(Arrangement, Level)> {
+    let of = |at: RowPlace, levels: &[FormLevel]| -> Vec<(Arrangement, FormLevel)> {
         let arrangements = (1..=at_most_rows).map(|rows| Arrangement { rows, at });
         arrangements.flat_map(|arrangement| levels.iter().map(move |&level| (arrangement, level))).collect()
     };
     let is_axis = group.steps.is_some() || !is_column && group.members.len() >= OF_AN_AXIS;
-    let letters: &[Level] = if is_column || group.steps.is_some() { &[] } else { &[Level::Letters] };
-    let (known, unknown): (&[Level], &[Level]) = if group.is_of_months { (letters, &[]) } else { (&[], letters) };
-    let of_margin = if is_axis { of(At::Margin, &words) } else { Vec::new() };
-    let led = if is_column { Vec::new() } else { of(At::Led, &words) };
-    [of(At::Near, &words), of(At::Near, known), led, of_margin, of(At::Near, unknown), of(At::Led, unknown)].concat()
+    let letters: &[FormLevel] = if is_column || group.steps.is_some() { &[] } else { &[FormLevel::Letters] };
+    let (known, unknown): (&[FormLevel], &[FormLevel]) =
+        if group.is_of_months { (letters, &[]) } else { (&[], letters) };
+    let of_margin = if is_axis { of(RowPlace::Margin, &words) } else { Vec::new() };
+    let led = if is_column { Vec::new() } else { of(RowPlace::Led, &words) };
+    [
+        of(RowPlace::Near, &words),
+        of(RowPlace::Near, known),
+        led,
+        of_margin,
+        of(RowPlace::Near, unknown),
+        of(RowPlace::Led, unknown),
+    ]
+    .concat()
 }
 
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
 fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
     let fits = |label: usize, form: &Form| match group.lies {
-        Lies::Column(edge) => {
+        Orientation::Column(edge) => {
             let (anchor, area, width) =
                 (context.wanted[label].anchor, context.params.area, form.extent(context.cells).x);
             let left = edge.left_of(anchor, width);
@@ -125,16 +134,19 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
     // the first number of a column, or the last of a row, that has a unit: zero may have none
     let has_unit = |i: &usize| {
         let forms = context.forms[group.members[*i]].as_ref();
-        forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == Kind::Bare))
+        forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == FormKind::Bare))
     };
     let mut numbers = 0..group.members.len();
-    let with_unit =
-        if matches!(group.lies, Lies::Column(_)) { numbers.find(has_unit) } else { numbers.rev().find(has_unit) };
+    let with_unit = if matches!(group.lies, Orientation::Column(_)) {
+        numbers.find(has_unit)
+    } else {
+        numbers.rev().find(has_unit)
+    };
     let mut seen: Vec<(Arrangement, Vec<usize>)> = Vec::new();
     for (arrangement, level) in attempts(group) {
         let number_of = |(i, &label): (usize, &usize)| {
             // in two lines, if it has them
-            let level = if level == Level::UnitOnce && Some(i) == with_unit { Level::TwoLines } else { level };
+            let level = if level == FormLevel::UnitOnce && Some(i) == with_unit { FormLevel::TwoLines } else { level };
             context.forms[label].as_ref().map_or(0, |forms| level.form(&forms.forms, |form| fits(label, form)))
         };
         let forms: Vec<usize> = group.members.iter().enumerate().map(number_of).collect();
@@ -142,10 +154,10 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
         let is_short = |(&label, &number): (&usize, &usize)| {
             context.forms[label].as_ref().is_ok_and(|forms| forms.forms[number].abbreviation.is_some())
         };
-        if level == Level::Fitting && group.members.iter().zip(&forms).any(is_short) {
+        if level == FormLevel::Fitting && group.members.iter().zip(&forms).any(is_short) {
             continue;
         }
-        if level == Level::Short
+        if level == FormLevel::Short
             && let Some(found) = each_as_it_fits(group, context, placed)
         {
             return Some(found);
@@ -209,7 +221,7 @@ impl<'a> RowOfLabels<'a> {
         let sizes: Vec<MmVector> = forms.iter().map(|form| form.extent(context.cells)).collect();
         let along = along(group, &sizes, arrangement.rows, context)?;
         let largest = sizes.iter().fold(MmVector::zero(), |all, size| all.max(*size));
-        let pitch = in_steps(largest.y + TIGHTEST.above(), context.cells.steps().map(|steps| steps.y));
+        let pitch = in_steps(largest.y + MIN_SPACING.above(), context.cells.steps().map(|steps| steps.y));
         Some(Self { group, numbers, forms, sizes, along, arrangement, largest, pitch, context, others })
     }
 
@@ -218,14 +230,14 @@ impl<'a> RowOfLabels<'a> {
     fn placed(&self) -> Option<Vec<Candidate>> {
         let at = self.arrangement.at;
         let starts = match at {
-            At::Margin => self.starts_in_margin(self.context.room.bounds()?).to_vec(),
-            At::Near | At::Led => vec![Start::Anchors],
+            RowPlace::Margin => self.starts_in_margin(self.context.room.bounds()?).to_vec(),
+            RowPlace::Near | RowPlace::Led => vec![Start::Anchors],
         };
         let step = self.context.params.step;
         let steps = |mm: f32| (mm / step).ceil() as i32;
-        let (nearest, furthest) = if at == At::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
-        // below before above
-        let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != Lies::BelowPoints;
+        let (nearest, furthest) = if at == RowPlace::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
+        // offsets below are tried before those above
+        let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != Orientation::BelowPoints;
         let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
         let offsets: Vec<f32> = offsets.collect();
         starts.into_iter().find_map(|start| {
@@ -246,7 +258,9 @@ impl<'a> RowOfLabels<'a> {
                 let candidate = self.candidate(number, start, offset, moved as f32 * step);
                 let mut others = found.iter().chain(self.others.iter().flatten());
                 let is_free = is_free(self.group.members[number], &candidate, self.context)
-                    && others.all(|other| !candidate.is_too_near(other, JUST, self.context.params.leader_off));
+                    && others.all(|other| {
+                        !candidate.is_too_near(other, MIN_SPACING_ROUNDED, self.context.params.leader_off)
+                    });
                 is_free.then_some(candidate)
             })?;
             found.push(free);
@@ -260,9 +274,9 @@ impl<'a> RowOfLabels<'a> {
         let corner = self.corner(number, start, offset, self.along[number].0 + moved);
         let place = self.context.cells.snapped(MmRect::new(corner, corner + size));
         let anchor = self.context.wanted[self.group.members[number]].anchor;
-        let leader = (at == At::Led).then(|| leader(place, anchor.center()));
+        let leader = (at == RowPlace::Led).then(|| leader(place, anchor.center()));
         let cost = self.forms[number].cost + offset.abs() + moved.abs() + row * SECOND_ROW;
-        let stands = if at == At::Margin { Stands::InMargin } else { Stands::InRow };
+        let stands = if at == RowPlace::Margin { PlacedAs::InMargin } else { PlacedAs::InRow };
         Candidate::of_row(self.numbers[number], place, leader, cost, stands)
     }
 
@@ -271,15 +285,19 @@ impl<'a> RowOfLabels<'a> {
         let (anchor, size) = (self.context.wanted[self.group.members[number]].anchor, self.sizes[number]);
         let below = (number % self.arrangement.rows) as f32 * self.pitch;
         match (self.group.lies, start) {
-            (Lies::Column(edge), Start::Margin(start)) => {
+            (Orientation::Column(edge), Start::Margin(start)) => {
                 MmPoint::new(start + edge.share() * (self.largest.x - size.x) + offset, begin)
             }
-            (Lies::Column(edge), Start::Anchors) => MmPoint::new(edge.left_of(anchor, size.x) + offset, begin),
-            (Lies::Row | Lies::BelowPoints, Start::Margin(start)) => MmPoint::new(begin, start + offset + below),
-            (Lies::Row, Start::Anchors) => {
+            (Orientation::Column(edge), Start::Anchors) => MmPoint::new(edge.left_of(anchor, size.x) + offset, begin),
+            (Orientation::Row | Orientation::BelowPoints, Start::Margin(start)) => {
+                MmPoint::new(begin, start + offset + below)
+            }
+            (Orientation::Row, Start::Anchors) => {
                 MmPoint::new(begin, anchor.center().y - 0.5 * self.largest.y + offset + below)
             }
-            (Lies::BelowPoints, Start::Anchors) => MmPoint::new(begin, anchor.max.y + BELOW_POINTS + offset + below),
+            (Orientation::BelowPoints, Start::Anchors) => {
+                MmPoint::new(begin, anchor.max.y + BELOW_POINTS + offset + below)
+            }
         }
     }
 
@@ -297,15 +315,15 @@ impl<'a> RowOfLabels<'a> {
             x - 0.5 * width < lines.min.x || x + 0.5 * width > lines.max.x
         });
         let beside_column = self.group.is_beside_column && reaches_out;
-        let corner = if beside_column { 0.5 * self.largest.y + TIGHTEST.above() } else { 0.0 };
+        let corner = if beside_column { 0.5 * self.largest.y + MIN_SPACING.above() } else { 0.0 };
         let count = members.len() as f32;
         let mean = members.iter().fold(MmVector::zero(), |sum, label| sum + middle(label).to_vector() / count);
         let blank = self.context.params.clearance + self.context.params.step;
         let (starts, is_second_nearer) = match self.group.lies {
-            Lies::Column(_) => {
+            Orientation::Column(_) => {
                 ([lines.min.x - blank - width, lines.max.x + blank], mean.x > SECOND_SIDE * lines.width() + lines.min.x)
             }
-            Lies::Row | Lies::BelowPoints => (
+            Orientation::Row | Orientation::BelowPoints => (
                 [lines.max.y + blank.max(corner), lines.min.y - blank.max(corner) - height],
                 mean.y < (1.0 - SECOND_SIDE) * lines.height() + lines.min.y,
             ),
@@ -328,10 +346,10 @@ fn leader(place: MmRect, anchor: MmPoint) -> [MmPoint; 2] {
 /// Where labels of these sizes begin along a row (for columns: down it), as near to their anchors as they can stand
 /// side by side, and how far each may be moved; none if one would have to be moved too far.
 fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) -> Option<Vec<(f32, f32)>> {
-    let is_column = matches!(group.lies, Lies::Column(_));
+    let is_column = matches!(group.lies, Orientation::Column(_));
     let of_point = |at: MmPoint| if is_column { at.y } else { at.x };
     let of_size = |size: MmVector| if is_column { size.y } else { size.x };
-    let blank = if is_column { TIGHTEST.above() } else { TIGHTEST.aside() };
+    let blank = if is_column { MIN_SPACING.above() } else { MIN_SPACING.aside() };
     let step = context.cells.steps().map(of_size);
     let area = context.params.area;
     let (low, high) = (of_point(area.min), of_point(area.max));

@@ -1,7 +1,7 @@
 //! Which numbers along an axis have a tick on the page: where only some have one, those are the numbers that stay, as
 //! readers count ticks.
 
-use super::groups::{Group, Lies};
+use super::groups::{Group, Orientation};
 use super::placed::Wanted;
 use super::room::Room;
 use super::scale::EVERY;
@@ -18,15 +18,15 @@ const BESIDE: f32 = 0.25;
 const STEP: f32 = 0.5;
 
 /// Numbers of an axis of which every so many-th is written; `count` is that, 1 where all are.
-pub(super) struct Numbers {
+pub(super) struct AxisNumbers {
     pub(super) group: Group,
     pub(super) count: i64,
 }
 
 /// All numbers of a group, then fewer of them in the order in which they are tried: first those that are the ones with
 /// a tick, where only some have one; then those that all have one.
-pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<Numbers> {
-    let mut all = vec![Numbers { group: group.clone(), count: 1 }];
+pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<AxisNumbers> {
+    let mut all = vec![AxisNumbers { group: group.clone(), count: 1 }];
     let Some(steps) = &group.steps else { return all };
     let ticks: Vec<bool> = with_tick(group, wanted, room);
     let is_tick_of_all = |every: i64| steps.iter().zip(&ticks).all(|(&step, &has)| (step % every == 0) == has);
@@ -46,7 +46,7 @@ pub(super) fn selections(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<N
         .collect();
     fewer.sort_unstable();
     fewer.dedup();
-    all.extend(fewer.into_iter().map(|(_, count)| Numbers { group: group.every(count), count }));
+    all.extend(fewer.into_iter().map(|(_, count)| AxisNumbers { group: group.every(count), count }));
     all.retain(|numbers| numbers.group.members.len() > 1);
     all
 }
@@ -69,13 +69,13 @@ pub(super) fn pitch(group: &Group, wanted: &[Wanted]) -> Option<f32> {
 }
 
 fn along(group: &Group, at: MmPoint) -> f32 {
-    if matches!(group.lies, Lies::Column(_)) { at.y } else { at.x }
+    if matches!(group.lies, Orientation::Column(_)) { at.y } else { at.x }
 }
 
 /// Where ticks of numbers of upright axes will lie that are shorter than lines have to be, and are drawn longer towards
 /// their numbers: the points of those pieces.
 pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f32) -> Vec<MmPoint> {
-    let columns = groups.iter().filter(|group| group.steps.is_some() && matches!(group.lies, Lies::Column(_)));
+    let columns = groups.iter().filter(|group| group.steps.is_some() && matches!(group.lies, Orientation::Column(_)));
     let piece = |label: &usize| {
         let place = wanted[*label].anchor;
         // the first piece of a line beside the number, and where it ends
@@ -105,7 +105,7 @@ pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f3
 fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
     let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
     let (across, beside) = match group.lies {
-        Lies::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
+        Orientation::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
         _ => (MmVector::new(0.0, 1.0), MmVector::new(BESIDE * pitch, 0.0)),
     };
     let has_tick = |&label: &usize| {

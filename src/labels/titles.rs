@@ -1,10 +1,10 @@
 //! Titles of axes. Print is turned upright beside an axis; braille is not, so that the title of an upright axis stands
 //! above it, as transcribers set it, and that of a level one below its numbers or at their end.
 
-use super::candidates::{Candidate, JUST, TIGHTEST};
+use super::candidates::{Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::context::Context;
-use super::groups::{Group, Lies, OF_AN_AXIS};
-use super::placed::Stands;
+use super::groups::{Group, OF_AN_AXIS, Orientation};
+use super::placed::PlacedAs;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// How far from its numbers a title stands in print, mm, at most.
@@ -12,7 +12,7 @@ const IN_PRINT: f32 = 30.0;
 /// How far a title may be moved, mm: away from the numbers to where it is free, and left and right.
 const AWAY: f32 = 15.0;
 const ASIDE: f32 = 30.0;
-/// ... and up to above an axis that goes on over its last number.
+/// How far a title may be moved up, mm: to above an axis that goes on over its last number.
 const ABOVE: f32 = 30.0;
 /// A text is turned if its box is so many times as high as it is wide.
 const TURNED: f32 = 1.5;
@@ -28,7 +28,7 @@ pub(super) fn place(groups: &[Group], context: &Context<'_>, placed: &mut [Optio
         let beside = groups.iter().filter_map(|group| Some((gap(label, group, context)?, group)));
         let Some((_, group)) = beside.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         placed[label] = at_axis(label, group, context, placed);
-        if matches!(group.lies, Lies::Column(_)) {
+        if matches!(group.lies, Orientation::Column(_)) {
             of_upright.push(label);
         }
     }
@@ -47,14 +47,16 @@ fn gap(label: usize, group: &Group, context: &Context<'_>) -> Option<f32> {
     // what stands among lines is the name of one of them, or of a sample in a legend
     let lines = context.room.bounds()?;
     let gap = match group.lies {
-        Lies::Column(_)
+        Orientation::Column(_)
             if (is_turned || is_beside && group.steps.is_some())
                 && (all.min.y..all.max.y).contains(&at.y)
                 && !(lines.min.x..lines.max.x).contains(&at.x) =>
         {
             (all.min.x - at.x).max(at.x - all.max.x)
         }
-        Lies::Row if !is_turned && !text.is_empty() && (all.min.x..all.max.x).contains(&at.x) && at.y > lines.max.y => {
+        Orientation::Row
+            if !is_turned && !text.is_empty() && (all.min.x..all.max.x).contains(&at.x) && at.y > lines.max.y =>
+        {
             at.y - all.max.y
         }
         _ => return None,
@@ -73,31 +75,31 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
     let in_print = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
     let text = context.wanted[label].anchor;
     let is_left = text.center().x < in_print.min.x;
-    let furthest = if group.lies == Lies::Row { AWAY } else { ABOVE };
+    let furthest = if group.lies == Orientation::Row { AWAY } else { ABOVE };
     let in_form = |(number, form): (usize, &super::forms::Form)| {
         let size = form.extent(context.cells);
         // where it stands if it is free, and in which direction it goes where it is not
         let (at, away) = match group.lies {
-            Lies::Column(_) => {
+            Orientation::Column(_) => {
                 let x = if is_left { row.min.x } else { row.max.x - size.x };
-                (MmPoint::new(x, row.min.y - TIGHTEST.above() - size.y), -1.0)
+                (MmPoint::new(x, row.min.y - MIN_SPACING.above() - size.y), -1.0)
             }
-            _ => (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + TIGHTEST.above()), 1.0),
+            _ => (MmPoint::new(text.center().x - 0.5 * size.x, row.max.y + MIN_SPACING.above()), 1.0),
         };
         // beside an axis it would stand above what the axis is that of, such as the first bar of a chart
         let is_above = |corner: MmPoint| match group.lies {
-            Lies::Column(_) if is_left => corner.x <= row.max.x,
-            Lies::Column(_) => corner.x + size.x >= row.min.x,
+            Orientation::Column(_) if is_left => corner.x <= row.max.x,
+            Orientation::Column(_) => corner.x + size.x >= row.min.x,
             _ => true,
         };
-        let at_end = MmPoint::new(row.max.x + TIGHTEST.aside(), row.max.y - size.y);
+        let at_end = MmPoint::new(row.max.x + MIN_SPACING.aside(), row.max.y - size.y);
         let free = |corner: MmPoint, cost: f32| {
             let place = context.cells.snapped(MmRect::new(corner, corner + size));
-            let candidate = Candidate::of_row(number, place, None, form.cost + cost, Stands::AsTitle);
+            let candidate = Candidate::of_row(number, place, None, form.cost + cost, PlacedAs::AsTitle);
             let mut others = placed.iter().flatten();
             let is_free = context.params.holds(&place)
                 && context.room.is_free(place)
-                && others.all(|other| !candidate.is_too_near(other, JUST, context.params.leader_off));
+                && others.all(|other| !candidate.is_too_near(other, MIN_SPACING_ROUNDED, context.params.leader_off));
             is_free.then_some(candidate)
         };
         let step = context.params.step.max(1.0);
@@ -109,7 +111,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
             is_above(at + by).then(|| free(at + by, by.x.abs() + by.y.abs())).flatten()
         });
         let nearest = moved.min_by(|a, b| a.cost.total_cmp(&b.cost));
-        nearest.or_else(|| free(at_end, AWAY).filter(|_| group.lies == Lies::Row))
+        nearest.or_else(|| free(at_end, AWAY).filter(|_| group.lies == Orientation::Row))
     };
     forms.iter().enumerate().filter(|(_, form)| form.kind.is_of_one()).find_map(in_form)
 }
@@ -118,7 +120,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
 /// the top of the box that they would need; none where there is no title above lines, or no such text.
 pub(super) fn top_of_headings(context: &Context<'_>, placed: &[Option<Candidate>]) -> Option<f32> {
     let lines = context.room.bounds()?;
-    let titles = placed.iter().flatten().filter(|candidate| candidate.stands == Stands::AsTitle);
+    let titles = placed.iter().flatten().filter(|candidate| candidate.stands == PlacedAs::AsTitle);
     let above = titles.map(|title| title.place.min.y).filter(|top| *top < lines.min.y);
     let title = above.min_by(f32::total_cmp)?;
     let is_heading = |label: &usize| placed[*label].is_none() && context.wanted[*label].anchor.center().y < lines.min.y;
@@ -126,5 +128,5 @@ pub(super) fn top_of_headings(context: &Context<'_>, placed: &[Option<Candidate>
         let form = context.forms[label].as_ref().ok()?.forms.first()?;
         Some(form.extent(context.cells).y)
     });
-    heights.max_by(f32::total_cmp).map(|height| title - TIGHTEST.above() - height)
+    heights.max_by(f32::total_cmp).map(|height| title - MIN_SPACING.above() - height)
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::finding::FoundBreach;
-use super::limits::{Limits, MOST_TEXTURES, MediumLimits};
-use super::marks::{Mark, Outline, Part};
+use super::limits::{MOST_TEXTURES, MediumLimits, RuleLimits};
+use super::marks::{Mark, MarkOutline, PagePart};
 use super::rules::{BLACK, EMPTY, GLYPH_SIZE, MARGIN, Rule, TEXTURE_AREA, TEXTURES};
 use crate::page::{Medium, Names, Page, Shape, TextRole};
 use crate::units::{MmPoint, MmRect};
@@ -12,7 +12,7 @@ use crate::units::{MmPoint, MmRect};
 /// Numbers of a page have two digits after the point, mm.
 const ROUNDING: f32 = 0.015;
 
-pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let mut found = Vec::new();
     // a key may have words only
     let has_key = page.braille.iter().any(|text| text.role == TextRole::Key);
@@ -27,18 +27,18 @@ pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limi
 }
 
 /// Ink as it is printed.
-pub(super) fn black(page: &Page, limits: &Limits) -> Option<FoundBreach> {
+pub(super) fn black(page: &Page, limits: &RuleLimits) -> Option<FoundBreach> {
     let MediumLimits::Print { max_black, .. } = limits.medium else { return None };
     let share = page.black_share();
     let what = || format!("{:.0} % of the figure is black; {:.0} % is the most", 100.0 * share, 100.0 * max_black);
     (share > max_black).then(|| FoundBreach::of_page(BLACK, Some(100.0 * share), what()))
 }
 
-fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a Limits) -> impl Iterator<Item = FoundBreach> + 'a {
+fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a RuleLimits) -> impl Iterator<Item = FoundBreach> + 'a {
     let small = page.figure.textures.iter().enumerate().filter(|(_, texture)| texture.area < limits.texture_area - 0.5);
     small.filter_map(|(number, texture)| {
         let extent = super::finding::around(texture.glyphs.iter().map(|glyph| glyph.at))?;
-        let name = Part::Texture(number as u32).name(page, names);
+        let name = PagePart::Texture(number as u32).name(page, names);
         let (area, least) = (texture.area, limits.texture_area);
         let what = format!("{name} has {area:.0} square mm; {least} square mm is the least for a texture");
         Some(FoundBreach::at(TEXTURE_AREA, extent.center(), extent, area, what))
@@ -46,7 +46,7 @@ fn too_small<'a>(page: &'a Page, names: &'a Names, limits: &'a Limits) -> impl I
 }
 
 /// What many marks of one part have in common.
-struct Group {
+struct AreaGroup {
     count: usize,
     worst: f32,
     at: MmPoint,
@@ -54,15 +54,15 @@ struct Group {
 }
 
 /// The marks that are worse than `least`, by part.
-fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeMap<Part, Group> {
-    let mut groups: BTreeMap<Part, Group> = BTreeMap::new();
+fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeMap<PagePart, AreaGroup> {
+    let mut groups: BTreeMap<PagePart, AreaGroup> = BTreeMap::new();
     for mark in marks {
         let worst = measure(mark);
         if worst >= least {
             continue;
         }
         let (at, extent) = (mark.middle, mark.extent());
-        let group = groups.entry(mark.part).or_insert(Group { count: 0, worst, at, extent });
+        let group = groups.entry(mark.part).or_insert(AreaGroup { count: 0, worst, at, extent });
         group.count += 1;
         group.extent = group.extent.union(&extent);
         if worst < group.worst {
@@ -72,16 +72,16 @@ fn grouped(marks: &[Mark], least: f32, measure: impl Fn(&Mark) -> f32) -> BTreeM
     groups
 }
 
-fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
+fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let MediumLimits::Print { glyph, .. } = limits.medium else { return Vec::new() };
     // lines have a rule of their own
-    let is_line = |part: Part| matches!(part, Part::Line(_) | Part::OverviewLine(_));
+    let is_line = |part: PagePart| matches!(part, PagePart::Line(_) | PagePart::OverviewLine(_));
     let thickness = |mark: &Mark| match mark.outline {
         _ if is_line(mark.part) => f32::MAX,
-        Outline::Stroke { radius, .. } => 2.0 * radius,
-        Outline::Rhombus { corners: [a, b, c, d] } => (c - a).length().min((d - b).length()),
+        MarkOutline::Stroke { radius, .. } => 2.0 * radius,
+        MarkOutline::Rhombus { corners: [a, b, c, d] } => (c - a).length().min((d - b).length()),
     };
-    let of = |(part, group): (Part, Group)| {
+    let of = |(part, group): (PagePart, AreaGroup)| {
         let (count, thinnest) = (group.count, group.worst);
         let noun = if count == 1 { "1 mark is" } else { &format!("{count} marks are") };
         let what = format!("{}: {noun} down to {thinnest:.2} mm thin; {glyph} mm is the least", part.name(page, names));
@@ -90,7 +90,7 @@ fn too_thin(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<
     grouped(marks, glyph - ROUNDING, thickness).into_iter().map(of).collect()
 }
 
-fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
+fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let sheet = MmRect::new(MmPoint::zero(), MmPoint::new(page.sheet[0], page.sheet[1]));
     let (inner, what) = match &page.medium {
         Medium::Print(_) => {
@@ -106,7 +106,7 @@ fn off_margins(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> V
         let MmRect { min, max } = mark.extent();
         (min.x - inner.min.x).min(min.y - inner.min.y).min(inner.max.x - max.x).min(inner.max.y - max.y)
     };
-    let of = |(part, group): (Part, Group)| {
+    let of = |(part, group): (PagePart, AreaGroup)| {
         let out = -group.worst;
         let what = format!("{} reaches {out:.1} mm beyond {what}", part.name(page, names));
         FoundBreach::at(MARGIN, group.at, group.extent, limits.margin - out, what)

@@ -6,20 +6,25 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{Group, Paint, Tree};
 
 use super::finding::FoundBreach;
-use super::limits::{Limits, MediumLimits};
+use super::limits::{MediumLimits, RuleLimits};
 use super::mark::LAYER;
 use super::rules::{BLACK_ONLY, BRAILLE_CELL, IN_BRAILLE, LETTERS, PICTURE};
 use crate::reading::{TypedText, is_braille, is_light, is_print_words, is_shown, is_written};
 use crate::units::{MM_PER_CSS_PX, MmPoint, MmRect};
 
-/// What is darker than this, of 255, is as black as black; what is lighter than the other, white.
+/// Grey values (0..=255) up to the first count as black, from the second on as white.
 const BLACK: u8 = 8;
 const WHITE: u8 = 248;
 /// Most colours that are told one by one.
 const MOST: usize = 6;
 
 /// All that is no black mark. `typed` are the texts of a page that are written in braille, with their places.
-pub(super) fn findings(document: &Document<'_>, tree: &Tree, typed: &[TypedText], limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(
+    document: &Document<'_>,
+    tree: &Tree,
+    typed: &[TypedText],
+    limits: &RuleLimits,
+) -> Vec<FoundBreach> {
     let mut seen = Seen::default();
     seen.add(tree.root(), 1.0);
     let mut found = Vec::new();

@@ -1,9 +1,9 @@
 //! Ends of lines that point at one another over a small gap: a contour that seems broken.
 
 use super::finding::FoundBreach;
-use super::limits::Limits;
+use super::limits::RuleLimits;
 use super::marks::name_in;
-use super::paths::{Paths, point_at};
+use super::paths::{PathKind, Paths, point_at};
 use super::rules::BROKEN_LINE;
 use super::strokes::both;
 use crate::geom::nearby::{Index, Nearby};
@@ -30,10 +30,10 @@ struct Tip {
     is_dot: bool,
 }
 
-pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(paths: &Paths, names: &[String], index: &Nearby, limits: &RuleLimits) -> Vec<FoundBreach> {
     let most = limits.missed_gap();
     // the second row of a heavy line of dots ends where it does because of the first
-    let first_rows = (0..paths.paths.len()).filter(|path| !paths.paths[*path].second);
+    let first_rows = (0..paths.paths.len()).filter(|path| paths.paths[*path].kind != PathKind::SecondRow);
     let tips: Vec<Tip> = first_rows.flat_map(|path| tips(paths, path)).collect();
     let area = super::finding::around(tips.iter().map(|tip| tip.at)).unwrap_or_else(MmRect::zero);
     let mut near: Index<usize, Mm> = Index::new(area, most);
@@ -94,7 +94,7 @@ fn tips(paths: &Paths, path: usize) -> Vec<Tip> {
     let tip = |(segment, at, arc): (nearby::Segment, MmPoint, f32)| {
         let back = place(if arc > 0.0 { (length - BACK).max(0.0) } else { BACK.min(length) })?;
         let outwards = (at - back).try_normalize()?;
-        let is_dot = paths.paths[path].dotted;
+        let is_dot = paths.paths[path].kind != PathKind::Stroke;
         Some(Tip { at, outwards, radius: segment.half_width, path: path as u32, is_dot })
     };
     paths.tips(path).into_iter().filter_map(tip).collect()

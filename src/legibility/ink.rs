@@ -7,7 +7,7 @@ use resvg::tiny_skia::{Color, Path, PathSegment, Pixmap, Transform};
 use usvg::{Fill, Group, Node, Paint, Tree};
 
 use super::finding::FoundBreach;
-use super::limits::{Limits, MediumLimits};
+use super::limits::{MediumLimits, RuleLimits};
 use super::rules::{BLACK, FILLED, LINE_GAP, LINE_WIDTH, Rule};
 use crate::geom::components::{self, Connectivity};
 use crate::geom::distance::squared_distances;
@@ -29,14 +29,14 @@ const LONGEST: f32 = 700.0;
 const MOST: usize = 12;
 
 /// Black pixels.
-struct Ink {
+struct DrawnInk {
     size: Size,
     black: Vec<bool>,
 }
 
 /// What is wrong with a drawing, or nothing if it is too large to be drawn.
-pub(super) fn findings(tree: &Tree, limits: &Limits) -> Vec<FoundBreach> {
-    let Some(ink) = Ink::of(tree, is_dark) else { return Vec::new() };
+pub(super) fn findings(tree: &Tree, limits: &RuleLimits) -> Vec<FoundBreach> {
+    let Some(ink) = DrawnInk::of(tree, is_dark) else { return Vec::new() };
     let (width, gap) = match limits.medium {
         MediumLimits::Print { line_width, line_gap, .. } => (line_width, line_gap),
         MediumLimits::Dots { pitch, line_gap, .. } => (0.5 * pitch, line_gap as f32 * pitch),
@@ -62,7 +62,7 @@ pub(super) fn blocks(tree: &Tree) -> Vec<FoundBreach> {
     if !may_have_block(tree.root()) {
         return Vec::new();
     }
-    Ink::of(tree, is_black).map_or_else(Vec::new, |ink| ink.blocks())
+    DrawnInk::of(tree, is_black).map_or_else(Vec::new, |ink| ink.blocks())
 }
 
 /// Whether a filled path has a contour that could be a block: area and length are those of a square of its side, or of
@@ -113,7 +113,7 @@ fn is_black(pixel: &[u8]) -> bool {
     pixel[..3].iter().all(|&channel| channel < 64)
 }
 
-impl Ink {
+impl DrawnInk {
     /// Areas that are all black and broader than a symbol.
     fn blocks(&self) -> Vec<FoundBreach> {
         let narrow = self.narrow(true, BLOCK);

@@ -4,7 +4,7 @@ use crate::braille::CellSize;
 
 /// What a page must keep, in millimetres on the sheet as it is felt.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct RuleLimits {
     /// Blank on all four sides.
     pub margin: f32,
     /// Least length of a line from tip to tip.
@@ -54,7 +54,7 @@ pub(super) const SHAPE: f32 = 12.0;
 /// How far a dot of braille may lie from its place in the cell, mm: EN ISO 17351 allows 4 % of 2.5 mm.
 pub(super) const BRAILLE_OFF: f32 = 0.1;
 
-impl Limits {
+impl RuleLimits {
     /// Distance of the middles of two lines, at least, mm.
     pub(super) fn spacing(&self) -> f32 {
         match self.medium {

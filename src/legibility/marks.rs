@@ -9,7 +9,7 @@ use crate::units::{Mm, MmPoint, MmRect};
 
 /// What a mark is a part of; numbers count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Part {
+pub(super) enum PagePart {
     OrientationMark,
     Tick,
     Frame,
@@ -25,7 +25,7 @@ pub(super) enum Part {
 
 /// A stroke with round ends (a dot is one of no length), or a rhombus.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Outline {
+pub(super) enum MarkOutline {
     Stroke { a: MmPoint, b: MmPoint, radius: f32 },
     Rhombus { corners: [MmPoint; 4] },
 }
@@ -33,24 +33,24 @@ pub(super) enum Outline {
 /// One mark.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mark {
-    pub(super) outline: Outline,
-    pub(super) part: Part,
+    pub(super) outline: MarkOutline,
+    pub(super) part: PagePart,
     /// Its middle and how far it reaches from there, mm.
     pub(super) middle: MmPoint,
     pub(super) reach: f32,
 }
 
 impl Mark {
-    pub(super) fn stroke(a: MmPoint, b: MmPoint, radius: f32, part: Part) -> Self {
+    pub(super) fn stroke(a: MmPoint, b: MmPoint, radius: f32, part: PagePart) -> Self {
         let reach = 0.5 * (b - a).length() + radius;
-        Self { outline: Outline::Stroke { a, b, radius }, part, middle: a.lerp(b, 0.5), reach }
+        Self { outline: MarkOutline::Stroke { a, b, radius }, part, middle: a.lerp(b, 0.5), reach }
     }
 
-    fn glyph(glyph: &Glyph, part: Part) -> Self {
+    fn glyph(glyph: &Glyph, part: PagePart) -> Self {
         match glyph.shape {
             Shape::Dot { diameter } => Self::stroke(glyph.at, glyph.at, 0.5 * diameter, part),
             Shape::Rhombus { .. } => {
-                let outline = Outline::Rhombus { corners: glyph.corners() };
+                let outline = MarkOutline::Rhombus { corners: glyph.corners() };
                 Self { outline, part, middle: glyph.at, reach: glyph.radius() }
             }
         }
@@ -59,20 +59,24 @@ impl Mark {
     /// The box around it.
     pub(super) fn extent(&self) -> MmRect {
         match self.outline {
-            Outline::Stroke { a, b, radius } => MmRect::new(a.min(b), a.max(b)).inflate(radius, radius),
-            Outline::Rhombus { corners: [a, b, c, d] } => MmRect::new(a.min(b).min(c.min(d)), a.max(b).max(c.max(d))),
+            MarkOutline::Stroke { a, b, radius } => MmRect::new(a.min(b), a.max(b)).inflate(radius, radius),
+            MarkOutline::Rhombus { corners: [a, b, c, d] } => {
+                MmRect::new(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+            }
         }
     }
 
     /// The blank between two marks, mm; 0 or less where they touch.
     pub(super) fn blank(&self, other: &Self) -> f32 {
         match (self.outline, other.outline) {
-            (Outline::Stroke { a, b, radius }, Outline::Stroke { a: c, b: d, radius: other }) => {
+            (MarkOutline::Stroke { a, b, radius }, MarkOutline::Stroke { a: c, b: d, radius: other }) => {
                 segment_distance((a, b), (c, d)) - radius - other
             }
-            (Outline::Rhombus { corners }, Outline::Stroke { a, b, radius })
-            | (Outline::Stroke { a, b, radius }, Outline::Rhombus { corners }) => to_segment(&corners, (a, b)) - radius,
-            (Outline::Rhombus { corners }, Outline::Rhombus { corners: other }) => {
+            (MarkOutline::Rhombus { corners }, MarkOutline::Stroke { a, b, radius })
+            | (MarkOutline::Stroke { a, b, radius }, MarkOutline::Rhombus { corners }) => {
+                to_segment(&corners, (a, b)) - radius
+            }
+            (MarkOutline::Rhombus { corners }, MarkOutline::Rhombus { corners: other }) => {
                 let sides = (0..4).map(|i| to_segment(&corners, (other[i], other[(i + 1) % 4])));
                 if is_in_convex(corners[0], &other) { 0.0 } else { sides.fold(f32::MAX, f32::min) }
             }
@@ -102,36 +106,36 @@ fn to_segment(corners: &[MmPoint; 4], (a, b): (MmPoint, MmPoint)) -> f32 {
 /// All marks of a page.
 pub(super) fn marks_of(page: &Page) -> Vec<Mark> {
     let mut marks = Vec::new();
-    let runs = |marks: &mut Vec<Mark>, run: &Run, part: Part| match run.pen {
+    let runs = |marks: &mut Vec<Mark>, run: &Run, part: PagePart| match run.pen {
         Pen::Stroke => {
             let segments = run.polyline().segments();
             marks.extend(segments.map(|(a, b)| Mark::stroke(*a, *b, 0.5 * run.width, part)));
         }
         Pen::Dots(_) => marks.extend(run.points.iter().map(|&at| Mark::stroke(at, at, 0.5 * run.width, part))),
     };
-    let dots = |marks: &mut Vec<Mark>, dots: &Dots, part: Part| {
+    let dots = |marks: &mut Vec<Mark>, dots: &Dots, part: PagePart| {
         marks.extend(dots.at.iter().map(|&at| Mark::stroke(at, at, 0.5 * dots.diameter, part)));
     };
-    let lines = |marks: &mut Vec<Mark>, lines: &[Line], part: fn(u32) -> Part| {
+    let lines = |marks: &mut Vec<Mark>, lines: &[Line], part: fn(u32) -> PagePart| {
         for (number, line) in (0..).zip(lines) {
             line.runs.iter().for_each(|run| runs(marks, run, part(number)));
         }
     };
-    page.orientation_mark.iter().for_each(|run| runs(&mut marks, run, Part::OrientationMark));
-    page.registration.iter().for_each(|run| runs(&mut marks, run, Part::Tick));
-    dots(&mut marks, &page.frame, Part::Frame);
+    page.orientation_mark.iter().for_each(|run| runs(&mut marks, run, PagePart::OrientationMark));
+    page.registration.iter().for_each(|run| runs(&mut marks, run, PagePart::Tick));
+    dots(&mut marks, &page.frame, PagePart::Frame);
     for (number, texture) in (0..).zip(&page.figure.textures) {
-        marks.extend(texture.glyphs.iter().map(|glyph| Mark::glyph(glyph, Part::Texture(number))));
+        marks.extend(texture.glyphs.iter().map(|glyph| Mark::glyph(glyph, PagePart::Texture(number))));
     }
-    lines(&mut marks, &page.figure.lines, Part::Line);
+    lines(&mut marks, &page.figure.lines, PagePart::Line);
     if let Some(overview) = &page.overview {
-        dots(&mut marks, &overview.frame, Part::OverviewFrame);
-        lines(&mut marks, &overview.lines, Part::OverviewLine);
+        dots(&mut marks, &overview.frame, PagePart::OverviewFrame);
+        lines(&mut marks, &overview.lines, PagePart::OverviewLine);
     }
-    (0..).zip(&page.labels).for_each(|(number, label)| dots(&mut marks, label, Part::Numbers(number)));
+    (0..).zip(&page.labels).for_each(|(number, label)| dots(&mut marks, label, PagePart::Numbers(number)));
     for (number, text) in (0..).zip(&page.braille) {
-        dots(&mut marks, &text.dots, Part::Braille(number));
-        text.leader.iter().for_each(|run| runs(&mut marks, run, Part::Leader(number)));
+        dots(&mut marks, &text.dots, PagePart::Braille(number));
+        text.leader.iter().for_each(|run| runs(&mut marks, run, PagePart::Leader(number)));
     }
     marks
 }
@@ -147,7 +151,7 @@ pub(super) fn index(marks: &[Mark], cell: f32) -> Index<u32, Mm> {
     index
 }
 
-impl Part {
+impl PagePart {
     /// What it is called in a message.
     pub(super) fn name(self, page: &Page, names: &Names) -> String {
         match self {

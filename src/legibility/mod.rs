@@ -17,7 +17,6 @@ mod finding;
 mod gaps;
 mod ink;
 mod joins;
-mod left_out;
 mod limits;
 mod mark;
 mod marks;
@@ -33,7 +32,7 @@ mod words;
 
 pub use finding::Finding;
 pub use gaps::{Near, too_near};
-pub use limits::{Limits, MediumLimits};
+pub use limits::{MediumLimits, RuleLimits};
 pub use mark::{LAYER, marked};
 pub use report::{Checked, rules_as_text};
 pub use rules::{RULES, Rule, Severity};
@@ -63,7 +62,7 @@ pub struct Drawn<'a> {
 impl<'a> Drawn<'a> {
     /// Holds the SVG of a page against the rules, and the page that was read from it.
     /// Where `render` puts a breach right, it is told as a warning.
-    pub fn check(&self, read: &Reading, limits: &Limits, felt: Fingertip<'_>) -> Checked {
+    pub fn check(&self, read: &Reading, limits: &RuleLimits, felt: Fingertip<'_>) -> Checked {
         let page = &read.page;
         let mut found = found(page, &read.names, limits);
         found.extend(drawn::findings(self.document, self.tree, &read.texts, limits));
@@ -75,7 +74,7 @@ impl<'a> Drawn<'a> {
     }
 
     /// Holds a drawing that is no page of this program against the rules: as ink. `sheet` is an empty page of its size.
-    pub fn check_as_ink(&self, sheet: &Page, limits: &Limits) -> Checked {
+    pub fn check_as_ink(&self, sheet: &Page, limits: &RuleLimits) -> Checked {
         let mut found = vec![FoundBreach::of_page(rules::LAYERS, None, "this is no page of tactograph".into())];
         found.extend(drawn::findings(self.document, self.tree, &[], limits));
         found.extend(ink::findings(self.tree, limits));
@@ -84,7 +83,7 @@ impl<'a> Drawn<'a> {
 }
 
 /// What the overview shows that the figure has not, and what it lacks, in words; none if they are alike.
-pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<String> {
+pub fn overview_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Option<String> {
     let felt = page.risen();
     let paths = paths::Paths::of(&felt.figure.lines, f32::INFINITY);
     let found = overview::findings(&felt, names, &paths, &paths.index(5.0), limits);
@@ -94,7 +93,7 @@ pub fn overview_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<S
 }
 
 /// Braille of a page that has too little blank around it or is no standard braille, in words; none if all is well.
-pub fn braille_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<String> {
+pub fn braille_as_told(page: &Page, names: &Names, limits: &RuleLimits) -> Option<String> {
     let felt = page.risen();
     let mut found = spaces::findings(&felt, names, &marks::marks_of(&felt), limits);
     found.extend(words::findings(&felt, names, limits));
@@ -111,19 +110,19 @@ pub fn braille_as_told(page: &Page, names: &Names, limits: &Limits) -> Option<St
 const MOST_TOLD: usize = 5;
 
 /// Holds a page against the rules. `felt` is what a fingertip feels of its textures, for the verdict.
-pub fn check(page: &Page, limits: &Limits, felt: Option<&Report>) -> Checked {
+pub fn check(page: &Page, limits: &RuleLimits, felt: Option<&Report>) -> Checked {
     let felt = felt.map_or(Fingertip::NotAsked, Fingertip::Felt);
     checked((found(page, &Names::of(page), limits), false), page, limits, felt)
 }
 
 /// What was found, and whether `render` mends some of it.
-fn checked((found, mends): (Vec<FoundBreach>, bool), page: &Page, limits: &Limits, felt: Fingertip<'_>) -> Checked {
+fn checked((found, mends): (Vec<FoundBreach>, bool), page: &Page, limits: &RuleLimits, felt: Fingertip<'_>) -> Checked {
     let findings = finding::sorted(found.into_iter().map(|found| found.placed(page, mends)).collect());
     let verdict = Verdict::of(page, &findings, felt);
     Checked { findings, limits: *limits, verdict, notes: Vec::new() }
 }
 
-fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
+fn found(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
     let (page, names, twins) = twins::merged(page.clone(), names);
     let (page, names) = (&page, &names);
     let felt = page.risen();
@@ -143,6 +142,6 @@ fn found(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
     found.extend(ends::findings(&paths, &names.lines, &index, limits));
     found.extend(overview::findings(&felt, names, &paths, &index, limits));
     found.extend(words::findings(&felt, names, limits));
-    found.extend(left_out::findings(page));
+    found.extend(overview::left_out(page));
     found
 }

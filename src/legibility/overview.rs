@@ -1,13 +1,14 @@
-//! Whether the overview shows what the figure shows, and nothing else.
+//! Whether the overview shows what the figure shows, and nothing else; and what the figure lacks of its picture.
 
 use super::finding::{FoundBreach, around};
-use super::limits::{Limits, SHAPE};
+use super::limits::{RuleLimits, SHAPE};
 use super::marks::name_in;
 use super::paths::{Paths, point_at};
-use super::rules::{OVERVIEW, OVERVIEW_LACKS};
+use super::rules::{LEFT_OUT, OVERVIEW, OVERVIEW_LACKS};
 use crate::geom::nearby::{Nearby, Segment};
-use crate::page::{Names, Overview, Page};
-use crate::units::{MmPoint, MmRect};
+use crate::geom::ninths;
+use crate::page::{LeftOut, Names, Overview, Page};
+use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Lines are looked at this often, mm of the overview.
 const STEP: f32 = 0.5;
@@ -15,7 +16,13 @@ const STEP: f32 = 0.5;
 const MISSING: f32 = 0.5;
 
 /// `paths` are those of the figure, `index` their segments.
-pub(super) fn findings(page: &Page, names: &Names, paths: &Paths, index: &Nearby, limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(
+    page: &Page,
+    names: &Names,
+    paths: &Paths,
+    index: &Nearby,
+    limits: &RuleLimits,
+) -> Vec<FoundBreach> {
     let Some(overview) = page.overview.as_ref().filter(|_| !page.figure.lines.is_empty()) else { return Vec::new() };
     let scale = page.figure.place.width() / overview.place.width().max(f32::MIN_POSITIVE);
     let of_overview = Paths::of(&overview.lines, f32::INFINITY);
@@ -30,7 +37,7 @@ fn added(
     overview: &Overview,
     (paths, names): (&Paths, &[String]),
     (index, scale): (&Nearby, f32),
-    limits: &Limits,
+    limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let in_figure = |at: MmPoint| page.figure.place.min + (at - overview.place.min) * scale;
     let of_line = |number: usize| {
@@ -52,7 +59,7 @@ fn lacking(
     overview: &Overview,
     (paths, names): (&Paths, &[String]),
     (of_overview, scale): (&Paths, f32),
-    limits: &Limits,
+    limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let index = of_overview.index(5.0);
     let in_overview = |at: MmPoint| overview.place.min + (at - page.figure.place.min) / scale;
@@ -105,4 +112,26 @@ fn missing<'a>(
         }
     }
     (lost > MISSING * all).then_some(Missing { length: lost, places })
+}
+
+/// Less than this share of the contours, or than this length in mm, is what joins and corners cost.
+const LEFT_OUT_SHARE: f32 = 0.05;
+const LEFT_OUT_LENGTH: u32 = 20;
+
+/// Contours of the picture that are not on the page, as whoever made the page wrote into it.
+pub(super) fn left_out(page: &Page) -> Option<FoundBreach> {
+    let left = LeftOut::of(page);
+    if left.share() < LEFT_OUT_SHARE || left.millimetres < LEFT_OUT_LENGTH {
+        return None;
+    }
+    let percent = 100.0 * left.share();
+    let what = format!("{} mm of contours of the picture, {percent:.0} %, are not on the page", left.millimetres);
+    let Some(ninth) = left.most_in() else { return Some(FoundBreach::of_page(LEFT_OUT, Some(percent), what)) };
+    let place = page.figure.place;
+    let size = MmVector::new(place.width() / 3.0, place.height() / 3.0);
+    let corner = place.min + MmVector::new((ninth % 3) as f32 * size.x, (ninth / 3) as f32 * size.y);
+    let extent = MmRect::new(corner, corner + size);
+    let at = MmPoint::new(0.5 * (extent.min.x + extent.max.x), 0.5 * (extent.min.y + extent.max.y));
+    let what = format!("{what}, most of them in the {}", ninths::NAMES[ninth]);
+    Some(FoundBreach::at(LEFT_OUT, at, extent, percent, what))
 }

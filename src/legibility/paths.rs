@@ -19,10 +19,19 @@ pub(super) struct Path {
     pub(super) closed: bool,
     /// The line it is a part of.
     pub(super) line: usize,
-    /// Whether it is a row of dots.
-    pub(super) dotted: bool,
-    /// Whether it is the second row of a heavy line of dots, beside the first.
-    pub(super) second: bool,
+    /// What it consists of.
+    pub(super) kind: PathKind,
+}
+
+/// What a path consists of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum PathKind {
+    /// Strokes.
+    Stroke,
+    /// A row of dots.
+    Row,
+    /// The second row of a heavy line of dots, beside the first.
+    SecondRow,
 }
 
 /// All strokes of a list of lines. The `line` of a segment is the number of its path.
@@ -40,15 +49,19 @@ impl Paths {
         for (line, of) in lines.iter().enumerate() {
             let mut last: Option<MmPoint> = None;
             for (number, run) in of.runs.iter().enumerate().filter(|(_, run)| !run.points.is_empty()) {
-                let is_stroke = run.pen == Pen::Stroke;
-                let goes_on = is_stroke && last.is_some_and(|last| (last - run.points[0]).length() <= SAME);
+                let kind = match run.pen {
+                    Pen::Stroke => PathKind::Stroke,
+                    Pen::Dots(_) if number == 0 => PathKind::Row,
+                    Pen::Dots(_) => PathKind::SecondRow,
+                };
+                let goes_on =
+                    kind == PathKind::Stroke && last.is_some_and(|last| (last - run.points[0]).length() <= SAME);
                 if !goes_on {
-                    all.begin(line, !is_stroke, !is_stroke && number > 0);
+                    all.begin(line, kind);
                 }
-                if is_stroke {
-                    all.add(run);
-                } else {
-                    all.add_row(run, (line, number > 0), step);
+                match kind {
+                    PathKind::Stroke => all.add(run),
+                    PathKind::Row | PathKind::SecondRow => all.add_row(run, (line, kind), step),
                 }
                 last = run.path().last();
             }
@@ -63,16 +76,16 @@ impl Paths {
         all
     }
 
-    fn begin(&mut self, line: usize, dotted: bool, second: bool) {
+    fn begin(&mut self, line: usize, kind: PathKind) {
         let from = self.segments.len();
-        self.paths.push(Path { segments: from..from, length: 0.0, closed: false, line, dotted, second });
+        self.paths.push(Path { segments: from..from, length: 0.0, closed: false, line, kind });
     }
 
-    fn add_row(&mut self, run: &Run, (line, second): (usize, bool), step: f32) {
+    fn add_row(&mut self, run: &Run, (line, kind): (usize, PathKind), step: f32) {
         let rows = run.points.chunk_by(|a, b| (*b - *a).length() <= step);
         for (number, points) in rows.enumerate() {
             if number > 0 {
-                self.begin(line, true, second);
+                self.begin(line, kind);
             }
             self.add(&Run { points: points.to_vec(), closed: false, ..*run });
         }

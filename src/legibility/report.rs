@@ -5,7 +5,7 @@ use std::fmt;
 use serde_json::{Value, json};
 
 use super::finding::Finding;
-use super::limits::Limits;
+use super::limits::RuleLimits;
 use super::rules::{RULES, Rule, Severity};
 use super::verdict::{Textures, Verdict};
 use crate::Note;
@@ -18,7 +18,7 @@ pub struct Checked {
     /// Every breach of a rule: errors first, in the order of the rules, then from the top of the sheet down.
     pub findings: Vec<Finding>,
     /// The numbers that the page was held against.
-    pub(crate) limits: Limits,
+    pub(crate) limits: RuleLimits,
     /// All of it in one sentence.
     pub verdict: Verdict,
     /// What of the page was taken otherwise than it looks, or left out, when it was read.
@@ -170,7 +170,7 @@ impl fmt::Display for Checked {
 }
 
 /// The rules as text, one a line, with their numbers for pages of a profile.
-pub fn rules_as_text(limits: &Limits) -> String {
+pub fn rules_as_text(limits: &RuleLimits) -> String {
     let line = |rule: &Rule| {
         let number = rule.number(limits).map_or_else(String::new, |(number, unit)| format!(" ({number} {unit})"));
         let severity = if rule.severity == Severity::Error { "error" } else { "warning" };

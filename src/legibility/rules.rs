@@ -1,6 +1,6 @@
 //! The rules, as data: what each asks for, its number and unit, where the number comes from, and what to do.
 
-use super::limits::{BRAILLE_GAP, BRAILLE_OFF, Limits, MOST_TEXTURES, MediumLimits, SHAPE};
+use super::limits::{BRAILLE_GAP, BRAILLE_OFF, MOST_TEXTURES, MediumLimits, RuleLimits, SHAPE};
 
 /// How bad a breach of a rule is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -38,7 +38,7 @@ pub struct Rule {
     pub source: &'static str,
     /// What to do about a breach.
     pub remedy: &'static str,
-    number: fn(&Limits) -> Option<(f32, &'static str)>,
+    number: fn(&RuleLimits) -> Option<(f32, &'static str)>,
 }
 
 impl Rule {
@@ -48,7 +48,7 @@ impl Rule {
     }
 
     /// Its number and the unit of it on pages of a profile; none where it has none.
-    pub(crate) fn number(&self, limits: &Limits) -> Option<(f32, &'static str)> {
+    pub(crate) fn number(&self, limits: &RuleLimits) -> Option<(f32, &'static str)> {
         (self.number)(limits)
     }
 }
@@ -62,39 +62,39 @@ impl PartialEq for Rule {
 const MM: &str = "mm";
 const DOTS: &str = "dots";
 
-fn none(_: &Limits) -> Option<(f32, &'static str)> {
+fn none(_: &RuleLimits) -> Option<(f32, &'static str)> {
     None
 }
 
-fn line_width(limits: &Limits) -> Option<(f32, &'static str)> {
+fn line_width(limits: &RuleLimits) -> Option<(f32, &'static str)> {
     match limits.medium {
         MediumLimits::Print { line_width, .. } => Some((line_width, MM)),
         MediumLimits::Dots { .. } => None,
     }
 }
 
-fn line_gap(limits: &Limits) -> Option<(f32, &'static str)> {
+fn line_gap(limits: &RuleLimits) -> Option<(f32, &'static str)> {
     Some(match limits.medium {
         MediumLimits::Print { line_gap, .. } => (line_gap, MM),
         MediumLimits::Dots { line_gap, .. } => (line_gap as f32, DOTS),
     })
 }
 
-fn texture_gap(limits: &Limits) -> Option<(f32, &'static str)> {
+fn texture_gap(limits: &RuleLimits) -> Option<(f32, &'static str)> {
     Some(match limits.medium {
         MediumLimits::Print { texture_gap, .. } => (texture_gap, MM),
         MediumLimits::Dots { texture_gap, .. } => (texture_gap as f32, DOTS),
     })
 }
 
-fn glyph(limits: &Limits) -> Option<(f32, &'static str)> {
+fn glyph(limits: &RuleLimits) -> Option<(f32, &'static str)> {
     match limits.medium {
         MediumLimits::Print { glyph, .. } => Some((glyph, MM)),
         MediumLimits::Dots { .. } => None,
     }
 }
 
-fn max_black(limits: &Limits) -> Option<(f32, &'static str)> {
+fn max_black(limits: &RuleLimits) -> Option<(f32, &'static str)> {
     match limits.medium {
         MediumLimits::Print { max_black, .. } => Some((100.0 * max_black, "%")),
         MediumLimits::Dots { .. } => None,

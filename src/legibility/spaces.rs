@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::dotted::empty_between;
 use super::finding::FoundBreach;
-use super::limits::{BRAILLE_GAP, Limits, MediumLimits};
-use super::marks::{Mark, Part, index, marks_of};
+use super::limits::{BRAILLE_GAP, MediumLimits, RuleLimits};
+use super::marks::{Mark, PagePart, index, marks_of};
 use super::rules::{BRAILLE_CLEAR, OVERLAP, Rule, TEXTURE_GAP};
 use crate::page::{Medium, Names, Page};
 use crate::units::{MmPoint, MmRect};
@@ -25,9 +25,9 @@ struct Breach {
     last: u32,
 }
 
-type Breaches = BTreeMap<(Part, Option<Part>), Breach>;
+type Breaches = BTreeMap<(PagePart, Option<PagePart>), Breach>;
 
-fn note(breaches: &mut Breaches, key: (Part, Option<Part>), number: u32, mark: &Mark, blank: f32) {
+fn note(breaches: &mut Breaches, key: (PagePart, Option<PagePart>), number: u32, mark: &Mark, blank: f32) {
     let extent = mark.extent();
     let breach =
         breaches.entry(key).or_insert(Breach { count: 0, blank: f32::MAX, at: mark.middle, extent, last: u32::MAX });
@@ -40,9 +40,9 @@ fn note(breaches: &mut Breaches, key: (Part, Option<Part>), number: u32, mark: &
 }
 
 /// Everything about blank between marks.
-pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(page: &Page, names: &Names, marks: &[Mark], limits: &RuleLimits) -> Vec<FoundBreach> {
     let All { textures, braille, overlaps } = breaches(page, marks, limits);
-    let name = |part: &Part| part.name(page, names);
+    let name = |part: &PagePart| part.name(page, names);
     let mut found: Vec<FoundBreach> = Vec::new();
     found.extend(textures.into_iter().map(|((part, _), breach)| of_texture(&name(&part), breach, limits)));
     found.extend(braille.into_iter().map(|((part, other), breach)| {
@@ -70,7 +70,7 @@ struct All {
     overlaps: Breaches,
 }
 
-fn breaches(page: &Page, marks: &[Mark], limits: &Limits) -> All {
+fn breaches(page: &Page, marks: &[Mark], limits: &RuleLimits) -> All {
     let cell = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => texture_gap,
         MediumLimits::Dots { pitch, .. } => pitch,
@@ -80,13 +80,13 @@ fn breaches(page: &Page, marks: &[Mark], limits: &Limits) -> All {
     for (number, mark) in (0..).zip(marks) {
         let extent = mark.extent();
         let reach = match mark.part {
-            Part::Texture(_) => texture_reach(limits),
-            Part::Braille(_) => BRAILLE_GAP,
+            PagePart::Texture(_) => texture_reach(limits),
+            PagePart::Braille(_) => BRAILLE_GAP,
             _ => 0.0,
         };
         index.around(extent.min, extent.max, reach, |&id| {
             let other = &marks[id as usize];
-            if other.part != mark.part || matches!(mark.part, Part::Texture(_)) && id < number {
+            if other.part != mark.part || matches!(mark.part, PagePart::Texture(_)) && id < number {
                 all.judge((number, mark), (id, other), page, limits);
             }
         });
@@ -96,18 +96,18 @@ fn breaches(page: &Page, marks: &[Mark], limits: &Limits) -> All {
 
 impl All {
     /// Notes what a mark is too near to, or lies on. Each pair comes in both orders.
-    fn judge(&mut self, (number, mark): (u32, &Mark), (id, other): (u32, &Mark), page: &Page, limits: &Limits) {
+    fn judge(&mut self, (number, mark): (u32, &Mark), (id, other): (u32, &Mark), page: &Page, limits: &RuleLimits) {
         match (mark.part, other.part) {
-            (Part::Texture(_), Part::Line(_)) => {
+            (PagePart::Texture(_), PagePart::Line(_)) => {
                 if let Some(blank) = too_near(mark, other, page, limits) {
                     note(&mut self.textures, (mark.part, None), number, mark, blank);
                 }
             }
             // its own leader line
-            (Part::Braille(text), Part::Leader(of)) if text == of => {}
+            (PagePart::Braille(text), PagePart::Leader(of)) if text == of => {}
             // the other order of this pair tells it
-            (Part::Braille(text), Part::Braille(of)) if of > text => {}
-            (Part::Braille(_), _) => {
+            (PagePart::Braille(text), PagePart::Braille(of)) if of > text => {}
+            (PagePart::Braille(_), _) => {
                 if mark.may_be_within(other, BRAILLE_GAP) {
                     let blank = mark.blank(other);
                     if blank < BRAILLE_GAP - ROUNDING {
@@ -130,22 +130,22 @@ impl All {
 }
 
 fn is_rhombus(a: &Mark, b: &Mark) -> bool {
-    [a, b].iter().any(|mark| matches!(mark.outline, super::marks::Outline::Rhombus { .. }))
+    [a, b].iter().any(|mark| matches!(mark.outline, super::marks::MarkOutline::Rhombus { .. }))
 }
 
 /// Whether marks of two parts may touch: lines join, and a leader line leads to what it names.
-fn may_meet(a: Part, b: Part) -> bool {
+fn may_meet(a: PagePart, b: PagePart) -> bool {
     matches!(
         (a, b),
-        (Part::Line(_) | Part::Leader(_), Part::Line(_) | Part::Leader(_))
-            | (Part::OverviewLine(_), Part::OverviewLine(_))
-            | (Part::Line(_), Part::Texture(_))
-            | (_, Part::Braille(_))
-            | (Part::Numbers(_), Part::Numbers(_))
+        (PagePart::Line(_) | PagePart::Leader(_), PagePart::Line(_) | PagePart::Leader(_))
+            | (PagePart::OverviewLine(_), PagePart::OverviewLine(_))
+            | (PagePart::Line(_), PagePart::Texture(_))
+            | (_, PagePart::Braille(_))
+            | (PagePart::Numbers(_), PagePart::Numbers(_))
     )
 }
 
-fn texture_reach(limits: &Limits) -> f32 {
+fn texture_reach(limits: &RuleLimits) -> f32 {
     match limits.medium {
         MediumLimits::Print { texture_gap, .. } => texture_gap,
         MediumLimits::Dots { pitch, texture_gap, .. } => (texture_gap + 1) as f32 * pitch,
@@ -153,12 +153,12 @@ fn texture_reach(limits: &Limits) -> f32 {
 }
 
 /// The glyphs that are too near to a line: which texture each belongs to, and which of its glyphs it is, in order.
-pub fn crowded(page: &Page, limits: &Limits) -> Vec<(usize, usize)> {
+pub fn crowded(page: &Page, limits: &RuleLimits) -> Vec<(usize, usize)> {
     let felt = page.risen();
     let marks = marks_of(&felt);
     let index = index(&marks, texture_reach(limits).max(3.0));
     let of = |mark: &Mark| match mark.part {
-        Part::Texture(texture) => Some(texture as usize),
+        PagePart::Texture(texture) => Some(texture as usize),
         _ => None,
     };
     let (mut found, mut last, mut glyph) = (Vec::new(), None, 0);
@@ -169,7 +169,7 @@ pub fn crowded(page: &Page, limits: &Limits) -> Vec<(usize, usize)> {
         let mut near = false;
         index.around(extent.min, extent.max, texture_reach(limits), |&id| {
             let other = &marks[id as usize];
-            near = near || matches!(other.part, Part::Line(_)) && too_near(mark, other, page, limits).is_some();
+            near = near || matches!(other.part, PagePart::Line(_)) && too_near(mark, other, page, limits).is_some();
         });
         if near {
             found.push((texture, glyph));
@@ -179,7 +179,7 @@ pub fn crowded(page: &Page, limits: &Limits) -> Vec<(usize, usize)> {
 }
 
 /// The blank between a glyph and a mark of a line, mm, where it is too little.
-fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f32> {
+fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &RuleLimits) -> Option<f32> {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => texture_gap - ROUNDING,
         MediumLimits::Dots { pitch, texture_gap, .. } => match &page.medium {
@@ -196,7 +196,7 @@ fn too_near(glyph: &Mark, line: &Mark, page: &Page, limits: &Limits) -> Option<f
     Some(glyph.blank(line)).filter(|blank| *blank < least)
 }
 
-fn of_texture(name: &str, breach: Breach, limits: &Limits) -> FoundBreach {
+fn of_texture(name: &str, breach: Breach, limits: &RuleLimits) -> FoundBreach {
     let least = match limits.medium {
         MediumLimits::Print { texture_gap, .. } => format!("{texture_gap} mm of blank is the least"),
         MediumLimits::Dots { texture_gap, .. } => match texture_gap {

@@ -3,7 +3,7 @@
 use super::dotted;
 use super::finding::{FoundBreach, around};
 use super::gaps::{self, Near};
-use super::limits::{Limits, MediumLimits};
+use super::limits::{MediumLimits, RuleLimits};
 use super::marks::name_in;
 use super::rules::{LINE_GAP, LINE_LENGTH, LINE_WIDTH};
 use super::spaces::millimetres;
@@ -20,7 +20,7 @@ pub(super) fn findings(
     names: &[String],
     window: Option<MmRect>,
     medium: &Medium,
-    limits: &Limits,
+    limits: &RuleLimits,
 ) -> Vec<FoundBreach> {
     let mut found = Vec::new();
     for (number, line) in lines.iter().enumerate() {
@@ -44,7 +44,7 @@ pub(super) fn findings(
     found
 }
 
-fn too_near(near: &Near, names: &[String], limits: &Limits) -> FoundBreach {
+fn too_near(near: &Near, names: &[String], limits: &RuleLimits) -> FoundBreach {
     let Near { lines: (a, b), gap, at, length, extent } = *near;
     let (apart, least) = match limits.medium {
         MediumLimits::Print { line_gap, .. } => (millimetres(gap), format!("{line_gap} mm is the least")),
@@ -68,7 +68,7 @@ fn points(line: &Line) -> impl Iterator<Item = MmPoint> + '_ {
     line.runs.iter().flat_map(|run| run.points.iter().copied())
 }
 
-fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<FoundBreach> {
+fn too_thin(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {
     let MediumLimits::Print { line_width, .. } = limits.medium else { return None };
     let is_thin = |run: &&Run| run.pen == Pen::Stroke && run.width < line_width - ROUNDING;
     let thinnest = line.runs.iter().filter(is_thin).min_by(|a, b| a.width.total_cmp(&b.width))?;
@@ -80,7 +80,7 @@ fn too_thin(line: &Line, name: &str, limits: &Limits) -> Option<FoundBreach> {
 }
 
 /// Whether a line ends at the edge of a window.
-fn goes_on(line: &Line, window: MmRect, limits: &Limits) -> bool {
+fn goes_on(line: &Line, window: MmRect, limits: &RuleLimits) -> bool {
     let reach = match limits.medium {
         MediumLimits::Print { .. } => line.runs.iter().map(|run| run.width).fold(0.0, f32::max),
         MediumLimits::Dots { pitch, .. } => pitch,
@@ -90,7 +90,7 @@ fn goes_on(line: &Line, window: MmRect, limits: &Limits) -> bool {
     inner.is_negative() || ends.into_iter().any(|end| !inner.contains(*end))
 }
 
-fn too_short(line: &Line, name: &str, limits: &Limits) -> Option<FoundBreach> {
+fn too_short(line: &Line, name: &str, limits: &RuleLimits) -> Option<FoundBreach> {
     // a dot stands for half a pitch to both sides
     let tips = match limits.medium {
         MediumLimits::Print { .. } => line.runs.first().map_or(0.0, |run| run.width),

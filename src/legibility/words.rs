@@ -1,7 +1,7 @@
 //! Braille: whether its dots lie where a standard cell has them.
 
 use super::finding::{FoundBreach, around};
-use super::limits::{BRAILLE_OFF, Limits};
+use super::limits::{BRAILLE_OFF, RuleLimits};
 use super::rules::BRAILLE_CELL;
 use crate::page::cells::CellGrid;
 use crate::page::{BrailleText, Names, Page};
@@ -10,11 +10,11 @@ use crate::units::{MmPoint, MmVector};
 /// The first sign of Unicode braille; the others follow it by their dots.
 const BLANK: u32 = 0x2800;
 
-pub(super) fn findings(page: &Page, names: &Names, limits: &Limits) -> Vec<FoundBreach> {
+pub(super) fn findings(page: &Page, names: &Names, limits: &RuleLimits) -> Vec<FoundBreach> {
     let grid = CellGrid::of(&page.medium, limits.cell);
     let size = grid.size();
     let of = |(number, text): (usize, &BrailleText)| {
-        let name = super::marks::Part::Braille(number as u32).name(page, names);
+        let name = super::marks::PagePart::Braille(number as u32).name(page, names);
         let lines: Vec<Vec<u8>> = text.lines.iter().map(|line| cells(line)).collect();
         let wanted: Vec<Vec<MmPoint>> = (0..)
             .zip(&lines)

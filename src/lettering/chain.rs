@@ -1,24 +1,26 @@
 //! Letters one after the other: chains of things that are alike in height, stroke and colour, along a direction.
 
-use super::glyph::{Glyph, Point};
+use super::glyph::{LetterShape, PixelPoint};
 use crate::geom::components::DisjointSets;
 
-/// Of two letters of a text, the higher one is at most so many times as high (j beside x).
+/// Greatest ratio of the heights of two neighbouring letters (j beside x).
 const HEIGHTS: f32 = 2.3;
-/// Strokes of two letters differ in width at most by this factor, and by so many pixels more, as at small sizes a width
-/// is uncertain by one.
+/// Greatest ratio of the widths of their strokes, and what is added to it, px: at small sizes a width is uncertain by
+/// about a pixel.
 const STROKES: f32 = 1.7;
 const STROKE_UNSURE: f32 = 0.8;
-/// Of two letters, the fainter one has at least this share of the contrast of the other.
+/// Least ratio of the contrasts of two letters, the fainter one by the other.
 const CONTRASTS: f32 = 0.6;
-/// Colours of two letters are at most so far apart, in contrasts.
+/// Greatest distance between the colours of two letters, as a share of their contrast.
 const COLOURS: f32 = 0.5;
-/// The gap between two letters is at most so many heights of the higher one.
+/// Greatest gap between two neighbouring letters, in heights of the higher one.
 const GAP: f32 = 1.0;
-/// Two letters overlap across the direction by at least this share of the lower one.
+/// Greatest overlap of two neighbouring letters along the line, in heights of the higher one: slanted ones overlap.
+const OVERLAP_ALONG: f32 = 0.5;
+/// Least overlap of their extents across the line, as a share of the lower one's height.
 const OVERLAP: f32 = 0.5;
 
-/// A letter as it lies along a direction: from where to where along it and across it.
+/// A letter in the coordinates of a line of text: its extent along the line and across it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RotatedLetter {
     /// Which of the glyphs it is.
@@ -40,13 +42,13 @@ impl RotatedLetter {
 }
 
 /// The direction at an angle, and the one across it, downwards for text that is read from left to right.
-pub(super) fn axes(angle: f32) -> [Point; 2] {
+pub(super) fn axes(angle: f32) -> [PixelPoint; 2] {
     let (sin, cos) = angle.to_radians().sin_cos();
     [[cos, -sin], [sin, cos]]
 }
 
 /// Letters as they lie at an angle (degrees counter-clockwise), in the order along it.
-pub(super) fn placed(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<RotatedLetter> {
+pub(super) fn placed(glyphs: &[LetterShape], which: &[usize], angle: f32) -> Vec<RotatedLetter> {
     let [along, across] = axes(angle);
     let place = |&of: &usize| RotatedLetter { of, along: glyphs[of].reach(along), across: glyphs[of].reach(across) };
     let mut placed: Vec<RotatedLetter> = which.iter().map(place).collect();
@@ -60,7 +62,7 @@ pub(super) fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
 }
 
 /// Whether two glyphs are alike enough for one text, but for their heights.
-fn alike(a: &Glyph, b: &Glyph) -> bool {
+fn alike(a: &LetterShape, b: &LetterShape) -> bool {
     let (thin, wide) = (a.stroke.min(b.stroke), a.stroke.max(b.stroke));
     let (weak, strong) = (a.contrast.min(b.contrast), a.contrast.max(b.contrast));
     let distance = distance(a.colour, b.colour);
@@ -75,16 +77,16 @@ fn follows(a: &RotatedLetter, b: &RotatedLetter) -> bool {
     high <= HEIGHTS * low
         && overlap >= OVERLAP * low
         && apart <= GAP * high
-        && apart >= -0.5 * high
+        && apart >= -OVERLAP_ALONG * high
         && 0.5 * (b.along[0] + b.along[1]) > 0.5 * (a.along[0] + a.along[1])
 }
 
 /// Groups of letters that are alike and near one another: whatever the angle, those that follow one another are in one
 /// group.
-pub(super) fn groups(glyphs: &[Glyph], which: &[usize]) -> Vec<Vec<usize>> {
+pub(super) fn groups(glyphs: &[LetterShape], which: &[usize]) -> Vec<Vec<usize>> {
     // the middle of each and half its diagonal: it reaches no further, whatever the angle
     let round = |&of: &usize| {
-        let Glyph { min, max, .. } = &glyphs[of];
+        let LetterShape { min, max, .. } = &glyphs[of];
         let side = |axis: usize| (max[axis] + 1 - min[axis]) as f32;
         let middle = |axis: usize| 0.5 * (min[axis] + max[axis] + 1) as f32;
         ([middle(0), middle(1)], 0.5 * side(0).hypot(side(1)), of)
@@ -115,7 +117,7 @@ pub(super) fn groups(glyphs: &[Glyph], which: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// Chains at an angle, of at least two.
-pub(super) fn chains(glyphs: &[Glyph], which: &[usize], angle: f32) -> Vec<Vec<RotatedLetter>> {
+pub(super) fn chains(glyphs: &[LetterShape], which: &[usize], angle: f32) -> Vec<Vec<RotatedLetter>> {
     let placed = placed(glyphs, which, angle);
     // the nearest that can follow each, and the nearest that each can follow
     let mut next: Vec<Option<(f32, usize)>> = vec![None; placed.len()];

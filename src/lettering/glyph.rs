@@ -6,8 +6,7 @@
 
 use std::cell::OnceCell;
 
-use super::colours::Colours;
-use super::levels::{Contrast, Levels};
+use super::levels::{Colours, Contrast, Levels};
 use crate::geom::components::{self, Connectivity};
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
@@ -18,12 +17,14 @@ const RADIUS: usize = 6;
 /// of a smoothed letter.
 const LOCAL: usize = 3;
 /// A point or a direction, px from the top left corner.
-pub(super) type Point = [f32; 2];
+pub(super) type PixelPoint = [f32; 2];
 
-/// Largest letter, px.
+/// Greatest height of a letter, px.
 pub(super) const LARGEST: usize = 72;
-/// Longest word of letters that touch one another, px.
+/// Greatest length of a word whose letters touch one another, px.
 const LONGEST: usize = 260;
+/// A part with a shorter longer side, px, is no letter.
+const LEAST_SIDE: usize = 4;
 /// A part of fewer pixels is a dot at most.
 const LEAST_AREA: usize = 5;
 /// A part that fills less of its convex hull than this is no bar and no dot.
@@ -38,7 +39,7 @@ const CORE: f32 = 0.85;
 
 /// A connected part of a picture.
 #[derive(Debug, Clone)]
-pub(super) struct Glyph {
+pub(super) struct LetterShape {
     /// Its pixels.
     pub(super) cells: Vec<usize>,
     /// First column and row.
@@ -57,12 +58,12 @@ pub(super) struct Glyph {
     pub(super) unevenness: f32,
     /// Columns of the picture.
     width: usize,
-    hull: OnceCell<Vec<Point>>,
+    hull: OnceCell<Vec<PixelPoint>>,
 }
 
-impl Glyph {
+impl LetterShape {
     /// Corners of its convex hull, px.
-    fn hull(&self) -> &[Point] {
+    fn hull(&self) -> &[PixelPoint] {
         self.hull.get_or_init(|| {
             let mut rows = vec![[usize::MAX, 0]; self.max[1] + 1 - self.min[1]];
             for &cell in &self.cells {
@@ -93,7 +94,7 @@ impl Glyph {
     }
 
     /// How far it reaches along a direction.
-    pub(super) fn reach(&self, direction: Point) -> [f32; 2] {
+    pub(super) fn reach(&self, direction: PixelPoint) -> [f32; 2] {
         self.hull().iter().fold([f32::MAX, f32::MIN], |[low, high], at| {
             let along = at[0] * direction[0] + at[1] * direction[1];
             [low.min(along), high.max(along)]
@@ -101,11 +102,9 @@ impl Glyph {
     }
 }
 
-/// What is thin in a plane, and darker or lighter than its ground by `least`; none if nothing has the contrast
-/// `wanted`.
-pub(super) fn thin(levels: &Levels, polarity: Polarity, least: f32, wanted: f32) -> Option<Thin> {
-    let contrast = levels.contrast(RADIUS, LOCAL, polarity, wanted)?;
-    Some(Thin { set: contrast.at_least_half(least), contrast })
+/// By how much what is thin in a plane is darker or lighter than its ground; none if nothing is by `wanted`.
+pub(super) fn contrast(levels: &Levels, polarity: Polarity, wanted: f32) -> Option<Contrast> {
+    levels.contrast(RADIUS, LOCAL, polarity, wanted)
 }
 
 /// What is thin in a plane.
@@ -123,7 +122,7 @@ pub(super) fn glyphs(
     plane: &Plane,
     colours: &Colours<'_>,
     is_clear: impl Fn(f32, f32) -> bool,
-) -> Vec<Glyph> {
+) -> Vec<LetterShape> {
     let (set, contrast) = (&thin.set[..], &thin.contrast);
     let size = contrast.size;
     let width = size.width as usize;
@@ -142,7 +141,7 @@ pub(super) fn glyphs(
         if sides[0].max(sides[1]) > LONGEST || sides[0].min(sides[1]) > LARGEST {
             continue;
         }
-        let mut glyph = Glyph {
+        let mut glyph = LetterShape {
             cells,
             min,
             max,
@@ -154,7 +153,7 @@ pub(super) fn glyphs(
             width,
             hull: OnceCell::new(),
         };
-        if glyph.cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= 4 {
+        if glyph.cells.len() >= LEAST_AREA && sides[0].max(sides[1]) >= LEAST_SIDE {
             measure(&mut glyph, thin, plane, colours, &is_clear);
         }
         found.push(glyph);
@@ -163,7 +162,13 @@ pub(super) fn glyphs(
 }
 
 /// Whether something may be a letter, and its numbers if so.
-fn measure(glyph: &mut Glyph, thin: &Thin, plane: &Plane, colours: &Colours<'_>, is_clear: &impl Fn(f32, f32) -> bool) {
+fn measure(
+    glyph: &mut LetterShape,
+    thin: &Thin,
+    plane: &Plane,
+    colours: &Colours<'_>,
+    is_clear: &impl Fn(f32, f32) -> bool,
+) {
     let core: Vec<usize> = glyph.cells.iter().copied().filter(|&cell| thin.contrast.has_share(cell, CORE)).collect();
     let mean = |of: &dyn Fn(usize) -> f32| core.iter().map(|&cell| of(cell)).sum::<f32>() / core.len() as f32;
     let contrast = mean(&|cell| thin.contrast.at(cell));
@@ -196,16 +201,16 @@ fn measure(glyph: &mut Glyph, thin: &Thin, plane: &Plane, colours: &Colours<'_>,
 }
 
 /// Convex hull of rows of pixels (Andrew 1979), each from its first column to behind its last.
-fn hull(rows: &[[usize; 2]], top: usize) -> Vec<Point> {
-    let mut points: Vec<Point> = Vec::new();
+fn hull(rows: &[[usize; 2]], top: usize) -> Vec<PixelPoint> {
+    let mut points: Vec<PixelPoint> = Vec::new();
     for (row, [low, high]) in rows.iter().enumerate().filter(|(_, [low, high])| low < high) {
         let y = (top + row) as f32;
         points.extend([[*low as f32, y], [*high as f32, y], [*low as f32, y + 1.0], [*high as f32, y + 1.0]]);
     }
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     points.dedup();
-    let half = |points: &mut dyn Iterator<Item = Point>| {
-        let mut chain: Vec<Point> = Vec::new();
+    let half = |points: &mut dyn Iterator<Item = PixelPoint>| {
+        let mut chain: Vec<PixelPoint> = Vec::new();
         for at in points {
             while let [.., a, b] = chain[..] {
                 if (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0]) > 0.0 {
@@ -223,15 +228,15 @@ fn hull(rows: &[[usize; 2]], top: usize) -> Vec<Point> {
     all
 }
 
-fn area(corners: &[Point]) -> f32 {
+fn area(corners: &[PixelPoint]) -> f32 {
     let next = corners.iter().cycle().skip(1);
     0.5 * corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f32>().abs()
 }
 
 /// Least width of a convex polygon: across one of its sides.
-fn breadth(corners: &[Point]) -> f32 {
+fn breadth(corners: &[PixelPoint]) -> f32 {
     let next = corners.iter().cycle().skip(1);
-    let across = |(a, b): (&Point, &Point)| {
+    let across = |(a, b): (&PixelPoint, &PixelPoint)| {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let length = dx.hypot(dy);
         corners.iter().map(|at| ((at[0] - a[0]) * dy - (at[1] - a[1]) * dx).abs() / length).fold(0.0, f32::max)

@@ -1,15 +1,43 @@
-//! A plane in so few levels that a pixel is a byte: a vector holds four times as many, and as much less is copied.
+//! The planes in which text is looked for: of colours, and each in so few levels that a pixel is a byte: a vector holds
+//! four times as many, and as much less is copied.
 
 use pulp::Arch;
 
 use crate::raster::plane::Plane;
 use crate::raster::residue::{Polarity, residue, square_max};
+use crate::raster::{Raster, lab};
 use crate::units::Size;
+
+/// Lightness and twice a and b of a picture: of a drawing whole planes, all of which are looked at; of a photograph
+/// lightness alone, and the rest where it is asked for.
+pub(super) struct Colours<'a> {
+    raster: &'a Raster,
+    pub(super) planes: Vec<Plane>,
+}
+
+impl<'a> Colours<'a> {
+    pub(super) fn new(raster: &'a Raster, is_drawing: bool) -> Self {
+        let planes = if is_drawing { lab::whole(raster) } else { vec![lab::whole_lightness(raster)] };
+        Self { raster, planes }
+    }
+
+    /// The colour of a pixel.
+    pub(super) fn at(&self, cell: usize) -> [f32; 3] {
+        match &self.planes[..] {
+            [l, a, b] => [l.values[cell], a.values[cell], b.values[cell]],
+            // of a photograph, or grey
+            _ => lab::pixel(self.raster, cell),
+        }
+    }
+}
 
 /// Between the least value of a plane and the greatest there are so many levels: of lightness less than half a unit.
 const LEVELS: f32 = 255.0;
 /// A level is no finer than this, in units of strength, however even a plane is.
 const FINEST: f32 = 0.1;
+
+/// So much of a picture, at least, is taken to be ground.
+const GROUND: f32 = 0.25;
 
 /// A plane in levels.
 pub(super) struct Levels {
@@ -58,6 +86,20 @@ impl Contrast {
     /// In units of strength.
     pub(super) fn at(&self, cell: usize) -> f32 {
         f32::from(self.values[cell]) * self.unit
+    }
+
+    /// The contrast of the ground with itself, in units of strength: a low quantile of the largest around each pixel.
+    /// It is 0 on an even ground, and a few standard deviations of the noise on a noisy one.
+    pub(super) fn of_ground(&self) -> f32 {
+        let mut counts = [0_usize; 1 << u8::BITS];
+        self.most.iter().for_each(|&most| counts[usize::from(most)] += 1);
+        let wanted = (GROUND * self.most.len() as f32) as usize;
+        let mut below = 0;
+        let level = counts.iter().position(|count| {
+            below += count;
+            below > wanted
+        });
+        level.unwrap_or(0) as f32 * self.unit
     }
 
     /// Whether a pixel has at least this share of the largest contrast around it.
@@ -121,5 +163,20 @@ mod tests {
         let set = contrast.at_least_half(10.0);
         assert_eq!(set[..9], [false, false, false, true, true, false, false, false, false]);
         assert!(contrast.has_share(4, 0.85) && !contrast.has_share(3, 0.85));
+    }
+
+    #[test]
+    fn an_even_ground_has_no_contrast_with_itself_and_a_noisy_one_that_of_its_noise() {
+        let row = |noise: f32| -> Vec<f32> {
+            let mut row: Vec<f32> = (0..60).map(|x| 80.0 - noise * (x * 7 % 5) as f32).collect();
+            row[20..23].fill(20.0);
+            row
+        };
+        let of_ground = |noise: f32| {
+            let contrast = Levels::of(&plane(&row(noise))).contrast(6, 3, Polarity::Below, 10.0);
+            contrast.expect("there is a stroke").of_ground()
+        };
+        assert!(of_ground(0.0) <= 0.0);
+        assert!((3.0..5.0).contains(&of_ground(1.0)), "{}", of_ground(1.0));
     }
 }

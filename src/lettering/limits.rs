@@ -1,22 +1,22 @@
 //! What is asked of a row of shapes before it is taken for a line of text.
 //!
-//! The numbers were chosen together, on generated charts, maps, signs and worksheets (`tools --bin text` prints how much
-//! text is found with them, and how much of the drawing is lost) and on 44 photographs. What tells text from rows of
-//! anything else best is that hardly anything else lies around it (clutter), that its colour is even and its contrast
-//! high; then that its shapes are unlike one another. In a photograph things form rows at random, so more is asked
-//! there, and most of few letters.
+//! The numbers were chosen together, on generated charts, maps, signs and worksheets (`tools --bin text` prints how
+//! much text is found with them, and how much of the drawing is lost) and on 44 photographs. What tells text from rows
+//! of anything else best is that hardly anything else lies around it (clutter), that its colour is even and its
+//! contrast high; then that its shapes are unlike one another. In a photograph things form rows at random, so more is
+//! asked there, and most of few letters.
 
-use super::glyph::Glyph;
+use super::glyph::LetterShape;
 
 /// A length that grows with the height of letters: so many heights, and so many pixels more, as at small sizes a
 /// position is uncertain by about one.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Length {
+pub(super) struct LetterLength {
     heights: f32,
     px: f32,
 }
 
-impl Length {
+impl LetterLength {
     pub(super) const fn new(heights: f32, px: f32) -> Self {
         Self { heights, px }
     }
@@ -40,7 +40,7 @@ pub(super) enum Strictness {
 
 /// What a row has at least and at most.
 #[derive(Debug, Clone, Copy)]
-struct Limits {
+struct RowLimits {
     /// Greatest standard deviation of the colour within a letter, as a share of the contrast: print is of one ink.
     unevenness: f32,
     /// Greatest standard deviation of the colour from letter to letter, as a share of the contrast.
@@ -59,9 +59,9 @@ struct Limits {
     height: f32,
 }
 
-/// Three letters or more of a drawing. Gridlines, leader lines and outlines run close by text in charts, so half as many
-/// pixels as its own may lie around it.
-const DRAWING: Limits = Limits {
+/// Three letters or more of a drawing. Gridlines, leader lines and outlines run close by text in charts, so half as
+/// many pixels as its own may lie around it.
+const DRAWING: RowLimits = RowLimits {
     unevenness: 0.1,
     spread: 0.25,
     stroke_spread: 0.45,
@@ -72,12 +72,12 @@ const DRAWING: Limits = Limits {
     height: f32::INFINITY,
 };
 
-/// Two letters of a drawing, such as the numbers at an axis: clear of other things, as two marks side by side are common
-/// in drawings.
-const PAIR_IN_DRAWING: Limits = Limits { clutter: 0.15, aligned: 0.0, complex: 0.5, height: 45.0, ..DRAWING };
+/// Two letters of a drawing, such as the numbers at an axis: clear of other things, as two marks side by side are
+/// common in drawings.
+const PAIR_IN_DRAWING: RowLimits = RowLimits { clutter: 0.15, aligned: 0.0, complex: 0.5, height: 45.0, ..DRAWING };
 
 /// Four letters or more of a photograph, where nothing else is around them: see [`CLUTTER_IN_PHOTOGRAPH`].
-const PHOTOGRAPH: Limits = Limits {
+const PHOTOGRAPH: RowLimits = RowLimits {
     unevenness: 0.08,
     spread: 0.14,
     stroke_spread: 0.25,
@@ -90,7 +90,7 @@ const PHOTOGRAPH: Limits = Limits {
 
 /// Three letters of a photograph: three windows, posts or bricks in a row are common, so more is asked of them than of
 /// longer rows.
-const THREE_IN_PHOTOGRAPH: Limits = Limits {
+const THREE_IN_PHOTOGRAPH: RowLimits = RowLimits {
     unevenness: 0.06,
     spread: 0.06,
     stroke_spread: 0.3,
@@ -110,14 +110,14 @@ const USUAL_ANGLE: f32 = 20.0;
 const USUAL_HEIGHTS: std::ops::RangeInclusive<f32> = 6.0..=36.0;
 
 /// Two letters or more beside text of the same style, which says much already.
-const CONTEXT: Limits = Limits { clutter: 1.0, aligned: 0.0, complex: 0.5, ..DRAWING };
+const CONTEXT: RowLimits = RowLimits { clutter: 1.0, aligned: 0.0, complex: 0.5, ..DRAWING };
 
 /// A single letter or digit in a row with text of the same style. It is no bar and no dot.
-const ONE_IN_CONTEXT: Limits = Limits { unevenness: 0.08, clutter: 0.1, complex: 1.0, ..CONTEXT };
+const ONE_IN_CONTEXT: RowLimits = RowLimits { unevenness: 0.08, clutter: 0.1, complex: 1.0, ..CONTEXT };
 /// Greatest width of a single letter, in its height: wider ones are other things.
 const WIDEST_LETTER: f32 = 0.85;
 
-/// A row of letters, measured: what [`Limits`] is about, in the same units.
+/// A row of letters, measured: what [`RowLimits`] is about, in the same units.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row {
     /// How many letters it has.
@@ -138,7 +138,7 @@ pub(super) struct Row {
     pub(super) height: f32,
 }
 
-impl Limits {
+impl RowLimits {
     /// What is asked of such a row; none if it is too short for a line of text whatever it looks like.
     fn of(strict: Strictness, row: &Row) -> Option<Self> {
         let is_long = row.letters > 2 || row.is_pair;
@@ -176,7 +176,7 @@ fn clutter_in_photograph(row: &Row) -> f32 {
 impl Strictness {
     /// Whether a row is within what is asked of it, if its letters are unlike one another.
     pub(super) fn allows(self, row: &Row) -> bool {
-        Limits::of(self, row).is_some_and(|limits| limits.hold(row))
+        RowLimits::of(self, row).is_some_and(|limits| limits.hold(row))
     }
 
     /// How many letters a line has at least.
@@ -190,9 +190,9 @@ impl Strictness {
 
     /// Whether any of some letters together can be even and clear enough for a line: of a photograph, those that are
     /// most so.
-    pub(super) fn may_have_text(self, glyphs: &[Glyph], which: &[usize]) -> bool {
+    pub(super) fn may_have_text(self, glyphs: &[LetterShape], which: &[usize]) -> bool {
         let least = self.least_letters();
-        let best_mean = |of: &dyn Fn(&Glyph) -> f32| {
+        let best_mean = |of: &dyn Fn(&LetterShape) -> f32| {
             let mut values: Vec<f32> = which.iter().map(|&i| of(&glyphs[i])).collect();
             values.sort_unstable_by(f32::total_cmp);
             values.iter().take(least).sum::<f32>() / least.min(values.len()).max(1) as f32

@@ -1,8 +1,10 @@
-//! Whether a chain of things is a line of text: its measures, which [`super::limits`] judges, and its style.
+//! Whether a chain of things is a line of text: its measures, which [`super::limits`] judges, and its style; and which
+//! pixels it covers.
 
-use super::chain::{RotatedLetter, distance, placed};
-use super::glyph::{Glyph, LARGEST};
-use super::limits::{Length, Row, Strictness};
+use super::chain::{RotatedLetter, axes, distance, placed};
+use super::glyph::{LARGEST, LetterShape};
+use super::limits::{LetterLength, Row, Strictness};
+use crate::units::Size;
 
 /// Least height of letters, px.
 const LEAST_HEIGHT: f32 = 3.5;
@@ -15,8 +17,8 @@ const HEIGHT_OF_LINE: [usize; 2] = [3, 4];
 /// What is wider than this, in heights, is no letter but a word of letters that touch one another.
 const WIDEST: f32 = 1.3;
 /// Widest gap between letters on the whole (the median), and between words of letters that touch.
-const GAP: Length = Length::new(0.45, 1.0);
-const GAP_OF_WORDS: Length = Length::new(0.9, 0.0);
+const GAP: LetterLength = LetterLength::new(0.45, 1.0);
+const GAP_OF_WORDS: LetterLength = LetterLength::new(0.9, 0.0);
 /// Letters reach over at most so much across their line, in heights: from the top of an accent to the foot of a `g`.
 const ACROSS: f32 = 2.2;
 /// Breadth in heights by which the letters of a word that touch one another are counted.
@@ -26,7 +28,7 @@ const HANGING: f32 = 0.9;
 /// What letters count that are bars or dots when the clearest of several lines is taken; others count 1 more.
 const SIMPLE: f32 = 0.5;
 /// How far letters stand off their line.
-const OFF_LINE: Length = Length::new(0.1, 0.8);
+const OFF_LINE: LetterLength = LetterLength::new(0.1, 0.8);
 /// A line that turns by less than this lies as it was found, degrees.
 const LEAST_TURN: f32 = 0.7;
 /// A line of fewer letters than this is turned only if that sets this share more of them on the line: one that hangs
@@ -36,7 +38,7 @@ const BETTER_OF_FEW: f32 = 0.1;
 /// A longer one is turned unless that sets fewer of them on it; the hundredth is for rounding.
 const BETTER: f32 = -0.01;
 /// Digits of a number differ in height by at most this, and have at most this gap, in heights.
-const HEIGHTS_OF_PAIR: Length = Length::new(0.2, 1.0);
+const HEIGHTS_OF_PAIR: LetterLength = LetterLength::new(0.2, 1.0);
 const GAP_OF_PAIR: f32 = 0.5;
 /// Texts have one style if their heights, their strokes and their contrasts differ at most by these factors, and by so
 /// many pixels or units more, and their colours by this share of their contrast.
@@ -47,13 +49,13 @@ const STYLE_UNSURE: f32 = 0.7;
 const STYLE_COLOUR: f32 = 0.15;
 /// Texts belong to one row or column if their angles differ by at most this, degrees, and their heights by this.
 const ROW_ANGLE: f32 = 2.0;
-const ROW_HEIGHT: Length = Length::new(0.15, 1.0);
+const ROW_HEIGHT: LetterLength = LetterLength::new(0.15, 1.0);
 /// In a row they stand on one line but for this, and at most so many heights apart, as numbers below an axis do.
-const ROW_LEVEL: Length = Length::new(0.2, 0.8);
+const ROW_LEVEL: LetterLength = LetterLength::new(0.2, 0.8);
 const ROW_GAP: f32 = 15.0;
 /// In a column their left ends, right ends or middles are at one place but for this, and they are at most so many
 /// heights apart, as numbers beside an axis are.
-const COLUMN_END: Length = Length::new(0.25, 1.0);
+const COLUMN_END: LetterLength = LetterLength::new(0.25, 1.0);
 const COLUMN_GAP: f32 = 8.0;
 
 /// A row of things that may be a line of text.
@@ -114,7 +116,7 @@ fn slope(letters: &[RotatedLetter]) -> f32 {
 }
 
 /// The line that a chain of letters is, if their heights, gaps and strokes are those of text.
-pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
+pub(super) fn line(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) -> Option<TextLine> {
     let (letters, angle) = straightened(glyphs, chain, angle);
     let n = letters.len();
     let mut heights: Vec<f32> = letters.iter().map(RotatedLetter::height).collect();
@@ -143,7 +145,8 @@ pub(super) fn line(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> Opt
     let at_top = share(&|letter| (letter.across[0] - top).abs() <= OFF_LINE.of(height));
     let aligned = on_line(&letters, height).max(HANGING * at_top);
     let complex = share(&|letter| !glyphs[letter.of].is_solid());
-    let mean = |of: &dyn Fn(&Glyph) -> f32| letters.iter().map(|letter| of(&glyphs[letter.of])).sum::<f32>() / n as f32;
+    let mean =
+        |of: &dyn Fn(&LetterShape) -> f32| letters.iter().map(|letter| of(&glyphs[letter.of])).sum::<f32>() / n as f32;
     let contrast = mean(&|glyph| glyph.contrast);
     let colour = [0, 1, 2].map(|i| mean(&|glyph| glyph.colour[i]));
     let variance = (0..3).map(|i| mean(&|glyph| (glyph.colour[i] - colour[i]).powi(2))).sum::<f32>();
@@ -176,7 +179,7 @@ fn on_line(letters: &[RotatedLetter], height: f32) -> f32 {
 
 /// Letters of a chain as they lie at the angle of the line that they stand on, and that angle; as they are, where that
 /// does not set more of them on the line: short words seem to be aslant where letters hang below it.
-fn straightened(glyphs: &[Glyph], chain: &[RotatedLetter], angle: f32) -> (Vec<RotatedLetter>, f32) {
+fn straightened(glyphs: &[LetterShape], chain: &[RotatedLetter], angle: f32) -> (Vec<RotatedLetter>, f32) {
     let turn = if chain.len() < 3 { 0.0 } else { slope(chain) };
     if turn.abs() <= LEAST_TURN {
         return (chain.to_vec(), angle);
@@ -261,5 +264,33 @@ impl TextLine {
             || near(other.along[0] + other.along[1], self.along[0] + self.along[1]))
             && gap(other.across, self.across) <= COLUMN_GAP * height;
         is_level || is_stacked
+    }
+}
+
+/// The corners of a line's box, px from the top left of the picture.
+pub(super) fn corners(line: &TextLine) -> [[f32; 2]; 4] {
+    let [along, across] = axes(line.angle);
+    let ends = [(0, 0), (1, 0), (1, 1), (0, 1)];
+    ends.map(|(u, v)| [0, 1].map(|axis| along[axis] * line.along[u] + across[axis] * line.across[v]))
+}
+
+/// Visits the pixels of a picture whose middle lies in the box of a line.
+pub(super) fn each_cell(size: Size, line: &TextLine, mut of: impl FnMut(usize)) {
+    let [along, across] = axes(line.angle);
+    let corners = corners(line);
+    let range = |axis: usize, most: u32| {
+        let low = corners.iter().map(|at| at[axis]).fold(f32::MAX, f32::min).max(0.0) as usize;
+        let high = corners.iter().map(|at| at[axis]).fold(f32::MIN, f32::max).max(0.0).ceil() as usize;
+        low..high.min(most as usize)
+    };
+    let columns = range(0, size.width);
+    for y in range(1, size.height) {
+        for x in columns.clone() {
+            let at = [x as f32 + 0.5, y as f32 + 0.5];
+            let (u, v) = (along[0] * at[0] + along[1] * at[1], across[0] * at[0] + across[1] * at[1]);
+            if (line.along[0]..=line.along[1]).contains(&u) && (line.across[0]..=line.across[1]).contains(&v) {
+                of(y * size.width as usize + x);
+            }
+        }
     }
 }

@@ -1,18 +1,20 @@
 //! One plane of a picture, looked at for text that is darker or lighter than its ground.
 
-use super::area::each_cell;
 use super::chain::{axes, chains, distance, groups, placed};
-use super::colours::Colours;
-use super::glyph::{Glyph, Thin, glyphs, thin};
-use super::levels::Levels;
-use super::limits::{Length, Strictness};
-use super::line::{TextLine, line, median};
+use super::glyph::{LetterShape, Thin, contrast, glyphs};
+use super::levels::{Colours, Levels};
+use super::limits::{LetterLength, Strictness};
+use super::line::{TextLine, each_cell, line, median};
 use super::shape::are_unlike;
 use crate::raster::plane::Plane;
 use crate::raster::residue::Polarity;
 
 /// A letter has at least this contrast, in units of strength: a line is drawn from about 10 on.
 const LEAST_CONTRAST: f32 = 10.0;
+/// In a drawing, a letter has at least this many times the contrast of the ground with itself: a fainter stroke comes
+/// apart in noise, and its pieces look like letters. Of four scans of a faint ring (20 of 255, in noise of 4 of 255) 3
+/// leaves pieces in two, 3.5 in none; of nine noisy worksheets 5 loses no text.
+const CONTRAST_OF_GROUND: f32 = 4.0;
 /// In a photograph only what has this contrast, and is no less even, may be a letter.
 const CONTRAST_IN_PHOTOGRAPH: f32 = 20.0;
 const UNEVEN: f32 = 0.16;
@@ -39,15 +41,15 @@ const ABOVE: f32 = 1.5 * BESIDE;
 /// Clutter is looked for as far around a line as this, in heights of its letters.
 const CLUTTER: f32 = 0.4;
 /// The ground around a line is looked at from this far on, beyond the smoothing of letters, as far as that.
-const GROUND_FROM: Length = Length::new(0.1, 1.0);
-const GROUND_TO: Length = Length::new(0.3, 3.0);
+const GROUND_FROM: LetterLength = LetterLength::new(0.1, 1.0);
+const GROUND_TO: LetterLength = LetterLength::new(0.3, 3.0);
 /// Least distance of the letters' colour from that of the ground, as a share of their contrast.
 const STANDS_OUT: f32 = 0.45;
 
 /// What is thin in a plane, and what of it may be letters.
 pub(super) struct Look {
     pub(super) thin: Thin,
-    glyphs: Vec<Glyph>,
+    glyphs: Vec<LetterShape>,
     letters: Vec<usize>,
     strict: Strictness,
 }
@@ -62,7 +64,9 @@ impl Look {
     ) -> Option<Self> {
         let is_drawing = strict == Strictness::Drawing;
         let wanted = if is_drawing { LEAST_CONTRAST } else { CONTRAST_IN_PHOTOGRAPH };
-        let thin = thin(levels, polarity, LEAST_CONTRAST, wanted)?;
+        let contrast = contrast(levels, polarity, wanted)?;
+        let of_ground = if is_drawing { CONTRAST_OF_GROUND * contrast.of_ground() } else { 0.0 };
+        let thin = Thin { set: contrast.at_least_half(LEAST_CONTRAST.max(of_ground)), contrast };
         let is_clear = |contrast, unevenness| is_drawing || contrast >= wanted && unevenness <= UNEVEN;
         let glyphs = glyphs(&thin, plane, colours, is_clear);
         let letters = (0..glyphs.len()).filter(|&i| glyphs[i].is_letter).collect();
@@ -134,7 +138,7 @@ impl Look {
         let [along, across] = axes(line.angle);
         let (beside, behind, above) = (BESIDE * line.height, BEHIND * line.height, ABOVE * line.height);
         let is_letter = |i: usize| line.letters.iter().any(|letter| letter.of == i);
-        let is_inside = |glyph: &Glyph| {
+        let is_inside = |glyph: &LetterShape| {
             let (u, v) = (glyph.reach(along), glyph.reach(across));
             u[0] >= line.along[0] - beside
                 && u[1] <= line.along[1] + behind

@@ -10,9 +10,7 @@
 //! edges).
 //! Everything in it is a few pixels high, so text has to be large enough to be seen: from about 8 px on.
 
-mod area;
 mod chain;
-mod colours;
 mod erase;
 mod glyph;
 mod levels;
@@ -22,12 +20,10 @@ mod look;
 mod shape;
 mod straight;
 
-use self::area::{corners, each_cell};
-use self::colours::Colours;
 use self::erase::with_margin;
-use self::levels::Levels;
+use self::levels::{Colours, Levels};
 use self::limits::Strictness;
-use self::line::TextLine;
+use self::line::{TextLine, corners, each_cell};
 use self::look::Look;
 pub use self::straight::{FoundLine, LinePicture};
 use crate::raster::Raster;

@@ -2,7 +2,7 @@
 //! and dashes are alike.
 
 use super::chain::RotatedLetter;
-use super::glyph::Glyph;
+use super::glyph::LetterShape;
 
 /// Two shapes may be alike if their sides differ by at most this share, or by so many px: what drawing one letter twice
 /// between pixels does.
@@ -24,7 +24,7 @@ const UNLIKE: [(usize, usize); 3] = [(3, 2), (7, 3), (usize::MAX, 4)];
 const SEVERAL: usize = 4;
 
 /// Whether letters in a row are as unlike as those of a text.
-pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> bool {
+pub(super) fn are_unlike(glyphs: &[LetterShape], letters: &[RotatedLetter], width: usize) -> bool {
     let n = letters.len();
     let wanted = UNLIKE.iter().find(|(most, _)| n <= *most).map_or(0, |(_, unlike)| n.min(*unlike));
     let (kinds, commonest) = shapes(glyphs, letters, width);
@@ -32,7 +32,7 @@ pub(super) fn are_unlike(glyphs: &[Glyph], letters: &[RotatedLetter], width: usi
 }
 
 /// Number of unlike shapes, and how many letters have the commonest one.
-fn shapes(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> (usize, usize) {
+fn shapes(glyphs: &[LetterShape], letters: &[RotatedLetter], width: usize) -> (usize, usize) {
     let alike = |a: &RotatedLetter, b: &RotatedLetter| {
         let near = |a: f32, b: f32| (a - b).abs() <= (SIDES * a.max(b)).max(LEAST_SIDES);
         let (first, second) = (&glyphs[a.of], &glyphs[b.of]);
@@ -56,12 +56,12 @@ fn shapes(glyphs: &[Glyph], letters: &[RotatedLetter], width: usize) -> (usize, 
 
 /// Whether nearly all pixels of each of two things have one of the other within a pixel, when their boxes are laid on
 /// one another; for small ones, whether most pixels are the same.
-fn same_pixels(a: &Glyph, b: &Glyph, width: usize) -> bool {
-    let at = |glyph: &Glyph, cell: usize| {
+fn same_pixels(a: &LetterShape, b: &LetterShape, width: usize) -> bool {
+    let at = |glyph: &LetterShape, cell: usize| {
         [(cell % width) as i32 - glyph.min[0] as i32, (cell / width) as i32 - glyph.min[1] as i32]
     };
     let sides = [0, 1].map(|axis| (a.max[axis] + 1 - a.min[axis]).max(b.max[axis] + 1 - b.min[axis]) as i32);
-    let mask = |glyph: &Glyph| {
+    let mask = |glyph: &LetterShape| {
         let mut mask = vec![false; (sides[0] * sides[1]) as usize];
         for &cell in &glyph.cells {
             let [x, y] = at(glyph, cell);
@@ -76,7 +76,7 @@ fn same_pixels(a: &Glyph, b: &Glyph, width: usize) -> bool {
         (y - reach..=y + reach)
             .any(|y| (x - reach..=x + reach).any(|x| inside(x, y) && mask[(y * sides[0] + x) as usize]))
     };
-    let near = |glyph: &Glyph, mask: &[bool]| {
+    let near = |glyph: &LetterShape, mask: &[bool]| {
         let near = glyph.cells.iter().map(|&cell| at(glyph, cell)).filter(|&[x, y]| has(mask, x, y)).count();
         near as f32 / glyph.cells.len() as f32
     };

@@ -5,7 +5,7 @@ use rayon::iter::{IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelI
 
 use super::clearance::Cleared;
 use super::faint::FaintStrokes;
-use super::lost::{Lost, Tally};
+use super::lost::{LossTally, Lost};
 use super::marks::{HeadMark, TickMark};
 use super::outlines::{Outlines, Rank};
 use super::params::Params;
@@ -18,10 +18,10 @@ use crate::units::{MmPoint, MmRect, PageTransform};
 
 /// A line of full strength shorter than this share of the least length, or a weaker one that is not longer in
 /// proportion, has joined nothing and will not: it is not looked at further.
-const CRUMB: f32 = 0.5;
+const NEGLIGIBLE: f32 = 0.5;
 
 /// What is to be drawn as far as there is room for it.
-pub(super) struct Candidates {
+pub(super) struct LineCandidates {
     /// Contours, and after them outlines of regions.
     pub(super) lines: Vec<(Polyline<Vertex>, Rank)>,
     /// The saliency of each.
@@ -29,7 +29,7 @@ pub(super) struct Candidates {
     /// How many of them are contours.
     contours: usize,
     /// What is too short for a line.
-    pub(super) short: Tally,
+    pub(super) short: LossTally,
     /// Points on lines.
     pub(super) points: Vec<Point>,
     /// The ticks of scales that are handed on.
@@ -38,7 +38,7 @@ pub(super) struct Candidates {
     pub(super) heads: Vec<HeadMark>,
 }
 
-impl Candidates {
+impl LineCandidates {
     pub(super) fn of(
         edges: &Edges,
         outlines: &Outlines,
@@ -60,9 +60,10 @@ impl Candidates {
                 _ => ticks::lengthen(&mut polylines, area, params),
             }
         }
-        let mut short = Tally::new(area);
-        let is_crumb =
-            |polyline: &Polyline<Vertex>| polyline.weighted_length(params.full_strength) < CRUMB * params.min_length;
+        let mut short = LossTally::new(area);
+        let is_crumb = |polyline: &Polyline<Vertex>| {
+            polyline.weighted_length(params.full_strength) < NEGLIGIBLE * params.min_length
+        };
         if params.of_drawing {
             polylines.iter().filter(|polyline| is_crumb(polyline)).for_each(|polyline| short.add(polyline));
         }
@@ -99,7 +100,7 @@ impl Candidates {
         let contours: Vec<_> = salient.map(|((line, _), _)| line).collect();
         let mut wanted = self.short;
         contours.iter().for_each(|polyline| wanted.add(polyline));
-        let mut kept = Tally::new(area);
+        let mut kept = LossTally::new(area);
         if self.contours == self.lines.len() {
             drawn.iter().for_each(|line| kept.add(&line.polyline));
         } else {
@@ -122,7 +123,7 @@ fn on_the_sheet(edges: &Edges, transform: &PageTransform, params: &Params) -> Ve
         let polyline = Polyline::of_chain(chain, range.kind, transform);
         let polyline = if faint.holds(edges, range) { faint::weaken(polyline, params) } else { polyline };
         let polyline = match range.kind.exact {
-            // its corners are corners
+            // exact paths are not smoothed: their corners are meant
             true => polyline,
             false if range.kind.of_drawing => polyline.smoothed_between_corners(params.smoothing),
             false => polyline.smoothed(params.smoothing).evened(),

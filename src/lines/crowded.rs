@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::candidates::Candidates;
+use super::candidates::LineCandidates;
 use super::clearance::{Cleared, clear, spread};
 use super::junction;
 use super::outlines::Rank;
@@ -26,30 +26,30 @@ const HOPELESS: f32 = 0.5;
 /// whichever keeps most of them; also returns what was to be drawn and how it is drawn then. Where nothing has to be
 /// left out this costs nothing more, else up to five times as much.
 pub(super) fn cleared(
-    candidates: impl Fn(&Params) -> Candidates + Sync,
+    candidates: impl Fn(&Params) -> LineCandidates + Sync,
     area: MmRect,
     params: Params,
-) -> (Arc<Candidates>, Vec<Cleared>, Params) {
+) -> (Arc<LineCandidates>, Vec<Cleared>, Params) {
     let wide = Params { widen_bars: params.of_drawing, ..params };
     let merged = Params { widen_bars: false, ..params };
     let of_wide = Arc::new(candidates(&wide));
-    let mut best = Attempt::of(&of_wide, area, wide, false);
+    let mut best = Attempt::of(&of_wide, area, wide);
     if !params.of_drawing || best.lost() < params.min_length {
         return best.taken();
     }
     let of_merged = Arc::new(candidates(&merged));
     if best.drawn() < HOPELESS * best.wanted() {
-        return Attempt::of(&of_merged, area, merged, false).taken();
+        return Attempt::of(&of_merged, area, merged).taken();
     }
     // the most that could be drawn: bars with both sides
     let most = wanted(&of_wide);
     let thin = wide.thin();
     let of_thin = || Arc::new(candidates(&thin));
     let tries: [&(dyn Fn() -> Attempt + Sync); 4] = [
-        &|| Attempt::of(&of_wide, area, wide, true),
-        &|| Attempt::of(&of_merged, area, merged, false),
-        &|| Attempt::of(&of_merged, area, merged, true),
-        &|| Attempt::of(&of_thin(), area, thin, true),
+        &|| Attempt::moved_apart(&of_wide, area, wide),
+        &|| Attempt::of(&of_merged, area, merged),
+        &|| Attempt::moved_apart(&of_merged, area, merged),
+        &|| Attempt::moved_apart(&of_thin(), area, thin),
     ];
     let attempts: Vec<Attempt> = tries.into_par_iter().map(|attempt| attempt()).collect();
     let mut kept = best.kept(most);
@@ -64,23 +64,26 @@ pub(super) fn cleared(
 
 /// Lines cleared with one set of parameters.
 struct Attempt {
-    candidates: Arc<Candidates>,
+    candidates: Arc<LineCandidates>,
     cleared: Vec<Cleared>,
     params: Params,
 }
 
 impl Attempt {
-    fn of(candidates: &Arc<Candidates>, area: MmRect, params: Params, moves_apart: bool) -> Self {
-        let cleared = if moves_apart {
-            let (apart, saliencies) = apart(candidates, area, &params);
-            clear(apart, &saliencies, area, &params)
-        } else {
-            clear(candidates.lines.clone(), &candidates.saliencies, area, &params)
-        };
+    /// Of lines where they are.
+    fn of(candidates: &Arc<LineCandidates>, area: MmRect, params: Params) -> Self {
+        let cleared = clear(candidates.lines.clone(), &candidates.saliencies, area, &params);
         Self { candidates: candidates.clone(), cleared, params }
     }
 
-    fn taken(self) -> (Arc<Candidates>, Vec<Cleared>, Params) {
+    /// Of lines that are moved apart beforehand.
+    fn moved_apart(candidates: &Arc<LineCandidates>, area: MmRect, params: Params) -> Self {
+        let (apart, saliencies) = apart(candidates, area, &params);
+        let cleared = clear(apart, &saliencies, area, &params);
+        Self { candidates: candidates.clone(), cleared, params }
+    }
+
+    fn taken(self) -> (Arc<LineCandidates>, Vec<Cleared>, Params) {
         (self.candidates, self.cleared, self.params)
     }
 
@@ -115,13 +118,13 @@ impl Attempt {
 }
 
 /// Saliency of what is wanted. What is too short for a line, as a small box that became its centreline, is wanted too.
-fn wanted(candidates: &Candidates) -> f32 {
+fn wanted(candidates: &LineCandidates) -> f32 {
     let strong = candidates.lines.iter().zip(&candidates.saliencies).filter(|((_, rank), _)| *rank != Rank::Faint);
     strong.map(|(_, saliency)| saliency).sum::<f32>() + candidates.short.length()
 }
 
 /// The lines of a drawing, moved apart, and their saliencies.
-fn apart(lines: &Candidates, area: MmRect, params: &Params) -> (Vec<(Polyline<Vertex>, Rank)>, Vec<f32>) {
+fn apart(lines: &LineCandidates, area: MmRect, params: &Params) -> (Vec<(Polyline<Vertex>, Rank)>, Vec<f32>) {
     // faint lines, such as an even grid, stay where they are
     let (mut faint, strong): (Vec<_>, Vec<_>) = lines.lines.iter().cloned().partition(|(_, rank)| *rank == Rank::Faint);
     let (mut polylines, ranks): (Vec<_>, Vec<_>) = strong.into_iter().unzip();

@@ -89,8 +89,11 @@ mod tests {
     use crate::lines::{Lines, draw};
     use crate::units::{MmRect, PageTransform, PxPoint, Size};
 
-    /// A drawing of strokes, each with its width, its strength and its corners, in px; two of them are a millimetre.
-    fn drawn(strokes: &[(f32, f32, &[(f32, f32)])]) -> Lines {
+    /// A stroke with its width, its strength and its corners, in px.
+    type TestStroke<'a> = (f32, f32, &'a [(f32, f32)]);
+
+    /// A drawing of strokes; two px are a millimetre.
+    fn drawn(strokes: &[TestStroke<'_>]) -> Lines {
         let size = Size::new(300, 200);
         let mut edges = Edges::none(size);
         for &(width, strength, corners) in strokes {

@@ -1,7 +1,7 @@
 //! Ends that continue one another are joined: a contour that noise or a highlight broke is one line again.
 
 use super::vertex::{Vertex, dot};
-use crate::geom::link::{End, Thread, link};
+use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::polyline::Polyline;
 use crate::units::{Mm, MmVector};
 
@@ -105,7 +105,7 @@ fn meet_halfway(vertices: &mut [Vertex], seam: usize) {
 }
 
 /// The polylines of a thread as one that bends over its gaps; each is taken from `left`.
-fn concatenate(thread: &Thread, left: &mut [Option<Polyline<Vertex>>]) -> Option<Polyline<Vertex>> {
+fn concatenate(thread: &LinkedChain, left: &mut [Option<Polyline<Vertex>>]) -> Option<Polyline<Vertex>> {
     let mut whole = thread.concatenate(left, |before, next| {
         let seam = before.len();
         before.extend(next);

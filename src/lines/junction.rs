@@ -7,6 +7,7 @@
 //!      |                |
 //! ```
 
+use super::params::HEADING;
 use super::vertex::{SPACING, Vertex};
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::polyline::Polyline;
@@ -14,8 +15,6 @@ use crate::geom::walk::first_beyond;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::units::{MmPoint, MmRect, MmVector};
 
-/// The direction of an end is taken over this much of its line, mm.
-const HEADING: f32 = 2.0;
 /// Least cosine between an end's heading and the direction to the line it is extended to (53 degrees).
 const AHEAD_COSINE: f32 = 0.6;
 /// Greatest cosine between that direction and the line it is extended to (50 degrees): flatter, the two would lie side

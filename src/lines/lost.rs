@@ -85,13 +85,13 @@ impl Lost {
 
 /// Lengths of lines in the nine parts of a figure.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tally {
+pub(super) struct LossTally {
     area: MmRect,
     lengths: [f32; 9],
     rings: usize,
 }
 
-impl Tally {
+impl LossTally {
     pub(super) fn new(area: MmRect) -> Self {
         Self { area, lengths: [0.0; 9], rings: 0 }
     }
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn what_is_lost_is_told_with_its_length_and_its_place() {
         let area = MmRect::new(MmPoint::new(10.0, 10.0), MmPoint::new(100.0, 70.0));
-        let (mut wanted, mut kept) = (Tally::new(area), Tally::new(area));
+        let (mut wanted, mut kept) = (LossTally::new(area), LossTally::new(area));
         wanted.add(&line((12.0, 12.0), (32.0, 12.0)));
         wanted.add(&line((80.0, 40.0), (95.0, 40.0)));
         kept.add(&line((12.0, 12.0), (32.0, 12.0)));

@@ -35,7 +35,7 @@ mod weight;
 #[cfg(test)]
 mod tests;
 
-use candidates::Candidates;
+use candidates::LineCandidates;
 use clearance::Cleared;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use vertex::{Vertex, nearby};
@@ -79,7 +79,7 @@ pub fn draw_with(
     params: &Params,
 ) -> Lines {
     let params = Params { of_drawing: edges.of_drawing(), ..*params };
-    let candidates = |params: &Params| Candidates::of(edges, outlines, transform, area, params);
+    let candidates = |params: &Params| LineCandidates::of(edges, outlines, transform, area, params);
     let (candidates, mut cleared, params) = crowded::cleared(candidates, area, params);
     keep_few_others(&mut cleared, outlines);
     faint::without_scraps(&mut cleared, &candidates.lines, &params);

@@ -36,7 +36,7 @@ pub(super) enum Rank {
 
 /// Least length of a stroke that goes before outlines, mm.
 const LONG: f32 = 20.0;
-/// ... and how straight it is, chord to length: the rim of a cup is a stroke too, and as good an outline.
+/// Least straightness of such a stroke, chord to length: the rim of a cup is a stroke too, and as good an outline.
 const STRAIGHTNESS: f32 = 0.97;
 /// Share of its vertices that lie in the middle of a stroke.
 const MOSTLY: f32 = 0.7;

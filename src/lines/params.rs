@@ -4,6 +4,9 @@
 /// exactly its side runs. The two sides of a narrow bar can so become farther apart by as much, with room to spare.
 pub(super) const RING_FARTHEST: f32 = 1.6;
 
+/// The direction of an end is taken over this much of its line, mm: a little more than the widest line is wide.
+pub(super) const HEADING: f32 = 2.0;
+
 /// How lines are drawn. Lengths are in millimetres on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {

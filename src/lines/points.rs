@@ -11,7 +11,7 @@
 
 use super::junction::{extend_to, heading};
 use super::marks::PointMark;
-use super::params::{Params, RING_FARTHEST};
+use super::params::{HEADING, Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
 use crate::geom::outline::{circle_points, roundness};
@@ -21,14 +21,14 @@ use crate::units::{MmPoint, MmRect, MmVector};
 /// A filled point is drawn as many times as broad as the broadest line: sizes that differ by 30 percent are told apart
 /// (BANA, as quoted by others), and three is more than any line.
 pub(super) const BEAD: f32 = 3.0;
-/// ... on a piece of this length, mm: with its round ends it is a disc.
+/// A filled point is a piece of its line of this length, mm: with its round ends it is a disc.
 const BEAD_LENGTH: f32 = 0.1;
 /// The smallest shape that is taken for a point, mm across: in a figure it is a dot, in an overview a sixth of one that
 /// has room in the figure.
 const SMALLEST: f32 = 0.6;
-/// The largest, in distances of two lines: a larger shape has room as it is.
+/// The largest filled point, in distances of two lines: a larger shape has room as it is.
 const LARGEST: f32 = 1.25;
-/// ... of hollow ones: up to about here the lines that end at a ring would take its place.
+/// The largest hollow point, in the same: up to about here the lines that end at a ring would take its place.
 const LARGEST_HOLLOW: f32 = 2.5;
 /// Area of a point at least, as a share of that of a circle with its circumference: a square has 0.79, an equal-sided
 /// triangle, as the head of an arrow, 0.60, a hexagon 0.91.
@@ -37,8 +37,6 @@ const ROUND: f32 = 0.85;
 const MIDDLE: f32 = 0.4;
 /// An end of a line lies no farther from the side of a point than this, mm: in a bitmap the two are found apart.
 const BESIDE: f32 = 1.0;
-/// The direction of an end is taken over this much of its line, mm.
-const HEADING: f32 = 2.0;
 /// A point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
@@ -72,7 +70,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
     for (number, point) in found {
         // the outline of a disc beside its stroke
         let again = points.iter().any(|other| (other.at - point.at).length() <= other.radius.max(point.radius));
-        let arms: Vec<Arm> = if again { Vec::new() } else { arms(&point, polylines, &is_ring) };
+        let arms: Vec<PointArm> = if again { Vec::new() } else { arms(&point, polylines, &is_ring) };
         // between two points the line may be short
         let is_on_line = arms.len() > 1 || arms.iter().any(|arm| polylines[arm.line].length() >= params.min_length);
         // where one line leads to a shape that has room as it is, the shape is what it points at
@@ -82,7 +80,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
             true => !point.is_filled && !params.is_dot(around),
             false => around >= params.min_length,
         };
-        let is_pointed_at = matches!(arms[..], [Arm { kind: Approach::End { .. }, .. }]);
+        let is_pointed_at = matches!(arms[..], [PointArm { kind: Approach::End { .. }, .. }]);
         if !again && (!is_on_line || has_room && is_pointed_at) {
             continue;
         }
@@ -107,7 +105,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, params: &Params) -> Ve
 
 /// A line that comes to a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Arm {
+struct PointArm {
     line: usize,
     kind: Approach,
 }
@@ -120,7 +118,7 @@ enum Approach {
 }
 
 /// The lines that lead to the middle of a point.
-fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<Arm> {
+fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<PointArm> {
     let aside = MIDDLE * point.radius;
     let reach = point.radius + BESIDE;
     let mut arms = Vec::new();
@@ -131,7 +129,7 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
         }
         let is_near = |(a, b): (&Vertex, &Vertex)| nearest_on_segment(point.at, a.at, b.at).0 <= aside;
         if polyline.segments().any(is_near) {
-            arms.push(Arm { line, kind: Approach::Through });
+            arms.push(PointArm { line, kind: Approach::Through });
             continue;
         }
         for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
@@ -142,7 +140,7 @@ fn arms(point: &Point, polylines: &[Polyline<Vertex>], is_ring: &[bool]) -> Vec<
             let to_middle = point.at - tip.at;
             let leads = to_middle.dot(heading) > 0.0 && to_middle.cross(heading).abs() <= aside;
             if to_middle.length() <= reach && leads {
-                arms.push(Arm { line, kind: Approach::End { at_start } });
+                arms.push(PointArm { line, kind: Approach::End { at_start } });
             }
         }
     }
@@ -174,7 +172,7 @@ fn has_step(line: &Polyline<Vertex>) -> bool {
 
 /// The marks of those points that have room on the lines that are drawn.
 #[derive(Debug, Default)]
-pub(super) struct Drawn {
+pub(super) struct DrawnPoints {
     /// Of the line of each filled one its number, and where its bead is.
     beads: Vec<(usize, MmPoint)>,
     /// Where lines end at hollow ones, and how far from their middles, mm.
@@ -186,8 +184,8 @@ pub(super) struct Drawn {
 }
 
 /// Draws points on `lines`.
-pub(super) fn draw(points: &[Point], lines: &[&Polyline<Vertex>], area: MmRect, params: &Params) -> Drawn {
-    let mut drawn = Drawn::default();
+pub(super) fn draw(points: &[Point], lines: &[&Polyline<Vertex>], area: MmRect, params: &Params) -> DrawnPoints {
+    let mut drawn = DrawnPoints::default();
     if points.is_empty() {
         return drawn;
     }
@@ -246,7 +244,7 @@ fn ring(point: &Point, at: MmPoint, radius: f32, params: &Params) -> Polyline<Ve
     Polyline { vertices: circle_points(at, radius, count).map(vertex).collect(), closed: true }
 }
 
-impl Drawn {
+impl DrawnPoints {
     /// A line, of this number among those that are drawn, with its beads, and in parts where it ends at hollow points;
     /// with what of it is anchored.
     pub(super) fn parts(

@@ -18,7 +18,7 @@ const STANDS: f32 = 1.5;
 const ACROSS: f32 = 0.15;
 /// A tick is straight: its chord is at least this share of it.
 const STRAIGHT: f32 = 0.98;
-/// ... and steep: the greatest cosine between it and its line (60 degrees between them).
+/// A tick is steep: the cosine between it and its line is at most this (60 degrees between them).
 const STEEP: f32 = 0.5;
 /// A longer tick is longer by this than a line has to be, mm: its end is put on its line, which may be moved.
 const MARGIN: f32 = 0.2;

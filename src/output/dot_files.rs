@@ -1,6 +1,6 @@
 //! Pages of dots in the files that embossers, braille programs and pin displays take.
 
-use super::dots::{DotMatrix, Words, brf, dots, gcode, index, pef, pixels, text, ubrl};
+use super::dots::{DocumentWords, DotMatrix, brf, dots, gcode, index, pef, pixels, text, ubrl};
 use super::format::DotFormat;
 use crate::Error;
 use crate::devices::{Device, DotArea};
@@ -57,7 +57,7 @@ pub fn write(title: &str, pages: &[Page], format: DotFormat, embossing: Embossin
         DotFormat::Brf => one(brf::write(&matrices()?)),
         DotFormat::Pef => {
             let text = text_of(pages.iter().map(|(page, _)| *page));
-            one(pef::write(&matrices()?, &Words { title, text: &text, ..words(first) }))
+            one(pef::write(&matrices()?, &DocumentWords { title, text: &text, ..words(first) }))
         }
         DotFormat::Txt => one(text::write(&matrices()?)),
         DotFormat::Idx => {
@@ -93,8 +93,8 @@ fn medium_of(page: &Page, format: DotFormat) -> Result<&DotMedium, Error> {
     }
 }
 
-fn words(page: &Page) -> Words<'_> {
-    Words {
+fn words(page: &Page) -> DocumentWords<'_> {
+    DocumentWords {
         title: &page.title,
         description: &page.description,
         language: &page.language,

@@ -24,12 +24,12 @@ pub struct CellGrid<'m> {
     /// Diameter of a dot, mm.
     pub diameter: f32,
     size: CellSize,
-    on: Option<Steps<'m>>,
+    on: Option<CellSteps<'m>>,
 }
 
 /// Cells on a grid of dots, in whole steps.
 #[derive(Debug, Clone)]
-struct Steps<'m> {
+struct CellSteps<'m> {
     grid: &'m Grid,
     dot: usize,
     cell: usize,
@@ -64,7 +64,7 @@ impl<'m> CellGrid<'m> {
         match &medium.area {
             DotArea::Free(_) => Self { diameter, size, on: None },
             DotArea::Grid(grid) => {
-                let steps = Steps::of(grid, medium, size);
+                let steps = CellSteps::of(grid, medium, size);
                 let across = |steps: usize| span(&grid.columns, steps).unwrap_or(steps as f32 * medium.pitch);
                 let down = |steps: usize| span(&grid.rows, steps).unwrap_or(steps as f32 * medium.pitch);
                 let size =
@@ -132,7 +132,7 @@ impl<'m> CellGrid<'m> {
     }
 }
 
-impl<'m> Steps<'m> {
+impl<'m> CellSteps<'m> {
     fn of(grid: &'m Grid, medium: &DotMedium, size: CellSize) -> Self {
         if medium.device.family == Family::Cells {
             return Self { grid, dot: 1, cell: 2, line: 3, start: [2, 3] };

@@ -27,7 +27,7 @@ fn check(parts: &Parts) -> Result<(), Error> {
     let overview = parts.overview.iter();
     place("place of a figure", parts.figure.place)?;
     overview.clone().try_for_each(|overview| place("place of an overview", overview.place))?;
-    let sheet = Sheet { width, height };
+    let sheet = SheetBounds { width, height };
     let frames = [&parts.frame].into_iter().chain(overview.clone().map(|overview| &overview.frame));
     frames.into_iter().try_for_each(|dots| sheet.dots("a dot of a frame", dots))?;
     parts.labels.iter().try_for_each(|dots| sheet.dots("a dot of a label", dots))?;
@@ -44,12 +44,12 @@ fn check(parts: &Parts) -> Result<(), Error> {
     parts.figure.textures.iter().try_for_each(|texture| sheet.texture(texture))
 }
 
-struct Sheet {
+struct SheetBounds {
     width: f32,
     height: f32,
 }
 
-impl Sheet {
+impl SheetBounds {
     /// A mark that reaches `radius` mm around a point.
     fn holds(&self, what: &'static str, at: MmPoint, radius: f32) -> Result<(), Error> {
         let Self { width, height } = self;

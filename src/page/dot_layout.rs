@@ -13,7 +13,7 @@ use crate::devices::DotArea;
 use crate::units::{MmPoint, MmRect, MmVector};
 
 /// Less than the distance of any two dots, mm.
-const HAIR: f32 = 1e-3;
+const EPSILON_MM: f32 = 1e-3;
 
 /// A picture whose width is `aspect` times its height, as large as the device allows on a sheet that lies this way,
 /// but not wider than `widest`.
@@ -56,7 +56,7 @@ pub(super) fn band(params: &FrameParams, medium: &DotMedium) -> FrameParams {
 /// The same rectangle in the middle of the columns, its top in the middle between two rows.
 pub(super) fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
     let DotArea::Grid(grid) = &medium.area else { return figure };
-    let lowest = medium.usable().max.y - figure.height() + HAIR;
+    let lowest = medium.usable().max.y - figure.height() + EPSILON_MM;
     let corner = |mm: f32, centres: &[f32]| {
         let index = centres.partition_point(|&centre| centre < mm);
         // the nearer one of the middles around; before the first dot it is half a pitch away
@@ -75,8 +75,8 @@ pub(super) fn on_grid(figure: MmRect, medium: &DotMedium) -> MmRect {
     // a hair narrower, so that no column lies on an edge
     let (middle, half) = (grid.bounds().center().x, 0.5 * figure.width());
     let top = corner(figure.min.y, &grid.rows);
-    let min = MmPoint::new(middle - half + HAIR, top);
-    MmRect::new(min, min + MmVector::new(figure.width() - 2.0 * HAIR, figure.height()))
+    let min = MmPoint::new(middle - half + EPSILON_MM, top);
+    MmRect::new(min, min + MmVector::new(figure.width() - 2.0 * EPSILON_MM, figure.height()))
 }
 
 /// The ends of the orientation mark on dots that are as many columns as rows apart; the lower right one is the

@@ -11,7 +11,7 @@ use super::heading::Heading;
 use super::medium::{DotMedium, Medium};
 use super::parts::Run;
 use super::sheet::{self, MarkParams, Params, beside};
-use super::spread_layout::{GAP, Picture, Spread, TICK, above};
+use super::spread_layout::{GAP, Spread, SpreadPicture, TICK, above};
 use crate::braille::CellSize;
 use crate::devices::{Device, DotArea, Family, Grid};
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -22,7 +22,7 @@ const LEAST_TICK: f32 = 2.0;
 /// The spread of a picture over sheets of this size; none where they are too small, or the device does not take them.
 pub(super) fn fit(
     sheet: [f32; 2],
-    picture: Picture,
+    picture: SpreadPicture,
     params: &Params,
     (device, pitch): (&'static Device, f32),
 ) -> Option<Spread> {
@@ -82,7 +82,7 @@ struct Windows {
 }
 
 /// The windows in a part of the sheet.
-fn windows(medium: &DotMedium, inner: MmRect, picture: Picture) -> Option<Windows> {
+fn windows(medium: &DotMedium, inner: MmRect, picture: SpreadPicture) -> Option<Windows> {
     let (DotMedium { area, pitch, .. }, overlap) = (medium, picture.overlap);
     let counts = [picture.grid.across, picture.grid.down];
     match area {

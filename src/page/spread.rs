@@ -18,7 +18,7 @@ use super::heading::Heading;
 use super::medium::{Medium, MediumParams, Print};
 use super::parts::{BrailleText, Dots, Figure, Glyph, Line, Pen, Run, Texture};
 use super::sheet::{self, Layout, Orientation, Params, beside};
-use super::spread_layout::{GAP, Picture, TICK, above};
+use super::spread_layout::{GAP, SpreadPicture, TICK, above};
 use crate::braille::{self, CellSize};
 use crate::devices::DotArea;
 use crate::geom::polyline::PolylineRef;
@@ -37,7 +37,7 @@ pub fn fit(aspect: f32, widest: f32, grid: SheetGrid, overlap: f32, params: &Par
     let [a, b] = params.sheet;
     let (short, long) = (a.min(b), a.max(b));
     let on = |sheet: [f32; 2]| {
-        let picture = Picture { aspect, widest, grid, overlap };
+        let picture = SpreadPicture { aspect, widest, grid, overlap };
         match params.medium {
             MediumParams::Print(print) => fit_printed(sheet, picture, params, print),
             MediumParams::Dots { device, pitch } => dot_spread::fit(sheet, picture, params, (device, pitch)),
@@ -56,7 +56,7 @@ pub fn fit(aspect: f32, widest: f32, grid: SheetGrid, overlap: f32, params: &Par
     }
 }
 
-fn fit_printed(sheet: [f32; 2], picture: Picture, params: &Params, print: Print) -> Option<Spread> {
+fn fit_printed(sheet: [f32; 2], picture: SpreadPicture, params: &Params, print: Print) -> Option<Spread> {
     let heading = params.heading.and_then(|heading| {
         let cells = CellGrid::printed(heading.cell);
         let heading = Heading::on(&heading, &cells, sheet, params.margin, beside(params.mark))?;

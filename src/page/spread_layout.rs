@@ -103,14 +103,14 @@ pub const LABEL_CELLS: usize = 3;
 
 /// What is laid out.
 #[derive(Clone, Copy)]
-pub(super) struct Picture {
+pub(super) struct SpreadPicture {
     pub(super) aspect: f32,
     pub(super) widest: f32,
     pub(super) grid: SheetGrid,
     pub(super) overlap: f32,
 }
 
-impl Picture {
+impl SpreadPicture {
     /// Its place in the middle of a rectangle, with this border around it; none without room.
     pub(super) fn within(&self, total: MmRect, border: f32) -> Option<MmRect> {
         let width = (total.width() - 2.0 * border).min((total.height() - 2.0 * border) * self.aspect).min(self.widest);

@@ -20,7 +20,7 @@ const REACH: f32 = 9.0;
 const LARGER: f32 = 1.02;
 
 /// Cells of an area, each with its distance from the nearest sign, mm.
-type Cells = Vec<(f32, usize)>;
+type AreaCells = Vec<(f32, usize)>;
 
 /// The areas of a page on a grid over its figure.
 pub(super) fn of_page(page: &Page) -> Classes {
@@ -38,7 +38,7 @@ pub(super) fn of_page(page: &Page) -> Classes {
         texture.glyphs.iter().for_each(|glyph| signs.put_at(glyph.at, (region, glyph.at)));
     }
     let lines = index_of(&page.figure.lines, page.figure.place, REACH);
-    let mut near: Vec<Cells> = vec![Vec::new(); textures.len()];
+    let mut near: Vec<AreaCells> = vec![Vec::new(); textures.len()];
     for cell in 0..size.area() as usize {
         let at = middle(cell);
         let mut found: Vec<(f32, u32, MmPoint)> = Vec::new();
@@ -56,7 +56,7 @@ pub(super) fn of_page(page: &Page) -> Classes {
     }
     let mut region = vec![None; size.area() as usize];
     let mut lightness = Plane::filled(size, 1.0);
-    let of_texture = |(number, (texture, mut cells)): (u32, (&Texture, Cells))| {
+    let of_texture = |(number, (texture, mut cells)): (u32, (&Texture, AreaCells))| {
         cells.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         cells.truncate((LARGER * texture.area / (step[0] * step[1])).ceil() as usize);
         let colour = texture.colour.map(f32::from);

@@ -68,7 +68,7 @@ pub(super) struct Bar {
 
 /// A straight piece of a contour in one of the two directions: at one coordinate, from and to in the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Span {
+pub(super) struct BaseSpan {
     pub(super) at: f32,
     pub(super) from: f32,
     pub(super) to: f32,
@@ -82,7 +82,7 @@ pub(super) struct Chart {
     /// In order.
     pub(super) bars: Vec<Bar>,
     /// Straight pieces along bars.
-    pub(super) sides: Vec<Span>,
+    pub(super) sides: Vec<BaseSpan>,
     /// Where gridlines are.
     pub(super) grid: Vec<f32>,
 }
@@ -106,9 +106,9 @@ impl Chart {
         for &(a, b) in pieces {
             let ((a, up), (b, down)) = (direction.of(a), direction.of(b));
             if (a - b).abs() <= SAME && (up - down).abs() > SAME {
-                sides.push(Span { at: 0.5 * (a + b), from: up.min(down), to: up.max(down) });
+                sides.push(BaseSpan { at: 0.5 * (a + b), from: up.min(down), to: up.max(down) });
             } else if (up - down).abs() <= SAME && (a - b).abs() > SAME {
-                levels.push(Span { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) });
+                levels.push(BaseSpan { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) });
             }
         }
         let levels = joined(levels);
@@ -149,7 +149,7 @@ impl Chart {
     }
 
     /// The bars that end at some of these levels.
-    fn bars_below(&self, levels: &[Span]) -> Vec<Bar> {
+    fn bars_below(&self, levels: &[BaseSpan]) -> Vec<Bar> {
         let goes_on = |across: f32, top: f32| {
             self.sides
                 .iter()
@@ -158,7 +158,7 @@ impl Chart {
         let mut found: Vec<(Bar, bool)> = Vec::new();
         for level in levels.iter().filter(|level| level.at > self.base + 2.0 * SAME) {
             // the tops of bars of one height that touch are one level
-            let inside = |side: &&Span| side.at > level.from + SAME && side.at < level.to - SAME;
+            let inside = |side: &&BaseSpan| side.at > level.from + SAME && side.at < level.to - SAME;
             let mut cuts: Vec<f32> = self.sides.iter().filter(inside).map(|side| side.at).collect();
             cuts.retain(|&across| self.has_side(across, level.at));
             cuts.extend([level.from, level.to]);
@@ -197,27 +197,27 @@ impl Chart {
     /// At which levels straight lines run over much of the chart that are no tops of bars.
     fn gridlines(&self, edges: &Edges) -> Vec<f32> {
         let (first, last) = (self.bars[0].from, self.bars[self.bars.len() - 1].to);
-        let is_top = |level: &Span| {
+        let is_top = |level: &BaseSpan| {
             let within = |bar: &Bar| level.from >= bar.from - SAME && level.to <= bar.to + SAME;
             self.bars.iter().any(|bar| within(bar) && (bar.top - level.at).abs() <= SAME)
         };
-        let mut levels: Vec<Span> =
+        let mut levels: Vec<BaseSpan> =
             edges.chains.iter().filter_map(|chain| self.level(edges, chain)).filter(|level| !is_top(level)).collect();
         levels.retain(|level| level.at > self.base + 2.0 * SAME);
         levels.sort_by(|a, b| a.at.total_cmp(&b.at));
         let same = levels.chunk_by(|a, b| b.at - a.at <= SAME);
-        let length = |level: &[Span]| level.iter().map(|span| span.to - span.from).sum::<f32>();
+        let length = |level: &[BaseSpan]| level.iter().map(|span| span.to - span.from).sum::<f32>();
         let grid: Vec<f32> = same.filter(|level| length(level) >= GRIDLINE * (last - first)).map(|l| l[0].at).collect();
         // one line across may say something by itself, such as a mean
         if grid.len() > 1 { grid } else { Vec::new() }
     }
 
     /// A chain that is one straight line across the bars.
-    fn level(&self, edges: &Edges, chain: &ChainRange) -> Option<Span> {
+    fn level(&self, edges: &Edges, chain: &ChainRange) -> Option<BaseSpan> {
         let mut pieces = straight(edges, chain).into_iter();
         let (Some((a, b)), None, false) = (pieces.next(), pieces.next(), chain.closed) else { return None };
         let ((a, up), (b, down)) = (self.direction.of(a), self.direction.of(b));
-        ((up - down).abs() <= SAME).then(|| Span { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) })
+        ((up - down).abs() <= SAME).then(|| BaseSpan { at: 0.5 * (up + down), from: a.min(b), to: a.max(b) })
     }
 
     /// Whether a chain is a gridline or a part of one.
@@ -246,7 +246,7 @@ fn straight(edges: &Edges, chain: &ChainRange) -> Vec<(PxPoint, PxPoint)> {
 }
 
 /// Where most of the sides of bars begin, on straight lines across; none if too few do.
-fn base(sides: &[Span], levels: &[Span]) -> Option<f32> {
+fn base(sides: &[BaseSpan], levels: &[BaseSpan]) -> Option<f32> {
     let mut from: Vec<f32> = sides.iter().map(|side| side.from).collect();
     from.sort_by(f32::total_cmp);
     let until = |i: usize| from.partition_point(|at| *at <= from[i] + SAME);
@@ -262,9 +262,9 @@ fn base(sides: &[Span], levels: &[Span]) -> Option<f32> {
 }
 
 /// Levels that continue one another as one.
-fn joined(mut levels: Vec<Span>) -> Vec<Span> {
+fn joined(mut levels: Vec<BaseSpan>) -> Vec<BaseSpan> {
     levels.sort_by(|a, b| a.from.total_cmp(&b.from));
-    let mut all: Vec<Span> = Vec::new();
+    let mut all: Vec<BaseSpan> = Vec::new();
     for level in levels {
         match all.iter_mut().find(|to| (to.at - level.at).abs() <= SAME && level.from <= to.to + SAME) {
             Some(to) => to.to = to.to.max(level.to),

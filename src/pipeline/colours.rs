@@ -3,7 +3,7 @@
 use super::draw::{find_edges, sort_colours, working_size};
 use super::progress::Watch;
 use super::read::{Read, read};
-use super::request::Request;
+use super::request::{OverviewSize, Request};
 use crate::Error;
 use crate::classes::{self, Classes};
 use crate::picture::Picture;
@@ -27,10 +27,11 @@ pub struct Sorted {
 pub fn sort(picture: &[u8], request: &Request<'_>, watch: &mut Watch<'_>) -> Result<Sorted, Error> {
     let plan = request.plan;
     let fit = &request.fit;
-    let working_size = |source: Header| working_size(source, &|size| fit.layout(size, plan), fit, plan);
+    let working_size =
+        |source: Header| working_size(source, &|size, overview| fit.layout(size, plan, overview), fit, plan);
     let options = request.decoding(&working_size);
     let Read { picture, content } = read(Picture::file(picture), &options, None, watch)?;
-    let layout = fit.layout(picture.source.size, plan)?;
+    let layout = fit.layout(picture.source.size, plan, OverviewSize::Own)?;
     let edges = find_edges(&picture, &content, &layout, plan, watch);
     let classes = sort_colours(&picture.raster, &edges, &layout, plan, watch);
     Ok(Sorted { classes, place: layout.figure })

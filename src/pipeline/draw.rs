@@ -4,7 +4,7 @@ use super::dots;
 use super::given::{Given, GivenLines, blank, erase};
 use super::hand_lines::{SAME_SHAPE, by_hand_first};
 
-use super::joined_bars::{self, BarTolerances, Instead, Redraw};
+use super::joined_bars::{self, BarStyle, BarTolerances, Redraw};
 use super::leaders;
 use super::lost_marks;
 use super::lost_signs;
@@ -13,7 +13,7 @@ use super::outlines::{outlines_of_figure, regions_of_figure};
 use super::overview::{draw_overview, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
-use super::request::{Fit, Request};
+use super::request::{Fit, LayoutOf, OverviewSize, Request};
 use super::small_areas;
 use super::subject;
 use super::texts::{self, Text, placed};
@@ -29,7 +29,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::Raster;
 use crate::raster::decode::{self, Header};
-use crate::regions::{Areas, Chosen, Detail, Mask};
+use crate::regions::{Chosen, Detail, Mask, OutlineAreas};
 use crate::units::{MmRect, PageTransform, Size};
 use crate::{About, Error, Note};
 
@@ -37,7 +37,7 @@ use crate::{About, Error, Note};
 const MIN_PIXELS: u32 = 8;
 
 /// All marks of a picture, where its layout puts them.
-pub(super) struct Marks {
+pub(super) struct DrawnMarks {
     pub(super) figure: Figure,
     pub(super) overview: Option<(MmRect, Vec<Line>)>,
     pub(super) layout: Layout,
@@ -51,12 +51,12 @@ pub(super) struct Marks {
     pub(super) notes: Vec<Note>,
 }
 
-/// The layout with room for the texts of a drawing.
-pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout) -> Layout + 'a;
+/// The layout with room for the texts of a drawing, which the last argument lays out in another size.
+pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout, &dyn Fn(Size) -> Result<Layout, Error>) -> Layout + 'a;
 
 /// A picture that is read and laid out, with its contours.
 struct Found {
-    picture: decode::Picture,
+    picture: decode::Decoded,
     is_flat: bool,
     layout: Layout,
     texts: Vec<Text>,
@@ -74,7 +74,7 @@ fn find(
     picture: Picture<'_>,
     (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
-    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    layout_of: &LayoutOf<'_>,
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Found, Error> {
@@ -84,7 +84,8 @@ fn find(
     let Read { picture, content } = read(picture, &options, given.text_reader.as_ref(), watch)?;
     let source = picture.source.size;
     let lettered = Lettered { texts: &picture.texts, raster: &picture.raster, source };
-    let layout = with_room(&lettered, layout_of(source)?);
+    let (overview, layout) = overview_of(&picture, &content, given, plan).fitting(source, plan, layout_of)?;
+    let layout = with_room(&lettered, layout, &|size| layout_of(size, overview));
     let mut notes = given.notes.clone();
     notes.extend(picture.notes.iter().cloned());
     notes.extend(told_narrower(fit, &layout));
@@ -115,10 +116,10 @@ pub(super) fn draw(
     picture: Picture<'_>,
     (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
-    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
+    layout_of: &LayoutOf<'_>,
     with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Marks, Error> {
+) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
     let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } =
         find(picture, (given, words), request, layout_of, with_room, watch)?;
@@ -135,7 +136,7 @@ pub(super) fn draw(
         })
     };
     request.go_on()?;
-    let DrawnLines { lines: drawn, areas, instead } = drawn;
+    let FigureLines { lines: drawn, areas, instead } = drawn;
     notes.extend(told_left_out(&drawn, &edges, &layout));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
@@ -163,7 +164,7 @@ pub(super) fn draw(
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
-    Ok(Marks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
+    Ok(DrawnMarks { figure, overview: overview.marks, layout, is_flat, left_out, lost_signs, texts, notes })
 }
 
 /// What the maker is told of lines that were given and are too short for this figure.
@@ -228,27 +229,30 @@ fn edges_of_drawn(
         }
         Ok(size)
     };
-    let options = decode::Options { crop: None, page: None, ..request.decoding(&working_size) };
+    let options = decode::DecodeOptions { crop: None, page: None, ..request.decoding(&working_size) };
     let Read { picture, content } = read(bytes.into(), &options, None, &mut |_| ())?;
     let texts = picture.texts.iter().filter(|text| !text.hidden).count();
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
     let edges = edges_of(&picture, content.kind(), &request.plan.edges(px_per_mm), None, &mut |_| ());
-    Ok((edges, (texts > 0).then(|| Note::NotOnPage(About::Lines, told))))
+    Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, told))))
+}
+
+/// How large the overview of a picture is laid out.
+pub(super) fn overview_of(picture: &decode::Decoded, content: &Content, given: &Given, plan: &Plan) -> OverviewSize {
+    let is_photograph = picture.drawing.is_none() && content.kind().is_some_and(|kind| !kind.is_drawing);
+    // few shapes need no more room
+    let has_regions = plan.region_detail().is_some() && plan.lines().most_shapes.is_none();
+    if is_photograph && has_regions && given.lines.is_none() { OverviewSize::OfPhotograph } else { OverviewSize::Own }
 }
 
 /// The picture's size in pixels for its size on the sheet: as many as the profile wants for a millimetre, but never
 /// more than there are.
-pub(super) fn working_size(
-    source: Header,
-    layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
-    fit: &Fit,
-    plan: &Plan,
-) -> Result<Size, Error> {
+pub(super) fn working_size(source: Header, layout_of: &LayoutOf<'_>, fit: &Fit, plan: &Plan) -> Result<Size, Error> {
     let Header { size, is_drawing } = source;
     enough_pixels(size)?;
-    let place = layout_of(size)?.figure;
+    let place = layout_of(size, OverviewSize::Own)?.figure;
     let figure = &plan.profile().figure;
     let side = place.width().min(place.height());
     if side < figure.min_side {
@@ -283,7 +287,7 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
 /// The contours of a picture: those of a vector drawing from its own geometry. Its kind, where it is known, is not
 /// found out again.
 pub(super) fn edges_of(
-    picture: &decode::Picture,
+    picture: &decode::Decoded,
     kind: Option<&PictureKind>,
     params: &edges::Params,
     regions: Option<Detail>,
@@ -291,7 +295,7 @@ pub(super) fn edges_of(
 ) -> Edges {
     let raster = &picture.raster;
     if let Some(drawing) = &picture.drawing {
-        return run(watch, Stage::Edges, || edges::find_drawn(raster, drawing, params));
+        return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
     }
     let own;
     let kind = match kind {
@@ -312,7 +316,7 @@ pub(super) fn edges_of(
 
 /// The contours of a picture; none where the page needs none.
 pub(super) fn find_edges(
-    picture: &decode::Picture,
+    picture: &decode::Decoded,
     content: &Content,
     layout: &Layout,
     plan: &Plan,
@@ -324,7 +328,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), Some(Detail::OUTLINES), watch);
+        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), plan.region_detail(), watch);
     };
     watch(Event::Skip(Stage::Edges, reason));
     Edges::none(picture.raster.size())
@@ -332,12 +336,12 @@ pub(super) fn find_edges(
 
 /// What becomes of the lines of a figure.
 #[derive(Default)]
-pub(super) struct DrawnLines {
+pub(super) struct FigureLines {
     pub(super) lines: Lines,
     /// The areas that the outlines of regions among them surround.
-    pub(super) areas: Option<Areas>,
+    pub(super) areas: Option<OutlineAreas>,
     /// How the bars of a chart are drawn that have no room as they are.
-    pub(super) instead: Option<Instead>,
+    pub(super) instead: Option<BarStyle>,
 }
 
 /// The lines of the figure, with the outlines of its `regions`; bars of a chart may be drawn otherwise if they
@@ -349,7 +353,7 @@ pub(super) fn draw_lines(
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> DrawnLines {
+) -> FigureLines {
     let reason = if !plan.profile().figure.lines {
         "figure.lines is off"
     } else if edges.is_empty() {
@@ -365,17 +369,17 @@ pub(super) fn draw_lines(
             let detail = plan.lines().detail;
             let drawn = draw(edges, &transform, detail);
             if !may_join || plan.lines().most_shapes.is_some() {
-                return DrawnLines { lines: drawn, areas, instead: None };
+                return FigureLines { lines: drawn, areas, instead: None };
             }
             let (transforms, tolerances) = (&[transform], BarTolerances::of(layout, plan));
             let redraw =
                 Redraw { edges, transforms, tolerances, detail, draw: &draw, lines: &|drawn: &Lines| &drawn.lines };
             let (lines, instead) = redraw.whole(drawn, &transform);
-            DrawnLines { lines, areas, instead }
+            FigureLines { lines, areas, instead }
         });
     };
     watch(Event::Skip(Stage::Lines, reason));
-    DrawnLines::default()
+    FigureLines::default()
 }
 
 /// The lines of the figure, with what is lost. What has no room as a point of dots may have room as it is.

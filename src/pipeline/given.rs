@@ -59,7 +59,8 @@ impl Given {
     }
 }
 
-/// What of the whole is in none of these boxes, as boxes: in each row between two of their edges what is left of it.
+/// The complement of these boxes, as boxes: the picture is cut into strips at their upper and lower edges, and each
+/// strip gives the intervals that no box covers.
 fn around(boxes: &[[f32; 4]]) -> Vec<[f32; 4]> {
     // a little beyond the picture, whose border counts as inside
     const LOW: f32 = -1.0;

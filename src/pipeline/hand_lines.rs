@@ -101,7 +101,7 @@ impl HandLines {
     ///
     /// # Errors
     /// As [`HandLines::edges`].
-    pub(super) fn edges_below(
+    pub(super) fn edges_under_own(
         &self,
         names: &[LineName],
         size: Size,
@@ -233,7 +233,7 @@ impl HandLine {
 }
 
 /// A point or a tick on a line of a page, as it is in a drawing.
-struct Mark {
+struct LineMark {
     points: Vec<MmPoint>,
     closed: bool,
     is_disc: bool,
@@ -243,11 +243,11 @@ struct Mark {
 const CIRCLE: u32 = 24;
 
 /// The beads of a printed line, and the ticks, points and heads of one of dots.
-fn marks_of(line: &Line) -> Vec<Mark> {
+fn marks_of(line: &Line) -> Vec<LineMark> {
     let circle = |at: MmPoint, radius: f32, is_disc: bool| {
         let turn = |k: u32| (k as f32 * std::f32::consts::TAU / CIRCLE as f32).sin_cos();
         let points = (0..CIRCLE).map(turn).map(|(y, x)| at + MmVector::new(x, y) * radius).collect();
-        Mark { points, closed: true, is_disc }
+        LineMark { points, closed: true, is_disc }
     };
     let beads = line.beads().map(|run| {
         let middle = MmRect::from_points(&run.points).center();
@@ -256,9 +256,9 @@ fn marks_of(line: &Line) -> Vec<Mark> {
     let points = line.row_points().map(|point| circle(point.at, point.radius, point.is_filled));
     let ticks = line.row_ticks().map(|(run, at)| {
         let points = std::iter::once(at).chain(run.points.last().copied()).collect();
-        Mark { points, closed: false, is_disc: false }
+        LineMark { points, closed: false, is_disc: false }
     });
-    let heads = line.row_heads().map(|(tip, _, [one, other])| Mark {
+    let heads = line.row_heads().map(|(tip, _, [one, other])| LineMark {
         points: vec![one, tip, other],
         closed: false,
         is_disc: false,
@@ -354,7 +354,7 @@ const STEP: f32 = 0.1;
 /// A line meets another if it comes this near, as a share of that: two lines that were drawn to touch seldom do
 /// exactly.
 const MEETS: f32 = 0.25;
-/// ... and is beside it for no longer than this, in the same unit: a line that crosses at 42 degrees or more.
+/// A line only crosses another if it is beside it for no longer than this, in the same unit: at 42 degrees or more.
 const CROSSING: f32 = 3.0;
 
 /// Takes the parts of contours out that are `gone`; each chain has its number.
@@ -456,7 +456,7 @@ mod tests {
         let lines = HandLines { lines, aspect: 1.0, left_outside: 0.0 };
         let names: Vec<LineName> = (0..5).map(|number| name(number == 0)).collect();
         let edges =
-            lines.edges_below(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
+            lines.edges_under_own(&names, Size::new(1000, 1000), [50.0, 15.0], 40.0).expect("it has the same shape");
         let row =
             |y: f32| edges.chains().filter(|chain| chain.vertices.iter().all(|v| (v.at.y - y).abs() < 1.0)).count();
         assert_eq!((row(500.0), row(520.0), row(100.0)), (1, 2, 1), "the one along it is cut in two");
@@ -470,7 +470,7 @@ mod tests {
         assert!((15.0..20.1).contains(&end(400.0)) && (15.0..20.1).contains(&end(600.0)));
         assert_eq!(edges.chains.iter().filter(|range| range.kind.added).count(), 1);
         let none = lines
-            .edges_below(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
+            .edges_under_own(&vec![name(false); 5], Size::new(1000, 1000), [50.0, 15.0], 40.0)
             .expect("the same shape");
         assert_eq!(none, lines.edges(Size::new(1000, 1000)).expect("the same shape"), "without any nothing changes");
     }

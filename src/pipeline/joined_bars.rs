@@ -17,7 +17,7 @@ const ALONG: f32 = 0.9;
 
 /// How bars that are torn are drawn instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Instead {
+pub(super) struct BarStyle {
     bars: Bars,
     has_grid: bool,
     /// How many bars are too low for an outline.
@@ -127,7 +127,7 @@ impl<T> Redraw<'_, T> {
     /// Draws a drawing whose bars are torn as `first`, drawn `at` this transform, in other variants, until they are
     /// whole: for each variant and each transform. Gives what lacks least of them, and how it was drawn if it is not
     /// the first.
-    pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<Instead>) {
+    pub(super) fn whole(&self, first: T, at: &PageTransform) -> (T, Option<BarStyle>) {
         let Self { edges, tolerances, detail, draw, .. } = *self;
         let Some(chart) = Chart::of(edges) else { return (first, None) };
         // judged by all lines whatever the detail, so that less of it is a part of more
@@ -166,14 +166,14 @@ impl<T> Redraw<'_, T> {
 }
 
 /// What the maker is told of bars that are drawn otherwise, in the figure and in the overview.
-pub(super) fn told(in_figure: Option<Instead>, in_overview: Option<Instead>) -> Vec<Note> {
+pub(super) fn told(in_figure: Option<BarStyle>, in_overview: Option<BarStyle>) -> Vec<Note> {
     // as in the figure is no news
     let in_overview = in_overview.filter(|_| in_overview != in_figure);
     let of_figure = in_figure.iter().flat_map(|instead| instead.told(false));
     of_figure.chain(in_overview.iter().flat_map(|instead| instead.told(true))).collect()
 }
 
-impl Instead {
+impl BarStyle {
     fn told(self, of_overview: bool) -> Vec<Note> {
         let (about, place) = if of_overview { (About::Overview, "in the overview ") } else { (About::Lines, "") };
         let bars = match self.bars {
@@ -208,11 +208,11 @@ impl Instead {
 /// as near, or at their own sides.
 struct BarRow {
     bars: Vec<Bar>,
-    ends: [End; 2],
+    ends: [RowEnd; 2],
 }
 
 #[derive(Clone, Copy)]
-struct End {
+struct RowEnd {
     at: f32,
     /// Whether an axis is there.
     is_axis: bool,
@@ -223,7 +223,7 @@ struct Redrawn {
     edges: Edges,
     /// The paths along which there should be lines then.
     wanted: Vec<WantedPath>,
-    instead: Instead,
+    instead: BarStyle,
 }
 
 impl Chart {
@@ -245,7 +245,7 @@ impl Chart {
             wanted.extend((!is_low).then(|| WantedPath { path: vec![a, b], reach, or_none: false, weight }));
             // a side is not the axis beside it, and may have moved away from that
             for (is_last, own) in [(false, bar.from), (true, bar.to)] {
-                let End { at, is_axis } = self.end(bar, gap_px, is_last);
+                let RowEnd { at, is_axis } = self.end(bar, gap_px, is_last);
                 if is_axis {
                     let inwards = 0.5 * tolerances.reach / transform.mm_per_px();
                     let across = own + if is_last { -inwards } else { inwards };
@@ -293,7 +293,7 @@ impl Chart {
                 kept.push_as(kind, path.vertices.into_iter().map(edgel), false);
             }
         }
-        let instead = Instead { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
+        let instead = BarStyle { bars, has_grid, low: low.len(), is_at_axis: rows.iter().any(is_at_axis) };
         let unchanged = Self { bars: apart.into_iter().flat_map(|row| row.bars).collect(), ..self.clone() };
         let narrowest = high.windows(2).map(|pair| pair[1].from - pair[0].from).fold(f32::INFINITY, f32::min);
         let reach = tolerances.reach.min(NEARER_OF_TOUCHING * narrowest * transform.mm_per_px());
@@ -336,7 +336,7 @@ impl Chart {
     }
 
     /// Where a row ends beside a bar: at an axis no further than `gap_px` from it, or at its own side.
-    fn end(&self, bar: &Bar, gap_px: f32, is_last: bool) -> End {
+    fn end(&self, bar: &Bar, gap_px: f32, is_last: bool) -> RowEnd {
         let (own, outwards) = if is_last { (bar.to, 1.0) } else { (bar.from, -1.0) };
         let beyond = |at: f32| (at - own) * outwards;
         let is_of_bar =
@@ -345,7 +345,7 @@ impl Chart {
             |at: f32| beyond(at) > SAME && beyond(at) <= gap_px && self.has_side(at, bar.top) && !is_of_bar(at);
         let axis = self.sides.iter().map(|side| side.at).filter(|&at| is_axis(at));
         let axis = axis.min_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
-        End { at: axis.unwrap_or(own), is_axis: axis.is_some() }
+        RowEnd { at: axis.unwrap_or(own), is_axis: axis.is_some() }
     }
 
     /// Whether a place is on the top of a bar.

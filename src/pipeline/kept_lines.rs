@@ -23,12 +23,12 @@ const STEP: f32 = 1.0;
 const REACH: f32 = 8.0;
 /// A line of which less than this share is there is lost.
 const LOST: f32 = 0.2;
-/// ... and one that a person drew is lost in part where less than this is there: every line of theirs is meant, and up
+/// A line that a person drew is lost in part where less than this share is there: every line of theirs is meant, and up
 /// to a step of dots and the width of a line is missing where lines meet.
 const IN_PART: f32 = 0.7;
 /// Most lines that are named.
 const MOST: usize = 6;
-/// ... and so many of those that a person drew.
+/// Most lines that are named of those that a person drew.
 const MOST_BY_HAND: usize = 20;
 
 /// The lines of `before` that each line of `after` stands for, and what share of each line of `before` is there. Both
@@ -46,7 +46,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
     for line in after {
         // few lines are near, and the others need not be looked at
         let mut own: BTreeMap<u32, f32> = BTreeMap::new();
-        for (a, b) in way_of(line) {
+        for (a, b) in path_of(line) {
             let length = (b - a).length() * scale;
             let count = (length / STEP).ceil().max(1.0);
             for k in 0..count as u32 {
@@ -61,7 +61,7 @@ pub(super) fn matched(before: &[Line], from: MmRect, after: &[Line], to: MmRect)
         own.into_iter().for_each(|(line, of)| lengths[line as usize] += of);
     }
     let share = |(line, kept): (&Line, f32)| {
-        let length: f32 = way_of(line).iter().map(|(a, b)| (*b - *a).length()).sum();
+        let length: f32 = path_of(line).iter().map(|(a, b)| (*b - *a).length()).sum();
         if length > 0.0 { kept / length } else { 1.0 }
     };
     (stand_for, before.iter().zip(lengths).map(share).collect())
@@ -76,7 +76,7 @@ fn steps_of(run: &Run) -> Vec<(MmPoint, MmPoint)> {
 }
 
 /// The segments of a line, without the second row of a heavy line of dots.
-fn way_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
+fn path_of(line: &Line) -> Vec<(MmPoint, MmPoint)> {
     let is_dotted = line.runs.first().is_some_and(|run| run.pen != Pen::Stroke);
     let rows = if is_dotted { &line.runs[..1] } else { &line.runs[..] };
     let ticks = line.row_ticks().filter_map(|(run, at)| Some((at, *run.points.last()?)));

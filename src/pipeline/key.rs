@@ -10,7 +10,7 @@
 
 use super::finish::{finished, origin, title_of_key};
 use super::request::Request;
-use super::unwritten::Refused;
+use super::unwritten::RefusedTexts;
 use crate::braille::{Braille, Divide, Translator, unicode, wrap};
 use crate::classes::{Class, Classes, Region};
 use crate::dots;
@@ -136,7 +136,7 @@ pub(super) fn sheets(
 /// Page numbers of a key, at the top on the right of its sheets.
 #[derive(Clone, Copy)]
 struct Number<'a> {
-    /// The page number of the first sheet; without it sheets have none.
+    /// Page number of the first sheet; `None`: sheets have no numbers.
     first: Option<u32>,
     entries: &'a Entries<'a>,
     cells: &'a CellGrid<'a>,
@@ -207,7 +207,7 @@ fn area(layout: &Layout, plan: &Plan) -> MmRect {
 /// What stands on the sheets, and what could not be written: a patch stands there without its name.
 fn items(entries: &Entries<'_>, width: usize, beside_patch: usize) -> (Vec<Item>, Vec<Note>) {
     let translator = entries.translator;
-    let mut refused = Refused::default();
+    let mut refused = RefusedTexts::default();
     let mut or_told = |text: &str, braille: Result<Braille, String>| {
         braille.unwrap_or_else(|why| {
             refused.add(text, why);

@@ -18,7 +18,7 @@ use crate::{About, Note};
 const BESIDE_TEXT: f32 = 5.0;
 /// Shortest leader line, mm: what is shorter beside a word may be a tick, and is no further from it than a label.
 const SHORTEST: f32 = 8.0;
-/// ... and the longest, as a share of the figure's longer side: what is longer, such as an axis, is a line by itself.
+/// Longest leader line, as a share of the figure's longer side: what is longer, such as an axis, is a line by itself.
 const LONGEST: f32 = 0.4;
 /// A leader line is straight: its chord is at least this share of it.
 const STRAIGHT: f32 = 0.98;
@@ -34,7 +34,7 @@ const DRAWN: f32 = 3.0;
 const ALONG: f32 = 0.77;
 /// On a grid lines have steps of 45 degrees: their direction is that over so many.
 const STEPS_OF_DOTS: usize = 4;
-/// ... and no further before or behind it, mm.
+/// A line stands for a leader line no further before or behind it than this, mm.
 const BESIDE: f32 = 1.5;
 /// Steps in which a leader line is followed, mm.
 const STEP: f32 = 0.5;

@@ -41,7 +41,7 @@ const STANDS: f32 = 0.5;
 
 /// What a mark is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum MarkKind {
     Tick,
     Arc,
     Corner,
@@ -92,9 +92,9 @@ pub(super) fn of(edges: &Edges, drawn: &Lines, area: MmRect, transform: &PageTra
         let crossed = line_at(points[points.len() / 2], DRAWN);
         let Some(kind) = kind(&points, length, (ends, crossed)) else { continue };
         match kind {
-            Kind::Tick => marks.ticks += 1,
-            Kind::Arc => marks.arcs += 1,
-            Kind::Corner => marks.corners += 1,
+            MarkKind::Tick => marks.ticks += 1,
+            MarkKind::Arc => marks.arcs += 1,
+            MarkKind::Corner => marks.corners += 1,
         }
         marks.length += length;
         marks.first.get_or_insert(first.lerp(last, 0.5));
@@ -118,19 +118,19 @@ fn is_along(index: &Nearby, at: MmPoint, direction: MmVector) -> bool {
 }
 
 /// What a mark of this length is of which these ends are on lines, or that is crossed by one in its middle.
-fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], Option<OnLine>)) -> Option<Kind> {
+fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], Option<OnLine>)) -> Option<MarkKind> {
     let line = PolylineRef { vertices: points, closed: false };
     let is_straight = simplify(line, STRAIGHT * length).len() == 2;
     let chord = points.last().zip(points.first()).map_or(MmVector::zero(), |(last, first)| *last - *first);
     if is_straight && crossed.is_some_and(|(_, across)| chord.cross(across).abs() >= ACROSS * length) {
-        return Some(Kind::Tick);
+        return Some(MarkKind::Tick);
     }
     let ([Some((from, one)), Some((to, other))], true) = (ends, points.len() > 1) else {
-        return (is_straight && ends.iter().any(Option::is_some)).then_some(Kind::Tick);
+        return (is_straight && ends.iter().any(Option::is_some)).then_some(MarkKind::Tick);
     };
     if one.cross(other).abs() < LEG {
         // so short that both its ends are near the one line that it stands on; a bitmap may bend it there
-        return ((from - to).abs() >= STANDS * length).then_some(Kind::Tick);
+        return ((from - to).abs() >= STANDS * length).then_some(MarkKind::Tick);
     }
     if is_straight {
         // what lies between two lines is a piece of a longer one, such as a gridline
@@ -144,7 +144,7 @@ fn kind(points: &[MmPoint], length: f32, (ends, crossed): ([Option<OnLine>; 2], 
         }
         _ => false,
     };
-    Some(if is_right { Kind::Corner } else { Kind::Arc })
+    Some(if is_right { MarkKind::Corner } else { MarkKind::Arc })
 }
 
 /// What the maker is told of them.
@@ -219,18 +219,18 @@ mod tests {
         let (level, upright) = (MmVector::new(1.0, 0.0), MmVector::new(0.0, 1.0));
         let legs = [Some((0.2, level)), Some((0.2, upright))];
         let straight = line(&[(0.0, 0.0), (4.0, 0.0)]);
-        assert_eq!(is(&straight, [Some((0.2, upright)), None]), Some(Kind::Tick));
+        assert_eq!(is(&straight, [Some((0.2, upright)), None]), Some(MarkKind::Tick));
         assert_eq!(is(&straight, [None, None]), None, "a dash");
         let crossed = |by: MmVector| kind(&straight, 4.0, ([None, None], Some((0.1, by))));
-        assert_eq!((crossed(upright), crossed(level)), (Some(Kind::Tick), None), "across an axis, and along one");
+        assert_eq!((crossed(upright), crossed(level)), (Some(MarkKind::Tick), None), "across an axis, and along one");
         assert_eq!(is(&straight, [Some((0.2, upright)), Some((0.2, upright))]), None, "a piece of a gridline");
         assert_eq!(is(&straight, legs), None, "a piece of a slanting line");
-        assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(Kind::Corner));
-        assert_eq!(is(&arc(60.0), legs), Some(Kind::Arc));
-        assert_eq!(is(&arc(120.0), legs), Some(Kind::Arc));
+        assert_eq!(is(&line(&[(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]), legs), Some(MarkKind::Corner));
+        assert_eq!(is(&arc(60.0), legs), Some(MarkKind::Arc));
+        assert_eq!(is(&arc(120.0), legs), Some(MarkKind::Arc));
         assert_eq!(is(&arc(60.0), [legs[0], None]), None, "a hook");
         let bent = line(&[(0.0, 0.0), (2.0, 0.0), (2.4, 0.4)]);
-        assert_eq!(is(&bent, [Some((2.4, upright)), Some((0.0, upright))]), Some(Kind::Tick), "bent at its axis");
+        assert_eq!(is(&bent, [Some((2.4, upright)), Some((0.0, upright))]), Some(MarkKind::Tick), "bent at its axis");
         assert_eq!(is(&arc(60.0), [Some((1.0, level)), Some((0.8, level))]), None, "a crumb beside a line");
     }
 

@@ -4,9 +4,9 @@
 
 use super::label::CLEARANCE;
 use super::texts::{self, Text};
-use super::words::{self, Words, Written, own_texts};
+use super::words::{self, Words, WrittenWords, own_texts};
 use crate::Error;
-use crate::labels::{self, Foretold, Wanted, rows_beyond};
+use crate::labels::{self, RowPrediction, Wanted, row_overhang};
 use crate::page::Medium;
 use crate::page::cells::CellGrid;
 use crate::page::layout::Layout;
@@ -24,7 +24,7 @@ const LOWER: f32 = 2.0;
 /// How often the room is computed: a smaller drawing has its words elsewhere. After three of them less than 0.1 mm
 /// is lacking; in one more, room that nothing stands in falls away.
 const ROUNDS: usize = 4;
-/// How far lines may lie beside where they are foretold, mm: they are moved apart, and labels with them.
+/// How far lines may lie beside where they are predicted, mm: they are moved apart, and labels with them.
 const MOVED: f32 = 2.0;
 /// What is no lack of room, mm.
 const SLACK: f32 = 0.1;
@@ -44,7 +44,7 @@ pub(super) struct Lettered<'a> {
 
 /// How much room there may be.
 #[derive(Clone, Copy)]
-struct Bounds {
+struct TextBounds {
     /// The widest on the left or right, and above or below, mm.
     most: [f32; 2],
     /// The least width and height that are left to the drawing, mm.
@@ -56,7 +56,7 @@ struct Bounds {
 pub(super) fn with_room(
     &Lettered { texts, raster, source }: &Lettered<'_>,
     words: &Words<'_>,
-    written: &Written<'_>,
+    written: &WrittenWords<'_>,
     plan: &Plan,
     layout: Layout,
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
@@ -79,7 +79,7 @@ pub(super) fn with_room(
         let contours: Vec<MmPoint> = contours.iter().map(|&at| to_mm.to_mm(at)).collect();
         lacks(&texts, &contours, written, layout, most, plan)
     };
-    let bounds = Bounds { most, min_side: plan.profile().figure.min_side };
+    let bounds = TextBounds { most, min_side: plan.profile().figure.min_side };
     widened(layout, source, bounds, lacks, layout_of)
 }
 
@@ -88,7 +88,7 @@ pub(super) fn with_room(
 fn widened(
     own: Layout,
     source: Size,
-    Bounds { most, min_side }: Bounds,
+    TextBounds { most, min_side }: TextBounds,
     lacks: impl Fn(&Layout) -> [f32; 4],
     layout_of: &dyn Fn(Size) -> Result<Layout, Error>,
 ) -> Layout {
@@ -175,7 +175,7 @@ fn contours(raster: &Raster) -> Vec<PxPoint> {
 fn lacks(
     texts: &[(Text, MmRect)],
     contours: &[MmPoint],
-    written: &Written<'_>,
+    written: &WrittenWords<'_>,
     layout: &Layout,
     [across, down]: [f32; 2],
     plan: &Plan,
@@ -198,8 +198,8 @@ fn lacks(
         Medium::Print(_) => Some(plan.lines().min_length),
         Medium::Dots(_) => None,
     };
-    let foretold = Foretold { wanted: &wanted, contours, line_width, longer_to, params: &params };
-    let [left, top, right, bottom] = rows_beyond(&foretold, &cells, translator, layout.room);
+    let predicted = RowPrediction { wanted: &wanted, contours, line_width, longer_to, params: &params };
+    let [left, top, right, bottom] = row_overhang(&predicted, &cells, translator, layout.room);
     // ... and braille is brought on to it
     let [left, top, right, bottom] = [left, top, right, bottom].map(|lack| lack + step + MOVED);
     // a word above all else, such as a heading, is higher than its print

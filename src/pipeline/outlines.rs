@@ -6,7 +6,7 @@ use crate::edges::Edges;
 use crate::lines::Outlines;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::regions::{self, Areas, Chosen, OfFigure, RegionOutline};
+use crate::regions::{self, Chosen, OfFigure, OutlineAreas, RegionOutline};
 use crate::units::PageTransform;
 
 /// How many lines an overview has beside outlines, and the least length of each, mm.
@@ -28,7 +28,7 @@ pub(super) fn outlines_of_figure(
     chosen: Option<&Chosen>,
     transform: &PageTransform,
     plan: &Plan,
-) -> (Outlines, Option<Areas>) {
+) -> (Outlines, Option<OutlineAreas>) {
     let Some((tree, chosen)) = edges.regions.as_ref().zip(chosen) else { return (Outlines::default(), None) };
     let (outlines, areas) = tree.outlines(transform.mm_per_px(), &params_of(edges, plan, false), chosen);
     (outlines_with_room(outlines, &areas, None, edges), Some(areas))
@@ -65,7 +65,7 @@ fn params_of(edges: &Edges, plan: &Plan, of_overview: bool) -> regions::Params {
 
 fn outlines_with_room(
     outlines: Vec<RegionOutline>,
-    areas: &Areas,
+    areas: &OutlineAreas,
     others: Option<(usize, f32)>,
     edges: &Edges,
 ) -> Outlines {

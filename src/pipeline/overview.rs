@@ -1,9 +1,10 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
 use super::dots;
-use super::joined_bars::{BarTolerances, Instead, Redraw};
+use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
+use super::request::OF_PHOTOGRAPH;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
 use crate::page::Medium;
@@ -16,10 +17,6 @@ use crate::{About, Note};
 /// Shares of the figure's size for overviews of drawings that have no room in the one that the profile asks for: beyond
 /// the last it is no overview any more.
 const LARGER_OVERVIEWS: [f32; 3] = [0.5, 0.6, 0.7];
-/// How many times as large as the profile asks for the overview of a photograph is where the sheet has room below the
-/// figure. At 0.5 of the figure it agrees with what people outline to an F of .55, at 0.4 of .53
-/// (`docs/photographs.md`), and one hand still covers it: 85 mm of a figure as wide as an A4 sheet.
-const OF_PHOTOGRAPH: f32 = 1.25;
 /// An overview that lacks this share, as one of squared paper, is too small by far.
 const TOO_SMALL: f32 = 0.5;
 /// An overview may lack this share of a drawing's lines before a larger one is tried: ticks, and ends of lines.
@@ -29,7 +26,7 @@ const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
 /// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; of a photograph it is larger wherever there is room. A figure
+/// larger, as far as the sheet has room below the figure; of a photograph it is larger from the first ([`super::request::OverviewSize`]). A figure
 /// with outlines of regions has those `of_figure`.
 pub(super) fn draw_overview(
     edges: &Edges,
@@ -61,7 +58,7 @@ pub(super) struct DrawnOverview {
     /// How many of the things that the picture is about are too small for it.
     pub(super) subjects_lacking: usize,
     /// How the bars of a chart are drawn that have no room as they are.
-    pub(super) instead: Option<Instead>,
+    pub(super) instead: Option<BarStyle>,
 }
 
 /// An overview in one place.
@@ -103,7 +100,7 @@ impl Figure<'_> {
 
     /// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger
     /// one.
-    fn with_whole_bars(&self, drawn: Overview, place: MmRect) -> (Overview, Option<Instead>) {
+    fn with_whole_bars(&self, drawn: Overview, place: MmRect) -> (Overview, Option<BarStyle>) {
         let &Self { edges, layout, plan, .. } = self;
         if plan.lines().most_shapes.is_some() {
             return (drawn, None);

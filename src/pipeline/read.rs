@@ -7,7 +7,7 @@ use crate::lettering::{FoundLine, Lettering};
 use crate::paper::{Capture, Paper};
 use crate::picture::Picture;
 use crate::raster::Raster;
-use crate::raster::decode::{self, Header, Options};
+use crate::raster::decode::{self, DecodeOptions, Header};
 use crate::raster::vector::DrawnText;
 use crate::units::{PxPoint, Size};
 use crate::{About, Error, Note};
@@ -22,7 +22,7 @@ const FONT_SIZE: f32 = 1.6;
 
 /// A picture, and what is known of it.
 pub(super) struct Read {
-    pub(super) picture: decode::Picture,
+    pub(super) picture: decode::Decoded,
     pub(super) content: Content,
 }
 
@@ -65,7 +65,7 @@ impl Content {
 /// As [`decode::decode_picture`].
 pub(super) fn read(
     given: Picture<'_>,
-    options: &Options<'_>,
+    options: &DecodeOptions<'_>,
     reader: Option<&TextReader>,
     watch: &mut Watch<'_>,
 ) -> Result<Read, Error> {
@@ -79,20 +79,20 @@ pub(super) fn read(
 }
 
 /// A decoded picture; if it is a drawing that was scanned, on white paper in even light, with the paper that it was on.
-fn decoded(given: Picture<'_>, options: &Options<'_>) -> Result<(Read, Option<Paper>), Error> {
+fn decoded(given: Picture<'_>, options: &DecodeOptions<'_>) -> Result<(Read, Option<Paper>), Error> {
     let picture = decode::decode_picture(given, options)?;
     let content = Content::of(&picture.raster, None);
     // a drawing of paths alone was never on paper
     let is_painted = picture.drawing.as_ref().is_some_and(|drawing| drawing.pixel_areas.is_empty());
     let may_be_paper = !is_painted && !options.keep_ground;
-    Ok(match content.is_uniform() || options.keep_text && !may_be_paper {
+    Ok(match content.is_uniform() || options.keep_text && is_painted {
         true => (Read { picture, content }, None),
         false => on_white_paper(picture, may_be_paper),
     })
 }
 
 /// What kind of picture it is, and its paper divided out where it may be on paper.
-fn on_white_paper(picture: decode::Picture, may_be_paper: bool) -> (Read, Option<Paper>) {
+fn on_white_paper(picture: decode::Decoded, may_be_paper: bool) -> (Read, Option<Paper>) {
     let kind = PictureKind::of(&picture.raster, picture.lossy);
     let paper = if kind.is_drawing && may_be_paper {
         let capture = Capture { noise: kind.noise_of_lightness(), lossy: picture.lossy.is_some() };
@@ -106,14 +106,14 @@ fn on_white_paper(picture: decode::Picture, may_be_paper: bool) -> (Read, Option
     let mut notes = picture.notes;
     notes.push(Note::GroundAsPaper { colour, darkest });
     let content = Content::of(&raster, Some(kind.again_of(&raster)));
-    (Read { picture: decode::Picture { raster, notes, ..picture }, content }, paper)
+    (Read { picture: decode::Decoded { raster, notes, ..picture }, content }, paper)
 }
 
 fn without_text(
     known: Read,
     paper: Option<&Paper>,
     picture: Picture<'_>,
-    options: &Options<'_>,
+    options: &DecodeOptions<'_>,
     reader: Option<&TextReader>,
 ) -> Read {
     let Read { picture: decoded, content } = known;
@@ -142,9 +142,12 @@ fn without_text(
     let erased = found.erased_from(raster);
     let raster = if finer.is_some() { erased.shrunk(working) } else { erased };
     // without its letters it may be of another kind, unless it is on paper
-    let kind = paper.and(content.kind()).map(|kind| kind.again_of(&raster));
+    let kind = match paper.and(content.kind()) {
+        Some(kind) => Some(kind.again_of(&raster)),
+        None => decoded.drawing.is_none().then(|| PictureKind::of(&raster, decoded.lossy)),
+    };
     let content = Content::of(&raster, kind);
-    Read { picture: decode::Picture { raster, texts, notes, ..decoded }, content }
+    Read { picture: decode::Decoded { raster, texts, notes, ..decoded }, content }
 }
 
 /// What the maker is told of texts in pixels that somebody has read: a word that was read wrongly is found by reading
@@ -161,7 +164,7 @@ fn told_read(words: &[String]) -> Option<Note> {
 }
 
 /// The picture once more, finer than the working picture; none if there is no finer one, or it is over a limit.
-fn finer(picture: Picture<'_>, decoded: &decode::Picture, options: &Options<'_>) -> Option<Raster> {
+fn finer(picture: Picture<'_>, decoded: &decode::Decoded, options: &DecodeOptions<'_>) -> Option<Raster> {
     let working = decoded.raster.size();
     let wanted = |source: Header| {
         let side = |side: u32, own: u32| {
@@ -174,7 +177,7 @@ fn finer(picture: Picture<'_>, decoded: &decode::Picture, options: &Options<'_>)
         return None;
     }
     let working_size = |source: Header| Ok(wanted(source));
-    let options = Options { working_size: &working_size, ..*options };
+    let options = DecodeOptions { working_size: &working_size, ..*options };
     decode::decode_picture(picture, &options).ok().map(|picture| picture.raster)
 }
 

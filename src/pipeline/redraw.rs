@@ -1,7 +1,7 @@
 //! A page that was read, drawn anew for another paper or device.
 
 use super::areas;
-use super::draw::{DrawnLines, Marks, draw_lines};
+use super::draw::{DrawnMarks, FigureLines, draw_lines};
 use super::hand_lines::HandLines;
 use super::kept_lines::{self, LineName};
 use super::key::KeySheets;
@@ -11,7 +11,7 @@ use super::progress::Watch;
 use super::request::Request;
 use super::textures::{blank_ground, draw_textures, told_bare};
 use super::told_lines::{left_out, told_left_out};
-use super::words::{Words, Written};
+use super::words::{Words, WrittenWords};
 use crate::braille::Translate;
 use crate::lines::{Line, Pen, Run, arrows};
 use crate::page::layout::Layout;
@@ -61,7 +61,7 @@ pub fn key_of_page(
     }
     let labels = labels(page);
     let words = Words { key, translate, ..words(page, &labels) };
-    let written = Written::new(&words, request.plan);
+    let written = WrittenWords::new(&words, request.plan);
     let layout = Layout {
         sheet: page.sheet,
         figure: page.figure.place,
@@ -87,14 +87,14 @@ pub(super) fn marks(
     layout: Layout,
     request: &Request<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Marks, Error> {
+) -> Result<DrawnMarks, Error> {
     let (plan, size) = (request.plan, shape(page));
     let px_per_mm = PageTransform::new(size, layout.figure).px_per_mm();
     let params = plan.lines();
     // two ends that face one another over such a gap are not joined, and each is led on to the line between them
     let blank = [params.max_spacing(), GAP_OF_ENDS * params.join_gap].map(|mm| mm * px_per_mm);
     let hand_lines = HandLines::of_figure(page, own);
-    let mut edges = hand_lines.edges_below(lines, size, blank, params.full_strength)?;
+    let mut edges = hand_lines.edges_under_own(lines, size, blank, params.full_strength)?;
     if let MediumParams::Dots { device, .. } = plan.medium()
         && !device.has_heights()
     {
@@ -105,7 +105,7 @@ pub(super) fn marks(
     let of_overview = HandLines::of_overview(page, own).map(|lines| lines.edges(size)).transpose()?;
     request.go_on()?;
     // the lines of a page stay lines of their own
-    let DrawnLines { lines: mut drawn, .. } = draw_lines(&edges, None, false, &layout, plan, watch);
+    let FigureLines { lines: mut drawn, .. } = draw_lines(&edges, None, false, &layout, plan, watch);
     let edges_of_overview = of_overview.as_ref().unwrap_or(&edges);
     let overview = draw_overview(edges_of_overview, None, false, &layout, plan, watch);
     let left_out = left_out(&drawn.lost, overview.lost.rings);
@@ -130,7 +130,7 @@ pub(super) fn marks(
     notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
-    Ok(Marks {
+    Ok(DrawnMarks {
         figure,
         overview: overview.marks,
         layout,

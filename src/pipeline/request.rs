@@ -1,12 +1,12 @@
 //! What one picture is converted with: the profile, and what its maker chooses anew for each picture.
 
 use crate::Error;
-use crate::page::MIRRORED;
 use crate::page::heading::HeadingParams;
-use crate::page::layout::{self, Layout};
+use crate::page::layout::{self, Layout, OverviewParams};
+use crate::page::{MIRRORED, MediumParams};
 use crate::profile::Plan;
 use crate::raster::crop::Crop;
-use crate::raster::decode::{Fonts, Header, Limits, Options};
+use crate::raster::decode::{DecodeOptions, FontLoader, Header, Limits};
 use crate::units::Size;
 
 /// Which part of a picture is drawn, and how. The default is all of it, as large as the sheet allows, for the front.
@@ -35,8 +35,8 @@ impl Fit {
     ///
     /// # Errors
     /// If it is asked for wider than there is room for, or its width is no length.
-    pub(super) fn layout(&self, size: Size, plan: &Plan) -> Result<Layout, Error> {
-        self.layout_below(size, plan, None)
+    pub(super) fn layout(&self, size: Size, plan: &Plan, overview: OverviewSize) -> Result<Layout, Error> {
+        self.layout_below(size, plan, None, overview)
     }
 
     /// The same below a title in braille.
@@ -48,10 +48,11 @@ impl Fit {
         size: Size,
         plan: &Plan,
         heading: Option<HeadingParams>,
+        overview: OverviewSize,
     ) -> Result<Layout, Error> {
         self.check()?;
         let aspect = size.width as f32 / size.height as f32;
-        let params = layout::Params { heading, ..plan.layout() };
+        let params = layout::Params { heading, ..overview.in_layout(plan.layout()) };
         let layout = layout::fit(aspect, self.width.unwrap_or(f32::MAX), &params);
         let most = layout.figure.width();
         match self.width {
@@ -87,6 +88,49 @@ impl Fit {
     }
 }
 
+/// How many times as large as the profile asks for the overview of a photograph is. At 0.5 of the figure it agrees with what people outline to an F of .55, at 0.4 of .53
+/// (`docs/photographs.md`), and one hand still covers it: 85 mm of a figure as wide as an A4 sheet.
+pub(super) const OF_PHOTOGRAPH: f32 = 1.25;
+
+/// How large the overview is laid out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum OverviewSize {
+    /// As the profile asks for.
+    Own,
+    /// As for a photograph, [`OF_PHOTOGRAPH`] times as large on printed paper.
+    OfPhotograph,
+}
+
+impl OverviewSize {
+    /// The layout of a picture of `source` pixels with this overview, or with the profile's where this one would leave
+    /// the figure less room than is asked for.
+    ///
+    /// # Errors
+    /// As `layout_of`.
+    pub(super) fn fitting(self, source: Size, plan: &Plan, layout_of: &LayoutOf<'_>) -> Result<(Self, Layout), Error> {
+        let least = plan.profile().figure.min_side;
+        let own = || layout_of(source, Self::Own).map(|layout| (Self::Own, layout));
+        match layout_of(source, self) {
+            Ok(layout) if layout.figure.width().min(layout.figure.height()) >= least => Ok((self, layout)),
+            _ => own(),
+        }
+    }
+
+    /// The layout's parameters with an overview of this size.
+    pub(super) fn in_layout(self, params: layout::Params) -> layout::Params {
+        let overview = match (self, params.medium) {
+            (Self::OfPhotograph, MediumParams::Print(_)) => params
+                .overview
+                .map(|overview| OverviewParams { scale: (OF_PHOTOGRAPH * overview.scale).min(1.0), ..overview }),
+            _ => params.overview,
+        };
+        layout::Params { overview, ..params }
+    }
+}
+
+/// Where a picture of this size lies on the sheet, with an overview of this size.
+pub(super) type LayoutOf<'a> = dyn Fn(Size, OverviewSize) -> Result<Layout, Error> + 'a;
+
 /// Everything beside the picture's bytes.
 pub struct Request<'a> {
     /// The checked profile.
@@ -94,7 +138,7 @@ pub struct Request<'a> {
     /// What decoding may cost.
     pub limits: Limits,
     /// Fonts for drawings; asked only when a drawing has text.
-    pub fonts: &'a Fonts<'a>,
+    pub fonts: &'a FontLoader<'a>,
     /// What the page is called, such as the picture's file name.
     pub title: &'a str,
     /// The language in which the page is described (BCP 47); English where the program has no words in it.
@@ -115,8 +159,8 @@ impl Request<'_> {
     }
 
     /// How the picture is decoded.
-    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> Options<'b> {
+    pub(super) fn decoding<'b>(&'b self, working_size: &'b dyn Fn(Header) -> Result<Size, Error>) -> DecodeOptions<'b> {
         let Fit { crop, page, keep_text, keep_ground, .. } = self.fit;
-        Options { limits: self.limits, fonts: self.fonts, crop, page, keep_text, keep_ground, working_size }
+        DecodeOptions { limits: self.limits, fonts: self.fonts, crop, page, keep_text, keep_ground, working_size }
     }
 }

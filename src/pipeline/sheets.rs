@@ -1,13 +1,13 @@
 //! From bytes to a picture on several sheets.
 
-use super::draw::{Marks, draw};
+use super::draw::{DrawnMarks, draw};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
 use super::lost_signs;
 use super::print_words;
 use super::progress::{Stage, Watch, run};
 use super::request::{Request, SLACK};
-use super::words::{Words, Written};
+use super::words::{Words, WrittenWords};
 use crate::devices::Family;
 use crate::page::heading::HeadingParams;
 use crate::page::layout::{self, Layout, Orientation};
@@ -61,11 +61,17 @@ pub fn convert<'p>(
     watch: &mut Watch<'_>,
 ) -> Result<Sheets, Error> {
     let plan = request.plan;
-    let written = Written::new(words, plan);
+    let written = WrittenWords::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
-    let marks =
-        draw(picture.into(), (given, words), request, &|size| Ok(together(&lay(size)?)), &|_, layout| layout, watch)?;
-    let Marks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
+    let marks = draw(
+        picture.into(),
+        (given, words),
+        request,
+        &|size, _| Ok(together(&lay(size)?)),
+        &|_, layout, _| layout,
+        watch,
+    )?;
+    let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {
         notes.retain(|note| !matches!(note, Note::TextsLeftOut(_))); // those that have no room are told
@@ -110,7 +116,7 @@ struct Laid {
 }
 
 /// Lays a picture of this size out below its title, or without one where that leaves too little room.
-fn lay(size: Size, grid: Option<SheetGrid>, written: &Written<'_>, request: &Request<'_>) -> Result<Laid, Error> {
+fn lay(size: Size, grid: Option<SheetGrid>, written: &WrittenWords<'_>, request: &Request<'_>) -> Result<Laid, Error> {
     let least = request.plan.profile().figure.min_side;
     let heading = written.heading_beside(LABEL_CELLS);
     let lay = |heading: Option<HeadingParams>| {
@@ -171,7 +177,7 @@ fn spread_of(
 }
 
 /// The overview as large as one sheet allows below the title; of dots, on a sheet that lies as the others do.
-fn overview_sheet(size: Size, spread: &Spread, written: &Written<'_>, request: &Request<'_>) -> Layout {
+fn overview_sheet(size: Size, spread: &Spread, written: &WrittenWords<'_>, request: &Request<'_>) -> Layout {
     let own = request.plan.layout();
     let orientation = match spread.medium {
         Medium::Print(_) => own.orientation,
@@ -188,7 +194,7 @@ fn assemble(
     overview: Option<(MmRect, Vec<Line>)>,
     left_out: LeftOut,
     laid: &Laid,
-    written: &Written<'_>,
+    written: &WrittenWords<'_>,
     request: &Request<'_>,
 ) -> Result<Sheets, Error> {
     let Laid { grid, spread, .. } = laid;

@@ -122,7 +122,7 @@ mod tests {
             lost.into_iter().map(|(region, _)| region).collect::<Vec<_>>()
         };
         assert_eq!(lost(&[large]), [0]);
-        assert_eq!(lost(&[bar, large]), [], "it is there");
+        assert!(lost(&[bar, large]).is_empty(), "it is there");
         assert_eq!(lost(&[(Class::Green, bar.1), large]), [0], "with another sign");
     }
 }

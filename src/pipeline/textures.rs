@@ -9,7 +9,7 @@ use crate::lines::Line;
 use crate::page::layout::Layout;
 use crate::page::{Medium, Texture};
 use crate::profile::Plan;
-use crate::regions::Areas;
+use crate::regions::OutlineAreas;
 use crate::units::{MmVector, PxPoint, Size};
 use crate::{About, Note, textures};
 
@@ -22,7 +22,7 @@ const BARE: f32 = 0.03;
 /// Makes sorted colours agree with the areas that outlines surround. Tells of those that no colour holds.
 pub(super) fn fit_to_areas(
     classes: &mut Classes,
-    areas: &Areas,
+    areas: &OutlineAreas,
     picture: Size,
     layout: &Layout,
     plan: &Plan,

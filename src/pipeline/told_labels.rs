@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::unwritten::{Lacks, Refused, named};
-use crate::labels::{self, NEAR, Placed, Stands, Unplaced, Wanted};
+use super::unwritten::{Lacks, RefusedTexts, named};
+use crate::labels::{self, NEAR, Placed, PlacedAs, Unplaced, Wanted};
 use crate::listing::first_few;
 use crate::page::Figure;
 use crate::units::{MmPoint, MmRect};
@@ -17,7 +17,7 @@ pub(super) const NO_CODE_OF_WORDS: &str = "there is no braille code for the lang
 pub(super) const NOTHING_TO_TELL: &str =
     "it would tell nothing: the figure has no textures, whose colours it names, and no label is abbreviated";
 const NO_ROOM: &str = "there is no room";
-/// ... of numbers along an axis of which every so many-th stands.
+/// Why some numbers along an axis are left out where every so many-th stands.
 const EVERY: [(i64, &str); 3] = [
     (2, "there is room for every second number along an axis only"),
     (5, "there is room for every fifth number along an axis only"),
@@ -25,7 +25,7 @@ const EVERY: [(i64, &str); 3] = [
 ];
 const _: () =
     assert!(EVERY[0].0 == labels::EVERY[0] && EVERY[1].0 == labels::EVERY[1] && EVERY[2].0 == labels::EVERY[2]);
-/// ... and of those of which only some have a tick on the page.
+/// The same where only those stand that have a tick on the page.
 const AT_TICKS: &str = "there is room for the numbers at the ticks of the page only";
 const NO_CELLS: &str = "their code has no cells for them";
 const MISLEADING: &str = "without characters that their code has no cells for they would say something else";
@@ -103,7 +103,7 @@ pub(super) fn nearer_to_others(wanted: &[Wanted], results: &[Result<Placed, Unpl
             .filter(is_nearer)
             .min_by(|a, b| far(&a.anchor, &placed.place).total_cmp(&far(&b.anchor, &placed.place)));
         other
-            .filter(|_| placed.leader.is_none() && !matches!(placed.stands, Stands::InMargin | Stands::AsTitle))
+            .filter(|_| placed.leader.is_none() && !matches!(placed.stands, PlacedAs::InMargin | PlacedAs::AsTitle))
             .map(|other| other.text.as_str())
     };
     let all = wanted.iter().zip(results).enumerate();
@@ -157,13 +157,13 @@ pub(super) fn of_axes(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -
     let in_margin = "labels of a row or column stand in the margin beside the drawing, each in line with its place, as \
                      there is no room for them there";
     let bare = "of numbers along an axis only one has the unit, as there is no room for it behind each";
-    let of_margin = tell(&those(|label| label.stands == Stands::InMargin), in_margin);
+    let of_margin = tell(&those(|label| label.stands == PlacedAs::InMargin), in_margin);
     of_margin.into_iter().chain(tell(&those(|label| label.is_bare), bare)).collect()
 }
 
 /// What the maker is told of labels: what their code lacks, which are abbreviated, which are not there and why.
 pub(super) fn told(wanted: &[Wanted], results: &[Result<Placed, Unplaced>]) -> Vec<Note> {
-    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), Refused::default(), Lacks::default());
+    let (mut abbreviated, mut refused, mut lacks) = (Vec::new(), RefusedTexts::default(), Lacks::default());
     let mut thinned: BTreeMap<i64, Vec<String>> = BTreeMap::new();
     let mut misleading = Vec::new();
     let (mut no_room, mut no_cells, mut too_many, mut too_long) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -227,7 +227,7 @@ mod tests {
                 abbreviation: None,
                 leader: None,
                 crosses: false,
-                stands: Stands::Alone,
+                stands: PlacedAs::Alone,
                 is_bare: false,
             })
         };

@@ -6,7 +6,7 @@ use crate::lines::{Beyond, Lines, Lost};
 use crate::page::layout::Layout;
 use crate::page::{LeftOut, Medium};
 use crate::profile::Plan;
-use crate::regions::Areas;
+use crate::regions::OutlineAreas;
 use crate::{About, Note};
 
 /// Share of the contours left out for want of room from which the maker is told. Photographs of many things leave out
@@ -21,9 +21,9 @@ const LEAST_TOLD: f32 = 3.0;
 const LEAST_TOLD_OF_DOTS: f32 = 0.05;
 
 /// What the maker is told of lines that are left out as there are to be few.
-pub(super) fn told_simplified(beyond: Beyond, areas: Option<&Areas>, plan: &Plan) -> Option<Note> {
+pub(super) fn told_simplified(beyond: Beyond, areas: Option<&OutlineAreas>, plan: &Plan) -> Option<Note> {
     let most = plan.lines().most_shapes?;
-    let shapes = beyond.shapes + areas.map_or(0, Areas::beyond);
+    let shapes = beyond.shapes + areas.map_or(0, OutlineAreas::beyond);
     Some(Note::Simplified { shapes, lines: beyond.lines, most })
 }
 

@@ -1,12 +1,12 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{DrawnLines, contours_of, draw_lines, edges_of, enough_pixels, working_size};
+use super::draw::{FigureLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, working_size};
 use super::given::Given;
 use super::joined_bars;
 use super::outlines::regions_of_figure;
 use super::progress::{Event, Stage, Watch};
 use super::read::{Read, read};
-use super::request::{Fit, Request};
+use super::request::{Fit, OverviewSize, Request};
 use super::told_lines::told_left_out;
 use crate::contours::Trace;
 use crate::edges::{self, Edges};
@@ -15,7 +15,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::raster::decode::Header;
 use crate::regions::Detail;
-use crate::units::PageTransform;
+use crate::units::{PageTransform, Size};
 use crate::{Error, Note};
 
 /// Contours and what should be known of them.
@@ -103,18 +103,20 @@ pub fn trace<'p>(
     let plan = request.plan;
     let in_full = tracing.subject == Subject::ContoursAtFullResolution;
     let fit = Fit { mirrored: false, ..request.fit };
+    let layout_of = |size: Size, overview: OverviewSize| fit.layout(size, plan, overview);
     let working_size = |source: Header| {
         if in_full {
             enough_pixels(source.size).map(|()| source.size)
         } else {
-            working_size(source, &|size| fit.layout(size, plan), &fit, plan)
+            working_size(source, &layout_of, &fit, plan)
         }
     };
     let options = request.decoding(&working_size);
     let read = read(picture.into(), &options, None, watch)?;
     let (source, mut notes) = (read.picture.source.size, read.picture.notes.clone());
 
-    let layout = fit.layout(source, plan)?;
+    let overview = overview_of(&read.picture, &read.content, given, plan);
+    let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
     let (edges, of_given) = contours_of(given, read.picture.raster.size(), &layout, &erased, request, || {
@@ -128,7 +130,7 @@ pub fn trace<'p>(
         Subject::Contours | Subject::ContoursAtFullResolution => Trace::of_edges(&edges, source),
         Subject::Lines => {
             let regions = regions_of_figure(&edges, &layout, plan, watch);
-            let DrawnLines { lines: drawn, instead, .. } =
+            let FigureLines { lines: drawn, instead, .. } =
                 draw_lines(&edges, regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
             notes.extend(told_left_out(&drawn, &edges, &layout));
             notes.extend(joined_bars::told(instead, None));
@@ -162,10 +164,10 @@ fn find_edges(read: &Read, tracing: &Tracing, layout: &Layout, plan: &Plan, watc
         (params.low, params.high) = (low, high);
     }
     let detail = match tracing.subject {
-        Subject::ContoursAtFullResolution => Detail::CONTOURS,
-        Subject::Contours | Subject::Lines => Detail::OUTLINES,
+        Subject::ContoursAtFullResolution => Some(Detail::CONTOURS),
+        Subject::Contours | Subject::Lines => plan.region_detail(),
     };
-    let edges = edges_of(picture, content.kind(), &params, Some(detail), watch);
+    let edges = edges_of(picture, content.kind(), &params, detail, watch);
     // only lines have outlines of regions; for contours the tree has done its work
     let regions = edges.regions.filter(|_| tracing.subject == Subject::Lines);
     Edges { regions, ..edges }

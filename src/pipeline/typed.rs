@@ -2,7 +2,7 @@
 
 use super::label::{Label, Position};
 use super::texts::Text;
-use super::words::{Words, Written};
+use super::words::{Words, WrittenWords};
 use crate::braille::Translate;
 use crate::lines::{Line, Run};
 use crate::page::cells::CellGrid;
@@ -46,7 +46,7 @@ pub(super) fn write(parts: &mut Parts, texts: &[TypedText], plan: &Plan, transla
     let language = parts.language.clone();
     let own_texts = !exact.is_empty();
     let words = Words { language: Some(&language), labels: &labels, own_texts, translate, ..Words::default() };
-    let written = Written::new(&words, plan);
+    let written = WrittenWords::new(&words, plan);
     let (sheet, medium) = (parts.sheet, parts.medium.clone());
     let layout = Layout { sheet, figure: place, room: place, overview: None, mark: None, heading: None, medium };
     let count = parts.figure.lines.len();

@@ -41,9 +41,9 @@ pub(super) fn named(texts: &[&str]) -> String {
 
 /// Texts that a translator could not write, each with what it says: told once for each reason.
 #[derive(Debug, Default)]
-pub(super) struct Refused(Vec<(String, Vec<String>)>);
+pub(super) struct RefusedTexts(Vec<(String, Vec<String>)>);
 
-impl Refused {
+impl RefusedTexts {
     pub(super) fn add(&mut self, text: &str, why: String) {
         let at = self.0.iter().position(|(known, _)| *known == why).unwrap_or_else(|| {
             self.0.push((why, Vec::new()));

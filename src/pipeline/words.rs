@@ -4,7 +4,7 @@ use std::f32::consts::FRAC_1_SQRT_2;
 
 use super::key::{self, Entries, KeySheets};
 use super::label::{CLEARANCE, Label};
-use super::request::Request;
+use super::request::{OverviewSize, Request};
 use super::texts::Text;
 use super::told_labels::{
     NO_CODE, NO_CODE_OF_WORDS, NOTHING_TO_TELL, OFF, OUTSIDE, TOO_LONG, across, left_out, nearer_to_others, of_axes,
@@ -62,7 +62,7 @@ const STEP: f32 = 1.0;
 
 /// The words of a page in braille.
 #[derive(Debug, Default)]
-pub(super) struct Written<'a> {
+pub(super) struct WrittenWords<'a> {
     title: Option<Title>,
     heading: Option<HeadingParams>,
     /// The page number of the first sheet.
@@ -82,7 +82,7 @@ struct Title {
 /// Most sheets after the first: room for the digits of their numbers is kept.
 const MOST_SHEETS: u32 = 50;
 
-impl<'a> Written<'a> {
+impl<'a> WrittenWords<'a> {
     /// The words in the code that the profile names, or that of their language.
     pub(super) fn new(words: &Words<'a>, plan: &Plan) -> Self {
         let settings = &plan.profile().braille;
@@ -130,13 +130,13 @@ impl<'a> Written<'a> {
 
     /// Where a picture lies below its title. Where a title would leave the figure too small, or narrower than it is
     /// asked for, there is none.
-    pub(super) fn layout(&self, size: Size, request: &Request<'_>) -> Result<Layout, Error> {
+    pub(super) fn layout(&self, size: Size, overview: OverviewSize, request: &Request<'_>) -> Result<Layout, Error> {
         let (fit, plan) = (&request.fit, request.plan);
         let least = plan.profile().figure.min_side;
-        let below = self.heading.and_then(|heading| fit.layout_below(size, plan, Some(heading)).ok());
+        let below = self.heading.and_then(|heading| fit.layout_below(size, plan, Some(heading), overview).ok());
         match below.filter(|layout| layout.figure.width().min(layout.figure.height()) >= least) {
             Some(layout) => Ok(layout),
-            None => fit.layout(size, plan),
+            None => fit.layout(size, plan, overview),
         }
     }
 

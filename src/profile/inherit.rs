@@ -3,7 +3,7 @@
 use super::built_in;
 use super::fault::{Fault, FaultInText};
 use super::keys::{KEYS, Origin, Profile};
-use super::parse::{Written, parse};
+use super::parse::{WrittenKey, parse};
 use super::suggest::unknown_profile;
 use crate::listing::{first_few, list};
 
@@ -54,28 +54,28 @@ fn name_of(place: &str) -> &str {
 }
 
 /// A text and those it inherits.
-struct Texts {
+struct ProfileTexts {
     /// The text itself first. Never empty.
-    layers: Vec<Layer>,
+    layers: Vec<ProfileLayer>,
     /// Whether the last one inherits nothing and could be read, so that together they must give every key.
     complete: bool,
 }
 
-struct Layer {
+struct ProfileLayer {
     place: String,
     source: ProfileOrigin,
-    written: Written,
+    written: WrittenKey,
 }
 
-fn texts(text: &str, place: &str, source: ProfileOrigin, find: &FindFile<'_>, faults: &mut Vec<Fault>) -> Texts {
-    let mut texts = Texts { layers: Vec::new(), complete: true };
+fn texts(text: &str, place: &str, source: ProfileOrigin, find: &FindFile<'_>, faults: &mut Vec<Fault>) -> ProfileTexts {
+    let mut texts = ProfileTexts { layers: Vec::new(), complete: true };
     let mut next = Some((text.to_owned(), place.to_owned(), source));
     while let Some((text, place, source)) = next.take() {
         let mut found = Vec::new();
         let written = parse(&text, &mut found);
         texts.complete &= !written.broken;
         let parent = written.inherits.clone();
-        texts.layers.push(Layer { place: place.clone(), source, written });
+        texts.layers.push(ProfileLayer { place: place.clone(), source, written });
         if let Some((parent, line)) = parent {
             match inherited(&parent, &texts.layers, find) {
                 Ok(text) => next = Some(text),
@@ -92,7 +92,11 @@ fn texts(text: &str, place: &str, source: ProfileOrigin, find: &FindFile<'_>, fa
 }
 
 /// The text, place and source of what the last of `layers` inherits.
-fn inherited(parent: &str, layers: &[Layer], find: &FindFile<'_>) -> Result<(String, String, ProfileOrigin), String> {
+fn inherited(
+    parent: &str,
+    layers: &[ProfileLayer],
+    find: &FindFile<'_>,
+) -> Result<(String, String, ProfileOrigin), String> {
     let child = layers.last().map_or("", |layer| layer.place.as_str());
     let (place, source) = if built_in::is_path(parent) {
         (beside(child, parent), ProfileOrigin::File)
@@ -114,7 +118,7 @@ fn inherited(parent: &str, layers: &[Layer], find: &FindFile<'_>) -> Result<(Str
     Ok((text, place, source))
 }
 
-impl Layer {
+impl ProfileLayer {
     /// As a profile names it that inherits it.
     fn name(&self) -> &str {
         match self.source {
@@ -151,7 +155,7 @@ fn same_file(a: &str, b: &str) -> bool {
 
 /// Writes all values, those of the text itself last. A refused value leaves its key not held, so that no rule is
 /// applied to the inherited one in its place.
-fn lay_over(profile: &mut Profile, layers: &[Layer]) {
+fn lay_over(profile: &mut Profile, layers: &[ProfileLayer]) {
     let mut order = 0;
     for (depth, layer) in layers.iter().enumerate().rev() {
         for given in &layer.written.given {
@@ -168,7 +172,7 @@ fn lay_over(profile: &mut Profile, layers: &[Layer]) {
 }
 
 /// The fault of a profile that inherits nothing and does not give every key.
-fn missing(profile: &Profile, layers: &[Layer]) -> Option<Fault> {
+fn missing(profile: &Profile, layers: &[ProfileLayer]) -> Option<Fault> {
     let missing: Vec<_> =
         KEYS.iter().zip(&profile.origins).filter(|(_, origin)| origin.order == 0).map(|(key, _)| key.path).collect();
     let place = &layers.last()?.place;

@@ -332,6 +332,9 @@ table! {
         detail: f32 = 0.0 to 1.0;
         /// Most shapes that are drawn, the most telling ones, and most other lines; 0 is no limit.
         shapes: usize = 0.0 to 100.0;
+        /// Whether the most telling regions of a photograph are outlined, in figure and overview, before other
+        /// contours are drawn.
+        regions: bool;
         /// Lines shorter than this are left out.
         min_length: f32 = 0.0 to 200.0, "mm";
         /// Least blank between the edges of two lines.

@@ -19,19 +19,19 @@ const TOP: &[&str] = &["description", "inherits"];
 
 /// What one file says.
 #[derive(Debug, Default)]
-pub(super) struct Written {
+pub(super) struct WrittenKey {
     pub(super) description: Option<String>,
     /// The name of the profile it builds on, and its line.
     pub(super) inherits: Option<(String, usize)>,
     /// In the order of the lines.
-    pub(super) given: Vec<Given>,
+    pub(super) given: Vec<GivenKeys>,
     /// Whether some line could not be read at all, so that a key may be missing for that reason only.
     pub(super) broken: bool,
 }
 
 /// One key and its value.
 #[derive(Debug)]
-pub(super) struct Given {
+pub(super) struct GivenKeys {
     /// Its place in [`KEYS`].
     pub(super) key: usize,
     /// `None` if the value was refused.
@@ -41,17 +41,17 @@ pub(super) struct Given {
 
 /// Reads a text. Whatever it holds, as much as can be understood comes back; the faults go to `faults` in the order of
 /// their lines.
-pub(super) fn parse(text: &str, faults: &mut Vec<FaultInText>) -> Written {
+pub(super) fn parse(text: &str, faults: &mut Vec<FaultInText>) -> WrittenKey {
     if text.len() > LONGEST_TEXT {
         faults.push(FaultInText::new(
             1,
             format!("a profile has at most {LONGEST_TEXT} bytes, this text has {}, is it the right file?", text.len()),
         ));
-        return Written { broken: true, ..Written::default() };
+        return WrittenKey { broken: true, ..WrittenKey::default() };
     }
     let lines = Lines::of(text);
     let mut reader =
-        Reader { text, lines: &lines, mistakes: BTreeSet::new(), written: Written::default(), faults: Vec::new() };
+        Reader { text, lines: &lines, mistakes: BTreeSet::new(), written: WrittenKey::default(), faults: Vec::new() };
     let mistakes = syntax::read(text, &lines, &mut |table, mistakes| {
         reader.mistakes.clone_from(mistakes);
         reader.table(table);
@@ -71,11 +71,11 @@ struct Reader<'l> {
     lines: &'l Lines,
     /// Lines with a mistake in the TOML: what was made of them is not to be trusted.
     mistakes: BTreeSet<usize>,
-    written: Written,
+    written: WrittenKey,
     faults: Vec<FaultInText>,
 }
 
-type Name<'i> = Spanned<std::borrow::Cow<'i, str>>;
+type KeyName<'i> = Spanned<std::borrow::Cow<'i, str>>;
 
 impl Reader<'_> {
     /// A mistake in the TOML of a line is told instead of what follows from it.
@@ -111,7 +111,7 @@ impl Reader<'_> {
         }
     }
 
-    fn section(&mut self, section: &str, name: &Name<'_>, value: &Spanned<DeValue<'_>>) {
+    fn section(&mut self, section: &str, name: &KeyName<'_>, value: &Spanned<DeValue<'_>>) {
         let switch = switch_of(section);
         match (value.get_ref(), switch) {
             (DeValue::Table(table), _) => {
@@ -142,7 +142,7 @@ impl Reader<'_> {
         }
     }
 
-    fn key(&mut self, index: usize, name: &Name<'_>, value: &Spanned<DeValue<'_>>) {
+    fn key(&mut self, index: usize, name: &KeyName<'_>, value: &Spanned<DeValue<'_>>) {
         let (key, line) = (&KEYS[index], self.line(name));
         let damaged = self.mistakes.contains(&line);
         let given = given(value.get_ref());
@@ -155,7 +155,7 @@ impl Reader<'_> {
         if refused {
             self.faults.push(FaultInText::of_key(key.path, line, key.refuse(&self.said(value))));
         }
-        self.written.given.push(Given { key: index, value: given.filter(|_| !refused && !damaged), line });
+        self.written.given.push(GivenKeys { key: index, value: given.filter(|_| !refused && !damaged), line });
     }
 
     /// Names a value in a message: "the text \"thick\"", "12.5".

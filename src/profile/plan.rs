@@ -5,7 +5,7 @@ use super::keys::Profile;
 use crate::Error;
 use crate::devices::Device;
 use crate::dots::textures::Least;
-use crate::legibility::{Limits, MediumLimits};
+use crate::legibility::{MediumLimits, RuleLimits};
 use crate::page::{DotMedium, MediumParams, Print, layout};
 use crate::textures::Palette;
 use crate::{classes, dots, edges, lines, regions, textures};
@@ -173,6 +173,11 @@ impl Plan {
         }
     }
 
+    /// How fine the regions of a photograph are, of which some are outlined; none where none is.
+    pub fn region_detail(&self) -> Option<regions::Detail> {
+        self.profile.lines.regions.then_some(regions::Detail::OUTLINES)
+    }
+
     /// Which regions get an outline, in the figure or in the overview.
     pub fn regions(&self, of_overview: bool) -> regions::Params {
         let lines = self.lines();
@@ -255,7 +260,7 @@ impl Plan {
     }
 
     /// The numbers that a page of this profile is held against.
-    pub fn limits(&self) -> Limits {
+    pub fn limits(&self) -> RuleLimits {
         let Profile { page, lines, colours, textures, braille, print, .. } = self.profile();
         let medium = match self.medium() {
             MediumParams::Print(_) => MediumLimits::Print {
@@ -272,7 +277,7 @@ impl Plan {
                 MediumLimits::Dots { pitch, line_gap, texture_gap }
             }
         };
-        Limits {
+        RuleLimits {
             margin: page.margin,
             line_length: lines.min_length,
             texture_area: colours.min_area,

@@ -1,6 +1,6 @@
 //! Filled shapes that a person drew to be areas of a colour: they have no signs yet, so a page cannot hold them.
 
-use super::marks::Mark;
+use super::marks::PaintedShape;
 use crate::geom::outline::area;
 use crate::output::layer::Layer;
 use crate::page::Class;
@@ -22,7 +22,7 @@ pub struct DrawnArea {
 
 /// The area that a mark is. One in a layer of textures has the class of that; elsewhere it must have a colour, or be
 /// grey: what is black is ink.
-pub(super) fn of(mark: &Mark<'_>, is_ink: impl Fn(u8) -> bool) -> Option<DrawnArea> {
+pub(super) fn of(mark: &PaintedShape<'_>, is_ink: impl Fn(u8) -> bool) -> Option<DrawnArea> {
     let shade = mark.fill?;
     let is_own = ["data-class", "data-braille", "data-strength"].iter().any(|name| mark.element.has_attribute(*name));
     let class = match mark.layer {

@@ -5,7 +5,7 @@ use resvg::tiny_skia::{Point, Transform};
 use super::areas::{self, DrawnArea};
 use super::document::{Elements, numbers};
 use super::leaders::with_own_tip;
-use super::marks::{Mark, Marks};
+use super::marks::{PaintedShape, PaintedShapes};
 use super::names::{self, Name};
 use super::outline::{Outline, clean};
 use super::shapes::{disc, glyph};
@@ -23,9 +23,9 @@ use crate::{About, Error, Note};
 
 /// Strength of a line that a person drew, in the unit of contours: that of black on white, since it is meant.
 const DRAWN: f32 = 100.0;
-/// What is lighter than this is white: nothing is printed.
+/// A grey value (0..=255) from this on is white: nothing is printed.
 const WHITE: u8 = 250;
-/// What is darker than this is black.
+/// A grey value up to this is black.
 const BLACK: u8 = 16;
 /// Two pieces of a line are one where their ends are this near, mm.
 const JOINED: f32 = 0.05;
@@ -52,12 +52,12 @@ pub(super) struct Built {
 /// # Errors
 /// If the device that the page names does not take its sheet, or a number is out of all range.
 pub(super) fn page(
-    (marks, print, pictures): (Marks<'_>, Vec<PrintText>, usize),
+    (marks, print, pictures): (PaintedShapes<'_>, Vec<PrintText>, usize),
     words: PageWords,
     elements: &Elements<'_>,
     sheet: [f32; 2],
 ) -> Result<Built, Error> {
-    let Marks { marks, transforms, clipped, patterned, far, .. } = marks;
+    let PaintedShapes { marks, transforms, clipped, patterned, far, .. } = marks;
     let place = |layer: Layer| place_of(layer, elements, transforms.get(&layer.id()));
     let medium = medium(&words, sheet)?;
     let mut builder = Builder::new(&medium, sheet);
@@ -204,7 +204,7 @@ impl<'m> Builder<'m> {
     }
 
     /// Adds what a path draws. Strokes are collected, object by object, in `runs`.
-    fn add(&mut self, mark: &Mark<'_>, runs: &mut Vec<Pieces>) {
+    fn add(&mut self, mark: &PaintedShape<'_>, runs: &mut Vec<Pieces>) {
         if self.is_foreign && mark.layer.is_none() {
             let at = mark.outlines.first().and_then(|outline| outline.points.first()).copied();
             return self.tally.add(What::Foreign, at);
@@ -260,7 +260,7 @@ impl<'m> Builder<'m> {
         widths.fold(1.0, f32::max)
     }
 
-    fn add_strokes(&mut self, mark: &Mark<'_>, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
+    fn add_strokes(&mut self, mark: &PaintedShape<'_>, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
         let is_text = mark.element.has_attribute("data-braille");
         match mark.layer {
             Some(Layer::OrientationMark) if self.parts.orientation_mark.is_none() => {
@@ -290,7 +290,7 @@ impl<'m> Builder<'m> {
     }
 
     /// Keeps the pieces of one object together, in the order in which they are drawn.
-    fn collect(&mut self, mark: &Mark<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
+    fn collect(&mut self, mark: &PaintedShape<'_>, layer: Layer, of_path: Vec<Run>, runs: &mut Vec<Pieces>) {
         let strength = mark.element.attribute("data-strength").and_then(|text| text.parse::<f32>().ok());
         let strength = strength.filter(|strength| strength.is_finite() && *strength >= 0.0).unwrap_or(DRAWN);
         match runs.last_mut() {
@@ -330,7 +330,7 @@ impl<'m> Builder<'m> {
 
     fn add_discs(
         &mut self,
-        mark: &Mark<'_>,
+        mark: &PaintedShape<'_>,
         layer: Option<Layer>,
         discs: &[(MmPoint, f32)],
         height: Height,
@@ -384,7 +384,7 @@ impl<'m> Builder<'m> {
         }
     }
 
-    fn add_glyphs(&mut self, mark: &Mark<'_>, class: Class) {
+    fn add_glyphs(&mut self, mark: &PaintedShape<'_>, class: Class) {
         let mut glyphs = Vec::with_capacity(mark.outlines.len());
         for outline in &mark.outlines {
             let Some(mut glyph) = glyph(outline) else {
@@ -422,7 +422,7 @@ impl<'m> Builder<'m> {
     }
 
     /// The text that an object is; a new one if it was not met yet.
-    fn text_of(&mut self, mark: &Mark<'_>, role: TextRole) -> usize {
+    fn text_of(&mut self, mark: &PaintedShape<'_>, role: TextRole) -> usize {
         if let Some(index) = self.texts.iter().position(|object| *object == mark.object) {
             return index;
         }

@@ -118,7 +118,7 @@ fn letters<'a>(part: Node<'a, 'a>, text: Node<'a, 'a>) -> Option<&'a str> {
 }
 
 /// A text that is shown.
-pub(super) struct Typed<'a> {
+pub(super) struct TypedElement<'a> {
     pub(super) id: &'a str,
     pub(super) node: Node<'a, 'a>,
     pub(super) string: String,
@@ -219,14 +219,14 @@ impl<'a> Elements<'a> {
     }
 
     /// The texts that are shown, in their order.
-    pub(super) fn texts(&self) -> Vec<Typed<'a>> {
-        let mut found: Vec<(usize, Typed<'a>)> = Vec::new();
+    pub(super) fn texts(&self) -> Vec<TypedElement<'a>> {
+        let mut found: Vec<(usize, TypedElement<'a>)> = Vec::new();
         for (id, node) in self.by_id.iter().filter(|(_, node)| is_seen_text(**node)) {
             let letters: String = node.descendants().filter_map(|part| letters(part, *node)).collect();
             let string = letters.split_whitespace().collect::<Vec<_>>().join(" ");
             let is_label = is_in_labels(*node);
             if !string.is_empty() {
-                found.push((node.range().start, Typed { id, node: *node, string, is_label }));
+                found.push((node.range().start, TypedElement { id, node: *node, string, is_label }));
             }
         }
         found.sort_by_key(|(start, _)| *start);

@@ -24,7 +24,7 @@ const FINDINGS: &str = "findings";
 const FAR: f32 = 10_000.0;
 
 /// A painted path.
-pub(super) struct Mark<'a> {
+pub(super) struct PaintedShape<'a> {
     /// The layer in which it lies.
     pub(super) layer: Option<Layer>,
     /// Which object it is a part of: a contour, a text, or itself. A clone is another one.
@@ -38,12 +38,12 @@ pub(super) struct Mark<'a> {
     pub(super) fill: Option<u8>,
     /// The colour of that, on white.
     pub(super) colour: [u8; 3],
-    pub(super) stroke: Option<Stroke>,
+    pub(super) stroke: Option<PaintedStroke>,
     /// By how much its area is larger than its element says.
     pub(super) area_scale: f32,
 }
 
-pub(super) struct Stroke {
+pub(super) struct PaintedStroke {
     /// Width, mm.
     pub(super) width: f32,
     /// Lightness, 0 black.
@@ -52,8 +52,8 @@ pub(super) struct Stroke {
 }
 
 /// Everything that is drawn.
-pub(super) struct Marks<'a> {
-    pub(super) marks: Vec<Mark<'a>>,
+pub(super) struct PaintedShapes<'a> {
+    pub(super) marks: Vec<PaintedShape<'a>>,
     /// From the units of each layer's element to mm.
     pub(super) transforms: HashMap<String, Transform>,
     /// How many groups are cut by a clip path, or changed by a mask or a filter.
@@ -70,7 +70,7 @@ pub(super) struct Marks<'a> {
 
 /// What is known of the groups around a path.
 #[derive(Clone, Copy)]
-struct Around<'a> {
+struct Inherited<'a> {
     layer: Option<Layer>,
     object: Option<(usize, Node<'a, 'a>)>,
     /// What a clone shows: usvg leaves its parts no ids.
@@ -82,8 +82,8 @@ struct Around<'a> {
 ///
 /// # Errors
 /// If they have more points than [`MOST_POINTS`].
-pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<Marks<'a>, Error> {
-    let mut marks = Marks {
+pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<PaintedShapes<'a>, Error> {
+    let mut marks = PaintedShapes {
         marks: Vec::new(),
         transforms: HashMap::new(),
         clipped: 0,
@@ -93,7 +93,7 @@ pub(super) fn of<'a>(tree: &Tree, elements: &Elements<'a>) -> Result<Marks<'a>, 
         points: 0,
         objects: 0,
     };
-    marks.add_group(tree.root(), Around { layer: None, object: None, cloned: None, opacity: 1.0 }, elements)?;
+    marks.add_group(tree.root(), Inherited { layer: None, object: None, cloned: None, opacity: 1.0 }, elements)?;
     Ok(marks)
 }
 
@@ -102,12 +102,12 @@ fn to_mm(transform: Transform) -> Transform {
     transform.post_scale(MM_PER_CSS_PX, MM_PER_CSS_PX)
 }
 
-impl<'a> Marks<'a> {
-    fn add_group(&mut self, group: &Group, around: Around<'a>, elements: &Elements<'a>) -> Result<(), Error> {
+impl<'a> PaintedShapes<'a> {
+    fn add_group(&mut self, group: &Group, around: Inherited<'a>, elements: &Elements<'a>) -> Result<(), Error> {
         if group.id() == FINDINGS {
             return Ok(());
         }
-        let mut around = Around { opacity: around.opacity * group.opacity().get(), ..around };
+        let mut around = Inherited { opacity: around.opacity * group.opacity().get(), ..around };
         let changed = group.clip_path().is_some() || group.mask().is_some() || !group.filters().is_empty();
         self.clipped += usize::from(changed);
         if let Some(element) = elements.get(group.id()).and_then(|element| elements.shown_by(element)) {
@@ -115,7 +115,7 @@ impl<'a> Marks<'a> {
                 around.cloned = Some(element);
             }
             if let Some(layer) = layer_of(element) {
-                around = Around { layer: Some(layer), object: None, ..around };
+                around = Inherited { layer: Some(layer), object: None, ..around };
                 self.transforms.entry(layer.id()).or_insert_with(|| to_mm(group.abs_transform()));
             } else if is_object(element) {
                 around.object = Some((self.next_object(), element));
@@ -137,7 +137,7 @@ impl<'a> Marks<'a> {
         self.objects
     }
 
-    fn add_path(&mut self, path: &usvg::Path, around: Around<'a>, elements: &Elements<'a>) -> Result<(), Error> {
+    fn add_path(&mut self, path: &usvg::Path, around: Inherited<'a>, elements: &Elements<'a>) -> Result<(), Error> {
         if !path.is_visible() {
             return Ok(());
         }
@@ -177,14 +177,14 @@ impl<'a> Marks<'a> {
         let opacity = around.opacity;
         let colour = path.fill().map_or([0; 3], |fill| colour_of(fill.paint(), fill.opacity().get() * opacity));
         let fill = path.fill().map(|fill| self.shade(fill.paint(), fill.opacity().get() * opacity));
-        let stroke = path.stroke().map(|stroke| Stroke {
+        let stroke = path.stroke().map(|stroke| PaintedStroke {
             width: clean(stroke.width().get() * area_scale.sqrt()),
             shade: self.shade(stroke.paint(), stroke.opacity().get() * opacity),
             is_dashed: stroke.dasharray().is_some(),
         });
         let is_direct = own.parent() == Some(element) || own == element;
         let layer = around.layer;
-        self.marks.push(Mark { layer, object, element, is_direct, outlines, fill, colour, stroke, area_scale });
+        self.marks.push(PaintedShape { layer, object, element, is_direct, outlines, fill, colour, stroke, area_scale });
         Ok(())
     }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use usvg::roxmltree::Node;
 
-use super::document::{Typed, is_in_labels};
+use super::document::{TypedElement, is_in_labels};
 use super::outline::clean;
 use super::print::{font_size, is_print_words};
 use crate::listing::first_few;
@@ -38,11 +38,11 @@ pub fn is_written(node: Node<'_, '_>, text: &str) -> bool {
 
 /// Texts that are to be written, those in print, and what is told of the others.
 pub(super) fn sorted(
-    texts: Vec<Typed<'_>>,
+    texts: Vec<TypedElement<'_>>,
     places: &HashMap<String, (MmPoint, f32)>,
 ) -> (Vec<TypedText>, Vec<PrintText>, Option<Note>) {
     let (mut written, mut print, mut left) = (Vec::new(), Vec::new(), Vec::new());
-    for Typed { id, node, string, is_label } in texts {
+    for TypedElement { id, node, string, is_label } in texts {
         match places.get(id) {
             Some(&(at, unit)) if is_print_words(node) => {
                 print.push(PrintText { string, at, size: clean(font_size(node, unit)) });

@@ -126,8 +126,8 @@ pub(super) fn arcs(basin: &[u32], grid: RegionGrid, traces: &TraceMap, colours: 
     (cracks, arcs)
 }
 
-/// All cracks with the basins beside them, the lower number first, in the order of these basins; those of the same two
-/// row by row.
+/// All cracks, each with the two basins beside it (the lower number first), sorted by these; cracks of the same two
+/// basins row by row.
 fn found(basin: &[u32], grid: RegionGrid) -> Vec<([u32; 2], Crack)> {
     let (width, height) = (grid.cells.width as usize, grid.cells.height as usize);
     let mut found: Vec<([u32; 2], Crack)> = Vec::new();

@@ -5,12 +5,11 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::arcs::Crack;
-use super::disc::Disc;
-use super::members::Members;
+use super::disc::CellDisc;
 use super::merge::Node;
-use super::tree::Tree;
+use super::tree::{Members, Tree};
 use crate::geom::distance::squared_distances;
-use crate::ranked::{Ranked, Total};
+use crate::ranked::{Ranked, TotalOrder};
 use crate::units::Size;
 
 /// What is asked of the regions that get an outline. Lengths are in millimetres on the sheet.
@@ -62,9 +61,9 @@ const HALF_CONTRAST: f64 = 20.0;
 const COMPACT: f64 = 0.75;
 /// Exponent of the area.
 const AREA: f64 = 0.33;
-/// A region of this share of the picture is none, but its ground.
+/// A region of this share of the picture or more is its ground, and counts nothing.
 const GROUND: f64 = 0.7;
-/// ... and from this much less on it counts fully.
+/// Below that share the ground fades out: a region counts fully from a share on that is less by this.
 const GROUND_RANGE: f64 = 0.3;
 /// What a region loses that lies along the frame.
 const FRAME: f64 = 0.8;
@@ -83,12 +82,13 @@ const WIDE: f64 = 2.5;
 const SAME: f32 = 4.0;
 /// Most of an outline that may be the same as those before it.
 const MOST_SAME: f64 = 0.7;
-/// What an outline loses that is as near to others as it may be.
+/// Share of its gain that an outline loses where as much of it as is allowed is near to outlines chosen before; less in
+/// proportion.
 const NEAR: f64 = 0.7;
 
 /// A region that may be chosen.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct RankedRegion {
     gain: f64,
     area: f64,
     node: u32,
@@ -97,11 +97,11 @@ struct Candidate {
 }
 
 /// The best first; of equal ones the larger, then the one of the lower number.
-type Turn = (Total, Total, Reverse<u32>);
+type GainOrder = (TotalOrder, TotalOrder, Reverse<u32>);
 
-impl Candidate {
-    fn ranked(self) -> Ranked<Turn, Self> {
-        Ranked { rank: (Total(self.gain), Total(self.area), Reverse(self.node)), item: self }
+impl RankedRegion {
+    fn ranked(self) -> Ranked<GainOrder, Self> {
+        Ranked { rank: (TotalOrder(self.gain), TotalOrder(self.area), Reverse(self.node)), item: self }
     }
 }
 
@@ -118,9 +118,9 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of
     let members = Members::of(tree);
     let score = |node: u32| of_figure.factor(node) * score(&tree.nodes[node as usize], tree.basin.len(), mm);
     let scores = (0_u32..).zip(&tree.nodes).map(|(node, of)| (node, score(node), of.area));
-    let mut heap: BinaryHeap<Ranked<Turn, Candidate>> = scores
+    let mut heap: BinaryHeap<Ranked<GainOrder, RankedRegion>> = scores
         .filter(|(_, gain, _)| *gain > 0.0)
-        .map(|(node, gain, area)| Candidate { gain, area, node, round: 0 }.ranked())
+        .map(|(node, gain, area)| RankedRegion { gain, area, node, round: 0 }.ranked())
         .collect();
     let (mut chosen, mut first) = (subjects.to_vec(), None);
     let mut near = Nearness::new(tree, mm, params);
@@ -135,7 +135,7 @@ pub(super) fn choose(tree: &Tree, mm: f32, params: &Params, subjects: &[u32], of
         if candidate.round < chosen.len() {
             if let Some(gain) = gain(score(candidate.node), &members.outline(tree, candidate.node), &near, tree, params)
             {
-                heap.push(Candidate { gain, round: chosen.len(), ..candidate }.ranked());
+                heap.push(RankedRegion { gain, round: chosen.len(), ..candidate }.ranked());
             }
             continue;
         }
@@ -184,8 +184,8 @@ enum Closeness {
 struct Nearness {
     is_outline: Vec<bool>,
     of_cell: Vec<Closeness>,
-    too_near: Disc,
-    same: Disc,
+    too_near: CellDisc,
+    same: CellDisc,
 }
 
 impl Nearness {
@@ -195,8 +195,8 @@ impl Nearness {
         Self {
             is_outline: vec![false; size.len()],
             of_cell: vec![Closeness::Far; size.len()],
-            too_near: Disc::new(size, |square| (square as f32) < near),
-            same: Disc::new(size, |square| square as f32 <= same),
+            too_near: CellDisc::new(size, |square| (square as f32) < near),
+            same: CellDisc::new(size, |square| square as f32 <= same),
         }
     }
 

@@ -5,13 +5,13 @@ use std::ops::Range;
 use crate::units::Size;
 
 /// The cells around one whose squared distance is small enough.
-pub(super) struct Disc {
+pub(super) struct CellDisc {
     /// How many columns it reaches to both sides, by the number of rows above or below its middle.
     reach: Vec<usize>,
     size: Size,
 }
 
-impl Disc {
+impl CellDisc {
     /// All cells of a grid of this size whose squared distance from the middle, in cells, `is_in`; so are those that
     /// are nearer.
     pub(super) fn new(size: Size, is_in: impl Fn(u32) -> bool) -> Self {
@@ -43,7 +43,7 @@ mod tests {
     fn a_disc_has_the_cells_that_are_near_enough_and_in_the_grid() {
         let size = Size::new(9, 7);
         for most in [0, 1, 2, 5, 9, 200] {
-            let disc = Disc::new(size, |square| square <= most);
+            let disc = CellDisc::new(size, |square| square <= most);
             for cell in 0..size.len() {
                 let square = |other: usize| {
                     ((cell % 9).abs_diff(other % 9).pow(2) + (cell / 9).abs_diff(other / 9).pow(2)) as u32
@@ -52,6 +52,6 @@ mod tests {
                 assert_eq!(disc.around(cell).flatten().collect::<Vec<_>>(), near);
             }
         }
-        assert_eq!(Disc::new(size, |_| false).around(3).count(), 0);
+        assert_eq!(CellDisc::new(size, |_| false).around(3).count(), 0);
     }
 }

@@ -1,8 +1,7 @@
 //! Chosen regions as areas that can be drawn: no part of one, and nothing between two, narrower than two lines may be.
 
-use super::disc::Disc;
-use super::members::Members;
-use super::tree::Tree;
+use super::disc::CellDisc;
+use super::tree::{Members, Tree};
 use crate::geom::distance::{FAR, squared_distances};
 use crate::raster::shrink::Shrinker;
 use crate::units::Size;
@@ -121,7 +120,7 @@ fn opened(labels: &[u8], size: Size, radius: f32) -> Vec<(u8, bool)> {
 
 /// Whether each cell is farther than a distance, given as its square, from all cells with another label.
 fn cores(labels: &[u8], size: Size, square: f32) -> Vec<bool> {
-    let disc = Disc::new(size, |of_cell| of_cell as f32 <= square);
+    let disc = CellDisc::new(size, |of_cell| of_cell as f32 <= square);
     let mut is_core = vec![true; labels.len()];
     // the nearest cell with another label has a neighbour with the own one
     let width = size.width as usize;

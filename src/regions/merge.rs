@@ -4,14 +4,14 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::arcs::{Arc, Sums};
-use crate::ranked::{Ranked, Total};
+use crate::ranked::{Ranked, TotalOrder};
 
 /// Weight of a difference of colour beside the strength of traces.
 const COLOUR: f64 = 0.15;
 /// A difference of colour counts at most this much.
 const MOST_COLOUR: f64 = 30.0;
 /// Regions of this share of the picture, and smaller ones, merge early: crumbs are no regions.
-const CRUMB: f64 = 0.003;
+const NEGLIGIBLE: f64 = 0.003;
 /// How much size counts.
 const POWER: f64 = 0.3;
 
@@ -41,9 +41,9 @@ struct Adjacency {
     alive: bool,
 }
 
-/// In which order regions are merged: by cost, the cheapest first; of equal ones by the length of their arc, the longest
-/// first; then by the number of the adjacency.
-type Turn = (Reverse<Total>, Total, Reverse<u32>);
+/// In which order regions are merged: by cost, the cheapest first; of equal ones by the length of their arc, the
+/// longest first; then by the number of the adjacency.
+type MergeOrder = (Reverse<TotalOrder>, TotalOrder, Reverse<u32>);
 
 /// What merging works on.
 struct Merging {
@@ -54,7 +54,7 @@ struct Merging {
     /// By node: its neighbours, ordered, and the adjacencies with them.
     neighbours: Vec<Vec<(u32, u32)>>,
     /// Each with the version of its adjacency.
-    heap: BinaryHeap<Ranked<Turn, u32>>,
+    heap: BinaryHeap<Ranked<MergeOrder, u32>>,
     cells: f64,
     /// See [`Detail::part`](super::tree::Detail).
     part: f64,
@@ -64,7 +64,7 @@ struct Merging {
 pub(super) fn merge(basins: Vec<Node>, arcs: &[Arc], cells: usize, part: f64) -> Vec<Node> {
     let mut merging = Merging::new(basins, arcs, cells as f64, part);
     while let Some(Ranked { rank, item: version }) = merging.heap.pop() {
-        let (Reverse(Total(cost)), _, Reverse(adjacency)) = rank;
+        let (Reverse(TotalOrder(cost)), _, Reverse(adjacency)) = rank;
         let Adjacency { alive, version: current, .. } = merging.adjacencies[adjacency as usize];
         if alive && current == version {
             merging.unite(adjacency, cost);
@@ -97,7 +97,7 @@ impl Merging {
     fn put(&mut self, number: u32) {
         let adjacency = &self.adjacencies[number as usize];
         let (cost, length) = (self.cost(adjacency), adjacency.sums.length);
-        let rank = (Reverse(Total(cost)), Total(length), Reverse(number));
+        let rank = (Reverse(TotalOrder(cost)), TotalOrder(length), Reverse(number));
         self.heap.push(Ranked { rank, item: adjacency.version });
     }
 
@@ -160,7 +160,7 @@ impl Merging {
 
 /// What a region of an area counts beside a larger one, and beside a smaller one.
 fn weights(area: f64, cells: f64, part: f64) -> [f64; 2] {
-    [CRUMB, part].map(|share| (area / (area + share * cells)).powf(POWER))
+    [NEGLIGIBLE, part].map(|share| (area / (area + share * cells)).powf(POWER))
 }
 
 /// Distance of the mean colours of two regions.

@@ -3,7 +3,7 @@
 use super::border::{Border, borders, corner_at};
 use super::choose::{Chosen, OfFigure, Params, choose};
 use super::label_map::label_map;
-use super::trace::{Areas, RegionOutline, TracePoint, TracedContour};
+use super::trace::{OutlineAreas, RegionOutline, TracePoint, TracedContour};
 use super::tree::Tree;
 
 use crate::geom::polyline::{Polyline, smooth};
@@ -11,8 +11,8 @@ use crate::units::{PxPoint, PxVector, Size};
 
 /// Outlines are smoothed over at least this much, cells: their cracks run in steps.
 const LEAST_SMOOTHING: f32 = 1.2;
-/// ... and where no contour is seen along them over so many times as much: their changes of bending, 4.5 in 100 mm,
-/// fall by a third, and what they agree with people's stays the same.
+/// Where no contour is seen along them they are smoothed over so many times as much: their changes of bending, 4.5 in
+/// 100 mm, fall by a third, and what they agree with people's stays the same.
 const UNSEEN: f32 = 2.0;
 /// The direction of an outline is taken over this many sides of cells before and after a place.
 const SPAN: usize = 3;
@@ -22,7 +22,7 @@ impl Tree {
     /// the picture. Neighbours share one border, which belongs to the first of them; one that is not closed ends on the
     /// frame or on others. The strength is the mean of what is seen along the line. Also returns the areas that the
     /// outlines surround.
-    pub fn outlines(&self, mm_per_px: f32, params: &Params, chosen: &Chosen) -> (Vec<RegionOutline>, Areas) {
+    pub fn outlines(&self, mm_per_px: f32, params: &Params, chosen: &Chosen) -> (Vec<RegionOutline>, OutlineAreas) {
         let mm = self.mm_of_cell(mm_per_px);
         let Chosen { regions, beyond } = chosen;
         let labels = label_map(self, regions, mm, params.narrowest);
@@ -35,7 +35,7 @@ impl Tree {
             region: usize::from(border.label) - 1,
         };
         let outlines = all.iter().map(outline).collect();
-        (outlines, Areas { grid: self.grid, labels, count: regions.len(), beyond: *beyond })
+        (outlines, OutlineAreas { grid: self.grid, labels, count: regions.len(), beyond: *beyond })
     }
 
     /// The regions that get an outline, for a sheet with so many millimetres for a pixel of the picture: those of
@@ -147,7 +147,7 @@ mod tests {
         params: &Params,
         subjects: &[u32],
         of_figure: OfFigure<'_>,
-    ) -> (Vec<RegionOutline>, Areas) {
+    ) -> (Vec<RegionOutline>, OutlineAreas) {
         tree.outlines(0.5, params, &tree.chosen(0.5, params, subjects, of_figure))
     }
 

@@ -2,8 +2,7 @@
 
 use super::choose::{OfFigure, Params, choose, score, survives_opening};
 use super::mask::Mask;
-use super::members::Members;
-use super::tree::Tree;
+use super::tree::{Members, Tree};
 use crate::units::PxPoint;
 
 /// Where none of the chosen regions is: the smallest region that tells at least this share of what the most telling one

@@ -35,7 +35,7 @@ pub struct RegionOutline {
 
 /// The areas inside the outlines of chosen regions, cell by cell.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Areas {
+pub struct OutlineAreas {
     pub(super) grid: RegionGrid,
     /// The area of each cell, from 1 on; 0 is the ground.
     pub(super) labels: Vec<u8>,
@@ -45,7 +45,7 @@ pub struct Areas {
     pub(super) beyond: usize,
 }
 
-impl Areas {
+impl OutlineAreas {
     /// How many there are, without the ground between and around them.
     pub fn count(&self) -> usize {
         self.count

@@ -7,7 +7,7 @@ use crate::units::{PxPoint, PxVector};
 
 /// The strongest point of a trace within a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sample {
+pub(super) struct TraceSample {
     /// Where it is, in cells.
     pub(super) at: PxPoint,
     pub(super) strength: f32,
@@ -19,7 +19,7 @@ pub(super) struct Sample {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TraceMap {
     grid: RegionGrid,
-    samples: Vec<Option<Sample>>,
+    samples: Vec<Option<TraceSample>>,
     /// Which cells have a sample, 64 to a number, each row from a number of its own: most have none.
     is_there: Vec<u64>,
 }
@@ -34,7 +34,7 @@ pub(super) const REACH: f32 = 2.5;
 impl TraceMap {
     /// The traces, whose points are about a pixel apart and in pixels of the picture.
     pub(super) fn of(traces: &[TracedContour], grid: RegionGrid) -> Self {
-        let mut samples: Vec<Option<Sample>> = vec![None; grid.cells.len()];
+        let mut samples: Vec<Option<TraceSample>> = vec![None; grid.cells.len()];
         for trace in traces {
             for (i, point) in trace.vertices.iter().enumerate() {
                 let at = |steps: isize| grid.to_cells(trace.vertices[trace.view().next(i, steps).unwrap_or(i)].at);
@@ -42,12 +42,12 @@ impl TraceMap {
                 let at = grid.to_cells(point.at);
                 let Some(cell) = grid.cell_at(at) else { continue };
                 if samples[cell].is_none_or(|other| point.strength > other.strength) {
-                    samples[cell] = Some(Sample { at, strength: point.strength, along });
+                    samples[cell] = Some(TraceSample { at, strength: point.strength, along });
                 }
             }
         }
         let width = grid.cells.width as usize;
-        let bits = |cells: &[Option<Sample>]| {
+        let bits = |cells: &[Option<TraceSample>]| {
             cells.iter().enumerate().fold(0, |bits, (i, sample)| bits | u64::from(sample.is_some()) << i)
         };
         let is_there = samples.chunks_exact(width).flat_map(|row| row.chunks(64).map(bits)).collect();
@@ -57,7 +57,7 @@ impl TraceMap {
     /// Strengths spread over the cells nearest to each trace, so that what lies between two cells counts for both.
     pub(super) fn strengths(&self) -> Plane {
         let mut plane = Plane::filled(self.grid.cells, 0.0);
-        for Sample { at, strength, .. } in self.samples.iter().flatten() {
+        for TraceSample { at, strength, .. } in self.samples.iter().flatten() {
             let centres = |at: f32| [-1.0, 0.0, 1.0].map(|step| at.floor() + step + 0.5);
             let share = |centre: f32, at: f32| (1.0 - (centre - at).abs()).max(0.0);
             for y in centres(at.y) {
@@ -92,7 +92,7 @@ impl TraceMap {
     }
 
     /// Calls `visit` with all that passes within [`REACH`] of a place and the square of its distance.
-    pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&Sample, f32)) {
+    pub(super) fn around(&self, at: PxPoint, mut visit: impl FnMut(&TraceSample, f32)) {
         let (width, height) = (self.grid.cells.width as usize, self.grid.cells.height as usize);
         let range = |v: f32, end: usize| (v - REACH).max(0.0) as usize..((v + REACH).max(0.0) as usize + 1).min(end);
         let (columns, words) = (range(at.x, width), width.div_ceil(64));

@@ -140,7 +140,7 @@ mod tests {
         for (class, cell) in [
             (Class::Blue, PARAMS.along * PARAMS.across),
             (Class::Red, PARAMS.along * PARAMS.across),
-            (Class::Grey, PARAMS.dot_pitch * PARAMS.dot_pitch * 0.75_f32.sqrt()), // filled or not
+            (Class::Grey, PARAMS.dot_pitch * PARAMS.dot_pitch * 0.75_f32.sqrt()), // dots, filled or hollow
         ] {
             let (count, want) = (places(class).len() as f32, 140.0 * 110.0 / cell);
             assert!((count - want).abs() < 0.04 * want, "{class:?}: {count} places, the area has room for {want}");

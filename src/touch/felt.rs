@@ -36,7 +36,7 @@ pub struct Cell {
 
 /// A page as a fingertip feels it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Felt {
+pub struct FeltCells {
     /// Size of the fingertip, mm.
     pub finger: f32,
     /// The part of the sheet that was felt.
@@ -53,7 +53,7 @@ pub struct Felt {
 ///
 /// # Errors
 /// If the text is no page, is too large, or there is no such fingertip; see [`Error`].
-pub fn feel(svg: &str, finger: f32) -> Result<Felt, Error> {
+pub fn feel(svg: &str, finger: f32) -> Result<FeltCells, Error> {
     check(finger)?;
     Ink::of(svg)?.felt(finger)
 }
@@ -67,7 +67,7 @@ impl Ink {
     ///
     /// # Errors
     /// If there is no such fingertip.
-    pub fn felt(&self, finger: f32) -> Result<Felt, Error> {
+    pub fn felt(&self, finger: f32) -> Result<FeltCells, Error> {
         check(finger)?;
         let feels = measure::feel(&self.all_textures(), finger);
         let size = feels.size;
@@ -78,7 +78,7 @@ impl Ink {
             Cell { meant, felt, clear, judged: far >= JUDGED_FROM * CELLS_PER_MM as f32, feel }
         };
         let cells = feels.cells.into_iter().zip(meant).zip(border).map(cell).collect();
-        Ok(Felt { finger, area: self.area, signs: self.signs, size, cells })
+        Ok(FeltCells { finger, area: self.area, signs: self.signs, size, cells })
     }
 
     /// The class of the texture that each cell belongs to: that of the nearest ink within [`REACH`], as a morphological
@@ -118,7 +118,7 @@ fn inked(plane: &Plane, size: Size) -> Vec<bool> {
     plane.shrunk(size).values.iter().map(|&ink| ink >= INKED).collect()
 }
 
-impl Felt {
+impl FeltCells {
     /// What is meant and felt at a point of the sheet; `None` outside the felt area, where all is blank.
     pub fn at(&self, at: MmPoint) -> Option<&Cell> {
         let from_corner = (at - self.area.min) * CELLS_PER_MM as f32;

@@ -6,7 +6,7 @@
 
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
-use super::felt::{Cell, Felt};
+use super::felt::{Cell, FeltCells};
 use super::ink::Ink;
 use super::letters;
 use super::measure::CELLS_PER_MM;
@@ -31,7 +31,7 @@ const ROW: u32 = 44;
 
 /// How a cell looks on the map.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Look {
+struct CellLook {
     felt: Option<Class>,
     mark: Symbol,
     pale: bool,
@@ -45,7 +45,7 @@ enum Symbol {
 }
 
 /// Draws the map as a PNG file; `None` if there is no memory for it.
-pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
+pub fn png(ink: &Ink, felt: &FeltCells) -> Option<Vec<u8>> {
     let cells = felt.size;
     let per_cell = PX_PER_MM / CELLS_PER_MM;
     let size = Size::new(cells.width * per_cell, cells.height * per_cell);
@@ -87,7 +87,7 @@ pub fn png(ink: &Ink, felt: &Felt) -> Option<Vec<u8>> {
 }
 
 /// How a cell is drawn; a cell without texture is left blank.
-fn look(cell: &Cell) -> Option<Look> {
+fn look(cell: &Cell) -> Option<CellLook> {
     let meant = cell.meant?;
     let mark = if !cell.judged {
         Symbol::None
@@ -98,20 +98,20 @@ fn look(cell: &Cell) -> Option<Look> {
     } else {
         Symbol::None
     };
-    Some(Look { felt: cell.felt, mark, pale: !cell.judged })
+    Some(CellLook { felt: cell.felt, mark, pale: !cell.judged })
 }
 
-fn legend(signs: &Signs) -> Vec<(&'static str, Look)> {
-    let plain = |felt| Look { felt, mark: Symbol::None, pale: false };
+fn legend(signs: &Signs) -> Vec<(&'static str, CellLook)> {
+    let plain = |felt| CellLook { felt, mark: Symbol::None, pale: false };
     let mut legend: Vec<_> = Class::ALL
         .iter()
         .filter(|class| signs.sign(**class).is_some())
         .map(|&class| (word(Some(class)), plain(Some(class))))
         .collect();
-    legend.push(("WRONG", Look { mark: Symbol::Wrong, ..plain(None) }));
-    legend.push(("UNCLEAR", Look { mark: Symbol::Unclear, ..plain(None) }));
+    legend.push(("WRONG", CellLook { mark: Symbol::Wrong, ..plain(None) }));
+    legend.push(("UNCLEAR", CellLook { mark: Symbol::Unclear, ..plain(None) }));
     let first = legend.first().and_then(|(_, look)| look.felt);
-    legend.push(("NOT JUDGED", Look { pale: true, ..plain(first) }));
+    legend.push(("NOT JUDGED", CellLook { pale: true, ..plain(first) }));
     legend
 }
 
@@ -127,7 +127,7 @@ fn word(class: Option<Class>) -> &'static str {
 }
 
 /// The colour of a pixel, 0..=255: the class's own, darker where its pattern is, which runs as the rows of its sign.
-fn colour(look: Look, signs: &Signs, x: f32, y: f32) -> [f32; 3] {
+fn colour(look: CellLook, signs: &Signs, x: f32, y: f32) -> [f32; 3] {
     // Colours that people with any kind of colour sight tell apart: M. Okabe and K. Ito, Color universal design, 2008.
     let own = match look.felt {
         Some(Class::Blue) => [86.0, 180.0, 233.0],
@@ -169,7 +169,7 @@ fn set(canvas: &mut Pixmap, x: u32, y: u32, colour: [f32; 3]) {
 }
 
 /// The words on the areas, with the cell where they have most room.
-fn names(felt: &Felt) -> Vec<(Vec<&'static str>, usize, usize)> {
+fn names(felt: &FeltCells) -> Vec<(Vec<&'static str>, usize, usize)> {
     let (width, height) = (felt.size.width as usize, felt.size.height as usize);
     let keys: Vec<_> = felt.cells.iter().map(|cell| cell.meant.map(|meant| (meant, cell.felt))).collect();
     let border: Vec<bool> = (0..width * height)
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn no_two_looks_are_alike_without_colour() {
         let signs = Signs::of_layers(&[]);
-        let looks: Vec<Look> = legend(&signs).into_iter().map(|(_, look)| look).collect();
+        let looks: Vec<CellLook> = legend(&signs).into_iter().map(|(_, look)| look).collect();
         let patterns: Vec<Vec<bool>> = looks
             .iter()
             .map(|look| {
@@ -225,7 +225,7 @@ mod tests {
         let rhombus = |degrees| Some(Sign::Rhombus { degrees });
         let swapped = Signs::of_layers(&[(Class::Blue, rhombus(90.0)), (Class::Yellow, rhombus(0.0))]);
         for (class, upright) in [(Class::Blue, true), (Class::Yellow, false)] {
-            let look = Look { felt: Some(class), mark: Symbol::None, pale: false };
+            let look = CellLook { felt: Some(class), mark: Symbol::None, pale: false };
             let at = |x: u32, y: u32| colour(look, &swapped, x as f32 + 0.5, y as f32 + 0.5).map(f32::to_bits);
             let same = |k: u32| if upright { at(k, 0) == at(k, 7) } else { at(0, k) == at(7, k) };
             let differs = |k: u32| if upright { at(k, 0) != at(0, 0) } else { at(0, k) != at(0, 0) };

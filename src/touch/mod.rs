@@ -1,7 +1,7 @@
 //! The fingertip model: what would be felt on a page, judged from the page alone.
 //!
 //! ```text
-//! SVG -> Ink (resvg, 8 px/mm) -> measure (blur, structure tensor) -> Felt (class meant and class felt, cell by cell)
+//! SVG -> Ink (resvg, 8 px/mm) -> measure (blur, structure tensor) -> FeltCells (class meant and class felt, each cell)
 //!                                                                    `-> Report (shares, ink), map (a picture)
 //! ```
 //!
@@ -20,7 +20,7 @@ pub mod measure;
 pub mod report;
 mod signs;
 
-pub use felt::{Cell, Felt, JUDGED_FROM, feel};
+pub use felt::{Cell, FeltCells, JUDGED_FROM, feel};
 pub use ink::Ink;
 pub use measure::{CELLS_PER_MM, FINGERS, Feel};
 pub use report::{FeltAs, Report, report};

@@ -4,7 +4,7 @@ use std::fmt;
 use std::iter::Sum;
 use std::ops::Add;
 
-use super::felt::{Cell, Felt, JUDGED_FROM};
+use super::felt::{Cell, FeltCells, JUDGED_FROM};
 use super::ink::Ink;
 use super::measure::{CELLS_PER_MM, PX_PER_MM};
 use crate::geom::components::{self, Connectivity};
@@ -115,7 +115,7 @@ fn share(part: f32, whole: f32) -> f32 {
 }
 
 /// The report on `felt`, which was felt in `ink`.
-pub fn report(ink: &Ink, felt: &Felt) -> Report {
+pub fn report(ink: &Ink, felt: &FeltCells) -> Report {
     let classes = ink.textures.iter().map(|(class, plane)| {
         let areas = areas_of(felt, *class);
         let inked = plane.values.iter().sum::<f32>() / (PX_PER_MM * PX_PER_MM) as f32;
@@ -151,7 +151,7 @@ fn area_of<'a>(cells: impl Iterator<Item = &'a Cell>, passes: impl Fn(&Cell) -> 
     cells.filter(|cell| passes(cell)).count() as f32 / (CELLS_PER_MM * CELLS_PER_MM) as f32
 }
 
-fn areas_of(felt: &Felt, class: Class) -> Areas {
+fn areas_of(felt: &FeltCells, class: Class) -> Areas {
     let area =
         |passes: &dyn Fn(&Cell) -> bool| area_of(felt.cells.iter(), |cell| cell.meant == Some(class) && passes(cell));
     Areas {
@@ -162,7 +162,7 @@ fn areas_of(felt: &Felt, class: Class) -> Areas {
     }
 }
 
-fn mostly_felt_as(felt: &Felt, class: Class) -> Option<FeltAs> {
+fn mostly_felt_as(felt: &FeltCells, class: Class) -> Option<FeltAs> {
     let judged = |cell: &Cell| cell.meant == Some(class) && cell.judged && cell.clear;
     let others = Class::ALL.map(Some).into_iter().chain([None]).filter(|other| *other != Some(class));
     let areas = others.map(|other| (area_of(felt.cells.iter(), |cell| judged(cell) && cell.felt == other), other));

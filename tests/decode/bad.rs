@@ -1,6 +1,6 @@
 //! Input that is no picture, or a damaged or a huge one.
 
-use tactograph::internals::raster::decode::{Header, Limits, Options, decode};
+use tactograph::internals::raster::decode::{DecodeOptions, Header, Limits, decode};
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
@@ -137,7 +137,7 @@ fn a_header_over_a_limit_is_refused_by_name() {
 fn memory_over_the_limit_is_refused_before_decoding() {
     let limits = Limits { megapixels: 1_000_000, memory_mb: 50 };
     let working_size = |_: Header| Ok(Size::new(1000, 1000));
-    let options = Options { limits, ..Options::whole(&working_size) };
+    let options = DecodeOptions { limits, ..DecodeOptions::whole(&working_size) };
     for (format, bytes) in huge() {
         // PNG comes row by row, and gets as far as its missing pixels.
         let Err(fault) = decode(&bytes, &options) else { panic!("{format} is read") };
@@ -243,7 +243,7 @@ fn damaged_pictures_never_panic() {
     let limits = Limits { megapixels: 4, memory_mb: 64 };
     let working_size =
         |source: Header| Ok(Size::new(source.size.width.div_ceil(3).min(100), source.size.height.div_ceil(3).min(100)));
-    let options = Options { limits, ..Options::whole(&working_size) };
+    let options = DecodeOptions { limits, ..DecodeOptions::whole(&working_size) };
     let mut panicked = Vec::new();
     for path in names {
         let whole = std::fs::read(&path).unwrap();

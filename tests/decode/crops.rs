@@ -5,9 +5,9 @@ use tactograph::internals::raster::crop::Crop;
 
 use super::*;
 
-fn part_of(bytes: &[u8], crop: &str, working_size: &dyn Fn(Header) -> Result<Size, Error>) -> Result<Picture, Error> {
+fn part_of(bytes: &[u8], crop: &str, working_size: &dyn Fn(Header) -> Result<Size, Error>) -> Result<Decoded, Error> {
     let crop: Crop = crop.parse().expect("a part");
-    decode(bytes, &Options { crop: Some(crop), ..Options::whole(working_size) })
+    decode(bytes, &DecodeOptions { crop: Some(crop), ..DecodeOptions::whole(working_size) })
 }
 
 /// The pixels of a part of a raster.
@@ -92,7 +92,7 @@ fn limits_are_about_the_part_that_is_kept() {
     writer.finish().expect("the end");
     let decode_part = |crop: Option<&str>| {
         let crop = crop.map(|crop| crop.parse().expect("a part"));
-        decode(&bytes, &Options { limits, crop, ..Options::whole(&|source| Ok(source.size)) })
+        decode(&bytes, &DecodeOptions { limits, crop, ..DecodeOptions::whole(&|source| Ok(source.size)) })
     };
     assert!(matches!(decode_part(None), Err(Error::TooMuchMemory { .. })));
     assert_eq!(decode_part(Some("90%,90%,10%,10%")).expect("little memory").raster.size(), Size::new(200, 100));

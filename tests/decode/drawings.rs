@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tactograph::internals::raster::decode::{Header, Options, decode};
+use tactograph::internals::raster::decode::{DecodeOptions, Header, decode};
 use tactograph::internals::units::Size;
 use tactograph::{Error, Note};
 
@@ -49,7 +49,7 @@ fn fonts_are_asked_for_once_and_only_by_texts() {
         Arc::new(fonts)
     };
     let working_size = |source: Header| Ok(source.size);
-    let options = Options { fonts: &fonts, ..Options::whole(&working_size) };
+    let options = DecodeOptions { fonts: &fonts, ..DecodeOptions::whole(&working_size) };
     for name in ["rgb.svg", "picture-inside.svg", "linked.svg", "rgb.png"] {
         decode(&read(name), &options).unwrap();
     }

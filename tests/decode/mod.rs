@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use tactograph::Error;
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Header, Limits, Options, Picture, decode};
+use tactograph::internals::raster::decode::{DecodeOptions, Decoded, Header, Limits, decode};
 use tactograph::internals::units::Size;
 
 /// The scene's quarters: red, green, blue, grey.
@@ -29,16 +29,16 @@ fn read(name: &str) -> Vec<u8> {
     std::fs::read(folder().join(name)).unwrap_or_else(|fault| panic!("{name}: {fault}"))
 }
 
-fn decode_to(bytes: &[u8], working_size: &dyn Fn(Header) -> Result<Size, Error>) -> Result<Picture, Error> {
-    decode(bytes, &Options::whole(working_size))
+fn decode_to(bytes: &[u8], working_size: &dyn Fn(Header) -> Result<Size, Error>) -> Result<Decoded, Error> {
+    decode(bytes, &DecodeOptions::whole(working_size))
 }
 
 /// At the size of the source.
-fn whole(bytes: &[u8]) -> Result<Picture, Error> {
+fn whole(bytes: &[u8]) -> Result<Decoded, Error> {
     decode_to(bytes, &|source| Ok(source.size))
 }
 
-fn open(name: &str) -> Picture {
+fn open(name: &str) -> Decoded {
     whole(&read(name)).unwrap_or_else(|fault| panic!("{name}: {fault}"))
 }
 

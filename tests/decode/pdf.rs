@@ -40,26 +40,26 @@ fn page(entries: &str, content: &str, more: &[Vec<u8>]) -> Vec<u8> {
 
 const FONT: &str = "/Font << /F << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
 
-fn decode_page(bytes: &[u8], page: Option<u32>, keep_text: bool, limits: Limits) -> Result<Picture, Error> {
+fn decode_page(bytes: &[u8], page: Option<u32>, keep_text: bool, limits: Limits) -> Result<Decoded, Error> {
     let working_size = |source: Header| Ok(source.size);
-    decode(bytes, &Options { limits, page, keep_text, ..Options::whole(&working_size) })
+    decode(bytes, &DecodeOptions { limits, page, keep_text, ..DecodeOptions::whole(&working_size) })
 }
 
-fn without_text(bytes: &[u8], page: Option<u32>) -> Picture {
+fn without_text(bytes: &[u8], page: Option<u32>) -> Decoded {
     decode_page(bytes, page, false, Limits::default()).expect("a page")
 }
 
-fn strings(picture: &Picture) -> Vec<&str> {
+fn strings(picture: &Decoded) -> Vec<&str> {
     picture.texts.iter().map(|text| text.string.as_str()).collect()
 }
 
 /// Red, green and blue at a pixel, in linear light; one value where the picture is grey.
-fn at(picture: &Picture, x: u32, y: u32) -> Vec<f32> {
+fn at(picture: &Decoded, x: u32, y: u32) -> Vec<f32> {
     let at = (y * picture.raster.size().width + x) as usize;
     picture.raster.planes().iter().map(|plane| plane[at]).collect()
 }
 
-fn is(picture: &Picture, (x, y): (u32, u32), rgb: [u8; 3]) -> bool {
+fn is(picture: &Decoded, (x, y): (u32, u32), rgb: [u8; 3]) -> bool {
     at(picture, x, y).iter().zip(rgb).all(|(light, sample)| (light - linear(f32::from(sample))).abs() < 0.03)
 }
 
@@ -101,7 +101,7 @@ fn texts_of_a_page_are_data() {
     assert_eq!(strings(&second)[..3], ["Favourite fruit of class 5b", "How many children chose plums?", "Apple"]);
     assert_eq!(second.notes, []);
 
-    let blank = |picture: &Picture| (150..500).all(|x| (75..100).all(|y| is(picture, (x, y), WHITE)));
+    let blank = |picture: &Decoded| (150..500).all(|x| (75..100).all(|y| is(picture, (x, y), WHITE)));
     let kept = decode_page(&bytes, Some(1), true, Limits::default()).expect("a page");
     assert!(blank(&first) && !blank(&kept), "the letters of the first line");
     assert_eq!(strings(&kept), [""; 0]);

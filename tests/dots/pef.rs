@@ -1,7 +1,7 @@
 //! PEF, read back as XML.
 
 use roxmltree::{Document, Node};
-use tactograph::internals::output::dots::{DotMatrix, Words, pef};
+use tactograph::internals::output::dots::{DocumentWords, DotMatrix, pef};
 
 use super::{Random, dots, reading};
 
@@ -20,7 +20,7 @@ fn pages_come_back() {
     let mut random = Random(5);
     for _ in 0..100 {
         let pages = random.pages();
-        let text = pef::write(&pages, &Words { title: "A page", ..Words::default() });
+        let text = pef::write(&pages, &DocumentWords { title: "A page", ..DocumentWords::default() });
         let document = Document::parse(&text).expect("XML");
         let all = |name: &'static str| document.descendants().filter(move |node| node.has_tag_name((PEF, name)));
         let volume = all("volume").next().expect("a volume");
@@ -48,7 +48,7 @@ fn any_words_are_kept_or_left_out() {
     let title = "<&>\"' ]]> \u{1} żółć 𝔊\u{fffe}\nend";
     let text = pef::write(
         &[],
-        &Words { title, description: "a\tb & c", language: "pl-PL", description_language: "pl-PL", text: &[] },
+        &DocumentWords { title, description: "a\tb & c", language: "pl-PL", description_language: "pl-PL", text: &[] },
     );
     let found = words(&text);
     let names: Vec<_> = found.iter().map(|(name, _)| name.as_str()).collect();
@@ -57,15 +57,16 @@ fn any_words_are_kept_or_left_out() {
     assert_eq!(found[2].1, "<&>\"' ]]> \u{fffd} żółć 𝔊\u{fffd} end");
     assert_eq!((found[3].1.as_str(), found[4].1.as_str()), ("a b & c", "pl-PL"));
     for language in ["", "no language", "-", "en-", "1a", "abcdefghi", "en-é"] {
-        let text = pef::write(&[], &Words { title, language, ..Words::default() });
+        let text = pef::write(&[], &DocumentWords { title, language, ..DocumentWords::default() });
         assert_eq!(words(&text).len(), 3, "{language}");
     }
 }
 
 #[test]
 fn documents_are_told_apart_by_their_identifier() {
-    let identifier =
-        |pages: &[DotMatrix], title| words(&pef::write(pages, &Words { title, ..Words::default() })).remove(1).1;
+    let identifier = |pages: &[DotMatrix], title| {
+        words(&pef::write(pages, &DocumentWords { title, ..DocumentWords::default() })).remove(1).1
+    };
     let (page, other) = (reading::drawn("#..\n"), reading::drawn(".#.\n"));
     let one = identifier(std::slice::from_ref(&page), "A");
     assert_eq!(one, identifier(std::slice::from_ref(&page), "A"));

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use crate::common::{page, samples};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use tactograph::Page;
-use tactograph::internals::output::dots::{DotMatrix, Words, pixels, text, ubrl};
+use tactograph::internals::output::dots::{DocumentWords, DotMatrix, pixels, text, ubrl};
 use tactograph::internals::profile::Profile;
 
 /// Resolution of the renderings: 1.6 px for a millimetre, so that every line and glyph leaves its mark in a small file.
@@ -57,8 +57,8 @@ fn pages_are_as_somebody_last_saw_them() {
     );
 }
 
-/// Pages of dots, for one embosser and for each kind of pin display: as Unicode braille, and for the displays as plain text and
-/// as a picture of a pixel a dot as well. All are compared byte by byte.
+/// Pages of dots, for one embosser and for each kind of pin display: as Unicode braille, and for the displays as plain
+/// text and as a picture of a pixel a dot as well. All are compared byte by byte.
 #[test]
 fn pages_of_dots_are_as_somebody_last_saw_them() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/dots");
@@ -82,7 +82,7 @@ fn pages_of_dots_are_as_somebody_last_saw_them() {
             if others.contains(&name) {
                 files = vec![("txt", pages.iter().map(|page| page.to_string()).collect::<String>().into_bytes())];
             } else if name != "index-basic-d" {
-                let words = Words { title: &picture, ..Words::default() };
+                let words = DocumentWords { title: &picture, ..DocumentWords::default() };
                 files.push(("txt", text::write(&matrices).into_bytes()));
                 files.push(("png", pixels::write(&matrices[0], profile.dots.pitch, device.has_heights(), &words)));
             }

@@ -267,7 +267,7 @@ fn all_faults_come_at_once() {
 #[test]
 fn without_inherits_every_key_must_be_given() {
     let most = "my.toml: without inherits every key must be given, page.width, page.height, page.orientation, \
-                page.margin, frame.on, frame.width and 67 more are missing, write inherits = \"swell-a4\" at the top to take what \
+                page.margin, frame.on, frame.width and 68 more are missing, write inherits = \"swell-a4\" at the top to take what \
                 is missing from there";
     check("", most);
     check(

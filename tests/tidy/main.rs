@@ -1,9 +1,12 @@
 //! Keeps the house in order: which module may use which, what the library stays away from, and the shape of the files.
 //!
-//! Each fault names its file and line, and all of them are told at once. `tidy/scan.rs` reads the sources.
+//! Each fault names its file and line, and all of them are told at once. `scan.rs` reads the sources, `circles.rs`
+//! finds circles of imports, `shapes.rs` judges files as texts, `face.rs` counts what users see.
 
 mod circles;
+mod face;
 mod scan;
+mod shapes;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -147,18 +150,6 @@ const NOT_IN_THE_LIBRARY: &[&str] = &[
 ];
 const MACROS_NOT_IN_THE_LIBRARY: &[&str] = &["print", "println", "eprint", "eprintln", "dbg"];
 
-/// A file this long has more than one job.
-const MOST_LINES: usize = 500;
-/// A function this long is read in pieces, and has more than one job.
-const MOST_LINES_OF_FUNCTION: usize = 60;
-/// How many names users see, by module of `lib.rs`.
-const PUBLIC_NAMES: &[(&str, usize)] = &[("lib", 65), ("marks", 15), ("medium", 9), ("felt", 6)];
-/// As rustfmt breaks code; it leaves comments and long texts alone.
-const MOST_COLUMNS: usize = 120;
-/// A file this short may belong to the neighbour that it serves. It is listed (`-- --nocapture`), not refused: a
-/// concept of its own deserves its file.
-const FEW_LINES: usize = 70;
-
 #[test]
 fn imports_run_downhill() {
     let house = House::of(&sources());
@@ -166,60 +157,10 @@ fn imports_run_downhill() {
     complain(house.code.iter().flat_map(|(file, tokens)| house.faults(file, tokens)).collect());
 }
 
-/// Every name of the face is a promise to those who use it: one more is a decision, which is written here.
-#[test]
-fn public_names_are_as_many_as_were_decided() {
-    let found = public_names(&scan(&sources()["src/lib.rs"]));
-    let found: Vec<(&str, usize)> = found.iter().map(|(module, count)| (module.as_str(), *count)).collect();
-    assert_eq!(found, PUBLIC_NAMES);
-}
-
-/// How many names `lib.rs` exports, by module; what is not documented is no part of the face.
-fn public_names(lib: &[Token]) -> Vec<(String, usize)> {
-    let text = |at: usize| lib.get(at).map_or("", |token: &Token| token.text.as_str());
-    let mut counts = vec![("lib".to_owned(), exports(lib).len())];
-    for at in (0..lib.len()).filter(|&at| text(at) == "mod" && text(at + 2) == "{") {
-        if text(at + 1) == "internals" {
-            break; // the last, with modules of its own
-        }
-        let end = (at..lib.len()).find(|&end| text(end) == "}" && text(end - 1) == ";").unwrap_or(lib.len());
-        counts.push((text(at + 1).to_owned(), exports(&lib[at + 3..end]).len()));
-    }
-    counts
-}
-
 /// Shared types live in a leaf file; `mod.rs` re-exports and orchestrates (see `tidy/circles.rs`).
 #[test]
 fn files_of_a_module_form_no_circle() {
     complain(circles::circles(&House::of(&sources()).code));
-}
-
-#[test]
-#[expect(clippy::print_stdout, reason = "a list for whoever asks for it with --nocapture")]
-fn files_are_short_and_say_what_they_are() {
-    let sources = sources();
-    let short = sources.iter().filter(|(_, text)| text.lines().count() < FEW_LINES);
-    short.for_each(|(file, text)| println!("{file}: {} lines", text.lines().count()));
-    complain(sources.iter().flat_map(|(file, text)| faults_of_shape(file, text)).collect());
-}
-
-#[test]
-fn functions_fit_on_a_screen() {
-    complain(sources().iter().flat_map(|(file, text)| long_functions(file, text)).collect());
-}
-
-#[test]
-fn lines_are_not_wide() {
-    complain(sources().iter().flat_map(|(file, text)| wide_lines(file, text)).collect());
-}
-
-#[test]
-fn no_path_of_a_machine_is_in_the_tree() {
-    let mut files = Vec::new();
-    walk(&root(), &mut files);
-    assert!(files.len() > 10, "the tree was not found");
-    let texts = files.iter().filter_map(|file| Some((name_of(file), std::fs::read_to_string(file).ok()?)));
-    complain(texts.flat_map(|(file, text)| machine_paths(&file, &text)).collect());
 }
 
 /// The overview for those who change the library has a row for each module, in the order of [`MAY_USE`], and in it
@@ -324,68 +265,6 @@ impl House {
     }
 }
 
-fn faults_of_shape(file: &str, text: &str) -> Vec<String> {
-    let mut faults = Vec::new();
-    if !(text.starts_with("//! ") || text.starts_with("#![doc = include_str!(")) {
-        faults.push(format!("{file}:1: begin with a `//!` line that says what the file is for"));
-    }
-    let lines = text.lines().count();
-    if lines > MOST_LINES {
-        faults.push(format!("{file}:{lines}: over {MOST_LINES} lines; find its second job and give it its own file"));
-    }
-    faults
-}
-
-/// Functions that are too long, from their first line to the brace that closes them, as rustfmt sets it.
-fn long_functions(file: &str, text: &str) -> Vec<String> {
-    let lines: Vec<&str> = text.lines().collect();
-    let starts = lines.iter().enumerate().filter(|(_, line)| line.trim_start().split("fn ").count() > 1);
-    let functions = starts.filter_map(|(start, line)| {
-        let indent = &line[..line.len() - line.trim_start().len()];
-        let before = line.trim_start().split("fn ").next()?;
-        let is_function = before.split(' ').all(|word| {
-            word.is_empty()
-                || word.starts_with("pub")
-                || ["const", "in", "unsafe"].contains(&word)
-                || word.ends_with(')')
-        });
-        let closing = format!("{indent}}}");
-        let length = lines[start..].iter().position(|line| *line == closing)? + 1;
-        (is_function && !line.ends_with('}') && length > MOST_LINES_OF_FUNCTION).then_some((start, length))
-    });
-    functions.map(|(start, length)| format!("{file}:{}: a function of {length} lines", start + 1)).collect()
-}
-
-#[test]
-fn a_long_function_is_found() {
-    let of = |lines: usize| {
-        format!(
-            "impl A {{\n    pub(super) fn f(\n        a: u8,\n    ) {{\n{}    }}\n}}\n",
-            "        a;\n".repeat(lines)
-        )
-    };
-    assert_eq!(long_functions("a.rs", &of(MOST_LINES_OF_FUNCTION - 4)), [""; 0]);
-    assert_eq!(long_functions("a.rs", &of(MOST_LINES_OF_FUNCTION - 3)), ["a.rs:2: a function of 61 lines"]);
-}
-
-fn wide_lines(file: &str, text: &str) -> Vec<String> {
-    let wide = text.lines().enumerate().filter(|(_, line)| line.chars().count() > MOST_COLUMNS);
-    wide.map(|(at, _)| format!("{file}:{}: over {MOST_COLUMNS} columns", at + 1)).collect()
-}
-
-/// Absolute paths as they look on somebody's machine. The names are kept apart from their slashes so that this file
-/// passes its own test.
-fn machine_paths(file: &str, text: &str) -> Vec<String> {
-    let needles =
-        ["home", "root", "Users", "work", "workspace", "builds", "mnt", "srv"].map(|name| format!("/{name}/"));
-    let at_start = |line: &str, at: usize| {
-        !line[..at].ends_with(|before: char| before.is_alphanumeric() || "_.-/*$}~".contains(before))
-    };
-    let bad = |line: &str| needles.iter().any(|needle| line.match_indices(&**needle).any(|(at, _)| at_start(line, at)));
-    let lines = text.lines().enumerate().filter(|(_, line)| bad(line));
-    lines.map(|(at, line)| format!("{file}:{}: path of one machine: {}", at + 1, line.trim())).collect()
-}
-
 // ------------------------------------------------------------------------------------------- that it can complain
 
 /// The faults of `text` as the file `file` of a house whose `lib.rs` declares every module and exports `Error` and
@@ -438,15 +317,6 @@ fn a_use_uphill_is_found_wherever_it_hides() {
     assert_eq!(faults_in("src/nowhere.rs", "").len(), 1, "a module without a row");
     assert_eq!(faults_in("src/main.rs", "use crate::units::Px; fn main() {}").len(), 1);
     assert_eq!(faults_in("src/cli/report.rs", "use crate::raster;").len(), 1);
-}
-
-#[test]
-fn public_names_are_counted_by_module() {
-    let lib = "mod a; use a::Q; pub use a::{B, C as D}; pub use lyon::euclid;
-        pub mod marks { pub use crate::a::{E, F}; pub use crate::b::G; } pub mod felt { pub use crate::a::H; }
-        #[doc(hidden)] pub mod internals { pub mod a { pub use crate::a::*; } }";
-    let expected = [("lib", 3), ("marks", 3), ("felt", 1)].map(|(module, count)| (module.to_owned(), count));
-    assert_eq!(public_names(&scan(lib)), expected);
 }
 
 #[test]
@@ -512,22 +382,6 @@ fn circles_are_found_and_only_circles() {
     let three = [("src/a/mod.rs", "mod b; mod c; mod d;"), ("src/a/b.rs", "use super::c::C; pub struct B;")];
     let rest = [("src/a/c.rs", "use super::d::D; pub struct C;"), ("src/a/d.rs", "use super::b::B; pub struct D;")];
     assert_eq!(circles(&[three, rest].concat()).len(), 1);
-}
-
-#[test]
-fn shapes_and_paths_of_machines_are_found() {
-    assert_eq!(faults_of_shape("src/a.rs", "//! What it is for.\n"), [""; 0]);
-    assert_eq!(faults_of_shape("src/a.rs", "use std::fmt;\n").len(), 1);
-    assert_eq!(faults_of_shape("src/a.rs", &format!("//! Long.{}", "\n".repeat(MOST_LINES + 1))).len(), 1);
-    assert_eq!(wide_lines("src/a.rs", &format!("//! {}\n//! {}", "x".repeat(116), "é".repeat(117))).len(), 1);
-    let of_a_machine = ["/home", "/ann/cup.png"].concat();
-    for text in [of_a_machine.clone(), format!("see `{of_a_machine}`"), format!("a\nIN={of_a_machine}")] {
-        assert_eq!(machine_paths("notes.txt", &text).len(), 1, "{text}");
-    }
-    for text in [format!("https://example.org{of_a_machine}"), format!("samples{of_a_machine}"), "/usr/bin/env".into()]
-    {
-        assert_eq!(machine_paths("notes.txt", &text), [""; 0], "{text}");
-    }
 }
 
 // ------------------------------------------------------------------------------------------------------ the tree

@@ -22,7 +22,7 @@ use tactograph::internals::page::Page;
 use tactograph::internals::page::layout::{self, Layout};
 use tactograph::internals::pipeline::{Request, convert};
 use tactograph::internals::profile::{Plan, Profile};
-use tactograph::internals::raster::decode::{self, Header, Limits, Options, Picture};
+use tactograph::internals::raster::decode::{self, DecodeOptions, Decoded, Header, Limits};
 use tactograph::internals::units::{PageTransform, Size};
 use tactograph::internals::{classes, edges, lines, textures, touch};
 use tactograph_tools::{ROOT, photo};
@@ -101,13 +101,13 @@ fn layout_of(size: Size, plan: &Plan) -> Layout {
 }
 
 /// At the working size of a page, as the pipeline asks for.
-fn decode(bytes: &[u8], plan: &Plan) -> Result<Picture, Error> {
+fn decode(bytes: &[u8], plan: &Plan) -> Result<Decoded, Error> {
     let working_size = |Header { size, .. }: Header| {
         let place = layout_of(size, plan).figure;
         let pixels = |mm: f32, own: u32| ((mm * plan.profile().figure.resolution).round() as u32).clamp(1, own);
         Ok(Size::new(pixels(place.width(), size.width), pixels(place.height(), size.height)))
     };
-    decode::decode(bytes, &Options::whole(&working_size))
+    decode::decode(bytes, &DecodeOptions::whole(&working_size))
 }
 
 /// The finished page.

@@ -28,12 +28,12 @@ pub(in crate::dots) fn on_grid(
     if columns[0] > columns[1] || rows[0] > rows[1] {
         return (Vec::new(), Shown::none_of(marks));
     }
-    let mut taken = Taken { lines: BTreeMap::new(), gap: params.line_gap as i32 };
-    let mut drawn: Vec<(usize, Piece)> = Vec::new();
+    let mut taken = OccupiedDots { lines: BTreeMap::new(), gap: params.line_gap as i32 };
+    let mut drawn: Vec<(usize, RowPiece)> = Vec::new();
     for place in order(lines, part, params.centres()) {
         let line = &lines[place];
         let (cells, closed) = cells_of(line, grid, [columns, rows]);
-        let is_long = |piece: &Piece| {
+        let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
             piece.cells.len() >= LEAST_DOTS && length + ROUNDED_OFF >= params.min_length
         };
@@ -93,12 +93,12 @@ fn centres(cells: &[Cell], grid: &Grid) -> Vec<MmPoint> {
 }
 
 /// A piece of a line that is far enough from all others.
-struct Piece {
+struct RowPiece {
     cells: Vec<Cell>,
     closed: bool,
 }
 
-impl Piece {
+impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
         let closed = ends_touch(&cells);
@@ -107,23 +107,23 @@ impl Piece {
 }
 
 /// Dots of lines, each with the number of the piece that it belongs to, and how many empty dots must lie between.
-struct Taken {
+struct OccupiedDots {
     lines: BTreeMap<Cell, usize>,
     gap: i32,
 }
 
-impl Taken {
+impl OccupiedDots {
     /// Finds room for the marks of lines, of which these pieces are drawn, each with the number of its line.
     fn place(
         &mut self,
         marks: &LineMarks,
         lines: &[Line],
-        drawn: &mut [(usize, Piece)],
+        drawn: &mut [(usize, RowPiece)],
         grid: &Grid,
         within: [[i32; 2]; 2],
         params: &Params,
     ) -> Placed {
-        let row = |(place, piece): &(usize, Piece)| Row {
+        let row = |(place, piece): &(usize, RowPiece)| Row {
             dots: centres(&piece.cells, grid),
             closed: piece.closed,
             is_heavy: params.has_second_row(&lines[*place]),
@@ -181,7 +181,12 @@ impl Taken {
 
     /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
     /// itself, for at least so many dots.
-    fn second_row(&self, (number, piece): (usize, &Piece), least: usize, inside: impl Fn(Cell) -> bool) -> Vec<Cell> {
+    fn second_row(
+        &self,
+        (number, piece): (usize, &RowPiece),
+        least: usize,
+        inside: impl Fn(Cell) -> bool,
+    ) -> Vec<Cell> {
         let (n, least_arc) = (piece.cells.len(), self.least_arc());
         // the dots of both rows, each with the index in the first row
         let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
@@ -203,10 +208,10 @@ impl Taken {
     }
 
     /// The pieces of a line that keep the gap.
-    fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<Piece> {
+    fn pieces(&self, cells: &[Cell], closed: bool) -> Vec<RowPiece> {
         let mut distances = self.distances(cells, closed);
         if distances.iter().all(Option::is_none) {
-            return vec![Piece { cells: cells.to_vec(), closed }];
+            return vec![RowPiece { cells: cells.to_vec(), closed }];
         }
         let mut cells = cells.to_vec();
         if closed {
@@ -227,7 +232,7 @@ impl Taken {
             *at += stretch.len() + 1;
             Some(from..from + stretch.len())
         });
-        stretches.filter(|range| !range.is_empty()).map(|range| Piece::cut_out(cells[range].to_vec())).collect()
+        stretches.filter(|range| !range.is_empty()).map(|range| RowPiece::cut_out(cells[range].to_vec())).collect()
     }
 
     /// A line whose first dots touch another line forms a junction with it: dots on the other line are removed, and
@@ -267,15 +272,15 @@ mod tests {
         columns.map(|x| [x, y]).collect()
     }
 
-    fn taken(lines: &[Vec<Cell>], gap: i32) -> Taken {
-        let mut taken = Taken { lines: BTreeMap::new(), gap };
+    fn taken(lines: &[Vec<Cell>], gap: i32) -> OccupiedDots {
+        let mut taken = OccupiedDots { lines: BTreeMap::new(), gap };
         for (number, cells) in lines.iter().enumerate() {
             cells.iter().for_each(|&cell| taken.take(cell, number));
         }
         taken
     }
 
-    fn pieces(taken: &Taken, cells: &[Cell], closed: bool) -> Vec<(Vec<Cell>, bool)> {
+    fn pieces(taken: &OccupiedDots, cells: &[Cell], closed: bool) -> Vec<(Vec<Cell>, bool)> {
         taken.pieces(cells, closed).into_iter().map(|piece| (piece.cells, piece.closed)).collect()
     }
 
@@ -330,7 +335,7 @@ mod tests {
     #[test]
     fn a_second_row_keeps_the_gap_from_other_lines() {
         let first = row(0, 0..12);
-        let piece = Piece { cells: first.clone(), closed: false };
+        let piece = RowPiece { cells: first.clone(), closed: false };
         let alone = taken(std::slice::from_ref(&first), 1);
         assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
         assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
@@ -343,8 +348,8 @@ mod tests {
     fn a_piece_that_comes_back_to_itself_is_a_ring_without_a_spike() {
         let ring =
             [[7, 5], [6, 6], [5, 7], [5, 8], [5, 9], [4, 9], [3, 9], [2, 8], [2, 7], [3, 6], [4, 6], [5, 6], [6, 5]];
-        let piece = Piece::cut_out(ring.to_vec());
+        let piece = RowPiece::cut_out(ring.to_vec());
         assert_eq!((piece.closed, &piece.cells[..]), (true, &ring[2..12]));
-        assert!(!Piece::cut_out(ring[..8].to_vec()).closed);
+        assert!(!RowPiece::cut_out(ring[..8].to_vec()).closed);
     }
 }

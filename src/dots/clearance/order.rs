@@ -11,18 +11,18 @@ use crate::units::MmRect;
 /// A line ends on another if it comes this near to its middle, mm: junctions are drawn so, but for the tolerance with
 /// which lines are simplified.
 const TOUCH: f32 = 0.1;
-/// So many lines can stand on one another, one after the other; of those that do so in a circle none is the first.
+/// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
 const DEPTH: usize = 8;
 
 /// The numbers of the lines of a part of the sheet, the strongest given first, in this order. Ends that meet other ends
 /// within `corner` mm are corners, and change nothing.
 pub(super) fn order(lines: &[Line], part: MmRect, corner: f32) -> Vec<usize> {
-    let standing = standing(lines, part, corner);
+    let on_bases = lines_on_bases(lines, part, corner);
     // the place of each line, and how many stand above one another on it there
     let mut places: Vec<(usize, usize)> = (0..lines.len()).map(|number| (number, 0)).collect();
     for _ in 0..DEPTH {
         let before = places.clone();
-        for &(stem, base) in &standing {
+        for &(stem, base) in &on_bases {
             let (place, above) = before[stem];
             if (place, DEPTH - above) <= (places[base].0, DEPTH - places[base].1) {
                 places[base] = (place, above + 1);
@@ -38,7 +38,7 @@ pub(super) fn order(lines: &[Line], part: MmRect, corner: f32) -> Vec<usize> {
 }
 
 /// Which lines end on which others.
-fn standing(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usize)> {
+fn lines_on_bases(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usize)> {
     let polylines: Vec<_> = lines.iter().map(polyline_of).collect();
     let mut segments = Nearby::new(part, corner.max(1.0));
     for (line, polyline) in (0..).zip(&polylines) {
@@ -46,7 +46,7 @@ fn standing(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usize)> {
             segments.insert(Segment { a: *a, b: *b, half_width: 0.0, line, index, arc });
         }
     }
-    let mut standing = Vec::new();
+    let mut on_bases = Vec::new();
     for (stem, polyline) in polylines.iter().enumerate().filter(|(_, polyline)| !polyline.closed) {
         for at in [polyline.vertices.first(), polyline.vertices.last()].into_iter().flatten().copied() {
             segments.around(at, at, TOUCH, |segment| {
@@ -57,14 +57,14 @@ fn standing(lines: &[Line], part: MmRect, corner: f32) -> Vec<(usize, usize)> {
                     of_base.closed || (corner..of_base.length() - corner).contains(&arc)
                 };
                 if base != stem && distance <= TOUCH && is_between() {
-                    standing.push((stem, base));
+                    on_bases.push((stem, base));
                 }
             });
         }
     }
-    standing.sort_unstable();
-    standing.dedup();
-    standing
+    on_bases.sort_unstable();
+    on_bases.dedup();
+    on_bases
 }
 
 #[cfg(test)]

@@ -87,7 +87,7 @@ impl Lattice<'_> {
     }
 
     /// The dots of a disc of this radius, in steps: those around it, and those inside.
-    pub(super) fn disc(self, middle: GridPoint, along: MmVector, radius: i32) -> Disc {
+    pub(super) fn disc(self, middle: GridPoint, along: MmVector, radius: i32) -> DotDisc {
         match self {
             Self::Grid { .. } => {
                 let is_in = |dx: i32, dy: i32| (dx * dx + dy * dy) as f32 <= (radius as f32 + 0.5).powi(2);
@@ -97,7 +97,7 @@ impl Lattice<'_> {
                         [(1, 0), (-1, 0), (0, 1), (0, -1)].iter().all(|(x, y)| is_in(dx + x, dy + y))
                     });
                 let dot = |(dx, dy): (i32, i32)| [middle[0] + dx as f32, middle[1] + dy as f32];
-                Disc { around: around.into_iter().map(dot).collect(), inside: inside.into_iter().map(dot).collect() }
+                DotDisc { around: around.into_iter().map(dot).collect(), inside: inside.into_iter().map(dot).collect() }
             }
             Self::Free { .. } => {
                 let first = along.angle_from_x_axis().radians;
@@ -109,14 +109,14 @@ impl Lattice<'_> {
                     })
                 };
                 let inside = std::iter::once(middle).chain((1..radius).flat_map(ring)).collect();
-                Disc { around: ring(radius).collect(), inside }
+                DotDisc { around: ring(radius).collect(), inside }
             }
         }
     }
 }
 
 /// The dots of a point.
-pub(super) struct Disc {
+pub(super) struct DotDisc {
     pub(super) around: Vec<GridPoint>,
     pub(super) inside: Vec<GridPoint>,
 }
@@ -142,12 +142,12 @@ pub(super) enum Owner {
 }
 
 /// Dots that are there, by place.
-pub(super) struct Field<'a> {
+pub(super) struct MarkField<'a> {
     pub(super) lattice: Lattice<'a>,
     dots: BTreeMap<Cell, Vec<(GridPoint, Owner)>>,
 }
 
-impl<'a> Field<'a> {
+impl<'a> MarkField<'a> {
     pub(super) fn new(lattice: Lattice<'a>) -> Self {
         Self { lattice, dots: BTreeMap::new() }
     }

@@ -18,7 +18,7 @@ mod scale;
 #[cfg(test)]
 mod tests;
 
-use self::lattice::{Disc, Field, LEAST_STEP, Owner};
+use self::lattice::{DotDisc, LEAST_STEP, MarkField, Owner};
 use super::cell::GridPoint;
 use super::params::{LEAST_DOTS, Params};
 use crate::geom::right_of;
@@ -43,7 +43,7 @@ const MIDWAY: f32 = 1e-3;
 const BESIDE: usize = 2;
 /// A row is that of a tick if it leads as its line does but for 30 degrees: the cosine.
 const ALONG: f32 = 0.87;
-/// ... and the tick is no farther from its place along the line, in pitches.
+/// A row is that of a tick if it lies no farther than this beside the tick, in pitches.
 const ASIDE: f32 = 0.75;
 /// A side of a tick that is so much longer than the shortest of its scale is longer on the page.
 const LONGER: f32 = 1.3;
@@ -117,14 +117,14 @@ struct Tick {
 struct Places<'a> {
     rows: &'a [Row],
     params: &'a Params,
-    field: Field<'a>,
+    field: MarkField<'a>,
     points: Vec<DrawnPoint>,
     placed: Placed,
 }
 
 /// Finds room for marks on rows of dots.
 pub(super) fn place(marks: &LineMarks, rows: &[Row], lattice: Lattice<'_>, params: &Params) -> Placed {
-    let mut field = Field::new(lattice);
+    let mut field = MarkField::new(lattice);
     for (number, row) in rows.iter().enumerate() {
         let dots = row.dots.iter().enumerate();
         dots.for_each(|(place, at)| field.put(lattice.to_steps(*at), Owner::Row(number, place)));
@@ -179,7 +179,7 @@ impl Places<'_> {
         // the side of a disc is that of its outermost dots, and a ring is drawn along its middle
         let own = point.radius - if point.is_filled { 0.5 * diameter } else { 0.0 };
         let radius = least.max((own / pitch).round() as i32).max(1);
-        let Disc { around, inside } = lattice.disc(middle, self.along(row, number), radius);
+        let DotDisc { around, inside } = lattice.disc(middle, self.along(row, number), radius);
         if !around.iter().all(|dot| lattice.holds(*dot)) || !self.has_room(middle, radius, &around) {
             return false;
         }
@@ -381,7 +381,7 @@ impl Places<'_> {
 
     /// Whether ticks are apart from one another.
     fn are_apart(&self, ticks: &[Tick]) -> bool {
-        let mut own = Field::new(self.field.lattice);
+        let mut own = MarkField::new(self.field.lattice);
         ticks.iter().enumerate().all(|(number, tick)| {
             let dots = || tick.sides.iter().flatten();
             let is_near =

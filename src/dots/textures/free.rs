@@ -2,7 +2,7 @@
 
 use super::field::{Field, Params};
 use super::pattern::DENSE_FROM;
-use super::small_components::{self, Spacing};
+use super::small_components::{self, LatticeSpacing};
 use crate::classes::Class;
 use crate::geom::nearby::{Nearby, Segment};
 use crate::geom::nearest_on_segment;
@@ -19,13 +19,13 @@ const GREY: f32 = 3.2;
 const FROM_BORDER: f32 = 0.75;
 
 /// The dots that would be set if there were no lines.
-pub(super) struct Candidates<'a> {
+pub(super) struct FreeCandidates<'a> {
     field: &'a Field<'a>,
     /// The region of each dot and where it is.
     dots: Vec<(u32, MmPoint)>,
 }
 
-impl<'a> Candidates<'a> {
+impl<'a> FreeCandidates<'a> {
     /// The candidates in `part` of the sheet.
     pub(super) fn of(field: &'a Field<'a>, part: MmRect) -> Self {
         let lattice = lattice_of(field.params);
@@ -49,7 +49,7 @@ impl<'a> Candidates<'a> {
             sets[region as usize].push(at);
         }
         let (across, grey) = distances(params);
-        let spacing = Spacing {
+        let spacing = LatticeSpacing {
             pitch: params.pitch,
             along: params.pitch,
             off: 0.3 * params.pitch,

@@ -1,7 +1,7 @@
 //! Textures on a grid: which of its dots are set.
 
 use super::field::Field;
-use super::pattern::{Pattern, Steps};
+use super::pattern::{GridSteps, Pattern};
 use super::small_components;
 use crate::classes::Class;
 use crate::devices::Grid;
@@ -10,21 +10,21 @@ use crate::textures::Sign;
 use crate::units::MmPoint;
 
 /// The dots of a grid that would be set if there were no lines.
-pub(super) struct Candidates<'a> {
+pub(super) struct GridCandidates<'a> {
     field: &'a Field<'a>,
     grid: &'a Grid,
-    columns: Steps,
-    rows: Steps,
+    columns: GridSteps,
+    rows: GridSteps,
     /// The pattern of each class; none on a grid that has no patterns.
     patterns: [(Class, Option<Pattern>); Class::ALL.len()],
     /// The region of each dot of the grid, row by row, if it would be set.
     regions: Vec<Option<u32>>,
 }
 
-impl<'a> Candidates<'a> {
+impl<'a> GridCandidates<'a> {
     pub(super) fn of(field: &'a Field<'a>, grid: &'a Grid) -> Self {
-        let columns = Steps::of(&grid.columns, field.area.min.x, field.area.max.x);
-        let rows = Steps::of(&grid.rows, field.area.min.y, field.area.max.y);
+        let columns = GridSteps::of(&grid.columns, field.area.min.x, field.area.max.x);
+        let rows = GridSteps::of(&grid.rows, field.area.min.y, field.area.max.y);
         let sign = |class| field.params.palette.sign(class);
         let patterns = Class::ALL.map(|class| (class, Pattern::of(sign(class), columns, rows)));
         let mut candidates = Self { field, grid, columns, rows, patterns, regions: Vec::new() };

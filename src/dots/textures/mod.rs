@@ -55,11 +55,11 @@ pub fn fill(classes: &Classes, figure: MmRect, lines: &[Line], area: &DotArea, p
 fn dots(field: &Field<'_>, lines: &[Line], area: &DotArea) -> Vec<Vec<MmPoint>> {
     match area {
         DotArea::Grid(grid) => {
-            let candidates = grid::Candidates::of(field, grid);
+            let candidates = grid::GridCandidates::of(field, grid);
             with_gaps(field.params, |gap| candidates.dots(lines, gap))
         }
         DotArea::Free(part) => {
-            let candidates = free::Candidates::of(field, *part);
+            let candidates = free::FreeCandidates::of(field, *part);
             with_gaps(field.params, |gap| candidates.dots(lines, gap))
         }
     }

@@ -57,7 +57,7 @@
 //! * Directions other than the four [`RowDirection`]s: rows would be stairs. Each is set in the nearest of the four.
 //! * Fringes: a single dot has no direction to turn.
 
-use super::small_components::Spacing;
+use super::small_components::LatticeSpacing;
 use crate::classes::Class;
 use crate::devices::{DotArea, Grid};
 use crate::textures::{Palette, Sign};
@@ -113,8 +113,8 @@ pub(super) fn sign(sign: Sign, area: &DotArea) -> Sign {
 /// # Errors
 /// All pairs of classes that feel alike, in the order of [`Class::ALL`].
 pub fn carried(palette: &Palette, area: &DotArea) -> Result<(), Vec<(Class, Class)>> {
-    let is_even = |places: &[f32]| Steps::of(places, 0.0, 0.0).is_even();
-    let is_apart = |places: &[f32]| Steps::of(places, 0.0, 0.0).mean > DIAGONALS_TO;
+    let is_even = |places: &[f32]| GridSteps::of(places, 0.0, 0.0).is_even();
+    let is_apart = |places: &[f32]| GridSteps::of(places, 0.0, 0.0).mean > DIAGONALS_TO;
     let without_diagonals = match area {
         DotArea::Grid(Grid { columns, rows }) => {
             [columns, rows].iter().any(|places| !is_even(places) || is_apart(places))
@@ -162,7 +162,7 @@ pub(super) const DENSE_FROM: f32 = 0.6;
 
 /// How the columns or the rows of a grid lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Steps {
+pub(super) struct GridSteps {
     /// How many are in a cell, if wider gaps lie between such groups; else 1.
     count: i32,
     /// The index that patterns are counted from: the first of a cell, or the one in the middle of the picture.
@@ -173,7 +173,7 @@ pub(super) struct Steps {
     widest: f32,
 }
 
-impl Steps {
+impl GridSteps {
     /// The steps between `centres`, counted from the middle of `from` and `to`.
     pub(super) fn of(centres: &[f32], from: f32, to: f32) -> Self {
         let gaps: Vec<f32> = centres.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -197,7 +197,7 @@ impl Steps {
 
 impl Pattern {
     /// The pattern for a sign on a grid; none on one of a single column or row, which has no directions.
-    pub(super) fn of(sign: Sign, columns: Steps, rows: Steps) -> Option<Self> {
+    pub(super) fn of(sign: Sign, columns: GridSteps, rows: GridSteps) -> Option<Self> {
         if ![columns, rows].iter().all(|steps| steps.mean >= FINEST) {
             return None;
         }
@@ -207,7 +207,7 @@ impl Pattern {
             return Some(Self::Spots { halvings: (2.0 * (SPOTS / pitch).log2()).round().max(1.0) as u32 });
         };
         let direction = RowDirection::nearest(degrees);
-        let straight = |steps: Steps| {
+        let straight = |steps: GridSteps| {
             if steps.is_even() {
                 let second = every(ROWS).max(2);
                 Self::Rows { direction, period: 2 * second, second }
@@ -231,7 +231,7 @@ impl Pattern {
     }
 
     /// The amount of texture from which the dot in column `x` and row `y` of the grid, counted from
-    /// [`Steps::origin`], is set; below 0 if it always is.
+    /// [`GridSteps::origin`], is set; below 0 if it always is.
     pub(super) fn needed_amount(self, x: i32, y: i32) -> f32 {
         match self {
             Self::Rows { direction, period, second } => {
@@ -252,7 +252,7 @@ impl Pattern {
     }
 
     /// How far the dots of the sparsest texture are apart.
-    pub(super) fn spacing(self, columns: Steps, rows: Steps, pitch: f32) -> Spacing {
+    pub(super) fn spacing(self, columns: GridSteps, rows: GridSteps, pitch: f32) -> LatticeSpacing {
         let (mean, slope) = (columns.mean.max(rows.mean), columns.widest.hypot(rows.widest));
         let (along, across) = match self {
             Self::Rows { direction: RowDirection::Flat, period, .. } => (columns.widest, period as f32 * rows.mean),
@@ -262,7 +262,7 @@ impl Pattern {
         };
         // on even grids rows are straight; between cells they have kinks
         let kink = (columns.widest.max(rows.widest) - pitch).max(0.0) * std::f32::consts::FRAC_1_SQRT_2;
-        Spacing { pitch, along, off: 0.3 * pitch + kink, across }
+        LatticeSpacing { pitch, along, off: 0.3 * pitch + kink, across }
     }
 }
 
@@ -290,9 +290,9 @@ mod tests {
     use super::*;
     use crate::units::{MmPoint, MmRect};
 
-    fn even(pitch: f32) -> Steps {
+    fn even(pitch: f32) -> GridSteps {
         let places: Vec<f32> = (0..61).map(|i| i as f32 * pitch).collect();
-        Steps::of(&places, 0.0, 60.0 * pitch)
+        GridSteps::of(&places, 0.0, 60.0 * pitch)
     }
 
     fn of(degrees: Option<f32>, pitch: f32) -> Pattern {
@@ -365,20 +365,20 @@ mod tests {
     #[test]
     fn cells_are_seen_as_such_and_even_grids_as_even() {
         let cells: Vec<f32> = (0..30).map(|i| 11.0 + (i / 3) as f32 * 10.0 + (i % 3) as f32 * 2.34).collect();
-        let steps = Steps::of(&cells, 11.0, 105.0);
+        let steps = GridSteps::of(&cells, 11.0, 105.0);
         assert_eq!((steps.count, steps.origin % 3), (3, 0));
         assert!(even(2.0).is_even() && even(2.0).origin == 30);
         let flat = Pattern::of(Sign::Rhombus { degrees: 0.0 }, steps, steps).expect("a grid of many dots");
         let set_at = |amount: f32| [0, 1, 2].map(|y| flat.needed_amount(7, y) <= amount);
         assert_eq!((set_at(0.0), set_at(1.0)), ([true, false, false], [true, false, true]));
-        let few = Steps::of(&[3.0], 0.0, 9.0);
-        assert!(few.is_even() && Steps::of(&[], 0.0, 9.0).is_even(), "a device with hardly a dot does no harm");
+        let few = GridSteps::of(&[3.0], 0.0, 9.0);
+        assert!(few.is_even() && GridSteps::of(&[], 0.0, 9.0).is_even(), "a device with hardly a dot does no harm");
         assert_eq!(few.origin, 0);
     }
 
     #[test]
     fn one_column_or_row_has_no_pattern() {
-        let of = |places: &[f32]| Steps::of(places, 0.0, 9.0);
+        let of = |places: &[f32]| GridSteps::of(places, 0.0, 9.0);
         let signs = [0.0, 45.0, 90.0, 135.0].map(|degrees| Sign::Rhombus { degrees }).into_iter().chain([Sign::Dot]);
         for sign in signs {
             for few in [&[][..], &[3.0], &[3.0, 3.0], &[3.0, 3.0 + 1e-6], &[3.0, f32::NAN]] {

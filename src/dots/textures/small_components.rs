@@ -32,7 +32,7 @@ impl Least {
 
 /// Distances of the dots of one texture, mm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Spacing {
+pub(super) struct LatticeSpacing {
     /// The pitch.
     pub(super) pitch: f32,
     /// In a row, at most.
@@ -44,7 +44,7 @@ pub(super) struct Spacing {
 }
 
 /// Leaves out dots alone in their row, and then components that are no texture: of few dots, or all in one row.
-pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, spacing: Spacing, least: Least) {
+pub(super) fn leave_out(dots: &mut Vec<MmPoint>, sign: Sign, spacing: LatticeSpacing, least: Least) {
     let pitch = spacing.pitch;
     if let Sign::Rhombus { degrees } = sign {
         let (along, across) = (unit(degrees), unit(degrees + 90.0));

@@ -36,7 +36,7 @@ const HIDDEN_WIDTHS: f32 = 1.5;
 /// The stretches of a proposal that the picture shows, with their contrast.
 pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> Vec<Confirmed> {
     let Proposal { line, stroke, .. } = proposal;
-    let seen: Vec<Seen> = line.segments().map(|(a, b)| look(*a, *b, *stroke, picture)).collect();
+    let seen: Vec<SegmentStep> = line.segments().map(|(a, b)| look(*a, *b, *stroke, picture)).collect();
     if seen.iter().all(|seen| seen.strength < params.high) {
         return Vec::new();
     }
@@ -57,15 +57,15 @@ pub(super) fn confirmed(proposal: &Proposal, picture: &Lab, params: &Params) -> 
 
 /// What the picture shows at a segment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Seen {
+struct SegmentStep {
     strength: f32,
     /// Colour on the right less colour on the left.
     contrast: [f32; 3],
 }
 
 /// Looks across the middle of a segment.
-fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> Seen {
-    let nothing = Seen { strength: 0.0, contrast: [0.0; 3] };
+fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> SegmentStep {
+    let nothing = SegmentStep { strength: 0.0, contrast: [0.0; 3] };
     let at = a.lerp(b, 0.5);
     let size = picture.size;
     let Some(along) = (b - a).try_normalize() else { return nothing };
@@ -78,12 +78,12 @@ fn look(a: PxPoint, b: PxPoint, stroke: Option<f32>, picture: &Lab) -> Seen {
     let colour = |distance: f32| picture.colour(at + right * distance);
     match stroke {
         None => step(colour).unwrap_or(nothing),
-        Some(width) => Seen { strength: stroke_contrast(width, colour), contrast: [0.0; 3] },
+        Some(width) => SegmentStep { strength: stroke_contrast(width, colour), contrast: [0.0; 3] },
     }
 }
 
 /// The step of an outline, if it is here.
-fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<Seen> {
+fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<SegmentStep> {
     let difference = |distance: f32| less(colour(distance), colour(-distance));
     let (close, far) = (difference(CLOSE), difference(FAR));
     let (near, all) = (norm(close), norm(far));
@@ -91,7 +91,11 @@ fn step(colour: impl Fn(f32) -> [f32; 3]) -> Option<Seen> {
         return None;
     }
     // a strip narrower than the pixels look has its own ground on both sides
-    Some(if all >= near { Seen { strength: all, contrast: far } } else { Seen { strength: near, contrast: close } })
+    Some(if all >= near {
+        SegmentStep { strength: all, contrast: far }
+    } else {
+        SegmentStep { strength: near, contrast: close }
+    })
 }
 
 /// Contrast of a stroke to its ground, whatever share of the pixels it covers: the sum of what differs from the ground
@@ -182,12 +186,12 @@ fn bridged(shown: &[bool], lengths: &[f32], hidden: f32, closed: bool) -> Vec<bo
 }
 
 /// A stretch of a line with what is seen there; what is hidden has the least strength that is drawn.
-fn part(line: &Polyline<PxPoint>, seen: &[Seen], stretch: &SegmentRun, least: f32) -> Polyline<Edgel> {
+fn part(line: &Polyline<PxPoint>, seen: &[SegmentStep], stretch: &SegmentRun, least: f32) -> Polyline<Edgel> {
     let n = seen.len();
-    let strength_of = |i: usize| Seen { strength: seen[i % n].strength.max(least), ..seen[i % n] };
+    let strength_of = |i: usize| SegmentStep { strength: seen[i % n].strength.max(least), ..seen[i % n] };
     // a vertex has the mean of the segments on both sides, as far as they belong to the stretch
     let edgel = |vertex: usize, before: Option<usize>, after: Option<usize>| {
-        let both: Vec<Seen> = [before, after].into_iter().flatten().map(strength_of).collect();
+        let both: Vec<SegmentStep> = [before, after].into_iter().flatten().map(strength_of).collect();
         let count = both.len().max(1) as f32;
         Edgel {
             at: line.vertices[vertex % line.vertices.len()],

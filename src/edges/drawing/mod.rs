@@ -24,7 +24,7 @@ use proposal::Confirmed;
 const EXPLAINED: f32 = 4.0;
 
 /// Finds the contours of a drawing and of its rendering, `raster`.
-pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> Edges {
+pub fn find_in_vector(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> Edges {
     let size = raster.size();
     let proposals = flatten::proposals(drawing, params.widest_stroke, size);
     let picture = confirm::Lab::of(raster);
@@ -34,7 +34,7 @@ pub fn find_drawn(raster: &Raster, drawing: &VectorDrawing, params: &Params) -> 
         edges.dashed += usize::from(proposal.dashed && !of_proposal.is_empty());
         confirmed.extend(of_proposal);
     }
-    for Confirmed { line, stroke } in unite::united(confirmed, size) {
+    for Confirmed { line, stroke } in unite::merged_coincident(confirmed, size) {
         edges.push_as(
             ChainKind { exact: true, of_drawing: true, stroke, added: false },
             line.vertices.into_iter(),

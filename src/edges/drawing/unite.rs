@@ -23,7 +23,7 @@ const CORNER: f32 = 25.0;
 /// The contours without those parts that coincide with one before them. Strokes come before outlines, then those with
 /// the longest side between two corners: so a side that goes on beyond the other's corners is whole, and the other ends
 /// on it.
-pub(super) fn united(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
+pub(super) fn merged_coincident(mut confirmed: Vec<Confirmed>, size: Size) -> Vec<Confirmed> {
     // in whole pixels: rounding decides nothing
     confirmed.sort_by_key(|contour| (contour.stroke.is_none(), Reverse(longest_side(&contour.line).round() as u32)));
     let mut covered = Covered::new(size);
@@ -78,7 +78,7 @@ fn uncovered(contour: &Confirmed, covered: &Covered) -> Vec<Confirmed> {
 
 /// A segment of a contour.
 #[derive(Debug, Clone, Copy)]
-struct Piece {
+struct PathPiece {
     a: PxPoint,
     b: PxPoint,
     reach: f32,
@@ -88,7 +88,7 @@ struct Piece {
 pub(super) struct Covered {
     columns: usize,
     rows: usize,
-    cells: Vec<Vec<Piece>>,
+    cells: Vec<Vec<PathPiece>>,
 }
 
 impl Covered {
@@ -109,7 +109,7 @@ impl Covered {
 
     fn add(&mut self, line: &Polyline<Edgel>, reach: f32) {
         for (a, b) in line.segments() {
-            let piece = Piece { a: a.at, b: b.at, reach };
+            let piece = PathPiece { a: a.at, b: b.at, reach };
             for cell in self.cells_around(a.at.min(b.at), a.at.max(b.at), reach) {
                 self.cells[cell].push(piece);
             }
@@ -126,7 +126,7 @@ impl Covered {
     }
 
     /// The pieces whose reach may take in a point.
-    fn at(&self, at: PxPoint) -> impl Iterator<Item = &Piece> {
+    fn at(&self, at: PxPoint) -> impl Iterator<Item = &PathPiece> {
         self.cells_around(at, at, 0.0).flat_map(|cell| &self.cells[cell])
     }
 

@@ -1,13 +1,12 @@
 //! Paths of a skeleton become lines: short spurs go, and arms that continue one another through a junction are one
 //! line.
 
-use super::skeleton::{Node, Path};
+use super::skeleton::{SkeletonNode, SkeletonPath};
+use crate::edges::params::HEADING;
 use crate::geom::polyline::Polyline;
 use crate::geom::walk::first_beyond;
 use crate::units::{PxPoint, PxVector};
 
-/// The direction of an arm is taken from its junction over this much of it, px.
-const HEADING: f32 = 8.0;
 /// Two arms go on through a junction if the cosine between their directions is at most this (30 degrees from straight).
 const STRAIGHT_COSINE: f32 = -0.866;
 /// The two straightest arms of a junction are one line, unless they make a sharper corner than this (120 degrees).
@@ -54,7 +53,7 @@ struct Partner {
 }
 
 /// The lines of a skeleton, pixel by pixel.
-pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
+pub(super) fn joined(paths: Vec<SkeletonPath>, nodes: &[SkeletonNode]) -> Vec<Strand> {
     let all_arms = arms(&paths, nodes);
     let is_spur = |number: usize| match paths[number].nodes {
         [Some(node), None] | [None, Some(node)] => {
@@ -63,7 +62,8 @@ pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
         _ => false,
     };
     let spurs: Vec<bool> = (0..paths.len()).map(is_spur).collect();
-    let paths: Vec<Path> = paths.into_iter().zip(spurs).filter(|(_, is_spur)| !is_spur).map(|(path, _)| path).collect();
+    let paths: Vec<SkeletonPath> =
+        paths.into_iter().zip(spurs).filter(|(_, is_spur)| !is_spur).map(|(path, _)| path).collect();
     let arms_of = arms(&paths, nodes);
     // for the start and the end of each path
     let mut partner: Vec<[Option<Partner>; 2]> = vec![[None; 2]; paths.len()];
@@ -74,11 +74,11 @@ pub(super) fn joined(paths: Vec<Path>, nodes: &[Node]) -> Vec<Strand> {
         }
     }
     let lone = |node: usize| arms_of[node].len() < 2;
-    strung(&paths, &partner, nodes, &lone)
+    concatenated(&paths, &partner, nodes, &lone)
 }
 
 /// The arms of every junction.
-fn arms(paths: &[Path], nodes: &[Node]) -> Vec<Vec<Arm>> {
+fn arms(paths: &[SkeletonPath], nodes: &[SkeletonNode]) -> Vec<Vec<Arm>> {
     let mut arms = vec![Vec::new(); nodes.len()];
     for (number, path) in paths.iter().enumerate() {
         for at_start in [true, false] {
@@ -104,7 +104,7 @@ fn longest_spur(path: usize, arms: &[Arm], depth: f32) -> f32 {
 }
 
 /// The direction in which an arm leaves its junction.
-fn heading(path: &Path, at_start: bool, node: PxPoint) -> PxVector {
+fn heading(path: &SkeletonPath, at_start: bool, node: PxPoint) -> PxVector {
     let n = path.points.len();
     let from_node = |i: usize| path.points[if at_start { i } else { n - 1 - i }];
     let far = first_beyond((0..n).map(from_node), node, HEADING);
@@ -138,10 +138,10 @@ fn pairs(arms: &[Arm]) -> Vec<(Arm, Arm)> {
 }
 
 /// The lines along paths and their partners.
-fn strung(
-    paths: &[Path],
+fn concatenated(
+    paths: &[SkeletonPath],
     partner: &[[Option<Partner>; 2]],
-    nodes: &[Node],
+    nodes: &[SkeletonNode],
     lone: &dyn Fn(usize) -> bool,
 ) -> Vec<Strand> {
     let mut used = vec![false; paths.len()];
@@ -154,7 +154,7 @@ fn strung(
             continue;
         }
         let (mut points, mut junctions): (Vec<PxPoint>, Vec<PxPoint>) = Default::default();
-        let node_at = |path: &Path, start: bool| path.nodes[usize::from(!start)];
+        let node_at = |path: &SkeletonPath, start: bool| path.nodes[usize::from(!start)];
         let start = node_at(&paths[path], at_start).filter(|_| partner[path][usize::from(!at_start)].is_none());
         points.extend(start.map(|node| nodes[node].at));
         let (mut here, mut from_start) = (path, at_start);
@@ -198,13 +198,13 @@ mod tests {
     use super::*;
 
     /// Pixels from the junction at 0, 0 to a free end in a direction, x right and y down.
-    fn arm([dx, dy]: [f32; 2], pixels: usize) -> Path {
+    fn arm([dx, dy]: [f32; 2], pixels: usize) -> SkeletonPath {
         let points = (1..=pixels).map(|i| PxPoint::new(dx * i as f32, dy * i as f32)).collect();
-        Path { points, nodes: [Some(0), None], closed: false }
+        SkeletonPath { points, nodes: [Some(0), None], closed: false }
     }
 
-    fn joined_at(arms: Vec<Path>, depth: f32) -> Vec<Strand> {
-        joined(arms, &[Node { at: PxPoint::zero(), depth }])
+    fn joined_at(arms: Vec<SkeletonPath>, depth: f32) -> Vec<Strand> {
+        joined(arms, &[SkeletonNode { at: PxPoint::zero(), depth }])
     }
 
     /// The free ends of each line.
@@ -263,7 +263,7 @@ mod tests {
             let turn = std::f32::consts::TAU * i as f32 / 32.0;
             PxPoint::new(10.0 - 10.0 * turn.cos(), 10.0 * turn.sin())
         });
-        let ring = Path { points: points.collect(), nodes: [Some(0), Some(0)], closed: false };
+        let ring = SkeletonPath { points: points.collect(), nodes: [Some(0), Some(0)], closed: false };
         let strands = joined_at(vec![ring], 1.0);
         assert!(matches!(&strands[..], [strand] if strand.line.closed && strand.free == [false; 2]), "{strands:?}");
     }

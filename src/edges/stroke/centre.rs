@@ -109,7 +109,7 @@ pub(super) fn strokes(
     if !is_even || width > (WIDEST * params.widest_stroke).min(2.0 * radius as f32 - 1.0) {
         return Vec::new();
     }
-    let contrasts: Vec<Contrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
+    let contrasts: Vec<StrokeContrast> = (0..line.vertices.len()).map(|i| contrast(&line, i, width, planes)).collect();
     let is_apart = || 2 * contrasts.iter().filter(|contrast| contrast.is_apart).count() > contrasts.len();
     if length < SHORTEST * params.min_length && !is_apart() {
         return Vec::new();
@@ -123,7 +123,13 @@ pub(super) fn strokes(
     strokes.map(|(line, contrasts)| stroke(&line, &contrasts, width, residue.size, params)).collect()
 }
 
-fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, picture: Size, params: &Params) -> Stroke {
+fn stroke(
+    line: &Polyline<PxPoint>,
+    contrasts: &[StrokeContrast],
+    width: f32,
+    picture: Size,
+    params: &Params,
+) -> Stroke {
     let strength = smooth(&line.arc_lengths(), line.closed, 0.5 * params.strength_window, |i| [contrasts[i].height]);
     let vertices = line.vertices.iter().zip(strength).map(|(&at, [strength])| ContourPoint {
         at,
@@ -144,9 +150,9 @@ fn stroke(line: &Polyline<PxPoint>, contrasts: &[Contrast], width: f32, picture:
 fn with_contrast(
     line: &Polyline<PxPoint>,
     junctions: &[PxPoint],
-    contrasts: &[Contrast],
+    contrasts: &[StrokeContrast],
     (passed, least): (f32, f32),
-) -> Vec<(Polyline<PxPoint>, Vec<Contrast>)> {
+) -> Vec<(Polyline<PxPoint>, Vec<StrokeContrast>)> {
     let n = contrasts.len();
     let mut breaks: Vec<usize> = junctions.iter().filter_map(|junction| nearest_vertex(line, *junction)).collect();
     breaks.extend(changes(line, contrasts, passed, least));
@@ -185,7 +191,7 @@ fn with_contrast(
 }
 
 /// Where a line has contrast on one side and none on the other, both for at least `apart` px.
-fn changes(line: &Polyline<PxPoint>, contrasts: &[Contrast], apart: f32, least: f32) -> Vec<usize> {
+fn changes(line: &Polyline<PxPoint>, contrasts: &[StrokeContrast], apart: f32, least: f32) -> Vec<usize> {
     let n = contrasts.len();
     let near = |i: usize| median(around(line, i, NEAR_VERTICES).map(|k| contrasts[k].of_stroke()));
     let has: Vec<bool> = (0..n).map(|i| near(i) >= least).collect();
@@ -346,7 +352,7 @@ fn profile(line: &Polyline<PxPoint>, i: usize, residue: &Plane, reach: f32) -> C
 
 /// The contrast at a vertex of a line.
 #[derive(Debug, Clone, Copy)]
-struct Contrast {
+struct StrokeContrast {
     /// How far the colour of the line is from those beside it, and these from one another.
     height: f32,
     /// Whether it is a stroke's, or only the border's of two areas.
@@ -355,7 +361,7 @@ struct Contrast {
     is_apart: bool,
 }
 
-impl Contrast {
+impl StrokeContrast {
     /// The height, if it is a stroke's.
     fn of_stroke(&self) -> f32 {
         if self.is_stroke { self.height } else { 0.0 }
@@ -368,11 +374,11 @@ pub(super) fn contrast_across(at: PxPoint, across: PxVector, width: f32, planes:
 }
 
 /// Contrast at a vertex with the ground on both sides, in all planes.
-fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) -> Contrast {
+fn contrast(line: &Polyline<PxPoint>, i: usize, width: f32, planes: &[Plane]) -> StrokeContrast {
     contrast_at(line.vertices[i], right(line, i), width, planes)
 }
 
-fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> Contrast {
+fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> StrokeContrast {
     let outside = 0.5 * width + OUTSIDE;
     let norm = |of: &dyn Fn(&Plane) -> f32| planes.iter().map(|plane| of(plane) * of(plane)).sum::<f32>().sqrt();
     let value = |plane: &Plane, distance: f32| interpolated(plane, at + across * distance);
@@ -383,7 +389,7 @@ fn contrast_at(at: PxPoint, across: PxVector, width: f32, planes: &[Plane]) -> C
         value(plane, 0.0) - value(plane, 0.0).clamp(a.min(b), a.max(b))
     });
     let (is_stroke, is_apart) = (beyond >= OF_STEP * step, step <= SAME_GROUND * excess);
-    Contrast { height: excess.max(step), is_stroke, is_apart }
+    StrokeContrast { height: excess.max(step), is_stroke, is_apart }
 }
 
 /// Whether a line runs along the border of the picture.
@@ -438,10 +444,10 @@ mod tests {
             (_, along) => PxPoint::new(0.0, 20.0 - along),
         };
         let is_stroke = |k: usize| !(30..50).contains(&k) && !(65..70).contains(&k);
-        let of = |k: usize| Contrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };
+        let of = |k: usize| StrokeContrast { height: 50.0, is_stroke: is_stroke(k), is_apart: false };
         for turn in 0..80 {
             let vertices = (0..80).map(|k| side((k + turn) % 80)).collect();
-            let contrasts: Vec<Contrast> = (0..80).map(|k| of((k + turn) % 80)).collect();
+            let contrasts: Vec<StrokeContrast> = (0..80).map(|k| of((k + turn) % 80)).collect();
             let line = Polyline { vertices, closed: true };
             let found = changes(&line, &contrasts, 10.0, 5.0).into_iter().map(|i| (i + turn) % 80);
             let mut found: Vec<usize> = found.collect();

@@ -10,8 +10,8 @@ use std::collections::HashSet;
 use super::Stroke;
 use super::centre::{contrast_across, interpolated};
 use crate::edges::contour::{Contour, ContourPoint};
-use crate::edges::params::Params;
-use crate::geom::link::{End, Thread, link};
+use crate::edges::params::{HEADING, Params};
+use crate::geom::link::{End, LinkedChain, link};
 use crate::geom::nearby::Index;
 use crate::geom::right_of;
 use crate::raster::plane::Plane;
@@ -22,8 +22,6 @@ use lyon::geom::euclid::Box2D;
 const FARTHEST: f32 = 6.0;
 /// It is followed in steps of this, px.
 const STEP: f32 = 1.0;
-/// The direction is taken over this much of the continuation, and over so much of the stroke before its end, px.
-const HEADING: f32 = 8.0;
 /// The middle of what is seen is looked for so far to both sides, px, beyond half the width of the stroke.
 const ASIDE: f32 = 1.5;
 /// The middle of what is seen is at most this far from where the stroke would go straight on, px.
@@ -57,7 +55,7 @@ struct IndexedPoint {
     at: PxPoint,
 }
 
-type PointIndex = Index<IndexedPoint, Px>;
+type StrokeIndex = Index<IndexedPoint, Px>;
 
 /// The continuation from an end of a stroke, and what it leads to.
 struct Continuation {
@@ -74,7 +72,7 @@ type StrokeEnd = (usize, bool);
 pub(super) fn follow(mut strokes: Vec<Stroke>, planes: &[Plane], params: &Params) -> Vec<Stroke> {
     let Some(size) = planes.first().map(|plane| plane.size) else { return strokes };
     let picture = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
-    let mut marks = PointIndex::new(picture, CELL);
+    let mut marks = StrokeIndex::new(picture, CELL);
     for (number, stroke) in strokes.iter().enumerate() {
         for (vertex, point) in stroke.contour.vertices.iter().enumerate() {
             marks.put_at(point.at, IndexedPoint { stroke: number, vertex: Some(vertex), at: point.at });
@@ -137,7 +135,7 @@ fn turn(direction: PxVector, (other, at_start): StrokeEnd, strokes: &[Stroke]) -
 fn continuation(
     end: StrokeEnd,
     strokes: &[Stroke],
-    marks: &PointIndex,
+    marks: &StrokeIndex,
     planes: &[Plane],
     params: &Params,
 ) -> Option<Continuation> {
@@ -185,7 +183,7 @@ fn meets(
     (number, at_start): StrokeEnd,
     walked: f32,
     strokes: &[Stroke],
-    marks: &PointIndex,
+    marks: &StrokeIndex,
     widest: f32,
 ) -> Option<IndexedPoint> {
     let Stroke { contour, width, .. } = &strokes[number];
@@ -240,7 +238,7 @@ fn joined(strokes: Vec<Stroke>, met: &[[StrokeEnd; 2]]) -> Vec<Stroke> {
     let reach = met.iter().map(|pair| (end(pair[0]).at - end(pair[1]).at).length()).fold(0.0, f32::max);
     let threads = link(strokes.len(), &ends, reach, |a, b| is_pair(a, b).then(|| (b.at - a.at).length()));
     let mut left: Vec<Option<Stroke>> = strokes.into_iter().map(Some).collect();
-    let of_thread = |thread: Thread| {
+    let of_thread = |thread: LinkedChain| {
         let mut parts = thread.parts.iter().filter_map(|part| {
             let mut stroke = left[part.polyline].take()?;
             if part.reversed {

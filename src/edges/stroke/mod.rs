@@ -24,7 +24,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 pub(super) use self::centre::Stroke;
 use self::centre::{LONG, WIDEST};
 pub(super) use self::flat::is_drawing;
-use self::skeleton::{Mask, Node, Path};
+use self::skeleton::{SkeletonNode, SkeletonPath, StrokeMask};
 use super::params::Params;
 use crate::geom::components::{self, Connectivity};
 use crate::geom::polyline::Polyline;
@@ -39,7 +39,8 @@ use crate::units::{PxPoint, Size};
 const FAINT: f32 = 0.5;
 /// A picture has no noise up to this standard deviation of a pixel, in units of strength: a third of a code value.
 const QUIET: f32 = 0.13;
-/// ... otherwise from this many standard deviations on: opening and closing find the extremes of noise.
+/// With more noise, the thresholds are at least so many standard deviations of it: opening and closing find the
+/// extremes of noise.
 const LOW_NOISE: f32 = 4.0;
 const HIGH_NOISE: f32 = 8.0;
 /// Half sides of the squares, px, the largest as wide as strokes may be.
@@ -72,7 +73,7 @@ pub(super) fn find(planes: &[Plane], noise: f32, params: &Params) -> Vec<Stroke>
     let length = |stroke: &Stroke| (stroke.contour.length() / ALIKE).round() as i32;
     let order = |(radius, stroke): &(usize, Stroke)| (octave(stroke), -length(stroke), *radius);
     found.sort_by(|a, b| order(a).cmp(&order(b)).then(b.1.contour.length().total_cmp(&a.1.contour.length())));
-    let mut taken = Taken::new(size);
+    let mut taken = StrokeCover::new(size);
     let mut strokes = Vec::new();
     for (_, stroke) in found {
         let new = match taken.most_of(&stroke, params.sigma) {
@@ -129,9 +130,9 @@ fn candidates(plane: &Plane, radius: usize, polarity: Polarity, planes: &[Plane]
 }
 
 /// The skeleton of a connected part of a mask, given by its cells: its paths and junctions.
-fn thinned(cells: &[usize], residue: &Plane) -> (Vec<Path>, Vec<Node>) {
+fn thinned(cells: &[usize], residue: &Plane) -> (Vec<SkeletonPath>, Vec<SkeletonNode>) {
     let turn = Turn::of(cells, residue);
-    let mut mask = Mask::new(turn.size(), cells.iter().map(|&cell| turn.turned(cell)));
+    let mut mask = StrokeMask::new(turn.size(), cells.iter().map(|&cell| turn.turned(cell)));
     mask.thin();
     let (mut paths, mut nodes) = mask.paths();
     paths.iter_mut().flat_map(|path| &mut path.points).for_each(|at| *at = turn.back(*at));
@@ -230,7 +231,7 @@ fn smoothed(plane: &Plane) -> Plane {
 
 /// Which pixels belong to a stroke that was found.
 #[derive(Debug, Clone)]
-pub(super) struct Taken {
+pub(super) struct StrokeCover {
     size: Size,
     cells: Vec<bool>,
     /// Those that are covered by a stroke itself.
@@ -239,9 +240,10 @@ pub(super) struct Taken {
 
 /// Width at which pixels show the thinnest strokes, px; up to twice as wide they are taken as equally wide.
 const THINNEST: f32 = 1.5;
-/// A stroke runs along in another where its middle is no farther beyond the other's width than this, px ...
+/// A stroke runs along in another where its middle is no farther beyond the other's width than this, px.
 const COVERED: f32 = 1.0;
-/// ... for at least so many of its widths, and this much more, px; over less it crosses the other, or ends on it.
+/// It does so for at least so many of its widths, and this much more, px; over less it crosses the other, or ends on
+/// it.
 const CROSSED_WIDTHS: f32 = 2.0;
 const CROSSED: f32 = 8.0;
 /// Of a part that is new one vertex in so many at least lies away from others and their sides.
@@ -249,7 +251,7 @@ const AWAY: usize = 3;
 /// Beyond its width, a stroke moves edges this far out, in scales of the edge detector.
 const OUTSIDE: f32 = 1.6;
 
-impl Taken {
+impl StrokeCover {
     fn new(size: Size) -> Self {
         Self { size, cells: vec![false; size.len()], covered: vec![false; size.len()] }
     }
@@ -385,7 +387,7 @@ mod tests {
 
     #[test]
     fn a_bar_on_an_axis_leaves_its_base_to_the_axis_and_a_crossing_line_stays_whole() {
-        let mut taken = Taken::new(Size::new(200, 100));
+        let mut taken = StrokeCover::new(Size::new(200, 100));
         taken.add(&stroke(&[(5.0, 80.0), (195.0, 80.0)], false), SIGMA);
         let bar = stroke(&[(60.0, 80.0), (60.0, 20.0), (100.0, 20.0), (100.0, 80.0), (61.0, 80.0)], true);
         let parts = taken.beside(bar, false);
@@ -397,7 +399,7 @@ mod tests {
 
     #[test]
     fn what_is_left_of_a_ring_does_not_depend_on_where_it_begins() {
-        let mut taken = Taken::new(Size::new(200, 100));
+        let mut taken = StrokeCover::new(Size::new(200, 100));
         // its base, over 40 px, is another's; a line crosses both its sides, over 7 px each
         taken.add(&stroke(&[(5.0, 80.0), (195.0, 80.0)], false), SIGMA);
         taken.add(&stroke(&[(5.0, 50.0), (195.0, 50.0)], false), SIGMA);

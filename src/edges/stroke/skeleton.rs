@@ -4,7 +4,7 @@ use crate::units::{PxPoint, Size};
 
 /// A path of pixels between two nodes.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Path {
+pub(super) struct SkeletonPath {
     /// Centres of its pixels in order.
     pub(super) points: Vec<PxPoint>,
     /// The junctions at its start and its end; none where it ends freely.
@@ -15,7 +15,7 @@ pub(super) struct Path {
 
 /// Where three or more paths meet.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Node {
+pub(super) struct SkeletonNode {
     pub(super) at: PxPoint,
     /// Distance to the border of the mask before it was thinned, px.
     pub(super) depth: f32,
@@ -29,14 +29,14 @@ const AROUND: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (
 
 /// A mask with a border of one pixel that is never set, so that every pixel has eight neighbours.
 #[derive(Debug, Clone)]
-pub(super) struct Mask {
+pub(super) struct StrokeMask {
     stride: usize,
     cells: Vec<bool>,
     /// Distance of each pixel to the next that is not set, px: the larger of the two along the axes.
     depths: Vec<u16>,
 }
 
-impl Mask {
+impl StrokeMask {
     /// A picture of this size with these pixels set.
     pub(super) fn new(size: Size, set: impl Iterator<Item = usize>) -> Self {
         let (width, height) = (size.width as usize, size.height as usize);
@@ -108,7 +108,7 @@ impl Mask {
     }
 
     /// The paths and junctions of a mask that is thinned.
-    pub(super) fn paths(&self) -> (Vec<Path>, Vec<Node>) {
+    pub(super) fn paths(&self) -> (Vec<SkeletonPath>, Vec<SkeletonNode>) {
         let set: Vec<usize> = (0..self.cells.len()).filter(|&cell| self.cells[cell]).collect();
         let (node_of, nodes) = self.nodes(&set);
         let mut walk = Walk { mask: self, node_of: &node_of, seen: vec![false; self.cells.len()], paths: Vec::new() };
@@ -128,7 +128,7 @@ impl Mask {
     }
 
     /// The number of the junction that each pixel belongs to, and the junctions.
-    fn nodes(&self, set: &[usize]) -> (Vec<Option<usize>>, Vec<Node>) {
+    fn nodes(&self, set: &[usize]) -> (Vec<Option<usize>>, Vec<SkeletonNode>) {
         let mut node_of = vec![None; self.cells.len()];
         let is_junction = |cell: usize| self.cells[cell] && transitions(self.ring(cell)) >= 3;
         let mut nodes = Vec::new();
@@ -151,7 +151,7 @@ impl Mask {
             }
             let sum = members.iter().fold(PxPoint::zero(), |sum, &cell| sum + self.centre(cell).to_vector());
             let depth = members.iter().map(|&cell| self.depths[cell]).max().unwrap_or(0);
-            nodes.push(Node { at: sum / members.len() as f32, depth: f32::from(depth) });
+            nodes.push(SkeletonNode { at: sum / members.len() as f32, depth: f32::from(depth) });
         }
         (node_of, nodes)
     }
@@ -182,10 +182,10 @@ fn transitions(ring: [bool; 8]) -> usize {
 }
 
 struct Walk<'a> {
-    mask: &'a Mask,
+    mask: &'a StrokeMask,
     node_of: &'a [Option<usize>],
     seen: Vec<bool>,
-    paths: Vec<Path>,
+    paths: Vec<SkeletonPath>,
 }
 
 impl Walk<'_> {
@@ -244,7 +244,7 @@ impl Walk<'_> {
 
     fn add(&mut self, cells: &[usize], nodes: [Option<usize>; 2], closed: bool) {
         let points = cells.iter().map(|&cell| self.mask.centre(cell)).collect();
-        self.paths.push(Path { points, nodes, closed });
+        self.paths.push(SkeletonPath { points, nodes, closed });
     }
 }
 
@@ -252,10 +252,10 @@ impl Walk<'_> {
 mod tests {
     use super::*;
 
-    fn skeleton(rows: &[&str]) -> (Vec<Path>, Vec<Node>) {
+    fn skeleton(rows: &[&str]) -> (Vec<SkeletonPath>, Vec<SkeletonNode>) {
         let size = Size::new(rows[0].len() as u32, rows.len() as u32);
         let cells = rows.concat().into_bytes();
-        let mut mask = Mask::new(size, (0..cells.len()).filter(|&cell| cells[cell] == b'#'));
+        let mut mask = StrokeMask::new(size, (0..cells.len()).filter(|&cell| cells[cell] == b'#'));
         mask.thin();
         mask.paths()
     }

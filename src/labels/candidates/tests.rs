@@ -1,4 +1,6 @@
-use super::super::forms::Kind;
+//! Where a label can lie: what makes a place better than another, and which leader lines there are.
+
+use super::super::forms::FormKind;
 use super::super::placed::Params;
 use super::super::room::Room;
 use super::*;
@@ -41,7 +43,7 @@ fn box_at(x: f32, y: f32) -> MmRect {
 
 /// The first label in a place among others.
 fn placed(wanted: &[Wanted], place: MmRect, room: &Room, params: &Params) -> Option<Candidate> {
-    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: Kind::Text, cost: 0.0 };
+    let form = Form { lines: vec![vec![1; 3]], abbreviation: None, kind: FormKind::Text, cost: 0.0 };
     candidate(&wanted[0], 0, &form, place, &Surroundings::of(0, wanted, 20.0, room, params))
 }
 
@@ -129,13 +131,13 @@ fn a_leader_line_crosses_others_only_where_it_may() {
     assert!(drawn.crosses && (300.0..1000.0).contains(&drawn.cost), "less than an abbreviation: {}", drawn.cost);
     // along a line it would be felt as a part of that
     let cost = |room: &Room| {
-        let join = Join::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
+        let join = Attachment::LeaderAcross([MmPoint::new(100.0, 117.0), POINT]);
         let (params, place) = (params(), box_at(91.0, 120.0));
         cost(0.0, &label[0], place, join, &Surroundings::of(0, &label, 20.0, room, &params))
     };
     let beside = room(&[(101.0, 106.0), (101.0, 180.0)], false);
     let along = cost(&beside) - cost(&room(&[], false));
-    assert!((200.0..250.0).contains(&along), "20 for each of 11 mm: {along}");
+    assert!((220.0..280.0).contains(&along), "20 for each of 11 to 14 mm: {along}");
 }
 
 #[test]
@@ -151,26 +153,26 @@ fn labels_of_texts_stand_above_or_below_rather_than_beside() {
 }
 
 fn at_leader(place: MmRect, leader: [(f32, f32); 2]) -> Candidate {
-    Candidate::of_row(0, place, Some(leader.map(MmPoint::from)), 0.0, Stands::Alone)
+    Candidate::of_row(0, place, Some(leader.map(MmPoint::from)), 0.0, PlacedAs::Alone)
 }
 
 #[test]
 fn leader_lines_that_are_too_near_conflict() {
     let one = at_leader(box_at(0.0, 0.0), [(23.0, 3.0), (80.0, 3.0)]);
-    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), TIGHTEST, 0.0);
+    let conflicts = |y: f32| one.conflicts(&at_leader(box_at(120.0, y), [(117.0, y), (70.0, y)]), MIN_SPACING, 0.0);
     assert!(conflicts(5.9) && !conflicts(6.1), "3 mm of blank");
     // and what lies in the way of a leader line
     let label = |y: f32| Candidate { leader: None, ..at_leader(box_at(50.0, y), [(0.0, 0.0); 2]) };
-    assert!(one.conflicts(&label(6.4), TIGHTEST, 0.0) && !one.conflicts(&label(6.6), TIGHTEST, 0.0), "3.5 mm");
-    assert!(one.conflicts(&label(6.6), TIGHTEST, 0.5), "its dots lie off by half a millimetre");
-    let fixed = |of: Candidate| Candidate { stands: Stands::InRow, ..of };
-    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), TIGHTEST, 0.0), "rows keep their own blank");
+    assert!(one.conflicts(&label(6.4), MIN_SPACING, 0.0) && !one.conflicts(&label(6.6), MIN_SPACING, 0.0), "3.5 mm");
+    assert!(one.conflicts(&label(6.6), MIN_SPACING, 0.5), "its dots lie off by half a millimetre");
+    let fixed = |of: Candidate| Candidate { stands: PlacedAs::InRow, ..of };
+    assert!(!fixed(one.clone()).conflicts(&fixed(label(6.4)), MIN_SPACING, 0.0), "rows keep their own blank");
 }
 
 #[test]
 fn the_best_places_are_kept_some_distance_apart() {
     let places = |count: usize, step: f32| -> Vec<Candidate> {
-        let at = |k: usize| Candidate::of_row(k, box_at(k as f32 * step, 0.0), None, k as f32, Stands::Alone);
+        let at = |k: usize| Candidate::of_row(k, box_at(k as f32 * step, 0.0), None, k as f32, PlacedAs::Alone);
         apart((0..count).rev().map(at).collect())
     };
     let near: Vec<usize> = places(20, 1.0).iter().map(|place| place.form).collect();

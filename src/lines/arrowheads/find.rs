@@ -108,7 +108,7 @@ impl<'a> Contours<'a> {
                 return;
             }
             let along = tip.axis().normalize().dot(shaft.heading);
-            if best.is_none_or(|(most, of, _)| along > most || along == most && line < of) {
+            if best.is_none_or(|(most, of, _)| most.total_cmp(&along).then(line.cmp(&of)).is_lt()) {
                 best = Some((along, line, tip));
             }
         });
@@ -125,7 +125,7 @@ impl<'a> Contours<'a> {
             }
             let Some(wing) = end(&self.polylines[leg.line], !leg.at_start) else { return };
             let side = &mut sides[usize::from(shaft.heading.cross(wing - shaft.at) > 0.0)];
-            if side.is_none_or(|(least, line, _)| far < least || far == least && leg.line < line) {
+            if side.is_none_or(|(least, line, _)| far.total_cmp(&least).then(leg.line.cmp(&line)).is_lt()) {
                 *side = Some((far, leg.line, wing));
             }
         });

@@ -50,7 +50,7 @@ pub(super) fn assign(
         if rank[stretch.polyline] == winner(stretch) {
             take_middle(polylines, opposites, stretch, &mut assignments);
         } else {
-            give_way(polylines, opposites, stretch, &mut assignments);
+            remove_side(polylines, opposites, stretch, &mut assignments);
         }
     }
     assignments
@@ -154,7 +154,7 @@ fn between(i: usize, j: usize, polyline: &Polyline<Vertex>) -> std::ops::RangeIn
 }
 
 /// A stretch goes, and the other side to the middle where it has not yet.
-fn give_way(
+fn remove_side(
     polylines: &[Polyline<Vertex>],
     opposites: &[Opposites],
     stretch: &StrokeSide,

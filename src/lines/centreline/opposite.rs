@@ -43,7 +43,7 @@ pub(super) type Opposites = Vec<Option<Opposite>>;
 /// Finds for every vertex the nearest place on the opposite side of a stroke, if it lies on one: straight across within
 /// [`Params::widest_stroke`], on either side of the line.
 pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &Params) -> Vec<Opposites> {
-    let sides = Sides::new(polylines, area, params);
+    let sides = OppositeSides::new(polylines, area, params);
     let of = |(number, polyline): (usize, &Polyline<Vertex>)| match sides.is_dot(number) {
         true => vec![None; polyline.vertices.len()],
         false => (0..polyline.vertices.len()).map(|i| sides.opposite(number, i)).collect(),
@@ -52,7 +52,7 @@ pub(super) fn opposites(polylines: &[Polyline<Vertex>], area: MmRect, params: &P
 }
 
 /// What may be a side of a stroke.
-struct Sides<'a> {
+struct OppositeSides<'a> {
     polylines: &'a [Polyline<Vertex>],
     /// The length along each polyline to its vertices, mm.
     arcs: Vec<Vec<f32>>,
@@ -60,7 +60,7 @@ struct Sides<'a> {
     params: &'a Params,
 }
 
-impl<'a> Sides<'a> {
+impl<'a> OppositeSides<'a> {
     fn new(polylines: &'a [Polyline<Vertex>], area: MmRect, params: &'a Params) -> Self {
         let arcs = polylines.iter().map(Polyline::arc_lengths).collect();
         let mut sides = Self { polylines, arcs, segments: Nearby::new(area, CELL), params };

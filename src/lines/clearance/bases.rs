@@ -10,7 +10,7 @@ use crate::lines::params::Params;
 use crate::lines::vertex::{FoundIn, Vertex};
 use crate::units::MmRect;
 
-/// Longest stack of lines standing on one another that is followed; a circle of such lines ends there, too.
+/// Longest stack of lines standing on one another that is followed; following a cycle of such lines stops there too.
 const DEPTH: usize = 8;
 /// A base is more salient than what stands on it by this share.
 const MORE: f32 = 1e-4;
@@ -23,10 +23,10 @@ pub(super) fn raised(
     params: &Params,
 ) -> Vec<f32> {
     let mut all = saliencies.to_vec();
-    let standing = standing(lines, area, params);
+    let on_bases = lines_on_bases(lines, area, params);
     for _ in 0..DEPTH {
         let before = all.clone();
-        for &(stem, base) in &standing {
+        for &(stem, base) in &on_bases {
             if before[base] <= before[stem] {
                 all[base] = all[base].max((1.0 + MORE) * before[stem]);
             }
@@ -39,7 +39,7 @@ pub(super) fn raised(
 }
 
 /// Which lines end on which strokes and paths of drawings, away from their ends.
-fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<(usize, usize)> {
+fn lines_on_bases(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -> Vec<(usize, usize)> {
     let drawn = |line: &Polyline<Vertex>| line.vertices.iter().filter(|at| at.source != FoundIn::Pixels).count();
     let is_base = |line: &Polyline<Vertex>| 2 * drawn(line) > line.vertices.len();
     if !lines.iter().any(|(line, _)| is_base(line)) {
@@ -57,17 +57,17 @@ fn standing(lines: &[(Polyline<Vertex>, Rank)], area: MmRect, params: &Params) -
             }
         }
     }
-    let mut standing = Vec::new();
+    let mut on_bases = Vec::new();
     for (number, (line, _)) in lines.iter().enumerate() {
         line.each_that_it_ends_on(&segments, TOUCH, |base| {
             if base != number {
-                standing.push((number, base));
+                on_bases.push((number, base));
             }
         });
     }
-    standing.sort_unstable();
-    standing.dedup();
-    standing
+    on_bases.sort_unstable();
+    on_bases.dedup();
+    on_bases
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 
 use super::drawn::DrawnLines;
 use super::passage::{Passage, TOUCH};
-use super::shift::shifts;
+use super::shift::{shifts_of_curve, shifts_of_drawing};
 use crate::geom::polyline::Polyline;
 use crate::lines::params::{Params, RING_FARTHEST};
 use crate::lines::vertex::Vertex;
@@ -45,7 +45,10 @@ pub(super) fn displaced(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>) -> 
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return Some(polyline);
         }
-        let shifts = shifts(&polyline, &pushes, &passage, drawn.params.of_drawing);
+        let shifts = match drawn.params.of_drawing {
+            true => shifts_of_drawing(&polyline, &pushes, &passage),
+            false => shifts_of_curve(&pushes, &passage),
+        };
         for ((vertex, moved), shift) in polyline.vertices.iter_mut().zip(&mut moved).zip(shifts) {
             vertex.at += shift;
             *moved += shift;
@@ -95,7 +98,7 @@ mod tests {
     }
 
     fn drawn_apart(polyline: &Polyline<Vertex>, lines: &DrawnLines<'_>) -> bool {
-        lines.states(polyline).iter().all(|state| *state != super::super::drawn::State::TooNear)
+        lines.states(polyline).iter().all(|state| *state != super::super::drawn::LineState::TooNear)
     }
 
     #[test]

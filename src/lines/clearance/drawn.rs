@@ -27,7 +27,7 @@ const NOT_CROSSED: f32 = 0.01;
 
 /// How near a vertex is to drawn lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum State {
+pub(super) enum LineState {
     /// Apart from all.
     Free,
     /// Near to lines with which it has a junction close by.
@@ -37,7 +37,7 @@ pub(super) enum State {
 }
 
 /// A segment that is near to a vertex.
-pub(super) struct Near<'a> {
+pub(super) struct NearLine<'a> {
     pub(super) segment: &'a Segment,
     /// Its nearest point.
     pub(super) at: MmPoint,
@@ -59,7 +59,7 @@ pub(super) struct Near<'a> {
     of_drawing: bool,
 }
 
-impl Near<'_> {
+impl NearLine<'_> {
     /// Whether the two lines have a junction close by.
     pub(super) fn joins(&self) -> bool {
         // it is the line that ends there, or either of two that cross, that must have come from far enough
@@ -183,7 +183,8 @@ impl<'a> DrawnLines<'a> {
         let back_and_forth = back_and_forth(&crossings, round);
         crossings.append(&mut ends);
         let mut passage = Passage { arcs, round, junctions: crossings };
-        let joins = |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.winds(at, vertices, &passage);
+        let joins =
+            |(i, at): (usize, &Junction)| !back_and_forth.contains(&i) && !self.stays_beside(at, vertices, &passage);
         passage.junctions = passage.junctions.iter().enumerate().filter(|at| joins(*at)).map(|(_, at)| *at).collect();
         passage
     }
@@ -267,7 +268,7 @@ impl<'a> DrawnLines<'a> {
 
     /// Whether a polyline that joins a line does so again before it has been apart from it, or the line from the
     /// polyline: the two wind round one another.
-    fn winds(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
+    fn stays_beside(&self, junction: &Junction, vertices: &[Vertex], passage: &Passage) -> bool {
         let again = |other: &&Junction| other.line == junction.line && (other.arc - junction.arc).abs() > SPIKE;
         let mut others = passage.junctions.iter().filter(again);
         self.grazes(junction, vertices, passage)
@@ -322,9 +323,9 @@ impl<'a> DrawnLines<'a> {
     }
 
     /// The state of every vertex of a polyline.
-    pub(super) fn states(&self, polyline: &Polyline<Vertex>) -> Vec<State> {
+    pub(super) fn states(&self, polyline: &Polyline<Vertex>) -> Vec<LineState> {
         if !polyline.vertices.iter().any(|vertex| self.may_be_near(vertex.at)) {
-            return vec![State::Free; polyline.vertices.len()];
+            return vec![LineState::Free; polyline.vertices.len()];
         }
         let passage = self.passage(polyline.view());
         let state = |(i, vertex): (usize, &Vertex)| self.state(vertex, passage.arcs[i], &passage);
@@ -332,18 +333,24 @@ impl<'a> DrawnLines<'a> {
     }
 
     /// The state of a vertex of a polyline.
-    fn state(&self, vertex: &Vertex, arc: f32, passage: &Passage) -> State {
-        let mut state = State::Free;
+    fn state(&self, vertex: &Vertex, arc: f32, passage: &Passage) -> LineState {
+        let mut state = LineState::Free;
         self.each_near(vertex, arc, passage, |near| {
-            state = if near.joins() && state != State::TooNear { State::Joined } else { State::TooNear };
-            state != State::TooNear
+            state = if near.joins() && state != LineState::TooNear { LineState::Joined } else { LineState::TooNear };
+            state != LineState::TooNear
         });
         state
     }
 
     /// Calls `visit` with every segment that is nearer to a vertex of a polyline than two lines may be, as long as
     /// `visit` returns true.
-    pub(super) fn each_near(&self, vertex: &Vertex, arc: f32, passage: &Passage, visit: impl FnMut(&Near<'_>) -> bool) {
+    pub(super) fn each_near(
+        &self,
+        vertex: &Vertex,
+        arc: f32,
+        passage: &Passage,
+        visit: impl FnMut(&NearLine<'_>) -> bool,
+    ) {
         self.each_near_among(vertex, arc, passage, |_| true, visit);
     }
 
@@ -354,7 +361,7 @@ impl<'a> DrawnLines<'a> {
         arc: f32,
         passage: &Passage,
         is_other: impl Fn(u32) -> bool,
-        mut visit: impl FnMut(&Near<'_>) -> bool,
+        mut visit: impl FnMut(&NearLine<'_>) -> bool,
     ) {
         if !self.may_be_near(vertex.at) {
             return;
@@ -374,8 +381,19 @@ impl<'a> DrawnLines<'a> {
             let line_arc = segment.arc + (at - segment.a).length();
             let of_drawing = self.params.of_drawing;
             let (away, missing) = (vertex.at - at, clearance - distance);
-            let near =
-                Near { segment, at, away, distance, clearance, missing, line_arc, approach, arc, passage, of_drawing };
+            let near = NearLine {
+                segment,
+                at,
+                away,
+                distance,
+                clearance,
+                missing,
+                line_arc,
+                approach,
+                arc,
+                passage,
+                of_drawing,
+            };
             on = visit(&near);
         });
     }

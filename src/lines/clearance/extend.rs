@@ -6,6 +6,7 @@ use crate::geom::nearby::Segment;
 use crate::geom::polyline::PolylineRef;
 use crate::geom::{crossing, nearest_on_segment};
 use crate::lines::junction;
+use crate::lines::params::HEADING;
 use crate::lines::vertex::Vertex;
 use crate::units::{MmPoint, MmVector};
 
@@ -17,8 +18,6 @@ const AHEAD_COSINE: f32 = 0.5;
 /// The direction to the other line is asked for where the distance to it is longer than this, mm; a shorter one has no
 /// direction worth asking for.
 const TURN: f32 = 0.75;
-/// The heading is taken over this much of the line, mm.
-const HEADING: f32 = 2.0;
 /// A line that would join another this near to where a third one does is extended to the same point, mm.
 const SNAP: f32 = 1.5;
 /// Points nearer than this, mm, are one.
@@ -35,7 +34,7 @@ pub(super) enum Extended {
 
 /// Where an extension ends.
 #[derive(Clone, Copy)]
-struct Target {
+struct ExtensionTarget {
     at: MmPoint,
     /// How many vertices of the path come before it.
     count: usize,
@@ -77,15 +76,15 @@ pub(super) fn extension(
 impl Extension<'_> {
     /// Follows the path until it crosses a line or has come nearest to one, no farther than an approach may be long.
     /// Gives the vertices passed, and the target.
-    fn follow(&self, path: &[Vertex]) -> Option<(Vec<Vertex>, Target)> {
+    fn follow(&self, path: &[Vertex]) -> Option<(Vec<Vertex>, ExtensionTarget)> {
         let (longest, join_gap) = (self.drawn.params.min_approach(), self.drawn.params.join_gap);
         let mut passed: Vec<Vertex> = Vec::new();
         let mut arc = 0.0;
-        let mut target: Option<Target> = None;
+        let mut target: Option<ExtensionTarget> = None;
         for vertex in path {
             let last = passed.last().unwrap_or(&self.start).at;
             if let Some(at) = self.first_crossing(last, vertex.at, arc) {
-                target = Some(Target { at, count: passed.len(), distance: 0.0 });
+                target = Some(ExtensionTarget { at, count: passed.len(), distance: 0.0 });
                 break;
             }
             arc += (vertex.at - last).length();
@@ -95,7 +94,7 @@ impl Extension<'_> {
             passed.push(*vertex);
             let reach = target.map_or(MEETS * join_gap, |target| target.distance);
             if let Some((distance, at)) = self.nearest(vertex.at, arc, reach) {
-                target = Some(Target { at, count: passed.len(), distance });
+                target = Some(ExtensionTarget { at, count: passed.len(), distance });
                 if distance < SAME {
                     break;
                 }
@@ -113,7 +112,9 @@ impl Extension<'_> {
         self.drawn.segments().around(from.min(to), from.max(to), 0.0, |segment| {
             if let Some(at) = crossing((from, to), (segment.a, segment.b)) {
                 let distance = (at - from).length();
-                if hit.is_none_or(|(least, _)| distance < least) && !self.is_own_knot(segment, arc + distance, 0.0) {
+                if hit.is_none_or(|(least, _)| distance < least)
+                    && !self.closes_small_loop(segment, arc + distance, 0.0)
+                {
                     hit = Some((distance, at));
                 }
             }
@@ -124,17 +125,17 @@ impl Extension<'_> {
     /// The point of a line that is nearest to a vertex, within `reach`.
     fn nearest(&self, vertex: MmPoint, arc: f32, reach: f32) -> Option<(f32, MmPoint)> {
         let near = self.drawn.segments().nearest(vertex, reach, |segment| {
-            !self.is_own_knot(segment, arc, nearest_on_segment(vertex, segment.a, segment.b).0)
+            !self.closes_small_loop(segment, arc, nearest_on_segment(vertex, segment.a, segment.b).0)
         });
         near.map(|(distance, at, _)| (distance, at))
     }
 
     /// What the contour points at where it ends.
-    fn pointed_at(&self, passed: &[Vertex]) -> Option<Target> {
+    fn pointed_at(&self, passed: &[Vertex]) -> Option<ExtensionTarget> {
         let tip = passed.last().unwrap_or(&self.start).at;
         let heading = self.heading(passed)?;
         let at = junction::ahead(tip, heading, self.drawn.segments(), self.drawn.params.join_gap, |_| true)?;
-        Some(Target { at, count: passed.len(), distance: (at - tip).length() })
+        Some(ExtensionTarget { at, count: passed.len(), distance: (at - tip).length() })
     }
 
     /// The target, or the end of a line that lies close by; vertices that are as close to that are taken away.
@@ -180,7 +181,7 @@ impl Extension<'_> {
     }
 
     /// Whether the line, extended to a segment of its own, would have no loop that a finger finds.
-    fn is_own_knot(&self, segment: &Segment, arc: f32, distance: f32) -> bool {
+    fn closes_small_loop(&self, segment: &Segment, arc: f32, distance: f32) -> bool {
         let loop_length = self.length + arc - segment.arc;
         self.what == Extended::Line(segment.line) && is_bend(loop_length - self.drawn.params.max_stub(), distance)
     }

@@ -21,11 +21,11 @@ pub(super) use anchor::Cleared;
 pub(super) use spread::spread;
 
 use self::displace::displaced;
-use self::drawn::{DrawnLines, State};
+use self::drawn::{DrawnLines, LineState};
 use self::extend::{Extended, extension};
 use self::queue::Queue;
-use self::self_distance::returns;
-use self::split::{split, without_stubs};
+use self::self_distance::self_approach;
+use self::split::{PartEnds, split, without_stubs};
 use super::outlines::Rank;
 use super::params::Params;
 use super::saliency::saliency;
@@ -110,13 +110,16 @@ fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own:
         return Decision::Shorten(shorter);
     }
     let states = drawn.states(&polyline);
-    if states.contains(&State::TooNear) {
+    if states.contains(&LineState::TooNear) {
         return match displaced(&polyline, drawn) {
             Some(displaced) => Decision::Displace(displaced),
-            None => Decision::Split(split(&polyline, &states, round < EXTENDED_ROUNDS, drawn)),
+            None => {
+                let ends = if round < EXTENDED_ROUNDS { PartEnds::Extended } else { PartEnds::AsCut };
+                Decision::Split(split(&polyline, &states, ends, drawn))
+            }
         };
     }
-    match returns(&polyline, drawn.params, own) {
+    match self_approach(&polyline, drawn.params, own) {
         None => Decision::Draw(polyline),
         Some(back) if polyline.closed => {
             // begun after the stretch that is too near, it comes last
@@ -132,12 +135,12 @@ fn judge(mut polyline: Polyline<Vertex>, round: u8, drawn: &DrawnLines<'_>, own:
 fn until_return(mut body: Polyline<Vertex>, back: usize, drawn: &DrawnLines<'_>, own: &mut Nearby) -> Decision {
     let mut rest = body.vertices.split_off(back);
     // an end that lay on the line itself, and made what is near it a junction, may be gone
-    while let Some(back) = returns(&body, drawn.params, own) {
+    while let Some(back) = self_approach(&body, drawn.params, own) {
         rest.splice(0..0, body.vertices.split_off(back.start));
     }
     let rest = Polyline::open(rest);
     // What was joined to a line by a junction beyond the cut is so no longer.
-    if body.length() < drawn.params.min_length || drawn.states(&body).contains(&State::TooNear) {
+    if body.length() < drawn.params.min_length || drawn.states(&body).contains(&LineState::TooNear) {
         Decision::Split(vec![body, rest])
     } else {
         Decision::DrawBody { body, rest }
@@ -164,7 +167,7 @@ fn draw_body(
     let body = line.vertices.len();
     if let Some(added) = extension(&line.vertices, rest, Extended::Line(number), drawn) {
         line.vertices.extend(added);
-        if returns(&line, drawn.params, own).is_none() {
+        if self_approach(&line, drawn.params, own).is_none() {
             drawn.go_on(&line, body - 1, number);
         } else {
             line.vertices.truncate(body);
@@ -254,35 +257,35 @@ pub(super) mod tests {
     }
 
     /// The states of the vertices of a line where another runs along y = 50.
-    fn states(points: &[(f32, f32)], closed: bool) -> Vec<State> {
+    fn states(points: &[(f32, f32)], closed: bool) -> Vec<LineState> {
         drawn(&[&[(10.0, 50.0), (90.0, 50.0)]]).states(&polyline(points, closed))
     }
 
     #[test]
     fn a_spike_that_only_just_crosses_a_line_does_not_join_it() {
         let spike = [(46.0, 52.5), (49.8, 52.5), (50.01, 49.96), (50.2, 52.5), (54.0, 52.5)];
-        assert!(states(&spike, false).iter().all(|state| *state == State::TooNear));
+        assert!(states(&spike, false).iter().all(|state| *state == LineState::TooNear));
         // the same over the start of a ring
         let ring = [(50.01, 49.96), (50.2, 52.5), (54.0, 52.5), (54.0, 70.0), (46.0, 70.0), (46.0, 52.5), (49.8, 52.5)];
-        assert_eq!(states(&ring, true)[0], State::TooNear);
+        assert_eq!(states(&ring, true)[0], LineState::TooNear);
         // a line that ends up on the other side joins
         let through = [(49.8, 80.1), (49.8, 52.5), (50.01, 49.96), (50.2, 20.1)];
-        assert!(!states(&through, false).contains(&State::TooNear));
+        assert!(!states(&through, false).contains(&LineState::TooNear));
     }
 
     #[test]
     fn a_line_that_only_touches_the_corner_of_another_does_not_join_it() {
         let roof = drawn(&[&[(30.0, 70.0), (50.0, 50.0), (70.0, 70.0)]]);
         let states = |points: &[(f32, f32)]| roof.states(&polyline(points, false));
-        assert!(states(&[(30.0, 30.0), (50.0, 50.0), (70.0, 30.0)]).contains(&State::TooNear));
-        assert!(!states(&[(50.0, 20.0), (50.0, 50.0), (50.0, 80.0)]).contains(&State::TooNear));
+        assert!(states(&[(30.0, 30.0), (50.0, 50.0), (70.0, 30.0)]).contains(&LineState::TooNear));
+        assert!(!states(&[(50.0, 20.0), (50.0, 50.0), (50.0, 80.0)]).contains(&LineState::TooNear));
     }
 
     #[test]
     fn a_line_whose_two_ends_meet_on_another_will_be_a_ring_and_does_not_join_it() {
         let drop = [(50.0, 50.0), (58.0, 60.0), (42.0, 60.0), (50.0, 50.0)];
-        assert_eq!(states(&drop, false)[0], State::TooNear);
-        assert_eq!(states(&drop[..2], false)[0], State::Joined);
+        assert_eq!(states(&drop, false)[0], LineState::TooNear);
+        assert_eq!(states(&drop[..2], false)[0], LineState::Joined);
         let almost = [drop[0], drop[1], drop[2], (50.0, 50.05)];
         assert!(!matches!(decision(&almost, false), Decision::Draw(_)), "its ends are drawn in one place");
     }

@@ -8,7 +8,7 @@ use crate::lines::outlines::Rank;
 use crate::lines::params::Params;
 use crate::lines::saliency::saliency;
 use crate::lines::vertex::Vertex;
-use crate::ranked::{Ranked, Total};
+use crate::ranked::{Ranked, TotalOrder};
 
 /// A piece that is still too near after this many rounds is given up. None of the samples needs more than three.
 const MOST_ROUNDS: u8 = 8;
@@ -20,11 +20,11 @@ struct QueuedLine {
 }
 
 /// By rank, then by saliency; of two that are equally salient, the one that came earlier goes first.
-type Turn = (Rank, Total, Reverse<usize>);
+type DrawingOrder = (Rank, TotalOrder, Reverse<usize>);
 
 /// Lines that wait for their turn.
 pub(super) struct Queue<'a> {
-    heap: BinaryHeap<Ranked<Turn, QueuedLine>>,
+    heap: BinaryHeap<Ranked<DrawingOrder, QueuedLine>>,
     count: usize,
     params: &'a Params,
 }
@@ -45,7 +45,7 @@ impl<'a> Queue<'a> {
         if polyline.vertices.len() < 2 || polyline.length() < self.params.min_length || round > MOST_ROUNDS {
             return;
         }
-        let rank = (rank, Total(f64::from(saliency)), Reverse(self.count));
+        let rank = (rank, TotalOrder(f64::from(saliency)), Reverse(self.count));
         self.heap.push(Ranked { rank, item: QueuedLine { polyline, round } });
         self.count += 1;
     }

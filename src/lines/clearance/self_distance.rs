@@ -20,7 +20,7 @@ const BEND_LEAST: f32 = 1.5;
 
 /// The first vertices of a polyline that come back too near to an earlier part of it. `own` is an empty grid, and empty
 /// again afterwards.
-pub(super) fn returns(polyline: &Polyline<Vertex>, params: &Params, own: &mut Nearby) -> Option<Range<usize>> {
+pub(super) fn self_approach(polyline: &Polyline<Vertex>, params: &Params, own: &mut Nearby) -> Option<Range<usize>> {
     let arcs = polyline.arc_lengths();
     let total = arcs.last().copied().unwrap_or(0.0);
     if total <= BEND_LEAST {
@@ -107,7 +107,7 @@ mod tests {
 
     fn first_return(points: &[(f32, f32)], closed: bool) -> Option<Range<usize>> {
         let area = MmRect::new(MmPoint::zero(), MmPoint::new(100.0, 100.0));
-        returns(&polyline(points, closed), &Params::TEST, &mut Nearby::new(area, Params::TEST.max_spacing()))
+        self_approach(&polyline(points, closed), &Params::TEST, &mut Nearby::new(area, Params::TEST.max_spacing()))
     }
 
     #[test]

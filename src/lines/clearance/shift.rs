@@ -17,7 +17,7 @@ const STRETCH: f32 = 2.0;
 const STEEP: f32 = 0.35;
 
 /// A displacement at a place of a line, given by its arc, mm.
-type Push = (f32, MmVector);
+type LinePush = (f32, MmVector);
 
 /// A straight stretch of a line.
 struct StraightPart {
@@ -37,22 +37,25 @@ impl StraightPart {
     }
 }
 
-/// The displacement of every vertex of a line, of which some are pushed; the others' push is zero. With `stiff`,
-/// straight stretches stay straight.
-pub(super) fn shifts(
-    polyline: &Polyline<Vertex>,
-    pushes: &[MmVector],
-    passage: &Passage,
-    stiff: bool,
-) -> Vec<MmVector> {
+/// The displacement of every vertex of a line, of which some are pushed; the others' push is zero. Straight stretches
+/// stay straight.
+pub(super) fn shifts_of_drawing(polyline: &Polyline<Vertex>, pushes: &[MmVector], passage: &Passage) -> Vec<MmVector> {
     let mut shifts: Vec<Option<MmVector>> = vec![None; polyline.vertices.len()];
-    if stiff {
-        let stretches = stretches(polyline, pushes, passage);
-        move_stretches(polyline, &stretches, passage, &mut shifts);
-    }
+    let stretches = stretches(polyline, pushes, passage);
+    move_stretches(polyline, &stretches, passage, &mut shifts);
+    with_others(shifts, pushes, passage)
+}
+
+/// The same of a line that may bend anywhere.
+pub(super) fn shifts_of_curve(pushes: &[MmVector], passage: &Passage) -> Vec<MmVector> {
+    with_others(vec![None; pushes.len()], pushes, passage)
+}
+
+/// The shifts of all vertices, of which those of some are known: the others follow these and their own pushes.
+fn with_others(shifts: Vec<Option<MmVector>>, pushes: &[MmVector], passage: &Passage) -> Vec<MmVector> {
     let given = |i: usize| shifts[i].unwrap_or(pushes[i]);
     let pushed = (0..pushes.len()).map(|i| (passage.arcs[i], given(i))).filter(|(_, push)| *push != MmVector::zero());
-    let pushed: Vec<Push> = pushed.collect();
+    let pushed: Vec<LinePush> = pushed.collect();
     shifts
         .iter()
         .zip(&passage.arcs)
@@ -153,7 +156,7 @@ fn slid(stretch: &StraightPart, along: MmVector) -> MmVector {
 
 /// The longest of the displacements at `arc`, each of which fades along the line; near junctions the line stays where
 /// it is.
-fn faded(arc: f32, pushes: &[Push], passage: &Passage) -> MmVector {
+fn faded(arc: f32, pushes: &[LinePush], passage: &Passage) -> MmVector {
     let mut longest = MmVector::zero();
     // those farther away have faded: of an open line the others are a run, of a ring there may be two more
     let at = |arc: f32| pushes.partition_point(|(there, _)| *there < arc);
@@ -224,7 +227,7 @@ mod tests {
     #[test]
     fn a_push_fades_along_a_curve() {
         let line = straight();
-        let shifts = shifts(&line, &pushed(21, 10, [0.0, 1.0]), &passage(&line, Vec::new()), false);
+        let shifts = shifts_of_curve(&pushed(21, 10, [0.0, 1.0]), &passage(&line, Vec::new()));
         for (i, shift) in shifts.iter().enumerate() {
             let expected = (1.0 - (i as f32 - 10.0).abs() / FADE).max(0.0);
             assert!(is_near(*shift, [0.0, expected]), "{i}: {shift:?}");
@@ -236,7 +239,7 @@ mod tests {
         let ring: Vec<[f32; 2]> =
             (0..40).map(|i| (i as f32 * 0.157).sin_cos()).map(|(y, x)| [6.4 * x, 6.4 * y]).collect();
         let ring = polyline(&ring, true);
-        let shifts = shifts(&ring, &pushed(40, 0, [1.0, 0.0]), &passage(&ring, Vec::new()), false);
+        let shifts = shifts_of_curve(&pushed(40, 0, [1.0, 0.0]), &passage(&ring, Vec::new()));
         for i in 1..8 {
             assert!((shifts[i] - shifts[40 - i]).length() < 0.02, "{i}: {:?} and {:?}", shifts[i], shifts[40 - i]);
         }
@@ -247,7 +250,7 @@ mod tests {
     fn near_a_junction_a_line_stays() {
         let line = straight();
         let junctions = vec![junction(10.0, [0.0, 1.0], Meeting::Cross(1))];
-        let shifts = shifts(&line, &pushed(21, 8, [0.0, 1.0]), &passage(&line, junctions), false);
+        let shifts = shifts_of_curve(&pushed(21, 8, [0.0, 1.0]), &passage(&line, junctions));
         assert_eq!(shifts[10], MmVector::zero());
         assert!(shifts[7].y > shifts[9].y, "{:?} and {:?}", shifts[7], shifts[9]);
     }
@@ -255,7 +258,7 @@ mod tests {
     #[test]
     fn a_straight_stretch_moves_as_a_whole_and_its_corner_with_it() {
         let angle = polyline(&[[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, 5.0], [10.0, 10.0]], false);
-        let shifts = shifts(&angle, &pushed(5, 1, [0.3, 1.0]), &passage(&angle, Vec::new()), true);
+        let shifts = shifts_of_drawing(&angle, &pushed(5, 1, [0.3, 1.0]), &passage(&angle, Vec::new()));
         // across the stretch only, the corner along the other side, whose far end stays
         for (i, expected) in [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.5], [0.0, 0.0]].into_iter().enumerate() {
             assert!(is_near(shifts[i], expected), "{i}: {:?}", shifts[i]);
@@ -267,7 +270,7 @@ mod tests {
         let line = straight();
         let mut pushes = pushed(21, 4, [0.0, 1.0]);
         pushes[16] = MmVector::new(0.0, -0.4);
-        let shifts = shifts(&line, &pushes, &passage(&line, Vec::new()), true);
+        let shifts = shifts_of_drawing(&line, &pushes, &passage(&line, Vec::new()));
         assert!(shifts.iter().all(|shift| is_near(*shift, [0.0, 0.6])), "{shifts:?}");
     }
 
@@ -276,7 +279,7 @@ mod tests {
         let line = straight();
         let half = std::f32::consts::FRAC_1_SQRT_2;
         let ends = |along| vec![junction(20.0, along, Meeting::PolylineEnds)];
-        let last = |along| shifts(&line, &pushed(21, 10, [0.0, 1.0]), &passage(&line, ends(along)), true)[20];
+        let last = |along| shifts_of_drawing(&line, &pushed(21, 10, [0.0, 1.0]), &passage(&line, ends(along)))[20];
         assert!(is_near(last([half, half]), [1.0, 1.0]));
         // on a line of nearly its own direction it would slide far away
         assert_eq!(last([0.98, 0.2]), MmVector::zero());
@@ -286,7 +289,7 @@ mod tests {
     fn what_carries_the_end_of_another_line_stays() {
         let line = straight();
         let junctions = vec![junction(10.0, [0.0, 0.0], Meeting::LineEnds)];
-        let shifts = shifts(&line, &pushed(21, 4, [0.0, 1.0]), &passage(&line, junctions), true);
+        let shifts = shifts_of_drawing(&line, &pushed(21, 4, [0.0, 1.0]), &passage(&line, junctions));
         assert!(shifts.iter().all(|shift| *shift == MmVector::zero()), "{shifts:?}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::drawn::{DrawnLines, State};
+use super::drawn::{DrawnLines, LineState};
 use super::extend::{Extended, extension};
 use super::passage::Junction;
 use crate::geom::polyline::Polyline;
@@ -59,12 +59,20 @@ pub(super) fn without_stubs(polyline: &Polyline<Vertex>, drawn: &DrawnLines<'_>)
     (shorter.length() + TIP < polyline.length()).then_some(shorter)
 }
 
-/// What is left of a line that is too near to others: its parts between, if `extended` with segments to the lines that
-/// they join.
+/// How the parts of a line end that was split.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum PartEnds {
+    /// With segments to the lines that they join.
+    Extended,
+    /// Where they are free.
+    AsCut,
+}
+
+/// What is left of a line that is too near to others: its parts between.
 pub(super) fn split(
     polyline: &Polyline<Vertex>,
-    states: &[State],
-    extended: bool,
+    states: &[LineState],
+    ends: PartEnds,
     drawn: &DrawnLines<'_>,
 ) -> Vec<Polyline<Vertex>> {
     let params = drawn.params;
@@ -73,7 +81,7 @@ pub(super) fn split(
     if polyline.closed && params.is_dot(length) {
         return Vec::new();
     }
-    let (open, states) = match states.iter().position(|state| *state == State::TooNear) {
+    let (open, states) = match states.iter().position(|state| *state == LineState::TooNear) {
         Some(start) if polyline.closed => {
             let count = states.len();
             (polyline.opened_at(start), (0..=count).map(|k| states[(start + k) % count]).collect())
@@ -83,7 +91,7 @@ pub(super) fn split(
     let is_drawn = polyline.vertices.iter().all(|vertex| vertex.source.is_exact());
     let least = if is_drawn { WHOLE_DRAWN } else { WHOLE } * length;
     let kept = |pieces: &[Polyline<Vertex>]| pieces.iter().map(Polyline::length).sum::<f32>();
-    let coarse = pieces(&open.vertices, clear_stretches(&states), extended, drawn);
+    let coarse = pieces(&open.vertices, clear_stretches(&states), ends, drawn);
     if kept(&coarse) >= least {
         return coarse;
     }
@@ -91,7 +99,7 @@ pub(super) fn split(
     let is_stroke = |vertex: &Vertex| dot(vertex.contrast, vertex.contrast) <= 0.0;
     let strokes = polyline.vertices.iter().filter(|vertex| is_stroke(vertex)).count();
     let fine = match 2 * strokes > polyline.vertices.len() {
-        true => pieces(&open.vertices, apart_stretches(&states), extended, drawn),
+        true => pieces(&open.vertices, apart_stretches(&states), ends, drawn),
         false => Vec::new(),
     };
     if kept(&fine) >= least && !fine.is_empty() {
@@ -103,20 +111,20 @@ pub(super) fn split(
     }
 }
 
-/// The parts of an open line that are long enough, each extended at both its ends if `extended`.
+/// The parts of an open line that are long enough.
 fn pieces(
     vertices: &[Vertex],
     stretches: Vec<Range<usize>>,
-    extended: bool,
+    ends: PartEnds,
     drawn: &DrawnLines<'_>,
 ) -> Vec<Polyline<Vertex>> {
     let mut pieces = Vec::new();
     for Range { start, end } in stretches {
         let mut piece = vertices[start..end].to_vec();
-        if extended && end < vertices.len() {
+        if ends == PartEnds::Extended && end < vertices.len() {
             piece.extend(extension(&piece, &vertices[end..], Extended::Piece, drawn).unwrap_or_default());
         }
-        if extended && start > 0 {
+        if ends == PartEnds::Extended && start > 0 {
             piece.reverse();
             let path: Vec<Vertex> = vertices[..start].iter().rev().copied().collect();
             piece.extend(extension(&piece, &path, Extended::Piece, drawn).unwrap_or_default());
@@ -131,11 +139,11 @@ fn pieces(
 }
 
 /// The stretches of vertices between those that are too near to lines.
-fn apart_stretches(states: &[State]) -> Vec<Range<usize>> {
+fn apart_stretches(states: &[LineState]) -> Vec<Range<usize>> {
     let mut stretches = Vec::new();
     let mut at = 0;
-    for alike in states.chunk_by(|a, b| (*a == State::TooNear) == (*b == State::TooNear)) {
-        if !alike.contains(&State::TooNear) {
+    for alike in states.chunk_by(|a, b| (*a == LineState::TooNear) == (*b == LineState::TooNear)) {
+        if !alike.contains(&LineState::TooNear) {
             stretches.push(at..at + alike.len());
         }
         at += alike.len();
@@ -145,12 +153,12 @@ fn apart_stretches(states: &[State]) -> Vec<Range<usize>> {
 
 /// The stretches of vertices between those that are near to lines so that some are too near. A stretch that
 /// is near, but nowhere too near, divides nothing.
-fn clear_stretches(states: &[State]) -> Vec<Range<usize>> {
+fn clear_stretches(states: &[LineState]) -> Vec<Range<usize>> {
     let mut stretches = Vec::new();
     let (mut start, mut at) = (0, 0);
-    for near in states.chunk_by(|a, b| (*a == State::Free) == (*b == State::Free)) {
+    for near in states.chunk_by(|a, b| (*a == LineState::Free) == (*b == LineState::Free)) {
         let end = at + near.len();
-        if near.contains(&State::TooNear) {
+        if near.contains(&LineState::TooNear) {
             stretches.push(start..at);
             start = end;
         }
@@ -176,8 +184,8 @@ mod tests {
     #[test]
     #[expect(clippy::single_range_in_vec_init, reason = "lists of stretches, of which there may be one")]
     fn stretches_end_where_a_near_one_has_something_too_near() {
-        use State::{Free, Joined, TooNear};
-        let all = |states: &[State]| clear_stretches(states);
+        use LineState::{Free, Joined, TooNear};
+        let all = |states: &[LineState]| clear_stretches(states);
         assert_eq!(all(&[Free, Free, Joined, TooNear, Joined, Free]), [0..2, 5..6]);
         assert_eq!(all(&[Joined, Free, Joined, Free]), [0..4], "junctions divide nothing");
         assert_eq!(all(&[TooNear, Free, TooNear]), [1..2]);
@@ -187,7 +195,7 @@ mod tests {
 
     #[test]
     fn an_axis_stays_where_bars_stand_on_it() {
-        use State::{Free, Joined, TooNear};
+        use LineState::{Free, Joined, TooNear};
         assert_eq!(apart_stretches(&[TooNear, Joined, Joined, TooNear, Free, Joined]), [1..3, 4..6]);
         assert_eq!(apart_stretches(&[TooNear]), []);
         // bars 9 mm apart, and what was drawn of the axis before them
@@ -198,10 +206,10 @@ mod tests {
         let lines = drawn(&all);
         let axis = polyline(&[(14.0, 50.0), (62.0, 50.0)], false);
         let states = lines.states(&axis);
-        assert!(states.contains(&State::TooNear));
+        assert!(states.contains(&LineState::TooNear));
         let mut stroke = axis;
         stroke.vertices.iter_mut().for_each(|vertex| vertex.contrast = [0.0; 3]);
-        let pieces = split(&stroke, &states, false, &lines);
+        let pieces = split(&stroke, &states, PartEnds::AsCut, &lines);
         assert!(matches!(&pieces[..], [piece] if piece.length() > 38.0), "{pieces:?}");
     }
 
@@ -218,19 +226,19 @@ mod tests {
     fn what_is_left_of_a_line_ends_where_it_comes_near() {
         let lines = drawn(&[&[(40.0, 50.0), (60.0, 50.0)]]);
         let whole = polyline(&[(5.0, 52.0), (95.0, 52.0)], false);
-        let pieces = split(&whole, &lines.states(&whole), true, &lines);
+        let pieces = split(&whole, &lines.states(&whole), PartEnds::Extended, &lines);
         assert_eq!(pieces.len(), 2);
         assert!(pieces.iter().all(|piece| piece.length() > 28.0 && piece.length() < 35.0));
-        assert!(pieces.iter().all(|piece| !lines.states(piece).contains(&State::TooNear)));
+        assert!(pieces.iter().all(|piece| !lines.states(piece).contains(&LineState::TooNear)));
     }
 
     #[test]
     fn of_a_ring_that_is_mostly_too_near_nothing_is_left() {
         let lines = drawn(&[&[(30.0, 30.0), (70.0, 30.0), (70.0, 70.0), (30.0, 70.0)]]);
         let ring = polyline(&[(33.0, 33.0), (67.0, 33.0), (67.0, 67.0), (33.0, 67.0)], true);
-        assert_eq!(split(&ring, &lines.states(&ring), true, &lines), []);
+        assert_eq!(split(&ring, &lines.states(&ring), PartEnds::Extended, &lines), []);
         let dot = polyline(&[(50.0, 31.0), (52.0, 31.0), (52.0, 33.0), (50.0, 33.0)], true);
         assert!(Params::TEST.is_dot(dot.length()));
-        assert_eq!(split(&dot, &lines.states(&dot), true, &lines), []);
+        assert_eq!(split(&dot, &lines.states(&dot), PartEnds::Extended, &lines), []);
     }
 }

@@ -8,7 +8,7 @@ use super::displace::{MORE, OUTSIDE, farthest, is_held};
 use super::drawn::DrawnLines;
 use super::passage::Passage;
 use super::self_distance::is_rival;
-use super::shift::shifts;
+use super::shift::shifts_of_drawing;
 use crate::geom::polyline::Polyline;
 use crate::lines::params::Params;
 use crate::lines::vertex::Vertex;
@@ -31,7 +31,7 @@ pub(in crate::lines) fn spread(
         lines.iter().map(|line| line.vertices.iter().map(|vertex| vertex.at).collect()).collect()
     };
     let own = places(&lines);
-    // junctions are found once, before lines move: which lines join does not change
+    // which lines join does not change, so junctions are found once, on the lines before they move
     let at_first = drawn(&lines, area, params);
     let passages: Vec<Passage> = lines
         .par_iter()
@@ -43,7 +43,7 @@ pub(in crate::lines) fn spread(
     let mut has_moved = false;
     for _ in 0..ROUNDS {
         let drawn = drawn(&lines, area, params);
-        let all = All { lines: &lines, own: &own, passages: &passages, reach: &reach, drawn: &drawn };
+        let all = MovingLines { lines: &lines, own: &own, passages: &passages, reach: &reach, drawn: &drawn };
         let moved: Vec<Vec<MmVector>> = (0..lines.len()).into_par_iter().map(|number| all.moves(number)).collect();
         let total_move: f32 = moved.iter().flatten().map(|push| push.length()).sum();
         if total_move > LESS * last || total_move == 0.0 {
@@ -81,10 +81,10 @@ const EVERY: usize = 4;
 const NARROW: f32 = 0.25;
 
 /// What is missing between a vertex and a rival, mm, and how the vertex gives way.
-type Push = (f32, MmVector);
+type VertexPush = (f32, MmVector);
 
 /// Lines that move apart.
-struct All<'a> {
+struct MovingLines<'a> {
     lines: &'a [Polyline<Vertex>],
     /// Where their vertices were at first.
     own: &'a [Vec<MmPoint>],
@@ -95,20 +95,20 @@ struct All<'a> {
     drawn: &'a DrawnLines<'a>,
 }
 
-impl All<'_> {
+impl MovingLines<'_> {
     /// How the vertices of a line move away from the lines around: by half of what is missing.
     fn moves(&self, number: usize) -> Vec<MmVector> {
         let (line, passage, params) = (&self.lines[number], &self.passages[number], self.drawn.params);
         // of a bar or another ring the two sides may be too near to one another
         let closed = is_held(line, passage, params);
         let arcs = line.arc_lengths();
-        let mut rivals: Vec<(usize, [[Push; 2]; 2])> = Vec::new();
+        let mut rivals: Vec<(usize, [[VertexPush; 2]; 2])> = Vec::new();
         let last = line.vertices.len().saturating_sub(1);
         for (i, vertex) in line.vertices.iter().enumerate().filter(|(i, _)| i % EVERY == 0 || *i == last) {
             let arc = arcs[i];
             let tangent = line.tangent(i);
             // the worst rival on either side: of other lines, and of its own
-            let mut worst: [[Push; 2]; 2] = [[(0.0, MmVector::zero()); 2]; 2];
+            let mut worst: [[VertexPush; 2]; 2] = [[(0.0, MmVector::zero()); 2]; 2];
             let is_rival_line = |other: u32| closed || other as usize != number;
             self.drawn.each_near_among(vertex, arc, passage, is_rival_line, |near| {
                 let other = near.segment.line as usize;
@@ -131,7 +131,7 @@ impl All<'_> {
             });
             rivals.push((i, worst));
         }
-        let is_pushed = |of_own: &[Push; 2]| of_own.iter().any(|(_, push)| *push != MmVector::zero());
+        let is_pushed = |of_own: &[VertexPush; 2]| of_own.iter().any(|(_, push)| *push != MmVector::zero());
         let by_own = rivals.iter().filter(|(_, [_, own])| is_pushed(own)).count();
         let is_narrow = by_own as f32 >= NARROW * rivals.len() as f32;
         let mut pushes = vec![MmVector::zero(); line.vertices.len()];
@@ -143,7 +143,7 @@ impl All<'_> {
         if pushes.iter().all(|push| *push == MmVector::zero()) {
             return pushes;
         }
-        shifts(line, &pushes, passage, true)
+        shifts_of_drawing(line, &pushes, passage)
     }
 
     /// How far a vertex may still move, mm.

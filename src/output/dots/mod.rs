@@ -26,7 +26,7 @@ pub use dot_matrix::{DotMatrix, dots};
 
 /// What a document is called, for formats that state it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Words<'a> {
+pub struct DocumentWords<'a> {
     /// Its name.
     pub title: &'a str,
     /// What is on it, in plain words; may be empty.

@@ -10,7 +10,7 @@
 use svg::node::Text;
 
 use super::dot_matrix::DotMatrix;
-use super::{Words, ubrl};
+use super::{DocumentWords, ubrl};
 use crate::output::seal;
 use crate::output::text::plain;
 
@@ -19,7 +19,7 @@ use crate::output::text::plain;
 /// The document is identified by a number that follows from its dots and words. A language that is no language tag
 /// (RFC 3066, as PEF asks for) is left out, and so is a description in another language than the title's, since a
 /// document has one language. No pages make a document with an empty page, since PEF has none without.
-pub fn write(pages: &[DotMatrix], words: &Words<'_>) -> String {
+pub fn write(pages: &[DotMatrix], words: &DocumentWords<'_>) -> String {
     let most = |of: fn(&DotMatrix) -> usize| pages.iter().map(of).max().unwrap_or(0).max(1);
     let (columns, rows) = (most(DotMatrix::columns).div_ceil(2), most(DotMatrix::rows).div_ceil(4));
     let mut meta = element("dc:title", words.title);

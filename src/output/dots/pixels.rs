@@ -5,7 +5,7 @@
 
 use png::{BitDepth, Filter};
 
-use super::Words;
+use super::DocumentWords;
 use super::dot_matrix::DotMatrix;
 use crate::output::layer::GREYS;
 use crate::output::png_file::PngFile;
@@ -17,7 +17,7 @@ const LEVEL: u8 = 9;
 /// dot.
 ///
 /// A matrix without columns or rows comes out as one white pixel, since there are no smaller pictures.
-pub fn write(matrix: &DotMatrix, pitch: f32, has_heights: bool, words: &Words<'_>) -> Vec<u8> {
+pub fn write(matrix: &DotMatrix, pitch: f32, has_heights: bool, words: &DocumentWords<'_>) -> Vec<u8> {
     let [width, height] = [matrix.columns(), matrix.rows()].map(|dots| dots.max(1));
     let file = PngFile {
         size: [width, height].map(|dots| u32::try_from(dots).unwrap_or(u32::MAX)),
@@ -54,7 +54,7 @@ mod tests {
     #[test]
     fn a_pixel_is_a_dot() {
         let matrix = DotMatrix::drawn(".-+#\n#...\n");
-        let words = Words { title: "A < B\u{1}", language: "en", ..Words::default() };
+        let words = DocumentWords { title: "A < B\u{1}", language: "en", ..DocumentWords::default() };
         let seen = |pitch, has_heights| pixels(&write(&matrix, pitch, has_heights, &words));
         assert_eq!(seen(1.27, true), (4, 2, vec![255, 170, 85, 0, 0, 255, 255, 255], Some(787)));
         assert_eq!(seen(2.5, false), (4, 2, vec![255, 0, 0, 0, 0, 255, 255, 255], Some(400)));

@@ -27,7 +27,7 @@ const CIRCLE: f32 = 0.552_284_8;
 /// A page's content stream, not compressed. `name_of` gives the name of a layer in the page's resources.
 pub(super) fn write(page: &Page, name_of: &dyn Fn(Layer) -> String) -> Vec<u8> {
     let scale = POINTS_PER_MM / UNITS;
-    let mut out = Writer {
+    let mut out = ContentWriter {
         content: Content::with_settings(Settings { pretty: false }),
         name_of,
         width: f32::NAN,
@@ -64,7 +64,7 @@ pub(super) fn layers(page: &Page) -> Vec<Layer> {
     layers
 }
 
-struct Writer<'a> {
+struct ContentWriter<'a> {
     content: Content,
     name_of: &'a dyn Fn(Layer) -> String,
     /// Line width in force.
@@ -73,7 +73,7 @@ struct Writer<'a> {
     fill: Height,
 }
 
-impl Writer<'_> {
+impl ContentWriter<'_> {
     fn page(&mut self, page: &Page) {
         for layer in layers(page) {
             match layer {

@@ -39,7 +39,7 @@ const LEVEL: Compression = Compression::new(3);
 /// same pages give the same bytes.
 pub fn write(title: &str, pages: &[Page]) -> Vec<u8> {
     let mut pdf = Pdf::with_settings(Settings { pretty: false });
-    let ids = Ids::new(pages);
+    let ids = ObjectIds::new(pages);
     catalog(&mut pdf, pages, &ids);
     for (&layer, &id) in &ids.layers {
         pdf.indirect(id).dict().pair(Name(b"Type"), Name(b"OCG")).pair(Name(b"Name"), TextStr(&layer.label()));
@@ -90,7 +90,7 @@ fn find_last(bytes: &[u8], what: &[u8]) -> Option<usize> {
 }
 
 /// The numbers of all objects.
-struct Ids {
+struct ObjectIds {
     catalog: Ref,
     tree: Ref,
     info: Ref,
@@ -110,7 +110,7 @@ struct PageIds {
     figure: Ref,
 }
 
-impl Ids {
+impl ObjectIds {
     fn new(pages: &[Page]) -> Self {
         let mut next = Ref::new(1);
         let mut new = || next.bump();
@@ -124,7 +124,7 @@ impl Ids {
     }
 }
 
-fn catalog(pdf: &mut Pdf, pages: &[Page], ids: &Ids) {
+fn catalog(pdf: &mut Pdf, pages: &[Page], ids: &ObjectIds) {
     let mut catalog = pdf.catalog(ids.catalog);
     catalog.pages(ids.tree).metadata(ids.metadata);
     if let Some(first) = pages.first() {
@@ -144,7 +144,7 @@ fn catalog(pdf: &mut Pdf, pages: &[Page], ids: &Ids) {
 }
 
 /// The tree of layers as viewers list it: a list after a layer holds the layers in it.
-fn order(mut outer: pdf_writer::Array<'_>, ids: &Ids) {
+fn order(mut outer: pdf_writer::Array<'_>, ids: &ObjectIds) {
     let textures = ids.layers.range(Layer::Textures..Layer::Lines);
     let in_textures: Vec<Ref> = textures.skip(1).map(|(_, &id)| id).collect();
     for (&layer, &id) in &ids.layers {
@@ -167,7 +167,7 @@ fn order(mut outer: pdf_writer::Array<'_>, ids: &Ids) {
 }
 
 /// The tags: a document of figures, each with the words for its page.
-fn structure(pdf: &mut Pdf, pages: &[Page], ids: &Ids) {
+fn structure(pdf: &mut Pdf, pages: &[Page], ids: &ObjectIds) {
     let mut root = pdf.indirect(ids.root).dict();
     root.pair(Name(b"Type"), Name(b"StructTreeRoot")).pair(Name(b"K"), ids.document);
     // From a page's number to the tags of its pieces of marked content, of which it has one.
@@ -194,7 +194,7 @@ fn structure(pdf: &mut Pdf, pages: &[Page], ids: &Ids) {
     }
 }
 
-fn sheet(pdf: &mut Pdf, page: &Page, own: &PageIds, number: i32, ids: &Ids) {
+fn sheet(pdf: &mut Pdf, page: &Page, own: &PageIds, number: i32, ids: &ObjectIds) {
     let name = |layer: Layer| ids.layers.get(&layer).map_or_else(String::new, |id| format!("L{}", id.get()));
     let mut leaf = pdf.page(own.page);
     leaf.parent(ids.tree).media_box(rect(page)).trim_box(rect(page)).contents(own.content).struct_parents(number);

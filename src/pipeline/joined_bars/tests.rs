@@ -1,6 +1,6 @@
 //! Three bars made by hand: what is drawn of them otherwise, and what of their contours that replaces.
 
-use super::super::bars::{Direction, Span};
+use super::super::bars::{BaseSpan, Direction};
 use super::*;
 use crate::units::Size;
 
@@ -9,17 +9,17 @@ const BARS: [Bar; 3] = [
     Bar { from: 24.0, to: 44.0, top: 60.0 },
     Bar { from: 48.0, to: 68.0, top: 80.0 },
 ];
-const OWN_SIDES: [End; 2] = [End { at: 0.0, is_axis: false }, End { at: 68.0, is_axis: false }];
+const OWN_SIDES: [RowEnd; 2] = [RowEnd { at: 0.0, is_axis: false }, RowEnd { at: 68.0, is_axis: false }];
 
 /// Three bars that point up, 4 px apart, on a base at 0, and an axis 10 px before the first, as high as this.
 fn chart(axis: f32) -> Chart {
-    let side = |at: f32, to: f32| Span { at, from: 0.0, to };
+    let side = |at: f32, to: f32| BaseSpan { at, from: 0.0, to };
     let sides = BARS.iter().flat_map(|bar| [side(bar.from, bar.top), side(bar.to, bar.top)]);
     let sides = sides.chain([side(-10.0, axis)]).collect();
     Chart { direction: Direction::Up, base: 0.0, bars: BARS.to_vec(), sides, grid: Vec::new() }
 }
 
-fn row(ends: [End; 2]) -> BarRow {
+fn row(ends: [RowEnd; 2]) -> BarRow {
     BarRow { bars: BARS.to_vec(), ends }
 }
 
@@ -42,7 +42,7 @@ fn bars_that_touch_have_an_outline_and_a_line_up_to_the_lower_of_every_two() {
 
 #[test]
 fn an_outline_that_begins_at_an_axis_has_no_side_there() {
-    let at_axis = [End { at: -10.0, is_axis: true }, OWN_SIDES[1]];
+    let at_axis = [RowEnd { at: -10.0, is_axis: true }, OWN_SIDES[1]];
     let outline = places(&chart(120.0).paths(&[row(at_axis)], false)).remove(0);
     assert_eq!((outline[0], outline.len()), ((-10.0, 100.0), 7));
 }
@@ -124,8 +124,8 @@ fn a_remainder_of_a_bar_goes_unless_it_is_of_the_base() {
 
 #[test]
 fn the_overview_tells_only_what_the_figure_does_not() {
-    let touching = Instead { bars: Bars::Touching, has_grid: false, low: 1, is_at_axis: false };
-    let outline = Instead { bars: Bars::Outline, ..touching };
+    let touching = BarStyle { bars: Bars::Touching, has_grid: false, low: 1, is_at_axis: false };
+    let outline = BarStyle { bars: Bars::Outline, ..touching };
     assert!(told(None, None).is_empty());
     let of_figure = told(Some(touching), None);
     assert_eq!(of_figure.len(), 3, "bars, gridlines, a low bar: {of_figure:?}");

@@ -12,14 +12,14 @@ use moxcms::{ColorProfile, DataColorSpace, Layout, ToneReprCurve, Transform16Bit
 use crate::raster::planes::Planes;
 
 /// A table from a sample to linear light 0..=1.
-pub(super) type Table = Arc<[f32]>;
+pub(super) type ToneTable = Arc<[f32]>;
 
 /// Red, green and blue of the profile to those of sRGB, both in linear light.
 pub(super) type Matrix = [[f32; 3]; 3];
 
 /// What kind of numbers a pixel is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ColourKind {
     Grey,
     Rgb,
     Cmyk,
@@ -44,12 +44,12 @@ pub(super) fn srgb_to_linear(encoded: f64) -> f64 {
 }
 
 /// Linear light for each whole number 0..=`last`, by the sRGB curve.
-pub(super) fn srgb_table(last: u32) -> Table {
+pub(super) fn srgb_table(last: u32) -> ToneTable {
     (0..=last).map(|i| srgb_to_linear(f64::from(i) / f64::from(last)) as f32).collect()
 }
 
 /// Linear light for each whole number 0..=`last`, by a curve.
-pub(super) fn curve_table(curve: &Curve, last: u32) -> Table {
+pub(super) fn curve_table(curve: &Curve, last: u32) -> ToneTable {
     (0..=last).map(|i| sane(curve(i as f32 / last as f32))).collect()
 }
 
@@ -63,23 +63,23 @@ impl Meaning {
     ///
     /// # Errors
     /// Why the profile cannot be used.
-    pub(super) fn from_profile(icc: &[u8], kind: Kind) -> Result<Self, String> {
+    pub(super) fn from_profile(icc: &[u8], kind: ColourKind) -> Result<Self, String> {
         let profile = ColorProfile::new_from_slice(icc).map_err(|fault| one_line(&fault))?;
         match (kind, profile.color_space) {
-            (Kind::Grey, DataColorSpace::Gray) => {
+            (ColourKind::Grey, DataColorSpace::Gray) => {
                 grey(profile.gray_trc.as_ref().ok_or("it is a grey profile without a curve")?)
             }
             // A colour photo that was made grey and kept its profile: equal red, green and blue are grey by their
             // curve.
-            (Kind::Grey, DataColorSpace::Rgb) if profile.is_matrix_shaper() => {
+            (ColourKind::Grey, DataColorSpace::Rgb) if profile.is_matrix_shaper() => {
                 grey(profile.green_trc.as_ref().ok_or("it is a profile without curves")?)
             }
-            (Kind::Rgb, DataColorSpace::Rgb) if profile.is_matrix_shaper() && !has_colour_table(&profile) => {
+            (ColourKind::Rgb, DataColorSpace::Rgb) if profile.is_matrix_shaper() && !has_colour_table(&profile) => {
                 curves_and_matrix(&profile)
             }
-            (Kind::Rgb, DataColorSpace::Rgb) => transform(&profile, Layout::Rgb),
+            (ColourKind::Rgb, DataColorSpace::Rgb) => transform(&profile, Layout::Rgb),
             // moxcms takes four inks in the layout of four channels.
-            (Kind::Cmyk, DataColorSpace::Cmyk) => transform(&profile, Layout::Rgba),
+            (ColourKind::Cmyk, DataColorSpace::Cmyk) => transform(&profile, Layout::Rgba),
             (_, space) => Err(format!("it is for another kind of picture ({space:?})")),
         }
     }
@@ -198,15 +198,15 @@ mod tests {
     #[test]
     fn the_srgb_profile_is_known_as_such() {
         let icc = ColorProfile::new_srgb().encode().unwrap();
-        assert!(matches!(Meaning::from_profile(&icc, Kind::Rgb), Ok(Meaning::Srgb)));
-        assert!(matches!(Meaning::from_profile(&icc, Kind::Grey), Ok(Meaning::Srgb)));
-        assert!(Meaning::from_profile(&icc, Kind::Cmyk).is_err());
+        assert!(matches!(Meaning::from_profile(&icc, ColourKind::Rgb), Ok(Meaning::Srgb)));
+        assert!(matches!(Meaning::from_profile(&icc, ColourKind::Grey), Ok(Meaning::Srgb)));
+        assert!(Meaning::from_profile(&icc, ColourKind::Cmyk).is_err());
     }
 
     #[test]
     fn a_wide_profile_gets_a_matrix_that_keeps_white() {
         let icc = ColorProfile::new_display_p3().encode().unwrap();
-        let Ok(Meaning::Curves(Planes::Colour(_), Some(matrix))) = Meaning::from_profile(&icc, Kind::Rgb) else {
+        let Ok(Meaning::Curves(Planes::Colour(_), Some(matrix))) = Meaning::from_profile(&icc, ColourKind::Rgb) else {
             panic!("Display P3 is three curves and a matrix")
         };
         for row in matrix {

@@ -12,13 +12,13 @@ use usvg::fontdb::Database;
 use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
-use super::colour::{Kind, Meaning, one_line};
+use super::colour::{ColourKind, Meaning, one_line};
 use super::complexity;
 use super::job::{
-    self, Fonts, Header, Limits, OVER_LIMIT, Options, Picture, check_memory, guarded, undecodable, unpacks_too_far,
-    working_bytes,
+    self, DecodeOptions, Decoded, FontLoader, Header, Limits, OVER_LIMIT, check_memory, guarded, undecodable,
+    unpacks_too_far, working_bytes,
 };
-use super::light::{Depth, Layout};
+use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Samples};
 use super::{paths, texts};
 use crate::raster::crop::PixelPart;
@@ -36,7 +36,7 @@ const LONGEST_SIDE: f32 = 4_000_000.0;
 const MOST_NOTES: usize = 8;
 
 /// An SVG drawing compressed with gzip (SVGZ), or something else that is.
-pub(super) fn decode_gzip(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn decode_gzip(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     let limit = options.limits.memory_mb.saturating_mul(1_000_000);
     let mut text = Vec::new();
     // One byte more than the limit, to distinguish an end at the limit from a cut.
@@ -46,14 +46,14 @@ pub(super) fn decode_gzip(bytes: &[u8], options: &Options<'_>) -> Result<Picture
         return Err(unpacks_too_far("SVGZ", "the drawing", options.limits));
     }
     match super::sniff::format(&text) {
-        Ok(super::sniff::Format::Svg) => decode(&text, options),
+        Ok(super::sniff::PictureFormat::Svg) => decode(&text, options),
         _ => Err(Error::UnknownFormat { looks_like: Some("something compressed with gzip: unpack it first") }),
     }
 }
 
-pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     let text = std::str::from_utf8(bytes).map_err(|_| undecodable(FORMAT, "it is not in UTF-8"))?;
-    let left_out = LeftOut::default();
+    let left_out = DrawingLosses::default();
     let fonts = OnceLock::new();
     let parsing = usvg::Options {
         image_href_resolver: links(&left_out, options.limits),
@@ -87,10 +87,10 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
 #[cfg(feature = "pdf")]
 pub(super) fn decode_page(
     text: &str,
-    options: &Options<'_>,
+    options: &DecodeOptions<'_>,
     texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
-) -> Result<Picture, Error> {
-    let left_out = LeftOut::default();
+) -> Result<Decoded, Error> {
+    let left_out = DrawingLosses::default();
     let image_href_resolver = links(&left_out, options.limits);
     let parsing = usvg::Options { image_href_resolver, font_resolver: no_fonts(), ..usvg::Options::default() };
     let document = document(text, complexity::MOST_LEVELS).map_err(|why| undecodable(FORMAT, why))?;
@@ -103,10 +103,10 @@ pub(super) fn decode_page(
 /// Renders a drawing, and asks for the texts that are left out of it.
 fn drawn(
     tree: &Tree,
-    options: &Options<'_>,
+    options: &DecodeOptions<'_>,
     texts: impl FnOnce(tiny_skia::Transform, Size) -> Vec<DrawnText>,
-    left_out: LeftOut,
-) -> Result<Picture, Error> {
+    left_out: DrawingLosses,
+) -> Result<Decoded, Error> {
     let whole = nominal_size(tree.size())?;
     let part = job::part(whole, options)?;
     let source = Header { size: part.size, is_drawing: true };
@@ -134,7 +134,7 @@ fn drawn(
     let raster = unless_beyond_numbers(|| render(tree, transform, target, finer))??;
     let drawing = unless_beyond_numbers(|| paths::of_tree(tree, transform))?;
     let texts = texts(transform, target);
-    Ok(Picture { raster, lossy: None, source, drawing, texts, notes: left_out.notes() })
+    Ok(Decoded { raster, lossy: None, source, drawing, texts, notes: left_out.notes() })
 }
 
 /// Runs usvg or resvg. usvg 0.49 panics on a picture inside a drawing that is so much wider than high that in f32 it
@@ -182,7 +182,7 @@ fn render(tree: &Tree, transform: tiny_skia::Transform, target: Size, finer: u32
     let mut canvas = tiny_skia::Pixmap::new(size.width, size.height).ok_or_else(room)?;
     canvas.fill(tiny_skia::Color::WHITE);
     resvg::render(tree, transform.post_scale(finer as f32, finer as f32), &mut canvas.as_mut());
-    let layout = Layout { kind: Kind::Rgb, alpha: true, depth: Depth::Eight };
+    let layout = SampleLayout { kind: ColourKind::Rgb, alpha: true, depth: SampleDepth::Eight };
     let source = Extents::pixels(size.width, PixelPart::whole(size));
     let samples = Samples::new(layout, Meaning::Srgb, source, target, Orientation::NoTransforms);
     samples.raster(canvas.data()).ok_or_else(room)
@@ -266,9 +266,9 @@ fn fault_in(fault: &usvg::Error) -> String {
 
 /// What is left out of a drawing, each once. usvg asks for links and fonts from closures that have to be `Sync`.
 #[derive(Default)]
-struct LeftOut(Mutex<Vec<String>>);
+struct DrawingLosses(Mutex<Vec<String>>);
 
-impl LeftOut {
+impl DrawingLosses {
     fn add(&self, what: String) {
         if let Ok(mut list) = self.0.lock()
             && !list.contains(&what)
@@ -288,7 +288,7 @@ impl LeftOut {
     }
 }
 
-fn links<'a>(left_out: &'a LeftOut, limits: Limits) -> ImageHrefResolver<'a> {
+fn links<'a>(left_out: &'a DrawingLosses, limits: Limits) -> ImageHrefResolver<'a> {
     let inside = ImageHrefResolver::default_data_resolver();
     let level = AtomicUsize::new(0);
     ImageHrefResolver {
@@ -339,22 +339,24 @@ struct Unreadable;
 
 /// The size in the header of a picture inside a drawing; `None` for a drawing or an unknown format.
 fn size_of_picture(data: &[u8]) -> Result<Option<Size>, Unreadable> {
-    use super::sniff::{Format, format};
+    use super::sniff::{PictureFormat, format};
     let reader = Cursor::new(data);
     let size = match format(data) {
-        Ok(Format::Png) => {
+        Ok(PictureFormat::Png) => {
             let mut decoder = png::Decoder::new(reader);
             let info = decoder.read_header_info().ok();
             let sound = info.filter(|info| super::png::check_palette(info.color_type, data).is_ok());
             sound.map(|info| (info.width, info.height))
         }
-        Ok(Format::Jpeg) => {
+        Ok(PictureFormat::Jpeg) => {
             let mut decoder = jpeg_decoder::Decoder::new(data);
             let info = decoder.read_info().ok().and_then(|()| decoder.info());
             info.map(|info| (info.width.into(), info.height.into()))
         }
-        Ok(Format::Gif) => image::codecs::gif::GifDecoder::new(reader).ok().map(|decoder| decoder.dimensions()),
-        Ok(Format::WebP) => image::codecs::webp::WebPDecoder::new(reader).ok().map(|decoder| decoder.dimensions()),
+        Ok(PictureFormat::Gif) => image::codecs::gif::GifDecoder::new(reader).ok().map(|decoder| decoder.dimensions()),
+        Ok(PictureFormat::WebP) => {
+            image::codecs::webp::WebPDecoder::new(reader).ok().map(|decoder| decoder.dimensions())
+        }
         _ => return Ok(None),
     };
     size.map(|(width, height)| Some(Size::new(width, height))).ok_or(Unreadable)
@@ -362,8 +364,8 @@ fn size_of_picture(data: &[u8]) -> Result<Option<Size>, Unreadable> {
 
 /// Fonts are asked for with the first text that needs one: finding those of a computer takes longer than most drawings.
 fn font_resolver<'a>(
-    left_out: &'a LeftOut,
-    fonts: &'a Fonts<'a>,
+    left_out: &'a DrawingLosses,
+    fonts: &'a FontLoader<'a>,
     asked: &'a OnceLock<Arc<Database>>,
 ) -> FontResolver<'a> {
     let select = FontResolver::default_font_selector();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use image::metadata::Orientation;
 
-use super::colour::{Kind, Meaning, one_line};
+use super::colour::{ColourKind, Meaning, one_line};
 use super::orient;
 use crate::raster::crop::{Crop, PixelPart};
 use crate::raster::planes::Raster;
@@ -30,7 +30,7 @@ impl Default for Limits {
 }
 
 /// Where the letters of SVG drawings come from; asked only when a drawing has text.
-pub type Fonts<'a> = dyn Fn() -> Arc<usvg::fontdb::Database> + Sync + 'a;
+pub type FontLoader<'a> = dyn Fn() -> Arc<usvg::fontdb::Database> + Sync + 'a;
 
 /// What is known of a picture from the header of its file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,11 +43,11 @@ pub struct Header {
 }
 
 /// How to decode.
-pub struct Options<'a> {
+pub struct DecodeOptions<'a> {
     /// What the picture may cost.
     pub limits: Limits,
     /// Fonts for drawings.
-    pub fonts: &'a Fonts<'a>,
+    pub fonts: &'a FontLoader<'a>,
     /// The part of the upright picture that is used; all of it without one.
     pub crop: Option<Crop>,
     /// The page of a document, from 1; without it the first. A picture has one page.
@@ -60,7 +60,7 @@ pub struct Options<'a> {
     pub working_size: &'a dyn Fn(Header) -> Result<Size, Error>,
 }
 
-impl<'a> Options<'a> {
+impl<'a> DecodeOptions<'a> {
     /// All of the first page with its letters, within the default limits, where there are no fonts.
     pub fn whole(working_size: &'a dyn Fn(Header) -> Result<Size, Error>) -> Self {
         let (limits, fonts) = (Limits::default(), &Arc::default);
@@ -70,7 +70,7 @@ impl<'a> Options<'a> {
 
 /// A decoded picture.
 #[derive(Debug, Clone)]
-pub struct Picture {
+pub struct Decoded {
     /// The pixels at working size, upright.
     pub raster: Raster,
     /// Of a picture with lossy compression by blocks, by which factor it was shrunk, at most 1; none without.
@@ -85,7 +85,7 @@ pub struct Picture {
     pub notes: Vec<Note>,
 }
 
-impl Picture {
+impl Decoded {
     /// The same, of which it is known that its compression lost something.
     pub(super) fn with_loss(self) -> Self {
         let shrunk = self.raster.size().width as f32 / self.source.size.width.max(1) as f32;
@@ -120,7 +120,7 @@ impl Job {
         format: &'static str,
         stored: Size,
         orientation: Orientation,
-        options: &Options<'_>,
+        options: &DecodeOptions<'_>,
     ) -> Result<Self, Error> {
         if stored.area() == 0 {
             return Err(undecodable(format, format!("its header says that it has {stored} pixels")));
@@ -150,7 +150,7 @@ impl Job {
     }
 
     /// What the samples mean; a profile that cannot be used leaves a note.
-    pub(super) fn meaning(&mut self, icc: Option<&[u8]>, kind: Kind) -> Meaning {
+    pub(super) fn meaning(&mut self, icc: Option<&[u8]>, kind: ColourKind) -> Meaning {
         let meaning = icc.map_or(Ok(Meaning::Srgb), |icc| Meaning::from_profile(icc, kind));
         meaning.unwrap_or_else(|why| {
             self.notes.push(Note::ColourProfileIgnored(why));
@@ -159,14 +159,14 @@ impl Job {
     }
 
     /// The picture, when no rows are missing.
-    pub(super) fn end(self, raster: Option<Raster>) -> Result<Picture, Error> {
+    pub(super) fn end(self, raster: Option<Raster>) -> Result<Decoded, Error> {
         let raster = raster.ok_or_else(|| ends_early(self.format))?;
-        Ok(Picture { raster, lossy: None, source: self.source, drawing: None, texts: Vec::new(), notes: self.notes })
+        Ok(Decoded { raster, lossy: None, source: self.source, drawing: None, texts: Vec::new(), notes: self.notes })
     }
 }
 
 /// The part of an upright picture that is used.
-pub(super) fn part(upright: Size, options: &Options<'_>) -> Result<PixelPart, Error> {
+pub(super) fn part(upright: Size, options: &DecodeOptions<'_>) -> Result<PixelPart, Error> {
     options.crop.map_or_else(|| Ok(PixelPart::whole(upright)), |crop| crop.part(upright))
 }
 

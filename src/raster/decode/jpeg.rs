@@ -7,9 +7,9 @@ use std::io::{ErrorKind, Read};
 use image::metadata::Orientation;
 use jpeg_decoder::{CodingProcess, ColorTransform, Decoder, ImageInfo, PixelFormat, UnsupportedFeature};
 
-use super::colour::{Kind, one_line};
-use super::job::{Job, Options, Picture, ends_early, undecodable};
-use super::light::Layout;
+use super::colour::{ColourKind, one_line};
+use super::job::{DecodeOptions, Decoded, Job, ends_early, undecodable};
+use super::light::SampleLayout;
 use super::rows::{Extents, Samples};
 use super::scans;
 use crate::Error;
@@ -22,7 +22,7 @@ const FORMAT: &str = "JPEG";
 /// and overflows beyond 65528.
 const LONGEST_SIDE: u32 = 65_500;
 
-pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     let head = Head::read(bytes);
     let at_end = Cell::new(false);
     let mut decoder = Decoder::new(Bytes::new(vec![bytes], &head, &at_end));
@@ -39,12 +39,12 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
         decoder = Decoder::new(Bytes::new(scans::of_means(bytes), &head, &at_end));
         decoder.read_info().map_err(fault)?;
     }
-    if kind == Kind::Rgb && head.is_adobe_rgb() {
+    if kind == ColourKind::Rgb && head.is_adobe_rgb() {
         decoder.set_color_transform(ColorTransform::RGB);
     }
 
     let scaled = Size::new((size.width * eighths).div_ceil(8), (size.height * eighths).div_ceil(8));
-    let layout = Layout::plain(kind);
+    let layout = SampleLayout::plain(kind);
     job.check_memory(memory(layout, size, scaled, head.progressive))?;
     let (across, down) = asked_size(size, eighths);
     let came = decoder.scale(across, down).map_err(fault)?;
@@ -58,7 +58,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     let mut pixels = quick.map_or_else(|| decoder.decode().map_err(fault), Ok)?;
     let icc = decoder.icc_profile();
     drop(decoder); // and with it the coefficients
-    if kind == Kind::Cmyk && head.adobe.is_none() {
+    if kind == ColourKind::Cmyk && head.adobe.is_none() {
         // jpeg-decoder takes all inks as Adobe writes them, upside down. Files without Adobe's mark have them upright.
         for ink in &mut pixels {
             *ink = 255 - *ink;
@@ -76,7 +76,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
 ///
 /// # Errors
 /// If it is a picture that jpeg-decoder cannot decode or that is too long.
-fn kind(info: &ImageInfo, size: Size) -> Result<Kind, Error> {
+fn kind(info: &ImageInfo, size: Size) -> Result<ColourKind, Error> {
     if info.coding_process == CodingProcess::Lossless || info.pixel_format == PixelFormat::L16 {
         return Err(undecodable(FORMAT, "it is of the lossless kind, which hardly any program reads"));
     }
@@ -84,15 +84,15 @@ fn kind(info: &ImageInfo, size: Size) -> Result<Kind, Error> {
         return Err(undecodable(FORMAT, format!("no side may be longer than {LONGEST_SIDE} pixels")));
     }
     Ok(match info.pixel_format {
-        PixelFormat::L8 | PixelFormat::L16 => Kind::Grey,
-        PixelFormat::RGB24 => Kind::Rgb,
-        PixelFormat::CMYK32 => Kind::Cmyk,
+        PixelFormat::L8 | PixelFormat::L16 => ColourKind::Grey,
+        PixelFormat::RGB24 => ColourKind::Rgb,
+        PixelFormat::CMYK32 => ColourKind::Cmyk,
     })
 }
 
 /// Bytes that decoding takes: the planes before and after colours are made of them; a progressive picture also has all
 /// its coefficients, of two bytes each.
-fn memory(layout: Layout, size: Size, scaled: Size, progressive: bool) -> u64 {
+fn memory(layout: SampleLayout, size: Size, scaled: Size, progressive: bool) -> u64 {
     let bytes = |size: Size| layout.row_bytes(size.width) as u64 * u64::from(size.height);
     2 * bytes(scaled) + if progressive { 2 * bytes(size) } else { 0 }
 }
@@ -101,13 +101,13 @@ fn memory(layout: Layout, size: Size, scaled: Size, progressive: bool) -> u64 {
 /// pictures of inks and for whatever that library finds wrong: jpeg-decoder then names the fault, or reads the picture
 /// all the same.
 #[cfg(feature = "turbojpeg")]
-fn turbo_pixels(bytes: &[u8], kind: Kind, eighths: u32, size: Size) -> Option<Vec<u8>> {
+fn turbo_pixels(bytes: &[u8], kind: ColourKind, eighths: u32, size: Size) -> Option<Vec<u8>> {
     use turbojpeg::{Decompressor, Image, PixelFormat, ScalingFactor};
 
     let (format, channels) = match kind {
-        Kind::Grey => (PixelFormat::GRAY, 1),
-        Kind::Rgb => (PixelFormat::RGB, 3),
-        Kind::Cmyk => return None,
+        ColourKind::Grey => (PixelFormat::GRAY, 1),
+        ColourKind::Rgb => (PixelFormat::RGB, 3),
+        ColourKind::Cmyk => return None,
     };
     let (width, height) = (size.width as usize, size.height as usize);
     let pitch = channels * width;

@@ -4,41 +4,41 @@ use std::sync::Arc;
 
 use moxcms::Transform16BitExecutor;
 
-use super::colour::{Kind, Matrix, Meaning, Table, curve_table, srgb_table};
+use super::colour::{ColourKind, Matrix, Meaning, ToneTable, curve_table, srgb_table};
 use crate::raster::planes::Planes;
 
 /// How the samples of a pixel follow one another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Layout {
+pub(super) struct SampleLayout {
     /// What they mean; inks are 0 for none and the largest number for full.
-    pub(super) kind: Kind,
+    pub(super) kind: ColourKind,
     /// Whether opacity follows them (0 for clear, not multiplied into the colours).
     pub(super) alpha: bool,
     /// Their size and order of bytes.
-    pub(super) depth: Depth,
+    pub(super) depth: SampleDepth,
 }
 
 /// Size of a sample and its order of bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Depth {
+pub(super) enum SampleDepth {
     Eight,
     SixteenBigEndian,
     /// As this machine has it.
     SixteenNative,
 }
 
-impl Layout {
+impl SampleLayout {
     /// 8 bits, no opacity.
-    pub(super) fn plain(kind: Kind) -> Self {
-        Self { kind, alpha: false, depth: Depth::Eight }
+    pub(super) fn plain(kind: ColourKind) -> Self {
+        Self { kind, alpha: false, depth: SampleDepth::Eight }
     }
 
     /// Samples of a pixel without opacity.
     fn colours(self) -> usize {
         match self.kind {
-            Kind::Grey => 1,
-            Kind::Rgb => 3,
-            Kind::Cmyk => 4,
+            ColourKind::Grey => 1,
+            ColourKind::Rgb => 3,
+            ColourKind::Cmyk => 4,
         }
     }
 
@@ -48,7 +48,7 @@ impl Layout {
 
     /// Bytes for a row of `width` pixels.
     pub(super) fn row_bytes(self, width: u32) -> usize {
-        let bytes = if self.depth == Depth::Eight { 1 } else { 2 };
+        let bytes = if self.depth == SampleDepth::Eight { 1 } else { 2 };
         width as usize * self.channels() * bytes
     }
 }
@@ -56,7 +56,7 @@ impl Layout {
 /// One row in linear light, over white.
 #[derive(Clone)]
 pub(super) struct Light {
-    pub(super) layout: Layout,
+    pub(super) layout: SampleLayout,
     to_light: ToLight,
     /// To be applied to the working picture.
     pub(super) matrix: Option<Matrix>,
@@ -67,28 +67,28 @@ pub(super) struct Light {
 /// From samples to light, and the row that came last.
 #[derive(Clone)]
 enum ToLight {
-    Grey { table: Table, row: Vec<f32> },
+    Grey { table: ToneTable, row: Vec<f32> },
     Colour { conversion: Conversion, row: [Vec<f32>; 3] },
 }
 
 #[derive(Clone)]
 enum Conversion {
     /// A table for each channel.
-    Tables([Table; 3]),
+    Tables([ToneTable; 3]),
     /// Inks by the plain formula: light passes where there is neither the colour nor black. The table takes the product
     /// of two 8-bit transparencies.
-    Inks(Table),
+    Inks(ToneTable),
     /// moxcms, with its input and output, and the table of 16-bit sRGB.
-    Transform { transform: Arc<Transform16BitExecutor>, from: Vec<u16>, to: Vec<u16>, table: Table },
+    Transform { transform: Arc<Transform16BitExecutor>, from: Vec<u16>, to: Vec<u16>, table: ToneTable },
 }
 
 impl Light {
-    pub(super) fn new(layout: Layout, meaning: Meaning, width: u32) -> Self {
-        let last = if layout.depth == Depth::Eight { 255 } else { 65535 };
+    pub(super) fn new(layout: SampleLayout, meaning: Meaning, width: u32) -> Self {
+        let last = if layout.depth == SampleDepth::Eight { 255 } else { 65535 };
         let width = width as usize;
         let row = vec![0.0; width];
         let (to_light, matrix) = match layout.kind {
-            Kind::Grey => (ToLight::Grey { table: grey_table(meaning, last), row }, None),
+            ColourKind::Grey => (ToLight::Grey { table: grey_table(meaning, last), row }, None),
             kind => {
                 let (conversion, matrix) = match (meaning, kind) {
                     (Meaning::Transform(transform), _) => {
@@ -96,7 +96,7 @@ impl Light {
                         (Conversion::Transform { transform, from, to, table: srgb_table(65535) }, None)
                     }
                     // Profiles of inks are never curves.
-                    (_, Kind::Cmyk) => (Conversion::Inks(srgb_table(255 * 255)), None),
+                    (_, ColourKind::Cmyk) => (Conversion::Inks(srgb_table(255 * 255)), None),
                     (Meaning::Srgb, _) => {
                         let table = srgb_table(last);
                         (Conversion::Tables([table.clone(), table.clone(), table]), None)
@@ -130,9 +130,9 @@ impl Light {
     /// Takes a row of samples as the layout says.
     pub(super) fn take(&mut self, row: &[u8]) {
         match self.layout.depth {
-            Depth::Eight => self.to_light.take(self.layout, row),
+            SampleDepth::Eight => self.to_light.take(self.layout, row),
             depth => {
-                let number = if depth == Depth::SixteenNative { u16::from_ne_bytes } else { u16::from_be_bytes };
+                let number = if depth == SampleDepth::SixteenNative { u16::from_ne_bytes } else { u16::from_be_bytes };
                 self.wide.clear();
                 self.wide.extend(row.as_chunks().0.iter().map(|&bytes| number(bytes)));
                 self.to_light.take(self.layout, &self.wide);
@@ -143,7 +143,7 @@ impl Light {
 
 /// Light for the samples 0..=`last` of a grey picture. One with a profile of colours is read by the curve of green;
 /// those that are no curves are refused before ([`Meaning::from_profile`]).
-fn grey_table(meaning: Meaning, last: u32) -> Table {
+fn grey_table(meaning: Meaning, last: u32) -> ToneTable {
     match meaning {
         Meaning::Curves(Planes::Grey(curve) | Planes::Colour([_, curve, _]), _) => curve_table(&curve, last),
         Meaning::Srgb | Meaning::Transform(_) => srgb_table(last),
@@ -151,13 +151,13 @@ fn grey_table(meaning: Meaning, last: u32) -> Table {
 }
 
 /// A sample as it stands in a file.
-trait Sample: Copy + PartialEq {
+trait ChannelSample: Copy + PartialEq {
     const FULL: Self;
     fn index(self) -> usize;
     fn wide(self) -> u16;
 }
 
-impl Sample for u8 {
+impl ChannelSample for u8 {
     const FULL: Self = 255;
     fn index(self) -> usize {
         usize::from(self)
@@ -167,7 +167,7 @@ impl Sample for u8 {
     }
 }
 
-impl Sample for u16 {
+impl ChannelSample for u16 {
     const FULL: Self = 65535;
     fn index(self) -> usize {
         usize::from(self)
@@ -178,7 +178,7 @@ impl Sample for u16 {
 }
 
 impl ToLight {
-    fn take<S: Sample>(&mut self, layout: Layout, samples: &[S]) {
+    fn take<S: ChannelSample>(&mut self, layout: SampleLayout, samples: &[S]) {
         match self {
             Self::Grey { table, row } if layout.alpha => {
                 for (out, [grey, opacity]) in row.iter_mut().zip(samples.as_chunks().0) {
@@ -196,7 +196,7 @@ impl ToLight {
 }
 
 impl Conversion {
-    fn take<S: Sample>(&mut self, layout: Layout, samples: &[S], [red, green, blue]: &mut [Vec<f32>; 3]) {
+    fn take<S: ChannelSample>(&mut self, layout: SampleLayout, samples: &[S], [red, green, blue]: &mut [Vec<f32>; 3]) {
         let out = red.iter_mut().zip(green).zip(blue);
         match self {
             Self::Tables(tables) => {
@@ -244,7 +244,7 @@ impl Conversion {
 }
 
 /// Light of a pixel of some opacity on white paper.
-fn over_white<S: Sample>(light: f32, opacity: S) -> f32 {
+fn over_white<S: ChannelSample>(light: f32, opacity: S) -> f32 {
     let opacity = opacity.index() as f32 / S::FULL.index() as f32;
     opacity * light + (1.0 - opacity)
 }

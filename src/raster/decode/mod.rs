@@ -17,7 +17,6 @@ mod other;
 mod paths;
 #[cfg(feature = "pdf")]
 mod pdf;
-mod pixels;
 mod png;
 mod rows;
 mod scans;
@@ -25,19 +24,19 @@ mod sniff;
 mod texts;
 
 use self::job::{guarded, undecodable};
-use self::sniff::Format;
+use self::sniff::PictureFormat;
 use crate::{Error, picture};
 
 pub(crate) use self::complexity::no_longer_than;
 pub(crate) use self::drawing::{checked_document, unless_beyond_numbers};
-pub use self::job::{Fonts, Header, Limits, Options, Picture};
+pub use self::job::{DecodeOptions, Decoded, FontLoader, Header, Limits};
 
 /// Decodes a picture of any format that is read here; the format is detected from the bytes, not from a name.
 ///
 /// # Errors
 /// When the bytes are no such picture, are damaged beyond use, or are over a limit. A decoder that panics counts as
 /// damage, where panics unwind.
-pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     if bytes.is_empty() {
         return Err(Error::Empty);
     }
@@ -46,17 +45,17 @@ pub fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
         check_page(options.page)?;
     }
     let decoded = guarded(|| match format {
-        Format::Jpeg => jpeg::decode(bytes, options),
-        Format::Png => png::decode(bytes, options),
-        Format::Svg => drawing::decode(bytes, options),
-        Format::Gzip => drawing::decode_gzip(bytes, options),
+        PictureFormat::Jpeg => jpeg::decode(bytes, options),
+        PictureFormat::Png => png::decode(bytes, options),
+        PictureFormat::Svg => drawing::decode(bytes, options),
+        PictureFormat::Gzip => drawing::decode_gzip(bytes, options),
         #[cfg(feature = "pdf")]
-        Format::Pdf => pdf::decode(bytes, options),
-        Format::WebP => other::webp(bytes, options),
-        Format::Tiff => other::tiff(bytes, options),
-        Format::Bmp => other::bmp(bytes, options),
-        Format::Gif => other::gif(bytes, options),
-        Format::Pnm => other::pnm(bytes, options),
+        PictureFormat::Pdf => pdf::decode(bytes, options),
+        PictureFormat::WebP => other::webp(bytes, options),
+        PictureFormat::Tiff => other::tiff(bytes, options),
+        PictureFormat::Bmp => other::bmp(bytes, options),
+        PictureFormat::Gif => other::gif(bytes, options),
+        PictureFormat::Pnm => other::pnm(bytes, options),
     });
     decoded.unwrap_or_else(|panic| Err(undecodable(format.name(), format!("its decoder failed ({panic})"))))
 }
@@ -74,12 +73,12 @@ fn check_page(page: Option<u32>) -> Result<(), Error> {
 ///
 /// # Errors
 /// As [`decode`].
-pub(crate) fn decode_picture(picture: picture::Picture<'_>, options: &Options<'_>) -> Result<Picture, Error> {
+pub(crate) fn decode_picture(picture: picture::Picture<'_>, options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     match picture.0 {
         picture::PixelSource::File(bytes) => decode(bytes, options),
         picture::PixelSource::Rgba8 { size, pixels } => {
             check_page(options.page)?;
-            pixels::decode_rgba8(size, pixels, options)
+            rows::decode_rgba8(size, pixels, options)
         }
     }
 }

@@ -13,14 +13,14 @@ use image::error::UnsupportedErrorKind;
 use image::metadata::Orientation;
 use image::{ColorType, ImageDecoder, ImageError};
 
-use super::colour::{Kind, one_line};
-use super::job::{Job, Options, Picture, ends_early, undecodable};
-use super::light::{Depth, Layout};
+use super::colour::{ColourKind, one_line};
+use super::job::{DecodeOptions, Decoded, Job, ends_early, undecodable};
+use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Samples};
 use crate::Error;
 use crate::units::Size;
 
-pub(super) fn webp(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn webp(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     let picture = picture("WebP", WebPDecoder::new(Cursor::new(bytes)), options)?;
     Ok(if is_lossy(bytes) { picture.with_loss() } else { picture })
 }
@@ -38,27 +38,27 @@ fn is_lossy(bytes: &[u8]) -> bool {
     false
 }
 
-pub(super) fn tiff(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn tiff(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     picture("TIFF", TiffDecoder::new(Cursor::new(bytes)), options)
 }
 
-pub(super) fn bmp(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn bmp(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     picture("BMP", BmpDecoder::new(Cursor::new(bytes)), options)
 }
 
-pub(super) fn gif(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn gif(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     picture("GIF", GifDecoder::new(Cursor::new(bytes)), options)
 }
 
-pub(super) fn pnm(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn pnm(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     picture("PNM", PnmDecoder::new(Cursor::new(bytes)), options)
 }
 
 fn picture<D: ImageDecoder>(
     format: &'static str,
     decoder: Result<D, ImageError>,
-    options: &Options<'_>,
-) -> Result<Picture, Error> {
+    options: &DecodeOptions<'_>,
+) -> Result<Decoded, Error> {
     let fault = |fault: ImageError| fault_in(format, fault);
     let mut decoder = decoder.map_err(fault)?;
     let (width, height) = decoder.dimensions();
@@ -84,19 +84,19 @@ fn picture<D: ImageDecoder>(
     job.end(samples.raster(&whole))
 }
 
-fn layout(format: &'static str, colour: ColorType) -> Result<Layout, Error> {
+fn layout(format: &'static str, colour: ColorType) -> Result<SampleLayout, Error> {
     let (kind, alpha, depth) = match colour {
-        ColorType::L8 => (Kind::Grey, false, Depth::Eight),
-        ColorType::La8 => (Kind::Grey, true, Depth::Eight),
-        ColorType::Rgb8 => (Kind::Rgb, false, Depth::Eight),
-        ColorType::Rgba8 => (Kind::Rgb, true, Depth::Eight),
-        ColorType::L16 => (Kind::Grey, false, Depth::SixteenNative),
-        ColorType::La16 => (Kind::Grey, true, Depth::SixteenNative),
-        ColorType::Rgb16 => (Kind::Rgb, false, Depth::SixteenNative),
-        ColorType::Rgba16 => (Kind::Rgb, true, Depth::SixteenNative),
+        ColorType::L8 => (ColourKind::Grey, false, SampleDepth::Eight),
+        ColorType::La8 => (ColourKind::Grey, true, SampleDepth::Eight),
+        ColorType::Rgb8 => (ColourKind::Rgb, false, SampleDepth::Eight),
+        ColorType::Rgba8 => (ColourKind::Rgb, true, SampleDepth::Eight),
+        ColorType::L16 => (ColourKind::Grey, false, SampleDepth::SixteenNative),
+        ColorType::La16 => (ColourKind::Grey, true, SampleDepth::SixteenNative),
+        ColorType::Rgb16 => (ColourKind::Rgb, false, SampleDepth::SixteenNative),
+        ColorType::Rgba16 => (ColourKind::Rgb, true, SampleDepth::SixteenNative),
         _ => return Err(undecodable(format, NO_SUCH_SAMPLES)),
     };
-    Ok(Layout { kind, alpha, depth })
+    Ok(SampleLayout { kind, alpha, depth })
 }
 
 /// Floating point, say.

@@ -6,16 +6,16 @@ use std::io::{Cursor, ErrorKind};
 use image::metadata::Orientation;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Reader, Transformations};
 
-use super::colour::{Kind, Meaning, one_line};
-use super::job::{Job, Options, Picture, ends_early, undecodable};
-use super::light::{Depth, Layout};
+use super::colour::{ColourKind, Meaning, one_line};
+use super::job::{DecodeOptions, Decoded, Job, ends_early, undecodable};
+use super::light::{SampleDepth, SampleLayout};
 use super::rows::{Extents, Rows, Samples};
 use crate::Error;
 use crate::units::Size;
 
 const FORMAT: &str = "PNG";
 
-pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     let bytes_limit = usize::try_from(options.limits.memory_mb.saturating_mul(1_000_000)).unwrap_or(usize::MAX);
     let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: bytes_limit });
     decoder.set_transformations(Transformations::EXPAND); // palettes, 1 to 4 bits and the transparent colour
@@ -77,21 +77,21 @@ fn push_while_inflating<R: std::io::BufRead + std::io::Seek + Send>(
     Ok(())
 }
 
-fn layout<R: std::io::BufRead + std::io::Seek>(reader: &Reader<R>) -> Result<Layout, Error> {
+fn layout<R: std::io::BufRead + std::io::Seek>(reader: &Reader<R>) -> Result<SampleLayout, Error> {
     let (colour, depth) = reader.output_color_type();
     let (kind, alpha) = match colour {
-        ColorType::Grayscale => (Kind::Grey, false),
-        ColorType::GrayscaleAlpha => (Kind::Grey, true),
-        ColorType::Rgb => (Kind::Rgb, false),
-        ColorType::Rgba => (Kind::Rgb, true),
+        ColorType::Grayscale => (ColourKind::Grey, false),
+        ColorType::GrayscaleAlpha => (ColourKind::Grey, true),
+        ColorType::Rgb => (ColourKind::Rgb, false),
+        ColorType::Rgba => (ColourKind::Rgb, true),
         ColorType::Indexed => return Err(undecodable(FORMAT, "its palette is missing")),
     };
-    let depth = if depth == BitDepth::Sixteen { Depth::SixteenBigEndian } else { Depth::Eight };
-    Ok(Layout { kind, alpha, depth })
+    let depth = if depth == BitDepth::Sixteen { SampleDepth::SixteenBigEndian } else { SampleDepth::Eight };
+    Ok(SampleLayout { kind, alpha, depth })
 }
 
 /// By the order of the PNG specification: a profile, else that it is sRGB, else a gamma.
-fn meaning<R: std::io::BufRead + std::io::Seek>(job: &mut Job, reader: &Reader<R>, kind: Kind) -> Meaning {
+fn meaning<R: std::io::BufRead + std::io::Seek>(job: &mut Job, reader: &Reader<R>, kind: ColourKind) -> Meaning {
     let info = reader.info();
     match (&info.icc_profile, info.srgb, info.gama_chunk) {
         (None, None, Some(gamma)) => Meaning::from_encoding_gamma(gamma.into_value()),

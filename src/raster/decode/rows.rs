@@ -1,13 +1,15 @@
-//! Rows of a file's samples become the working picture: linear light, shrunk, upright.
+//! Rows of samples, of a file or in memory, become the working picture: linear light, shrunk, upright.
 
 use std::ops::Range;
 
 use image::metadata::Orientation;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::colour::{Meaning, apply_matrix};
-use super::light::{Layout, Light};
+use super::colour::{ColourKind, Meaning, apply_matrix};
+use super::job::{DecodeOptions, Decoded, Job};
+use super::light::{Light, SampleDepth, SampleLayout};
 use super::orient::{turned, upright};
+use crate::Error;
 use crate::raster::crop::PixelPart;
 use crate::raster::planes::{Planes, Raster};
 use crate::raster::shrink::{Extent, Shrinker};
@@ -42,7 +44,7 @@ pub(super) struct Samples {
 impl Samples {
     /// `target` is the upright working size.
     pub(super) fn new(
-        layout: Layout,
+        layout: SampleLayout,
         meaning: Meaning,
         source: Extents,
         target: Size,
@@ -117,7 +119,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Takes the next row as the layout says, [`Layout::row_bytes`] long.
+    /// Takes the next row as the layout says, [`SampleLayout::row_bytes`] long.
     pub(super) fn push(&mut self, row: &[u8]) {
         push(row, &mut self.samples.light, &mut self.shrink);
     }
@@ -135,4 +137,17 @@ fn push(row: &[u8], light: &mut Light, shrink: &mut Planes<Shrinker<f64>>) {
 
 fn finished(shrink: Planes<Shrinker<f64>>) -> Option<Planes<Vec<f32>>> {
     shrink.map(|shrinker| shrinker.finish_whole().map(|plane| plane.values)).all()
+}
+
+/// What pixels in memory are called where a file's format is named.
+const FORMAT: &str = "RGBA";
+
+/// The working picture of RGBA samples in sRGB, 8 bits each, that a program has in memory: treated as those of a PNG
+/// file with the same samples.
+pub(super) fn decode_rgba8(size: Size, pixels: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
+    let job = Job::begin(FORMAT, size, Orientation::NoTransforms, options)?;
+    let layout = SampleLayout { kind: ColourKind::Rgb, alpha: true, depth: SampleDepth::Eight };
+    let source = Extents::pixels(size.width, job.part);
+    let samples = Samples::new(layout, Meaning::Srgb, source, job.target, job.orientation);
+    job.end(samples.raster(pixels))
 }

@@ -2,7 +2,7 @@
 
 /// The formats that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Format {
+pub(super) enum PictureFormat {
     Jpeg,
     Png,
     WebP,
@@ -17,7 +17,7 @@ pub(super) enum Format {
     Gzip,
 }
 
-impl Format {
+impl PictureFormat {
     /// Its name in messages.
     pub(super) fn name(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl Format {
     }
 }
 
-impl Format {
+impl PictureFormat {
     /// Whether it is a format of documents, which have pages.
     pub(super) fn has_pages(self) -> bool {
         #[cfg(feature = "pdf")]
@@ -47,20 +47,20 @@ impl Format {
 }
 
 /// The format, or what the bytes look like instead if that is known.
-pub(super) fn format(bytes: &[u8]) -> Result<Format, Option<&'static str>> {
+pub(super) fn format(bytes: &[u8]) -> Result<PictureFormat, Option<&'static str>> {
     let starts = |magic: &[u8]| bytes.starts_with(magic);
     let at = |offset: usize, magic: &[u8]| bytes.get(offset..).is_some_and(|rest| rest.starts_with(magic));
     Ok(match () {
-        () if starts(b"\xFF\xD8\xFF") => Format::Jpeg,
-        () if starts(b"\x89PNG\r\n\x1A\n") => Format::Png,
-        () if starts(b"RIFF") && at(8, b"WEBP") => Format::WebP,
-        () if starts(b"II*\0") || starts(b"MM\0*") || starts(b"II+\0") || starts(b"MM\0+") => Format::Tiff,
-        () if is_bmp(bytes) => Format::Bmp,
-        () if starts(b"GIF87a") || starts(b"GIF89a") => Format::Gif,
-        () if is_pnm(bytes) => Format::Pnm,
-        () if starts(b"\x1F\x8B") => Format::Gzip,
+        () if starts(b"\xFF\xD8\xFF") => PictureFormat::Jpeg,
+        () if starts(b"\x89PNG\r\n\x1A\n") => PictureFormat::Png,
+        () if starts(b"RIFF") && at(8, b"WEBP") => PictureFormat::WebP,
+        () if starts(b"II*\0") || starts(b"MM\0*") || starts(b"II+\0") || starts(b"MM\0+") => PictureFormat::Tiff,
+        () if is_bmp(bytes) => PictureFormat::Bmp,
+        () if starts(b"GIF87a") || starts(b"GIF89a") => PictureFormat::Gif,
+        () if is_pnm(bytes) => PictureFormat::Pnm,
+        () if starts(b"\x1F\x8B") => PictureFormat::Gzip,
         #[cfg(feature = "pdf")]
-        () if is_pdf(bytes) => Format::Pdf,
+        () if is_pdf(bytes) => PictureFormat::Pdf,
         () => return root_element(bytes).map_or_else(|| Err(other(bytes)), |name| svg_or_not(&name)),
     })
 }
@@ -118,9 +118,9 @@ fn find(text: &[u8], what: &[u8]) -> Option<usize> {
     text.windows(what.len()).position(|window| window == what)
 }
 
-fn svg_or_not(root: &str) -> Result<Format, Option<&'static str>> {
+fn svg_or_not(root: &str) -> Result<PictureFormat, Option<&'static str>> {
     match root {
-        "svg" => Ok(Format::Svg),
+        "svg" => Ok(PictureFormat::Svg),
         "html" | "head" | "body" => Err(Some("a web page (HTML)")),
         _ => Err(Some("an XML file that is no SVG drawing")),
     }
@@ -172,7 +172,7 @@ mod tests {
             "<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' 'http://x/svg11.dtd'><svg >",
             "<!DOCTYPE svg [ <!ENTITY a '<b>'> ]><svg:svg width='1'>",
         ] {
-            assert_eq!(format(text.as_bytes()), Ok(Format::Svg), "{text}");
+            assert_eq!(format(text.as_bytes()), Ok(PictureFormat::Svg), "{text}");
         }
     }
 
@@ -200,7 +200,7 @@ mod tests {
         let late = [b"MIME-Version: 1.0\n\n".as_slice(), b"%PDF-1.4\n"].concat();
         for bytes in [b"%PDF-1.7".as_slice(), &late] {
             #[cfg(feature = "pdf")]
-            assert_eq!(format(bytes), Ok(Format::Pdf));
+            assert_eq!(format(bytes), Ok(PictureFormat::Pdf));
             #[cfg(not(feature = "pdf"))]
             assert_eq!(format(bytes), Err(Some("a PDF: save the page as a picture")));
         }

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 
 use tactograph::internals::devices::{Device, DotArea};
-use tactograph::internals::output::dots::{DotMatrix, Words, brf, index, pef, pixels, ubrl};
+use tactograph::internals::output::dots::{DocumentWords, DotMatrix, brf, index, pef, pixels, ubrl};
 
 /// Pages as the drivers name them, mm.
 const PAGES: [(&str, [f32; 2]); 11] = [
@@ -54,11 +54,11 @@ fn main() -> Outcome<()> {
     let basic = Device::named("index-basic-d-v3").ok_or("no Basic-D V3")?;
     let params = index::Params::new(basic, [210.0, 297.0], 2.0, 1, 1).map_err(|all| all.join("\n"))?;
     let eight = [random.page(104, 144)];
-    put("eight.png", &pixels::write(&eight[0], 2.0, false, &Words::default()))?;
+    put("eight.png", &pixels::write(&eight[0], 2.0, false, &DocumentWords::default()))?;
     put("eight.ubrl", ubrl::write(&eight).as_bytes())?;
     put("eight.idx", &index::write(&eight, &params))?;
     let six = [random.page(74, 108)];
-    put("six.png", &pixels::write(&six[0], 2.5, false, &Words::default()))?;
+    put("six.png", &pixels::write(&six[0], 2.5, false, &DocumentWords::default()))?;
     put("six.brf", brf::write(&six).as_bytes())?;
     // All cells of six dots in the order of Unicode.
     let mut cells = blank(2 * 64, 3);
@@ -75,12 +75,15 @@ fn main() -> Outcome<()> {
         steps.raise(x, 0, x as u8);
         steps.raise(3 - x, 1, x as u8);
     }
-    put("heights.png", &pixels::write(&steps, 1.27, true, &Words { title: "Heights", ..Words::default() }))?;
+    put(
+        "heights.png",
+        &pixels::write(&steps, 1.27, true, &DocumentWords { title: "Heights", ..DocumentWords::default() }),
+    )?;
 
     let words = [
         (
             "plain",
-            Words {
+            DocumentWords {
                 title: "A page",
                 description: "Of dots.",
                 language: "en-GB",
@@ -90,7 +93,7 @@ fn main() -> Outcome<()> {
         ),
         (
             "odd",
-            Words {
+            DocumentWords {
                 title: "<&>\"' ]]> \u{1}\n\u{fffe} żółć 𝔊",
                 description: "--> &amp;",
                 language: "no language",
@@ -103,7 +106,7 @@ fn main() -> Outcome<()> {
         let pages = [random.page(97, 139), random.page(3, 5), blank(0, 0)];
         put(&format!("{name}.pef"), pef::write(&pages, &words).as_bytes())?;
     }
-    put("none.pef", pef::write(&[], &Words::default()).as_bytes())?;
+    put("none.pef", pef::write(&[], &DocumentWords::default()).as_bytes())?;
     Ok(())
 }
 

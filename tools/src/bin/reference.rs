@@ -8,7 +8,7 @@
 
 use tactograph::internals::profile::{Plan, Profile};
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{Header, Options, decode};
+use tactograph::internals::raster::decode::{DecodeOptions, Header, decode};
 use tactograph::internals::units::Size;
 use tactograph_tools::reference::edges::quantile;
 use tactograph_tools::reference::{colours, edges, glyphs, scenes};
@@ -80,5 +80,5 @@ fn sample(name: &str) -> Result<Raster, Box<dyn std::error::Error>> {
         let side = |pixels: u32| (pixels as f32 * scale).round() as u32;
         Ok(Size::new(side(source.size.width), side(source.size.height)))
     };
-    Ok(decode(&bytes, &Options { keep_text: false, ..Options::whole(&working_size) })?.raster)
+    Ok(decode(&bytes, &DecodeOptions { keep_text: false, ..DecodeOptions::whole(&working_size) })?.raster)
 }

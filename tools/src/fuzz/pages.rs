@@ -1,6 +1,6 @@
 //! Pages, layers and lists that somebody else wrote, and files of dots.
 
-use tactograph::internals::output::dots::{DotMatrix, Words, brf, pef, text, ubrl};
+use tactograph::internals::output::dots::{DocumentWords, DotMatrix, brf, pef, text, ubrl};
 use tactograph::{Error, Format, Label, Options, Picture, Profile, RenderOptions};
 
 use super::is_clear;
@@ -118,6 +118,6 @@ pub(super) fn dots(bytes: &[u8]) {
         assert!(back.iter().map(raised).eq(want.iter().cloned()), "{name}: other dots come back");
     }
     let title = String::from_utf8_lossy(bytes);
-    let words = Words { title: &title, description: &title, language: &title, ..Words::default() };
+    let words = DocumentWords { title: &title, description: &title, language: &title, ..DocumentWords::default() };
     assert!(roxmltree_reads(&pef::write(&pages, &words)), "PEF that is no XML");
 }

@@ -1,7 +1,7 @@
 //! Pictures in, format by format.
 
 use tactograph::Error;
-use tactograph::internals::raster::decode::{Header, Limits, Options, decode};
+use tactograph::internals::raster::decode::{DecodeOptions, Header, Limits, decode};
 use tactograph::internals::units::Size;
 
 /// Working pixels along the longer side: all of decoding, little of shrinking.
@@ -49,7 +49,8 @@ fn decoded(bytes: &[u8]) {
         let side = |pixels: u32| ((pixels as f32 * scale) as u32).max(1);
         Ok(Size::new(side(source.size.width), side(source.size.height)))
     };
-    let options = Options { limits: LIMITS, keep_text: bytes.len() % 2 == 1, ..Options::whole(&working_size) };
+    let options =
+        DecodeOptions { limits: LIMITS, keep_text: bytes.len() % 2 == 1, ..DecodeOptions::whole(&working_size) };
     match decode(bytes, &options) {
         Ok(picture) => {
             let size = picture.raster.size();

@@ -2,7 +2,7 @@
 
 use tactograph::internals::geom::distance::distances;
 use tactograph::internals::page::{Class, Page};
-use tactograph::internals::touch::Felt;
+use tactograph::internals::touch::FeltCells;
 use tactograph::internals::units::{MmPoint, Size};
 
 use super::scenes::{Scene, Truth};
@@ -78,7 +78,7 @@ fn judged(scene: &Scene, mm_per_px: f32) -> Vec<(usize, usize, Option<Class>)> {
 }
 
 /// Holds what is felt on the page of a scene against the scene.
-pub fn judge(scene: &Scene, page: &Page, felt: &Felt) -> Tally {
+pub fn judge(scene: &Scene, page: &Page, felt: &FeltCells) -> Tally {
     let place = page.figure.place;
     let mm_per_px = place.width() / scene.side as f32;
     let mut tally = Tally::default();
@@ -92,7 +92,7 @@ pub fn judge(scene: &Scene, page: &Page, felt: &Felt) -> Tally {
 
 /// One texture all over a page, and what is felt of it: the share of places, further than [`INSIDE`] from its edge, that are
 /// felt as `class`.
-pub fn share_of_sample(class: Class, felt: &Felt, place: tactograph::internals::units::MmRect) -> f32 {
+pub fn share_of_sample(class: Class, felt: &FeltCells, place: tactograph::internals::units::MmRect) -> f32 {
     let inner = place.inflate(-INSIDE, -INSIDE);
     let (mut judged, mut right) = (0, 0);
     let steps = |side: f32| (side / EVERY) as u32;

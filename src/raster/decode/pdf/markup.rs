@@ -1,4 +1,4 @@
-//! The SVG text that hayro writes of a page, made fit for the way of drawings.
+//! The SVG text that hayro writes of a page, made acceptable to the decoder of drawings.
 //!
 //! hayro-svg 0.9 writes one element a line. Letters are `<use xlink:href="#g7"/>` of outlines, or `#e7` where the
 //! font's letters are drawings of their own (Type 3). Each path that is clipped stands in a group of its own, so that

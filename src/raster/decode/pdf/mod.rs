@@ -1,4 +1,4 @@
-//! Pages of PDF documents. hayro interprets a page and writes it as an SVG drawing, which goes the way of all drawings;
+//! Pages of PDF documents. hayro interprets a page and writes it as an SVG drawing, which is decoded as any other;
 //! its texts, which are outlines of letters there, come from the document itself.
 //!
 //! ```text
@@ -21,13 +21,13 @@ use std::sync::{Arc, Mutex};
 
 use self::unpacked::FORMAT;
 use super::drawing;
-use super::job::{Options, Picture, undecodable};
+use super::job::{DecodeOptions, Decoded, undecodable};
 use crate::raster::vector::DrawnText;
 use crate::units::Size;
 use crate::{Error, Note};
 
 /// The page of a document that is asked for; the first if none is.
-pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Error> {
+pub(super) fn decode(bytes: &[u8], options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     unpacked::check(bytes, options.limits)?;
     let pdf = Pdf::new(bytes.to_vec()).map_err(|fault| undecodable(FORMAT, why_not_opened(fault)))?;
     let pages = pdf.pages();
@@ -44,7 +44,7 @@ pub(super) fn decode(bytes: &[u8], options: &Options<'_>) -> Result<Picture, Err
     Ok(picture)
 }
 
-fn decode_page(page: &Page<'_>, options: &Options<'_>) -> Result<Picture, Error> {
+fn decode_page(page: &Page<'_>, options: &DecodeOptions<'_>) -> Result<Decoded, Error> {
     cost::check(page, options.limits)?;
     let warnings = Warnings::default();
     let settings = warnings.settings();

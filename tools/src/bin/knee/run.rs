@@ -9,7 +9,7 @@ use tactograph::internals::page::layout::{self, Layout};
 use tactograph::internals::page::{Figure, Overview, Page, Parts};
 use tactograph::internals::profile::Plan;
 use tactograph::internals::raster::Raster;
-use tactograph::internals::raster::decode::{self, Header, Options};
+use tactograph::internals::raster::decode::{self, DecodeOptions, Header};
 use tactograph::internals::raster::shrink::shrink;
 use tactograph::internals::textures;
 use tactograph::internals::units::{MmRect, PageTransform, Size};
@@ -48,7 +48,7 @@ pub(crate) fn run(picture: &Picture, plan: &Plan, eighths: Option<u32>) -> Resul
             None => working_size(source, plan),
         })
     };
-    let decoded = decode::decode(&picture.bytes, &Options::whole(&working_size))?;
+    let decoded = decode::decode(&picture.bytes, &DecodeOptions::whole(&working_size))?;
     let source = decoded.source.size;
     let working = self::working_size(decoded.source, plan);
     let raster = smaller(decoded.raster, working);

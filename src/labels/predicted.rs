@@ -3,14 +3,14 @@
 
 use super::placed::{Params, Wanted};
 use super::room::Room;
-use super::{begun, longer_ticks, titles};
+use super::{longer_ticks, place_rows_first, titles};
 use crate::braille::Translator;
 use crate::page::cells::CellGrid;
 use crate::units::{MmPoint, MmRect};
 
 /// A drawing that is not drawn yet, and its texts.
 #[derive(Debug)]
-pub struct Foretold<'a> {
+pub struct RowPrediction<'a> {
     /// Its texts, where they stand.
     pub wanted: &'a [Wanted],
     /// Points on its contours, no further apart than half a millimetre.
@@ -25,8 +25,13 @@ pub struct Foretold<'a> {
 
 /// How far labels in rows and columns reach out of a box on the left, above, on the right and below, mm; less than 0
 /// where they keep within it.
-pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Translator<'_>, within: MmRect) -> [f32; 4] {
-    let Foretold { wanted, contours, line_width, longer_to, params } = of;
+pub fn row_overhang(
+    of: &RowPrediction<'_>,
+    cells: &CellGrid<'_>,
+    translator: &Translator<'_>,
+    within: MmRect,
+) -> [f32; 4] {
+    let RowPrediction { wanted, contours, line_width, longer_to, params } = of;
     // the grid of a device may end at the box
     let cells = &cells.anywhere();
     let room = |contours: &[MmPoint]| Room::of_contours(params.area, contours, *line_width, params.clearance);
@@ -34,8 +39,8 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
     let longer = |least| longer_ticks(wanted, translator, cells, &as_drawn, params, least);
     let longer = longer_to.map(longer).unwrap_or_default();
     let room = if longer.is_empty() { as_drawn } else { room(&[contours, &longer[..]].concat()) };
-    let begun = begun(wanted, translator, cells, &room, params);
-    let placed = &begun.placed;
+    let rows = place_rows_first(wanted, translator, cells, &room, params);
+    let placed = &rows.placed;
     let [left, top, right, bottom] =
         placed.iter().flatten().fold([f32::NEG_INFINITY; 4], |[left, top, right, bottom], candidate| {
             let place = candidate.place;
@@ -46,6 +51,6 @@ pub fn rows_beyond(of: &Foretold<'_>, cells: &CellGrid<'_>, translator: &Transla
                 bottom.max(place.max.y - within.max.y),
             ]
         });
-    let above_titles = titles::top_of_headings(&begun.context(), placed).map_or(top, |above| within.min.y - above);
+    let above_titles = titles::top_of_headings(&rows.context(), placed).map_or(top, |above| within.min.y - above);
     [left, top.max(above_titles), right, bottom]
 }

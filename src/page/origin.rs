@@ -1,0 +1,121 @@
+//! What a page says of itself among the entries of how it was made, so that whoever checks or describes it later can
+//! tell: what was left out of it, and which of several sheets it is.
+
+use super::parts::{Page, TextRole};
+use crate::geom::ninths::most_of;
+
+const CONTOURS: &str = "contours left out in mm";
+const PLACES: &str = "contours left out in mm by ninths";
+const SHAPES: &str = "closed shapes not in the overview";
+
+/// Contours that were worth a line and are not drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LeftOut {
+    /// Their length, whole mm.
+    pub millimetres: u32,
+    /// Length of all that was worth a line, whole mm.
+    pub of: u32,
+    /// Their length in each of nine parts of the figure, row by row from the top left, whole mm.
+    pub by_place: Option<[u32; 9]>,
+    /// Closed shapes of a drawing that are not in its overview.
+    pub shapes: u32,
+}
+
+impl LeftOut {
+    /// As entries of a page's origin; nothing of nothing.
+    pub fn to_origin(self) -> Vec<(String, String)> {
+        let Self { millimetres, of, by_place, shapes } = self;
+        let mut origin = Vec::new();
+        if millimetres > 0 {
+            origin.push((CONTOURS.to_owned(), format!("{millimetres} of {of}")));
+            let list = |places: [u32; 9]| places.map(|mm| mm.to_string()).join(" ");
+            origin.extend(by_place.map(|places| (PLACES.to_owned(), list(places))));
+        }
+        if shapes > 0 {
+            origin.push((SHAPES.to_owned(), shapes.to_string()));
+        }
+        origin
+    }
+
+    /// What a page says of itself.
+    pub fn of(page: &Page) -> Self {
+        let value = |name: &str| page.origin.iter().find(|(of, _)| of == name).map(|(_, value)| value.as_str());
+        let whole = |text: &str| text.trim().parse::<u32>().ok();
+        let contours = value(CONTOURS).and_then(|text| text.split_once(" of "));
+        let (millimetres, of) = contours.and_then(|(a, b)| Some((whole(a)?, whole(b)?))).unwrap_or_default();
+        let places = value(PLACES).and_then(|text| text.split(' ').map(whole).collect::<Option<Vec<u32>>>());
+        let by_place = places.and_then(|places| places.try_into().ok());
+        let shapes = value(SHAPES).and_then(whole).unwrap_or_default();
+        Self { millimetres, of, by_place, shapes }
+    }
+
+    /// Share of what was worth a line, 0..=1.
+    pub fn share(&self) -> f32 {
+        if self.of > 0 { (self.millimetres as f32 / self.of as f32).min(1.0) } else { 0.0 }
+    }
+
+    /// The ninth of the figure in which most of it is, if there is one and that is known.
+    pub fn most_in(&self) -> Option<usize> {
+        most_of(self.by_place?.map(|mm| mm as f32))
+    }
+}
+
+const NAME: &str = "this sheet";
+const OVERVIEW: &str = "overview";
+const FOLLOWED: &str = "figure, its overview on the next sheet";
+const OVERVIEW_OF: &str = "overview of ";
+const AMONG: &str = " of ";
+
+/// A sheet among those of one picture.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum InSet {
+    /// The figure, whose overview has the next sheet to itself.
+    Followed,
+    /// The overview of the figure on the sheet before.
+    Overview,
+    /// The overview of a picture on sheets of these names.
+    OverviewOf(Vec<String>),
+    /// One of the sheets on which a picture lies: its name, and those of all.
+    One(String, Vec<String>),
+}
+
+impl InSet {
+    /// As an entry of a page's origin.
+    pub fn to_origin(&self) -> (String, String) {
+        let value = match self {
+            Self::Followed => FOLLOWED.to_owned(),
+            Self::Overview => OVERVIEW.to_owned(),
+            Self::OverviewOf(names) => format!("{OVERVIEW_OF}{}", names.join(" ")),
+            Self::One(name, names) => format!("{name}{AMONG}{}", names.join(" ")),
+        };
+        (NAME.to_owned(), value)
+    }
+
+    /// What a page says of itself; nothing of a page that stands alone.
+    pub fn of(page: &Page) -> Option<Self> {
+        let value = page.origin.iter().find(|(name, _)| name == NAME).map(|(_, value)| value.as_str())?;
+        let names = |text: &str| text.split_whitespace().map(str::to_owned).collect();
+        match value {
+            OVERVIEW => Some(Self::Overview),
+            FOLLOWED => Some(Self::Followed),
+            _ => match (value.strip_prefix(OVERVIEW_OF), value.split_once(AMONG)) {
+                (Some(all), _) => Some(Self::OverviewOf(names(all))),
+                (None, Some((name, all))) => Some(Self::One(name.to_owned(), names(all))),
+                (None, None) => None,
+            },
+        }
+    }
+}
+
+impl Page {
+    /// What this sheet is among those of its picture, in a word: the figure, its overview, its key, or the name of
+    /// one of the sheets on which a picture lies.
+    pub fn part_of_set(&self) -> String {
+        match InSet::of(self) {
+            Some(InSet::Overview | InSet::OverviewOf(_)) => "overview".to_owned(),
+            Some(InSet::One(name, _)) => name,
+            _ if self.braille.iter().any(|text| text.role == TextRole::Key) => "key".to_owned(),
+            _ => "figure".to_owned(),
+        }
+    }
+}
