@@ -64,7 +64,7 @@ use crate::picture::Picture;
 use crate::profile::Plan;
 use crate::units::{MmRect, Size};
 use crate::{Error, Note};
-use draw::{DrawnMarks, draw};
+use draw::{DrawnMarks, draw, find};
 use finish::{finished, origin, too_black};
 use progress::run;
 use request::OverviewSize;
@@ -126,7 +126,8 @@ pub fn convert_with_words<'p>(
         |drawing: &margins::Lettered<'_>, layout: Layout, layout_of: &dyn Fn(Size) -> Result<Layout, Error>| {
             margins::with_room(drawing, words, &written, request.plan, layout, layout_of)
         };
-    let marks = draw(picture.into(), (given, words), request, &layout_of, &with_room, watch)?;
+    let found = find(picture.into(), (given, words), request, &layout_of, &with_room, watch)?;
+    let marks = draw(found, given, request, watch)?;
     compose(marks, words, &written, request, watch)
 }
 

@@ -1,4 +1,5 @@
-//! Arrows: which way a line leads is what its head says, on paper, as dots, in words, and on pages that are laid out anew.
+//! Arrows: which way a line leads is what its head says, on paper, as dots, in words, and on pages that are laid out
+//! anew.
 
 use std::fmt::Write;
 
@@ -20,8 +21,8 @@ fn page_of(drawn: &str, profile_name: &str) -> Drawing {
     tactograph::convert(svg(drawn).as_bytes(), &Options::new(profile(profile_name))).expect("a page")
 }
 
-/// A cycle of four boxes with arrows from one to the next, clockwise from the upper left; `head` draws that of a tip and
-/// a direction.
+/// A cycle of four boxes with arrows from one to the next, clockwise from the upper left; `head` draws that of a tip
+/// and a direction.
 fn cycle(head: impl Fn([f32; 2], [f32; 2]) -> String) -> String {
     let mut drawn = String::new();
     for (x, y) in [(150, 150), (600, 150), (600, 420), (150, 420)] {

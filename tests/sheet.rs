@@ -1,5 +1,5 @@
-//! The sheet: on every profile and sample nothing leaves the margins, touches its neighbour or falls below what the profile
-//! promises, and changing one number does to the page what a person would expect.
+//! The sheet: on every profile and sample nothing leaves the margins, touches its neighbour or falls below what the
+//! profile promises, and changing one number does to the page what a person would expect.
 
 use crate::common::page::{of_sample, page_for};
 use crate::common::{apart, samples};

@@ -2,7 +2,7 @@
 
 use super::candidates::{Candidate, MIN_SPACING_ROUNDED};
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
-use super::groups::{Group, Orientation};
+use super::groups::{Group, GroupDirection};
 use super::placed::PlacedAs;
 use crate::units::{MmPoint, MmRect};
 
@@ -14,7 +14,7 @@ pub(super) fn each_as_it_fits(
     context: &Context<'_>,
     others: &[Option<Candidate>],
 ) -> Option<Vec<Candidate>> {
-    let Orientation::Column(edge) = group.lies else { return None };
+    let GroupDirection::Column(edge) = group.lies else { return None };
     if group.steps.is_some() || group.is_of_months {
         return None;
     }

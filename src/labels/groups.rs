@@ -17,7 +17,7 @@ const BY_HAND: f32 = 2.0;
 
 /// How the labels of a group lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Orientation {
+pub(super) enum GroupDirection {
     /// Side by side, in place of texts.
     Row,
     /// Side by side, below points.
@@ -56,7 +56,7 @@ pub(super) struct Group {
     /// Which they are.
     pub(super) members: Vec<usize>,
     /// In a row or a column.
-    pub(super) lies: Orientation,
+    pub(super) lies: GroupDirection,
     /// Of numbers along an axis, how many steps each lies from zero.
     pub(super) steps: Option<Vec<i64>>,
     /// Whether they are the months of a year.
@@ -66,7 +66,7 @@ pub(super) struct Group {
 }
 
 impl Group {
-    fn new(members: Vec<usize>, lies: Orientation) -> Self {
+    fn new(members: Vec<usize>, lies: GroupDirection) -> Self {
         Self { members, lies, steps: None, is_of_months: false, is_beside_column: false }
     }
 
@@ -86,11 +86,11 @@ pub(super) fn of(wanted: &[Wanted], is_written: impl Fn(usize) -> bool, is_low: 
         (0..wanted.len()).filter(|&label| is_written(label)).partition(|&label| !wanted[label].anchor.is_empty());
     let points: Vec<_> = points.into_iter().filter(|&at| is_low(at)).map(anchor).collect();
     let below = in_line(&points, |place| place.center().y, BY_HAND);
-    let below = below.into_iter().map(|members| Group::new(members, Orientation::BelowPoints));
+    let below = below.into_iter().map(|members| Group::new(members, GroupDirection::BelowPoints));
     let mut groups: Vec<Group> = below.chain(of_texts(&texts.into_iter().map(anchor).collect::<Vec<_>>())).collect();
     for group in &mut groups {
         let along = |label: &usize| match (group.lies, wanted[*label].anchor.center()) {
-            (Orientation::Column(_), at) => at.y,
+            (GroupDirection::Column(_), at) => at.y,
             (_, at) => at.x,
         };
         group.members.sort_by(|a, b| along(a).total_cmp(&along(b)));
@@ -106,7 +106,7 @@ pub(super) fn of(wanted: &[Wanted], is_written: impl Fn(usize) -> bool, is_low: 
             group.members = numbers;
         }
     }
-    let is_column = |group: &Group| matches!(group.lies, Orientation::Column(_));
+    let is_column = |group: &Group| matches!(group.lies, GroupDirection::Column(_));
     let are_columns = groups.iter().any(|group| is_column(group) && group.steps.is_some());
     groups.iter_mut().for_each(|group| group.is_beside_column = are_columns && !is_column(group));
     groups
@@ -119,7 +119,7 @@ type Coordinate = fn(MmRect) -> f32;
 /// axis end in line, names in a list begin so.
 fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
     let rows = in_line(texts, |place| place.center().y, ALIGNED);
-    let mut groups: Vec<Group> = rows.into_iter().map(|members| Group::new(members, Orientation::Row)).collect();
+    let mut groups: Vec<Group> = rows.into_iter().map(|members| Group::new(members, GroupDirection::Row)).collect();
     groups.sort_by_key(|group| std::cmp::Reverse(group.members.len()));
     let mut alone = texts.to_vec();
     loop {
@@ -131,7 +131,7 @@ fn of_texts(texts: &[(usize, MmRect)]) -> Vec<Group> {
                 Edge::Middle => |text| text.center().x,
             };
             let columns = in_line(&alone, coordinate, ALIGNED).into_iter();
-            columns.map(move |members| Group::new(members, Orientation::Column(edge)))
+            columns.map(move |members| Group::new(members, GroupDirection::Column(edge)))
         });
         match columns.reduce(|a, b| if b.members.len() > a.members.len() { b } else { a }) {
             Some(column) => groups.push(column),
@@ -167,7 +167,7 @@ mod tests {
         Wanted { text: text.to_owned(), anchor, led_from: None }
     }
 
-    fn groups(wanted: &[Wanted]) -> Vec<(Orientation, Vec<usize>)> {
+    fn groups(wanted: &[Wanted]) -> Vec<(GroupDirection, Vec<usize>)> {
         let groups = of(wanted, |_| true, |_| true);
         groups.into_iter().map(|group| (group.lies, group.members)).collect()
     }
@@ -187,7 +187,7 @@ mod tests {
         }));
         assert_eq!(
             groups(&wanted),
-            [(Orientation::Row, vec![1, 2, 0]), (Orientation::Column(Edge::Right), vec![5, 4, 3])]
+            [(GroupDirection::Row, vec![1, 2, 0]), (GroupDirection::Column(Edge::Right), vec![5, 4, 3])]
         );
         let all = of(&wanted, |_| true, |_| true);
         assert!(all[0].is_beside_column && all[0].steps.is_none());
@@ -201,7 +201,7 @@ mod tests {
             (0..count).map(|i| text("a", [10.0 * i as f32, 20.0 * i as f32 % 0.5, 3.0, 4.0])).collect()
         };
         assert_eq!(groups(&row(2)), []);
-        assert_eq!(groups(&row(4)), [(Orientation::Row, vec![0, 1, 2, 3])]);
+        assert_eq!(groups(&row(4)), [(GroupDirection::Row, vec![0, 1, 2, 3])]);
         let all = of(&row(4), |label| label != 2, |_| true);
         assert_eq!(all[0].members, [0, 1, 3]);
     }
@@ -210,7 +210,7 @@ mod tests {
     fn points_are_a_row_only_where_they_are_at_the_lower_side_of_shapes() {
         let points: Vec<Wanted> =
             [0.0, 1.5, 0.8].iter().zip([30.0, 10.0, 20.0]).map(|(y, x)| text("bar", [x, 50.0 + y, 0.0, 0.0])).collect();
-        assert_eq!(groups(&points), [(Orientation::BelowPoints, vec![1, 2, 0])]);
+        assert_eq!(groups(&points), [(GroupDirection::BelowPoints, vec![1, 2, 0])]);
         assert!(of(&points, |_| true, |_| false).is_empty());
     }
 }

@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::forms::{Form, FormKind, Forms};
-use super::groups::{Group, Orientation};
+use super::groups::{Group, GroupDirection};
 use super::placed::{Unplaced, Wanted};
 use super::scale;
 use crate::braille::Translator;
@@ -32,7 +32,7 @@ pub(super) fn add(
     // a text has one letter on all of a page
     let mut given: BTreeMap<&str, (String, Vec<u8>)> = BTreeMap::new();
     for group in
-        groups.iter_mut().filter(|group| !matches!(group.lies, Orientation::Column(_)) && group.steps.is_none())
+        groups.iter_mut().filter(|group| !matches!(group.lies, GroupDirection::Column(_)) && group.steps.is_none())
     {
         let texts: Vec<&str> = group.members.iter().map(|&label| wanted[label].text.as_str()).collect();
         let spelled = |letter: char| {

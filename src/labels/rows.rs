@@ -6,7 +6,7 @@ use super::candidates::{BEFORE_LEADER, Candidate, MIN_SPACING, MIN_SPACING_ROUND
 use super::columns::each_as_it_fits;
 use super::context::{ALONG, Context, REACH, both_ways, is_free};
 use super::forms::{Form, FormKind};
-use super::groups::{Group, OF_AN_AXIS, Orientation};
+use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::PlacedAs;
 use super::ticks;
 use crate::units::{MmPoint, MmRect, MmVector};
@@ -97,7 +97,7 @@ enum RowPlace {
 /// The arrangements and forms in which the labels of a group are tried, in this order.
 fn attempts(group: &Group) -> Vec<(Arrangement, FormLevel)> {
     let words = [FormLevel::Whole, FormLevel::TwoLines, FormLevel::Fitting, FormLevel::UnitOnce, FormLevel::Short];
-    let is_column = matches!(group.lies, Orientation::Column(_));
+    let is_column = matches!(group.lies, GroupDirection::Column(_));
     let at_most_rows = if is_column { 1 } else { 2 };
     let of = |at: RowPlace, levels: &[FormLevel]| -> Vec<(Arrangement, FormLevel)> {
         let arrangements = (1..=at_most_rows).map(|rows| Arrangement { rows, at });
@@ -123,7 +123,7 @@ fn attempts(group: &Group) -> Vec<(Arrangement, FormLevel)> {
 /// All labels of a group in the first form in which they have room together; in a second row where one is too short.
 fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) -> Option<Vec<Candidate>> {
     let fits = |label: usize, form: &Form| match group.lies {
-        Orientation::Column(edge) => {
+        GroupDirection::Column(edge) => {
             let (anchor, area, width) =
                 (context.wanted[label].anchor, context.params.area, form.extent(context.cells).x);
             let left = edge.left_of(anchor, width);
@@ -137,7 +137,7 @@ fn of_group(group: &Group, context: &Context<'_>, placed: &[Option<Candidate>]) 
         forms.is_ok_and(|forms| forms.forms.iter().any(|form| form.kind == FormKind::Bare))
     };
     let mut numbers = 0..group.members.len();
-    let with_unit = if matches!(group.lies, Orientation::Column(_)) {
+    let with_unit = if matches!(group.lies, GroupDirection::Column(_)) {
         numbers.find(has_unit)
     } else {
         numbers.rev().find(has_unit)
@@ -237,7 +237,7 @@ impl<'a> RowOfLabels<'a> {
         let steps = |mm: f32| (mm / step).ceil() as i32;
         let (nearest, furthest) = if at == RowPlace::Led { (steps(REACH), steps(FAR)) } else { (0, steps(REACH)) };
         // offsets below are tried before those above
-        let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != Orientation::BelowPoints;
+        let is_wanted = |offset: &i32| *offset >= 0 || self.group.lies != GroupDirection::BelowPoints;
         let offsets = both_ways(nearest, furthest).filter(is_wanted).map(|offset| offset as f32 * step);
         let offsets: Vec<f32> = offsets.collect();
         starts.into_iter().find_map(|start| {
@@ -285,17 +285,19 @@ impl<'a> RowOfLabels<'a> {
         let (anchor, size) = (self.context.wanted[self.group.members[number]].anchor, self.sizes[number]);
         let below = (number % self.arrangement.rows) as f32 * self.pitch;
         match (self.group.lies, start) {
-            (Orientation::Column(edge), Start::Margin(start)) => {
+            (GroupDirection::Column(edge), Start::Margin(start)) => {
                 MmPoint::new(start + edge.share() * (self.largest.x - size.x) + offset, begin)
             }
-            (Orientation::Column(edge), Start::Anchors) => MmPoint::new(edge.left_of(anchor, size.x) + offset, begin),
-            (Orientation::Row | Orientation::BelowPoints, Start::Margin(start)) => {
+            (GroupDirection::Column(edge), Start::Anchors) => {
+                MmPoint::new(edge.left_of(anchor, size.x) + offset, begin)
+            }
+            (GroupDirection::Row | GroupDirection::BelowPoints, Start::Margin(start)) => {
                 MmPoint::new(begin, start + offset + below)
             }
-            (Orientation::Row, Start::Anchors) => {
+            (GroupDirection::Row, Start::Anchors) => {
                 MmPoint::new(begin, anchor.center().y - 0.5 * self.largest.y + offset + below)
             }
-            (Orientation::BelowPoints, Start::Anchors) => {
+            (GroupDirection::BelowPoints, Start::Anchors) => {
                 MmPoint::new(begin, anchor.max.y + BELOW_POINTS + offset + below)
             }
         }
@@ -320,10 +322,10 @@ impl<'a> RowOfLabels<'a> {
         let mean = members.iter().fold(MmVector::zero(), |sum, label| sum + middle(label).to_vector() / count);
         let blank = self.context.params.clearance + self.context.params.step;
         let (starts, is_second_nearer) = match self.group.lies {
-            Orientation::Column(_) => {
+            GroupDirection::Column(_) => {
                 ([lines.min.x - blank - width, lines.max.x + blank], mean.x > SECOND_SIDE * lines.width() + lines.min.x)
             }
-            Orientation::Row | Orientation::BelowPoints => (
+            GroupDirection::Row | GroupDirection::BelowPoints => (
                 [lines.max.y + blank.max(corner), lines.min.y - blank.max(corner) - height],
                 mean.y < (1.0 - SECOND_SIDE) * lines.height() + lines.min.y,
             ),
@@ -346,7 +348,7 @@ fn leader(place: MmRect, anchor: MmPoint) -> [MmPoint; 2] {
 /// Where labels of these sizes begin along a row (for columns: down it), as near to their anchors as they can stand
 /// side by side, and how far each may be moved; none if one would have to be moved too far.
 fn along(group: &Group, sizes: &[MmVector], rows: usize, context: &Context<'_>) -> Option<Vec<(f32, f32)>> {
-    let is_column = matches!(group.lies, Orientation::Column(_));
+    let is_column = matches!(group.lies, GroupDirection::Column(_));
     let of_point = |at: MmPoint| if is_column { at.y } else { at.x };
     let of_size = |size: MmVector| if is_column { size.y } else { size.x };
     let blank = if is_column { MIN_SPACING.above() } else { MIN_SPACING.aside() };

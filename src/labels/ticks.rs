@@ -1,7 +1,7 @@
 //! Which numbers along an axis have a tick on the page: where only some have one, those are the numbers that stay, as
 //! readers count ticks.
 
-use super::groups::{Group, Orientation};
+use super::groups::{Group, GroupDirection};
 use super::placed::Wanted;
 use super::room::Room;
 use super::scale::EVERY;
@@ -69,13 +69,14 @@ pub(super) fn pitch(group: &Group, wanted: &[Wanted]) -> Option<f32> {
 }
 
 fn along(group: &Group, at: MmPoint) -> f32 {
-    if matches!(group.lies, Orientation::Column(_)) { at.y } else { at.x }
+    if matches!(group.lies, GroupDirection::Column(_)) { at.y } else { at.x }
 }
 
 /// Where ticks of numbers of upright axes will lie that are shorter than lines have to be, and are drawn longer towards
 /// their numbers: the points of those pieces.
 pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f32) -> Vec<MmPoint> {
-    let columns = groups.iter().filter(|group| group.steps.is_some() && matches!(group.lies, Orientation::Column(_)));
+    let columns =
+        groups.iter().filter(|group| group.steps.is_some() && matches!(group.lies, GroupDirection::Column(_)));
     let piece = |label: &usize| {
         let place = wanted[*label].anchor;
         // the first piece of a line beside the number, and where it ends
@@ -105,7 +106,7 @@ pub(super) fn longer(groups: &[Group], wanted: &[Wanted], room: &Room, least: f3
 fn with_tick(group: &Group, wanted: &[Wanted], room: &Room) -> Vec<bool> {
     let Some(pitch) = pitch(group, wanted) else { return vec![false; group.members.len()] };
     let (across, beside) = match group.lies {
-        Orientation::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
+        GroupDirection::Column(_) => (MmVector::new(1.0, 0.0), MmVector::new(0.0, BESIDE * pitch)),
         _ => (MmVector::new(0.0, 1.0), MmVector::new(BESIDE * pitch, 0.0)),
     };
     let has_tick = |&label: &usize| {

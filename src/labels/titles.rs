@@ -3,7 +3,7 @@
 
 use super::candidates::{Candidate, MIN_SPACING, MIN_SPACING_ROUNDED};
 use super::context::Context;
-use super::groups::{Group, OF_AN_AXIS, Orientation};
+use super::groups::{Group, GroupDirection, OF_AN_AXIS};
 use super::placed::PlacedAs;
 use crate::units::{MmPoint, MmRect, MmVector};
 
@@ -28,7 +28,7 @@ pub(super) fn place(groups: &[Group], context: &Context<'_>, placed: &mut [Optio
         let beside = groups.iter().filter_map(|group| Some((gap(label, group, context)?, group)));
         let Some((_, group)) = beside.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         placed[label] = at_axis(label, group, context, placed);
-        if matches!(group.lies, Orientation::Column(_)) {
+        if matches!(group.lies, GroupDirection::Column(_)) {
             of_upright.push(label);
         }
     }
@@ -47,14 +47,14 @@ fn gap(label: usize, group: &Group, context: &Context<'_>) -> Option<f32> {
     // what stands among lines is the name of one of them, or of a sample in a legend
     let lines = context.room.bounds()?;
     let gap = match group.lies {
-        Orientation::Column(_)
+        GroupDirection::Column(_)
             if (is_turned || is_beside && group.steps.is_some())
                 && (all.min.y..all.max.y).contains(&at.y)
                 && !(lines.min.x..lines.max.x).contains(&at.x) =>
         {
             (all.min.x - at.x).max(at.x - all.max.x)
         }
-        Orientation::Row
+        GroupDirection::Row
             if !is_turned && !text.is_empty() && (all.min.x..all.max.x).contains(&at.x) && at.y > lines.max.y =>
         {
             at.y - all.max.y
@@ -75,12 +75,12 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
     let in_print = extent(group.members.iter().map(|&member| context.wanted[member].anchor))?;
     let text = context.wanted[label].anchor;
     let is_left = text.center().x < in_print.min.x;
-    let furthest = if group.lies == Orientation::Row { AWAY } else { ABOVE };
+    let furthest = if group.lies == GroupDirection::Row { AWAY } else { ABOVE };
     let in_form = |(number, form): (usize, &super::forms::Form)| {
         let size = form.extent(context.cells);
         // where it stands if it is free, and in which direction it goes where it is not
         let (at, away) = match group.lies {
-            Orientation::Column(_) => {
+            GroupDirection::Column(_) => {
                 let x = if is_left { row.min.x } else { row.max.x - size.x };
                 (MmPoint::new(x, row.min.y - MIN_SPACING.above() - size.y), -1.0)
             }
@@ -88,8 +88,8 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
         };
         // beside an axis it would stand above what the axis is that of, such as the first bar of a chart
         let is_above = |corner: MmPoint| match group.lies {
-            Orientation::Column(_) if is_left => corner.x <= row.max.x,
-            Orientation::Column(_) => corner.x + size.x >= row.min.x,
+            GroupDirection::Column(_) if is_left => corner.x <= row.max.x,
+            GroupDirection::Column(_) => corner.x + size.x >= row.min.x,
             _ => true,
         };
         let at_end = MmPoint::new(row.max.x + MIN_SPACING.aside(), row.max.y - size.y);
@@ -111,7 +111,7 @@ fn at_axis(label: usize, group: &Group, context: &Context<'_>, placed: &[Option<
             is_above(at + by).then(|| free(at + by, by.x.abs() + by.y.abs())).flatten()
         });
         let nearest = moved.min_by(|a, b| a.cost.total_cmp(&b.cost));
-        nearest.or_else(|| free(at_end, AWAY).filter(|_| group.lies == Orientation::Row))
+        nearest.or_else(|| free(at_end, AWAY).filter(|_| group.lies == GroupDirection::Row))
     };
     forms.iter().enumerate().filter(|(_, form)| form.kind.is_of_one()).find_map(in_form)
 }

@@ -16,11 +16,11 @@ const LEAST_CELLS: u32 = 8;
 /// A cell is flat up to this standard deviation of its lightness, of 100: the edge of a shadow that is ten cells wide
 /// gives 1, that of a tint of 0.84 (#d6d6d6) across a cell 8.
 const FLAT: f32 = 1.4;
-/// ... and by this many standard deviations of the noise more.
+/// With noise, a cell is flat up to this many standard deviations of the noise more.
 const FLAT_NOISE: f32 = 1.8;
-/// Two flat cells are of one part up to this step, in logarithms of linear light ...
+/// Two flat cells are of one part up to this step, in logarithms of linear light.
 const STEP: f32 = 0.10;
-/// ... and this much more for each unit of noise.
+/// With noise, they are so up to this much more for each unit of it.
 const STEP_NOISE: f32 = 0.02;
 /// What is darker, in linear light, is as dark as this.
 const BLACK: f32 = 1e-4;

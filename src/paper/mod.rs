@@ -62,7 +62,7 @@ const PAINTED: f32 = 0.05;
 const EVEN: f32 = 0.07;
 /// Paper as light as this everywhere, in HSL lightness of its cells, is blank already (`colours.white_from` is 0.92).
 const WHITE: f32 = 0.935;
-/// ... but for so many cells of a hundred.
+/// Greatest share of the cells of blank paper that are darker.
 const NOT_WHITE: f32 = 0.02;
 /// Least share of the picture that one part of the paper has. Maps with a narrow margin have a tenth.
 const LEAST_SHARE: f32 = 0.06;
@@ -80,9 +80,9 @@ const SAME_HUE: f32 = 0.12;
 const SAME_LIGHT: f32 = 0.10;
 /// Rounds in which paper that lies apart is found: one beside the other, or ring in ring.
 const ROUNDS: usize = 4;
-/// What is lighter than paper by this, in logarithms of linear light, is no ink on it ...
+/// What is lighter than paper by this, in logarithms of linear light, is no ink on it.
 const LIGHTER: f32 = 0.15;
-/// ... and this share of the picture shows that the paper was none: a spot of glare is smaller.
+/// This share of the picture that is so much lighter shows that the paper was none: a spot of glare is smaller.
 const LIGHTER_SHARE: f32 = 0.02;
 
 impl Paper {

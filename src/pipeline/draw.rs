@@ -55,7 +55,7 @@ pub(super) struct DrawnMarks {
 pub(super) type WithRoom<'a> = dyn Fn(&Lettered<'_>, Layout, &dyn Fn(Size) -> Result<Layout, Error>) -> Layout + 'a;
 
 /// A picture that is read and laid out, with its contours.
-struct Found {
+pub(super) struct Found {
     picture: decode::Decoded,
     is_flat: bool,
     layout: Layout,
@@ -69,8 +69,8 @@ struct Found {
 }
 
 /// Reads a picture, lays it out where `layout_of` its size says, `with_room` for the texts in it, and finds its
-/// contours.
-fn find(
+/// contours: what [`draw`] draws.
+pub(super) fn find(
     picture: Picture<'_>,
     (given, words): (&Given, &Words<'_>),
     request: &Request<'_>,
@@ -110,19 +110,15 @@ fn find(
     Ok(Found { picture, is_flat, layout, texts, edges, erased, calmed_around, notes })
 }
 
-/// Everything but the page: decodes a picture and draws it where `layout_of` its size says, `with_room` for the
-/// texts in it.
+/// Everything but the page: draws the contours and colours that were found.
 pub(super) fn draw(
-    picture: Picture<'_>,
-    (given, words): (&Given, &Words<'_>),
+    found: Found,
+    given: &Given,
     request: &Request<'_>,
-    layout_of: &LayoutOf<'_>,
-    with_room: &WithRoom<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<DrawnMarks, Error> {
     let plan = request.plan;
-    let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } =
-        find(picture, (given, words), request, layout_of, with_room, watch)?;
+    let Found { picture, is_flat, layout, texts, edges, erased, calmed_around, mut notes } = found;
     let has_lines = plan.profile().figure.lines && !edges.is_empty();
     // lines that a person gave stay as they are
     let may_join = given.lines.is_none();

@@ -26,8 +26,8 @@ const LACKS: f32 = 0.15;
 
 /// The overview's lines are drawn from the contours anew for their own smaller size: the same millimetre rules leave
 /// fewer. Of a drawing, each ring is drawn whole or not at all, and where that leaves out too much the overview is
-/// larger, as far as the sheet has room below the figure; of a photograph it is larger from the first ([`super::request::OverviewSize`]). A figure
-/// with outlines of regions has those `of_figure`.
+/// larger, as far as the sheet has room below the figure; of a photograph it is larger from the first
+/// ([`super::request::OverviewSize`]). A figure with outlines of regions has those `of_figure`.
 pub(super) fn draw_overview(
     edges: &Edges,
     of_figure: Option<&Chosen>,
@@ -40,7 +40,7 @@ pub(super) fn draw_overview(
         None => "overview.on is off",
         Some(_) if edges.is_empty() => "there are no contours",
         Some(place) => {
-            let figure = Figure { edges, of_figure, layout, plan };
+            let figure = OverviewSource { edges, of_figure, layout, plan };
             return run(watch, Stage::Overview, || figure.overview(place, may_join));
         }
     };
@@ -62,7 +62,7 @@ pub(super) struct DrawnOverview {
 }
 
 /// An overview in one place.
-struct Overview {
+struct PlacedOverview {
     place: MmRect,
     lines: Vec<Line>,
     /// What is not drawn.
@@ -71,14 +71,14 @@ struct Overview {
 }
 
 /// What an overview is drawn of.
-struct Figure<'a> {
+struct OverviewSource<'a> {
     edges: &'a Edges,
     of_figure: Option<&'a Chosen>,
     layout: &'a Layout,
     plan: &'a Plan,
 }
 
-impl Figure<'_> {
+impl OverviewSource<'_> {
     fn overview(&self, place: MmRect, may_join: bool) -> DrawnOverview {
         let detail = self.plan.lines().detail;
         let mut best = self.draw_at(self.place_of_photograph().unwrap_or(place), detail);
@@ -92,7 +92,7 @@ impl Figure<'_> {
             }
         }
         let (drawn, instead) = if may_join { self.with_whole_bars(best, place) } else { (best, None) };
-        let Overview { place, lines, lost, subjects_lacking } = drawn;
+        let PlacedOverview { place, lines, lost, subjects_lacking } = drawn;
         let lost = if self.edges.of_drawing() { lost } else { Lost::default() };
         let subjects_lacking = if lines.is_empty() { 0 } else { subjects_lacking };
         DrawnOverview { marks: (!lines.is_empty()).then_some((place, lines)), lost, subjects_lacking, instead }
@@ -100,7 +100,7 @@ impl Figure<'_> {
 
     /// An overview whose bars are whole, if those of a chart are torn in this one: in the same place or in a larger
     /// one.
-    fn with_whole_bars(&self, drawn: Overview, place: MmRect) -> (Overview, Option<BarStyle>) {
+    fn with_whole_bars(&self, drawn: PlacedOverview, place: MmRect) -> (PlacedOverview, Option<BarStyle>) {
         let &Self { edges, layout, plan, .. } = self;
         if plan.lines().most_shapes.is_some() {
             return (drawn, None);
@@ -111,7 +111,7 @@ impl Figure<'_> {
         let draw = |edges: &Edges, at: &PageTransform, detail: f32| {
             let of_transform = transforms.iter().zip(&places).find(|(transform, _)| *transform == at);
             let place = of_transform.map_or(place, |(_, place)| *place);
-            Figure { edges, ..*self }.draw_at(place, detail)
+            OverviewSource { edges, ..*self }.draw_at(place, detail)
         };
         let first = transform(&drawn.place);
         let (tolerances, detail) = (BarTolerances::of(layout, plan), plan.lines().detail);
@@ -121,13 +121,13 @@ impl Figure<'_> {
             tolerances,
             detail,
             draw: &draw,
-            lines: &|drawn: &Overview| &drawn.lines,
+            lines: &|drawn: &PlacedOverview| &drawn.lines,
         };
         redraw.whole(drawn, &first)
     }
 
     /// The overview's lines in this place, and what is not drawn.
-    fn draw_at(&self, place: MmRect, detail: f32) -> Overview {
+    fn draw_at(&self, place: MmRect, detail: f32) -> PlacedOverview {
         let &Self { edges, of_figure, layout, plan } = self;
         let transform = PageTransform::new(edges.size, place);
         let all = lines::Params { detail, ..plan.lines() };
@@ -151,7 +151,7 @@ impl Figure<'_> {
             }
         }
         let subjects_lacking = outlines.subjects_lacking(&transform, params.min_length);
-        Overview { place, lines: drawn.lines, lost: drawn.lost, subjects_lacking }
+        PlacedOverview { place, lines: drawn.lines, lost: drawn.lost, subjects_lacking }
     }
 
     /// Where the overview of a photograph lies on printed paper that has more room below the figure than it needs.

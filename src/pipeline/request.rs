@@ -88,8 +88,9 @@ impl Fit {
     }
 }
 
-/// How many times as large as the profile asks for the overview of a photograph is. At 0.5 of the figure it agrees with what people outline to an F of .55, at 0.4 of .53
-/// (`docs/photographs.md`), and one hand still covers it: 85 mm of a figure as wide as an A4 sheet.
+/// How many times as large as the profile asks for the overview of a photograph is. At 0.5 of the figure it agrees with
+/// what people outline to an F of .55, at 0.4 of .53 (`docs/photographs.md`), and one hand still covers it: 85 mm of a
+/// figure as wide as an A4 sheet.
 pub(super) const OF_PHOTOGRAPH: f32 = 1.25;
 
 /// How large the overview is laid out.

@@ -1,6 +1,6 @@
 //! From bytes to a picture on several sheets.
 
-use super::draw::{DrawnMarks, draw};
+use super::draw::{DrawnMarks, draw, find};
 use super::finish::{finished, origin, title_of_overview, too_black};
 use super::given::Given;
 use super::lost_signs;
@@ -63,14 +63,9 @@ pub fn convert<'p>(
     let plan = request.plan;
     let written = WrittenWords::new(words, plan);
     let lay = |size| lay(size, grid, &written, request);
-    let marks = draw(
-        picture.into(),
-        (given, words),
-        request,
-        &|size, _| Ok(together(&lay(size)?)),
-        &|_, layout, _| layout,
-        watch,
-    )?;
+    let layout_of = |size: Size, _| Ok(together(&lay(size)?));
+    let found = find(picture.into(), (given, words), request, &layout_of, &|_, layout, _| layout, watch)?;
+    let marks = draw(found, given, request, watch)?;
     let DrawnMarks { mut figure, overview, layout, is_flat, left_out, lost_signs, texts, mut notes } = marks;
     notes.extend(lost_signs::told(&lost_signs, &texts, words, &figure));
     if words.own_texts {

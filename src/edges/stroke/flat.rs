@@ -10,9 +10,9 @@ use crate::units::Size;
 const NOISY: f32 = 3.0;
 /// Up to this noise pixels tell by themselves what is flat.
 const QUIET_ENOUGH: f32 = 1.0;
-/// ... otherwise squares of this side, px, whose means differ by no more than this from their neighbours', in units of
-/// strength. Scans of worksheets with noise of 4 to 8 of 255 have shares of 0.80 to 0.87 of them, of 100 photographs
-/// (BSDS500, train and val) none more than 0.45.
+/// With more noise squares of this side tell, px, whose means differ by no more than this from their neighbours', in
+/// units of strength. Scans of worksheets with noise of 4 to 8 of 255 have shares of 0.80 to 0.87 of them, of 100
+/// photographs (BSDS500, train and val) none more than 0.45.
 const SQUARE: u32 = 4;
 const FLAT_SQUARES: f32 = 1.2;
 /// With lossy compression chroma has steps where light falls off across tinted paper. There squares also count as flat
@@ -23,7 +23,7 @@ const LOSSY_CHROMA: f32 = 0.5;
 const LOSSY_SHARE: f32 = 0.8;
 /// Two neighbouring pixels that differ by no more than this, in units of strength, are flat: a code value and a half.
 const FLAT: f32 = 0.6;
-/// ... or by no more than this many standard deviations of the noise.
+/// With noise, two neighbouring pixels are flat that differ by no more than this many standard deviations of it.
 const FLAT_NOISE: f32 = 3.0;
 /// A picture is a drawing if at least this share of its pixels is flat. Drawings and scanned worksheets have 0.85 to
 /// 0.99, photographs rarely more than 0.5.

@@ -1,7 +1,7 @@
 //! Heads of arrows among the contours of a drawing.
 
 use super::measures::{HEADING, end};
-use super::shapes::{Tip, is_leg, tips};
+use super::shapes::{HeadTip, is_leg, tips};
 use crate::geom::nearby::Index;
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -24,7 +24,7 @@ const CELL: f32 = 5.0;
 
 /// The end of a line.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End {
+pub(super) struct LineEnd {
     pub(super) line: usize,
     pub(super) at_start: bool,
     pub(super) at: MmPoint,
@@ -33,9 +33,9 @@ pub(super) struct End {
 }
 
 /// A head that was found.
-pub(super) struct Head {
-    pub(super) tip: Tip,
-    pub(super) shaft: End,
+pub(super) struct FoundHead {
+    pub(super) tip: HeadTip,
+    pub(super) shaft: LineEnd,
     /// The contours that it is.
     pub(super) lines: Vec<usize>,
 }
@@ -44,9 +44,9 @@ pub(super) struct Head {
 pub(super) struct Contours<'a> {
     polylines: &'a [Polyline<Vertex>],
     /// By place: the tips of a contour, with its number.
-    tips: Index<(usize, Tip), Mm>,
+    tips: Index<(usize, HeadTip), Mm>,
     /// By place: the ends of open contours.
-    ends: Index<End, Mm>,
+    ends: Index<LineEnd, Mm>,
     /// Which may be heads, and which strokes of them.
     is_head: Vec<bool>,
     is_leg: Vec<bool>,
@@ -68,7 +68,7 @@ impl<'a> Contours<'a> {
             }
             for at_start in [true, false].into_iter().filter(|_| !polyline.closed) {
                 if let (Some(at), Some(heading)) = (end(polyline, at_start), heading(polyline, at_start, HEADING)) {
-                    all.ends.put_at(at, End { line, at_start, at, heading });
+                    all.ends.put_at(at, LineEnd { line, at_start, at, heading });
                 }
             }
         }
@@ -76,8 +76,8 @@ impl<'a> Contours<'a> {
     }
 
     /// The heads of arrows; no contour is part of two.
-    pub(super) fn heads(&self) -> Vec<Head> {
-        let mut heads: Vec<Head> = Vec::new();
+    pub(super) fn heads(&self) -> Vec<FoundHead> {
+        let mut heads: Vec<FoundHead> = Vec::new();
         if self.is_leg.iter().chain(&self.is_head).all(|is_part| !is_part) {
             return heads;
         }
@@ -86,14 +86,14 @@ impl<'a> Contours<'a> {
             for at_start in [true, false] {
                 let ends = end(polyline, at_start).zip(heading(polyline, at_start, HEADING));
                 let Some((at, heading)) = ends else { continue };
-                let shaft = End { line, at_start, at, heading };
+                let shaft = LineEnd { line, at_start, at, heading };
                 let Some((tip, lines)) = self.whole(&shaft, &taken).or_else(|| self.of_legs(&shaft, &taken)) else {
                     continue;
                 };
                 let is_long = polyline.length() >= SHAFT * tip.axis().length();
                 if is_long && !taken[line] && !self.goes_on(&tip, line) {
                     lines.iter().for_each(|line| taken[*line] = true);
-                    heads.push(Head { tip, shaft, lines });
+                    heads.push(FoundHead { tip, shaft, lines });
                 }
             }
         }
@@ -101,8 +101,8 @@ impl<'a> Contours<'a> {
     }
 
     /// A head of one contour at the end of a shaft.
-    fn whole(&self, shaft: &End, taken: &[bool]) -> Option<(Tip, Vec<usize>)> {
-        let mut best: Option<(f32, usize, Tip)> = None;
+    fn whole(&self, shaft: &LineEnd, taken: &[bool]) -> Option<(HeadTip, Vec<usize>)> {
+        let mut best: Option<(f32, usize, HeadTip)> = None;
         self.tips.around(shaft.at, shaft.at, BESIDE, |&(line, tip)| {
             if line == shaft.line || taken[line] || !fits(&tip, shaft) || !self.is_free(&tip, line) {
                 return;
@@ -116,7 +116,7 @@ impl<'a> Contours<'a> {
     }
 
     /// A head of two strokes that begin at the end of a shaft.
-    fn of_legs(&self, shaft: &End, taken: &[bool]) -> Option<(Tip, Vec<usize>)> {
+    fn of_legs(&self, shaft: &LineEnd, taken: &[bool]) -> Option<(HeadTip, Vec<usize>)> {
         let mut sides: [Option<(f32, usize, MmPoint)>; 2] = [None; 2];
         self.ends.around(shaft.at, shaft.at, BESIDE, |leg| {
             let far = (leg.at - shaft.at).length();
@@ -130,13 +130,13 @@ impl<'a> Contours<'a> {
             }
         });
         let [Some((_, left, one)), Some((_, right, other))] = sides else { return None };
-        let tip = Tip::of(shaft.at, [one, other])?;
+        let tip = HeadTip::of(shaft.at, [one, other])?;
         let are_free = [(one, left), (other, right)].iter().all(|&(wing, of)| self.is_free_end(wing, of));
         (fits(&tip, shaft) && are_free).then(|| (tip, vec![left, right]))
     }
 
     /// Whether the ends of an open contour touch nothing: those of a roof stand on walls.
-    fn is_free(&self, tip: &Tip, line: usize) -> bool {
+    fn is_free(&self, tip: &HeadTip, line: usize) -> bool {
         let is_outline = self.polylines[line].closed;
         is_outline || tip.wings.iter().all(|wing| self.is_free_end(*wing, line))
     }
@@ -150,7 +150,7 @@ impl<'a> Contours<'a> {
     }
 
     /// Whether another line goes on at a tip where the shaft ends: then the triangle is a sign within a line.
-    fn goes_on(&self, tip: &Tip, shaft: usize) -> bool {
+    fn goes_on(&self, tip: &HeadTip, shaft: usize) -> bool {
         let Some(axis) = tip.axis().try_normalize() else { return true };
         let mut goes_on = false;
         self.ends.around(tip.apex, tip.apex, BESIDE, |end| {
@@ -164,7 +164,7 @@ impl<'a> Contours<'a> {
 }
 
 /// Whether a head is that of a shaft: it points as that leads, and lies before it.
-fn fits(tip: &Tip, shaft: &End) -> bool {
+fn fits(tip: &HeadTip, shaft: &LineEnd) -> bool {
     let Some(axis) = tip.axis().try_normalize() else { return false };
     let length = tip.axis().length();
     let along = (shaft.at - tip.base()).dot(axis);

@@ -12,9 +12,9 @@ const LENGTH: std::ops::RangeInclusive<f32> = 0.8 * LENGTHS[2]..=1.5 * LENGTHS[0
 const ALIKE: f32 = 0.8;
 /// How much its spread may differ from that which is drawn, degrees; on a grid it is 45.
 const SPREADS: std::ops::RangeInclusive<f32> = SPREAD - 10.0..=SPREAD + 22.0;
-/// The tip is so near to the end of its shaft, mm.
+/// Greatest distance of the tip from the end of its shaft, mm.
 const AT_END: f32 = 0.3;
-/// ... on a row of dots, in steps.
+/// The same on a row of dots, in steps.
 const STEPS: f32 = 1.6;
 /// How far a stroke may be off straight, mm.
 const STRAIGHT: f32 = 0.1;

@@ -15,7 +15,7 @@ mod place;
 mod shapes;
 mod shorten;
 
-use self::find::{Contours, Head};
+use self::find::{Contours, FoundHead};
 use self::shorten::make_room;
 use super::junction::extend_to;
 use super::marks::HeadMark;
@@ -42,7 +42,7 @@ pub(super) fn take(polylines: &mut Vec<Polyline<Vertex>>, area: MmRect, params: 
     }
     let mut taken = vec![false; polylines.len()];
     let mut marks: Vec<HeadMark> = Vec::new();
-    for Head { tip, shaft, lines } in &heads {
+    for FoundHead { tip, shaft, lines } in &heads {
         lines.iter().for_each(|line| taken[*line] = true);
         let points = lines.iter().flat_map(|line| polylines[*line].vertices.iter().map(|vertex| vertex.at));
         let extent = MmRect::from_points(points.chain([tip.apex]));

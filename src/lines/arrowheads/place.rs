@@ -19,14 +19,14 @@ const STEP: f32 = 0.5;
 
 /// Heads that are drawn.
 #[derive(Debug, Default)]
-pub(in crate::lines) struct Drawn {
+pub(in crate::lines) struct DrawnHeads {
     /// Their strokes.
     pub(in crate::lines) heads: Vec<Polyline<Vertex>>,
     /// The shafts that are shorter for them: the number of the line, which end, and by how much, mm.
     shorter: Vec<(usize, bool, f32)>,
 }
 
-impl Drawn {
+impl DrawnHeads {
     /// A line, of this number among those that are drawn, as long as its heads let it be; with what of it is anchored.
     pub(in crate::lines) fn shaft(
         &self,
@@ -55,8 +55,8 @@ pub(in crate::lines) fn draw(
     lines: &[&Polyline<Vertex>],
     area: MmRect,
     params: &Params,
-) -> Drawn {
-    let mut drawn = Drawn::default();
+) -> DrawnHeads {
+    let mut drawn = DrawnHeads::default();
     if marks.is_empty() {
         return drawn;
     }

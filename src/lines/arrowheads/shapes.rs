@@ -7,11 +7,11 @@ use crate::units::{MmPoint, MmRect, MmVector};
 
 /// The longest side of a head in the drawing, mm: a larger triangle is a shape by itself.
 const LARGEST: f32 = 12.0;
-/// ... and the shortest: two or three pixels.
+/// The shortest side of a head in the drawing, mm: two or three pixels.
 const SMALLEST: f32 = 0.6;
 /// How far a triangle or a leg may be off its straight sides, as a share of its size.
 const OFF_SIDES: f32 = 0.15;
-/// ... and the hull of one.
+/// How far the hull of a triangle may be off its straight sides, as a share of its size.
 const OFF_HULL: f32 = 0.08;
 /// How much of a triangle is inside its three corners at least, as a share: of a circle it is 0.41, of a square a half.
 const LEAST_INSIDE: f32 = 0.75;
@@ -26,12 +26,12 @@ const WIDTHS: std::ops::RangeInclusive<f32> = 0.2..=1.5;
 
 /// A corner that may be the tip of a head, and the two others.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tip {
+pub(super) struct HeadTip {
     pub(super) apex: MmPoint,
     pub(super) wings: [MmPoint; 2],
 }
 
-impl Tip {
+impl HeadTip {
     /// A tip whose two sides are alike.
     pub(super) fn of(apex: MmPoint, wings: [MmPoint; 2]) -> Option<Self> {
         let tip = Self { apex, wings };
@@ -57,7 +57,7 @@ impl Tip {
 }
 
 /// The corners of a contour that may be tips of a head.
-pub(super) fn tips(contour: &Polyline<Vertex>) -> Vec<Tip> {
+pub(super) fn tips(contour: &Polyline<Vertex>) -> Vec<HeadTip> {
     let points: Vec<MmPoint> = contour.vertices.iter().map(|vertex| vertex.at).collect();
     let extent = MmRect::from_points(&points);
     let size = extent.width().max(extent.height());
@@ -72,11 +72,11 @@ pub(super) fn tips(contour: &Polyline<Vertex>) -> Vec<Tip> {
         let Some([a, b, c]) = corners_of_hull(&around, OFF_HULL * size) else { return Vec::new() };
         let fills = area(&points) >= NOTCHED * area(&around);
         let tips = [(a, [b, c]), (b, [c, a]), (c, [a, b])].into_iter().filter(|_| fills);
-        return tips.filter_map(|(apex, wings)| Tip::of(apex, wings)).collect();
+        return tips.filter_map(|(apex, wings)| HeadTip::of(apex, wings)).collect();
     }
     let corners = simplify(PolylineRef { vertices: &points, closed: false }, OFF_SIDES * size);
     match corners[..] {
-        [a, b, c] => Tip::of(points[b], [points[a], points[c]]).into_iter().collect(),
+        [a, b, c] => HeadTip::of(points[b], [points[a], points[c]]).into_iter().collect(),
         _ => Vec::new(),
     }
 }

@@ -1,6 +1,6 @@
 //! Shafts of arrows end before what they point at.
 
-use super::find::Head;
+use super::find::FoundHead;
 use super::measures::{HEADING, end};
 use crate::geom::nearest_on_segment;
 use crate::geom::polyline::Polyline;
@@ -17,7 +17,7 @@ const BEFORE: f32 = 0.3;
 
 /// Shortens the shafts of heads until nothing is too near before their tips.
 pub(super) fn make_room(
-    heads: &[Head],
+    heads: &[FoundHead],
     marks: &mut [HeadMark],
     polylines: &mut [Polyline<Vertex>],
     taken: &[bool],
@@ -26,7 +26,7 @@ pub(super) fn make_room(
 ) {
     let reach = params.max_clearance();
     let others = nearby(polylines.iter(), area, params);
-    for (Head { shaft, .. }, mark) in heads.iter().zip(marks) {
+    for (FoundHead { shaft, .. }, mark) in heads.iter().zip(marks) {
         let is_other = |line: u32| line as usize != shaft.line && !taken[line as usize];
         let is_free = |at: MmPoint, toward: MmVector| {
             let is_before = |of: MmPoint| (of - at).dot(toward) >= BEFORE * (of - at).length();
