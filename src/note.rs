@@ -156,15 +156,19 @@ pub enum Note {
     NoRoomForNumber,
     /// What was found at the place that was named as the subject.
     #[error(
-        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure, and outlined first; if that is not the \
-         whole of it, name another place on it as well",
-        .at[0], .at[1], .mm[0], .mm[1]
+        "the subject at {} %, {} % is {} mm wide and {} mm high in the figure{}; if that is not what was meant, name \
+         another place on it, or crop the picture around it",
+        .at[0], .at[1], .mm[0], .mm[1],
+        if *.is_first { ", and its outline is drawn before other lines" } else { ", inside a closed line" }
     )]
     Subject {
         /// The place, percent from the left and from the top.
         at: [i32; 2],
         /// Width and height of what was found, mm in the figure.
         mm: [u32; 2],
+        /// Whether it is a region, whose outline is drawn first; otherwise it is what a closed line surrounds, which is
+        /// drawn as any other.
+        is_first: bool,
     },
     /// Nothing with an outline is around the place that was named as the subject, in percent from the left and the top.
     #[error("{}", no_subject(*.0))]

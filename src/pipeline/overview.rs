@@ -161,7 +161,7 @@ impl OverviewSource<'_> {
         let is_full = self.edges.regions.is_some() && self.plan.lines().most_shapes.is_none();
         match (&self.layout.medium, params.overview) {
             (Medium::Print(_), Some(overview)) if is_full => {
-                self.layout.largest_overview(OF_PHOTOGRAPH * overview.scale, &params)
+                self.layout.largest_overview((OF_PHOTOGRAPH * overview.scale).min(1.0), &params)
             }
             _ => None,
         }

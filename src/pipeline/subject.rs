@@ -2,7 +2,6 @@
 
 use super::given::{Given, blank_where};
 use super::hand_lines::without;
-use crate::Note;
 use crate::classes::Classes;
 use crate::edges::{Edgel, Edges};
 use crate::geom::polyline::Located;
@@ -10,7 +9,10 @@ use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::regions::{Mask, RegionGrid};
 use crate::units::{PageTransform, PxPoint, Size};
+use crate::{About, Note};
 
+/// Most places that are looked at: more is what a picture has, not what it is about.
+const MOST: usize = 100;
 /// A ring around the subject has at least this area, mm2: smaller ones are dots for a finger.
 const LEAST_AREA: f32 = 15.0;
 /// Lines this near to the subject belong to it, cells: its own contours run along its border.
@@ -30,18 +32,23 @@ pub(super) fn prepare(
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
     let tree = edges.regions.as_ref().filter(|_| !given.subjects.is_empty());
     let most_telling = tree.map_or_else(Vec::new, |tree| tree.most_telling(mm_per_px, &plan.regions(false)));
-    for [x, y] in &given.subjects {
+    let beyond = given.subjects.len().saturating_sub(MOST);
+    if beyond > 0 {
+        let told = format!("{beyond} of the subjects, as {MOST} are the most");
+        notes.push(Note::NotOnPage(About::Lines, told));
+    }
+    for [x, y] in given.subjects.iter().take(MOST) {
         let share = [x.share(source.width), y.share(source.height)];
         let percent = share.map(|share| (100.0 * share).round() as i32);
-        let found = subject_at(edges, share, layout, &most_telling).and_then(|mask| {
+        let found = subject_at(edges, share, layout, &most_telling).and_then(|(mask, is_first)| {
             let [least, greatest] = mask.extent()?;
             let side = (greatest - least) * mm_per_px;
-            Some((mask, [side.x, side.y].map(|side| side.round() as u32)))
+            Some((mask, [side.x, side.y].map(|side| side.round() as u32), is_first))
         });
         match found {
-            Some((mask, mm)) => {
+            Some((mask, mm, is_first)) => {
                 all = Some(all.map_or(mask.clone(), |all| all.with(&mask)));
-                notes.push(Note::Subject { at: percent, mm });
+                notes.push(Note::Subject { at: percent, mm, is_first });
             }
             None => notes.push(Note::NoSubject(percent)),
         }
@@ -53,19 +60,20 @@ pub(super) fn prepare(
     (around, notes)
 }
 
-/// The cells of the subject at a place, in shares of the picture.
-fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling: &[u32]) -> Option<Mask> {
+/// The cells of the subject at a place, in shares of the picture, and whether it is a region, whose outline is drawn
+/// first.
+fn subject_at(edges: &mut Edges, [x, y]: [f32; 2], layout: &Layout, most_telling: &[u32]) -> Option<(Mask, bool)> {
     let mm_per_px = PageTransform::new(edges.size, layout.figure).mm_per_px();
     let at = PxPoint::new(x * edges.size.width as f32, y * edges.size.height as f32);
     let found = edges.regions.as_ref().and_then(|tree| {
         let region = tree.subject_at(at, mm_per_px, most_telling)?;
         Some((region, tree.mask(&[region])))
     });
-    let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px) };
+    let Some((region, mask)) = found else { return ring_around(edges, at, mm_per_px).map(|mask| (mask, false)) };
     if !edges.constraints.subjects.contains(&region) {
         edges.constraints.subjects.push(region);
     }
-    Some(mask)
+    Some((mask, true))
 }
 
 /// The inside of the smallest closed contour around a place.

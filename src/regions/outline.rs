@@ -43,7 +43,7 @@ impl Tree {
     pub fn chosen(&self, mm_per_px: f32, params: &Params, subjects: &[u32], of_figure: OfFigure<'_>) -> Chosen {
         let mut regions = choose(self, self.mm_of_cell(mm_per_px), params, subjects, of_figure);
         let count = regions.len();
-        regions.truncate(params.drawn.unwrap_or(count));
+        regions.truncate(params.drawn.map_or(count, |most| most.max(subjects.len())));
         Chosen { beyond: count - regions.len(), regions }
     }
 
