@@ -40,8 +40,8 @@ pub(super) fn broadest(classes: &Classes, mm_per_cell: f32) -> Vec<(f32, usize)>
     broadest
 }
 
-/// What the maker is told of the areas of a drawing that are too small for a texture, on paper. `classes` are the sorted
-/// colours of its picture.
+/// What the maker is told of the areas of a drawing that are too small for a texture, on paper. `classes` are the
+/// sorted colours of its picture.
 pub(super) fn told(classes: &Classes, raster: &Raster, edges: &Edges, layout: &Layout, plan: &Plan) -> Option<Note> {
     if !edges.of_drawing() || !matches!(layout.medium, Medium::Print(_)) {
         return None;
