@@ -265,6 +265,9 @@ mod tests {
         assert_eq!((one.len(), areas.count(), areas.beyond()), (1, 1, 1));
         assert_eq!(places.map(|at| areas.at(at)), [1, 0, 0]);
         let small = tree.subject_at(places[1], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
+        let large = tree.subject_at(places[0], 0.5, &tree.most_telling(0.5, &PARAMS)).expect("a disc is there");
+        let (both, areas) = outlined(&tree, &Params { drawn: Some(1), ..PARAMS }, &[small, large], OfFigure::Unknown);
+        assert_eq!((both.len(), areas.beyond()), (2, 0), "no subject is beyond the most");
         let (one, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Only(&[small]));
         assert_eq!((one.len(), places.map(|at| areas.at(at))), (1, [0, 1, 0]), "no other than those it may be");
         let (two, areas) = outlined(&tree, &PARAMS, &[], OfFigure::Preferred(&[small]));
