@@ -106,7 +106,7 @@ fn a_head_without_room_is_told_with_its_place() {
     let beside = "<path d='M100 280H800M100 320H800M150 300H750'/>".to_owned();
     let drawing = page_of(&(beside + &open([750.0, 300.0], [1.0, 0.0])), "swell-a4");
     let told: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
-    let lost = told.iter().any(|note| note.contains("1 arrowhead at ends of lines (at "));
+    let lost = told.iter().any(|note| note.contains("1 arrowhead at the end of a line (at "));
     assert!(lost || ways(&drawing.page.to_svg()) == ["to the right"], "{told:?}");
     assert!(lost, "there is no room: {told:?}");
 }

@@ -127,10 +127,15 @@ pub(super) fn told(lost: &[LostSign], texts: &[Text], words: &Words<'_>, figure:
     let (heads_lost, others): (Vec<LostSign>, Vec<LostSign>) = lost.iter().partition(|sign| sign.is_arrowhead);
     let arrows = (!heads_lost.is_empty()).then(|| {
         let count = heads_lost.len();
-        let heads = if count == 1 { "1 arrowhead" } else { &format!("{count} arrowheads") };
-        let why = "there is no room for them beside other lines; say in the title or a label which way the lines lead, \
-                   or make the figure larger";
-        Note::NotOnPage(About::Lines, format!("{heads} at ends of lines ({}): {why}", places(&heads_lost)))
+        let (heads, them, line_leads) = match count {
+            1 => ("1 arrowhead at the end of a line".to_owned(), "it", "the line leads"),
+            _ => (format!("{count} arrowheads at ends of lines"), "them", "the lines lead"),
+        };
+        let why = format!(
+            "there is no room for {them} beside other lines; say in the title or a label which way {line_leads}, or \
+             make the figure larger"
+        );
+        Note::NotOnPage(About::Lines, format!("{heads} ({}): {why}", places(&heads_lost)))
     });
     told_of_shapes(&others, &all, are_labels).into_iter().chain(arrows).collect()
 }
