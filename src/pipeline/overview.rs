@@ -4,7 +4,7 @@ use super::dots;
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
-use super::request::OF_PHOTOGRAPH;
+use super::request::scale_of_photograph;
 use crate::edges::Edges;
 use crate::lines::{self, Line, Lost};
 use crate::page::Medium;
@@ -154,14 +154,15 @@ impl OverviewSource<'_> {
         PlacedOverview { place, lines: drawn.lines, lost: drawn.lost, subjects_lacking }
     }
 
-    /// Where the overview of a photograph lies on printed paper that has more room below the figure than it needs.
+    /// Where the overview of a photograph lies on printed paper, if it was laid out smaller than it may be, as below a
+    /// figure of a width that was asked for.
     fn place_of_photograph(&self) -> Option<MmRect> {
         let params = self.plan.layout();
         // few shapes need no more room
         let is_full = self.edges.regions.is_some() && self.plan.lines().most_shapes.is_none();
         match (&self.layout.medium, params.overview) {
             (Medium::Print(_), Some(overview)) if is_full => {
-                self.layout.largest_overview((OF_PHOTOGRAPH * overview.scale).min(1.0), &params)
+                self.layout.largest_overview(scale_of_photograph(overview.scale), &params)
             }
             _ => None,
         }

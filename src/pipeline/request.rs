@@ -91,14 +91,19 @@ impl Fit {
 /// How many times as large as the profile asks for the overview of a photograph is. At 0.5 of the figure it agrees with
 /// what people outline to an F of .55, at 0.4 of .53 (`docs/photographs.md`), and one hand still covers it: 85 mm of a
 /// figure as wide as an A4 sheet.
-pub(super) const OF_PHOTOGRAPH: f32 = 1.25;
+const OF_PHOTOGRAPH: f32 = 1.25;
+
+/// The scale of the overview of a photograph where the profile asks for `own`: no overview is larger than its figure.
+pub(super) fn scale_of_photograph(own: f32) -> f32 {
+    (OF_PHOTOGRAPH * own).min(1.0)
+}
 
 /// How large the overview is laid out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum OverviewSize {
     /// As the profile asks for.
     Own,
-    /// As for a photograph, [`OF_PHOTOGRAPH`] times as large on printed paper.
+    /// As for a photograph ([`scale_of_photograph`]) on printed paper.
     OfPhotograph,
 }
 
@@ -122,7 +127,7 @@ impl OverviewSize {
         let overview = match (self, params.medium) {
             (Self::OfPhotograph, MediumParams::Print(_)) => params
                 .overview
-                .map(|overview| OverviewParams { scale: (OF_PHOTOGRAPH * overview.scale).min(1.0), ..overview }),
+                .map(|overview| OverviewParams { scale: scale_of_photograph(overview.scale), ..overview }),
             _ => params.overview,
         };
         layout::Params { overview, ..params }
