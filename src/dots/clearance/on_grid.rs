@@ -11,6 +11,7 @@ use crate::devices::Grid;
 use crate::dots::cell::{Cell, centre, distance, nearest, to_grid, within};
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
+use crate::dots::second_row::{RowGaps, RowSide};
 use crate::dots::{rasterise, second_row};
 use crate::geom::polyline;
 use crate::lines::{Line, LineMarks};
@@ -49,24 +50,28 @@ pub(in crate::dots) fn on_grid(
     by_strength.sort_by_key(|&number| drawn[number].0);
     let inside = |cell: Cell| (columns[0]..=columns[1]).contains(&cell[0]) && (rows[0]..=rows[1]).contains(&cell[1]);
     let mut out = Vec::with_capacity(drawn.len());
-    for number in by_strength {
-        let (place, piece) = &drawn[number];
-        let line = &lines[*place];
-        let mut rows = vec![piece.cells.clone()];
-        if params.has_second_row(line) && !has_points[number] {
-            // a piece too short for a line is felt as texture, unless it is most of the row
-            let least = (params.min_length / params.pitch).ceil() as usize + 1;
-            let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
-            let mut second = taken.second_row((number, piece), least, inside);
+    for of_line in by_strength.chunk_by(|a, b| drawn[*a].0 == drawn[*b].0) {
+        let line = &lines[drawn[of_line[0]].0];
+        let is_heavy = params.has_second_row(line);
+        let second_row = |&number: &usize| {
+            let is_doubled = is_heavy && !has_points[number];
+            if is_doubled { taken.whole_second_row((number, &drawn[number].1), inside, params) } else { None }
+        };
+        // all pieces of a line are of one breadth
+        let second: Option<Vec<Vec<Cell>>> = of_line.iter().map(second_row).collect();
+        let mut second = second.unwrap_or_default().into_iter();
+        for &number in of_line {
+            let mut rows = vec![drawn[number].1.cells.clone()];
             // where a tick goes through it, it has a dot already
-            second.retain(|cell| !taken.lines.contains_key(cell));
+            let second = second.next().unwrap_or_default();
+            let second: Vec<Cell> = second.into_iter().filter(|cell| !taken.lines.contains_key(cell)).collect();
             second.iter().for_each(|&cell| taken.take(cell, number));
             rows.push(second);
+            rows.retain(|row| !row.is_empty());
+            let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
+            let runs = rows.map(|row| params.run(row, params.height(line))).collect();
+            out.push(Line { strength: line.strength, runs });
         }
-        rows.retain(|row| !row.is_empty());
-        let rows = rows.iter().map(|row| centres(row, grid)).chain(runs[number].iter().cloned());
-        let runs = rows.map(|row| params.run(row, params.height(line))).collect();
-        out.push(Line { strength: line.strength, runs });
     }
     (out, shown)
 }
@@ -179,18 +184,40 @@ impl OccupiedDots {
         out
     }
 
-    /// The second row of a piece, where it keeps the gap from all other lines and from the other arms of the piece
-    /// itself, for at least so many dots.
+    /// The second row of a piece on the side where more of it has room; none where it has room beside a part of the
+    /// piece only.
+    fn whole_second_row(
+        &self,
+        (number, piece): (usize, &RowPiece),
+        inside: impl Fn(Cell) -> bool,
+        params: &Params,
+    ) -> Option<Vec<Cell>> {
+        // what is too short for a line is felt as texture, unless it is most of the row
+        let least = (params.min_length / params.pitch).ceil() as usize + 1;
+        let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
+        let of_side = |side: RowSide| {
+            let row = self.second_row((number, piece), side, least, &inside);
+            (RowGaps::of(row.iter().map(|(index, _)| *index), piece.cells.len(), piece.closed), row)
+        };
+        let [inner, outer] = RowSide::ALL.map(of_side);
+        let (gaps, row) =
+            if outer.0.is_less_than(inner.0) && !inner.0.is_whole(params.line_gap) { outer } else { inner };
+        gaps.is_whole(params.line_gap).then(|| row.into_iter().map(|(_, cell)| cell).collect())
+    }
+
+    /// The second row of a piece on one side, where it keeps the gap from all other lines and from the other arms of
+    /// the piece itself, for at least so many dots; each with the index of the dot that it lies beside.
     fn second_row(
         &self,
         (number, piece): (usize, &RowPiece),
+        side: RowSide,
         least: usize,
         inside: impl Fn(Cell) -> bool,
-    ) -> Vec<Cell> {
+    ) -> Vec<(usize, Cell)> {
         let (n, least_arc) = (piece.cells.len(), self.least_arc());
         // the dots of both rows, each with the index in the first row
         let mut own: BTreeMap<Cell, usize> = piece.cells.iter().enumerate().map(|(i, &cell)| (cell, i)).collect();
-        let mut row = second_row::on_grid(&piece.cells, piece.closed);
+        let mut row = second_row::on_grid(&piece.cells, piece.closed, side);
         row.retain(|&(i, cell)| {
             let is_other_arm = |j: usize| i.abs_diff(j) > least_arc && (!piece.closed || n - i.abs_diff(j) > least_arc);
             let is_free = |near: Cell| match (own.get(&near), self.lines.get(&near)) {
@@ -337,11 +364,35 @@ mod tests {
         let first = row(0, 0..12);
         let piece = RowPiece { cells: first.clone(), closed: false };
         let alone = taken(std::slice::from_ref(&first), 1);
-        assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |_| true), row(1, 0..12));
-        assert_eq!(alone.second_row((0, &piece), LEAST_DOTS, |cell| cell[1] < 1), row(1, 0..0));
+        let second = |taken: &OccupiedDots, least: usize, rows: i32| -> Vec<Cell> {
+            let row = taken.second_row((0, &piece), RowSide::Inner, least, |cell| cell[1] < rows);
+            row.into_iter().map(|(_, cell)| cell).collect()
+        };
+        assert_eq!(second(&alone, LEAST_DOTS, 9), row(1, 0..12));
+        assert_eq!(second(&alone, LEAST_DOTS, 1), row(1, 0..0));
         let beside = taken(&[first, vec![[6, 2]]], 1);
-        assert_eq!(beside.second_row((0, &piece), LEAST_DOTS, |_| true), [row(1, 0..5), row(1, 8..12)].concat());
-        assert_eq!(beside.second_row((0, &piece), 5, |_| true), row(1, 0..5), "four dots are too few");
+        assert_eq!(second(&beside, LEAST_DOTS, 9), [row(1, 0..5), row(1, 8..12)].concat());
+        assert_eq!(second(&beside, 5, 9), row(1, 0..5), "four dots are too few");
+    }
+
+    /// A heavy line beside which another runs for a part of it has its second row on the other side, and none where
+    /// there is one on both sides.
+    #[test]
+    fn a_line_is_broad_as_a_whole_or_not_at_all() {
+        let params =
+            Params { pitch: 2.5, diameter: 1.6, line_gap: 1, heavy_from: 50.0, has_heights: false, min_length: 5.0 };
+        let piece = RowPiece { cells: row(0, 0..30), closed: false };
+        let second = |others: &[Vec<Cell>]| {
+            let all: Vec<Vec<Cell>> = std::iter::once(piece.cells.clone()).chain(others.iter().cloned()).collect();
+            taken(&all, 1).whole_second_row((0, &piece), |_| true, &params)
+        };
+        let (below, above) = (row(2, 8..20), row(-2, 8..20));
+        assert_eq!(second(&[]), Some(row(1, 0..30)));
+        assert_eq!(second(std::slice::from_ref(&below)), Some(row(-1, 0..30)));
+        assert_eq!(second(&[below, above]), None);
+        let stem: Vec<Cell> = (1..9).map(|y| [15, y]).collect();
+        let joined = second(&[stem]).expect("a line that ends on it takes a few dots only");
+        assert_eq!(joined, [row(1, 0..14), row(1, 17..30)].concat());
     }
 
     #[test]
