@@ -10,7 +10,7 @@ use super::lost_marks;
 use super::lost_signs;
 use super::margins::Lettered;
 use super::outlines::{outlines_of_figure, regions_of_figure};
-use super::overview::{draw_overview, told_of_overview};
+use super::overview::{draw_overview, seen_in_figure, told_of_overview};
 use super::progress::{Event, Stage, Watch, in_parallel, run};
 use super::read::{Content, Read, read};
 use super::request::{Fit, LayoutOf, OverviewSize, Request};
@@ -126,10 +126,17 @@ pub(super) fn draw(
         let (edges, layout) = (&edges, &layout);
         let regions = regions_of_figure(edges, layout, plan, watch);
         let lines = |watch: &mut Watch<'_>| draw_lines(edges, regions.as_ref(), may_join, layout, plan, watch);
-        in_parallel(has_lines, watch, lines, |watch| {
-            let overview = draw_overview(edges, regions.as_ref(), may_join, layout, plan, watch);
-            (overview, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
-        })
+        let overview = |edges: &Edges, watch: &mut Watch<'_>| {
+            draw_overview(edges, regions.as_ref(), may_join, layout, plan, watch)
+        };
+        let follows_figure = has_lines && regions.is_some() && plan.lines().most_shapes.is_some();
+        let (drawn, (own, classes)) = in_parallel(has_lines, watch, lines, |watch| {
+            let own = (!follows_figure).then(|| overview(edges, watch));
+            (own, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
+        });
+        let of_figure = |watch| overview(&seen_in_figure(edges, &drawn.lines.lines, layout, plan), watch);
+        let overview = own.unwrap_or_else(|| of_figure(watch));
+        (drawn, (overview, classes))
     };
     request.go_on()?;
     let FigureLines { lines: drawn, areas, instead } = drawn;
@@ -156,7 +163,9 @@ pub(super) fn draw(
     let of_drawing = edges.of_drawing();
     drop((picture.raster, edges));
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, of_drawing, plan)));
+    notes.extend(
+        classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, of_drawing, plan)),
+    );
     request.go_on()?;
     let figure = Figure { place: layout.figure, source: picture.source.size, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;

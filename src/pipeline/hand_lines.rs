@@ -294,11 +294,26 @@ fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
 
 /// The segments of contours, to be found by their places.
 pub(super) fn near(edges: &Edges) -> Nearby<Px> {
-    let area = Box2D::new(PxPoint::zero(), PxPoint::new(edges.size.width as f32, edges.size.height as f32));
+    near_those_of(edges.size, edges.chains().map(|chain| chain.segments().map(|(a, b)| [a.at, b.at])))
+}
+
+/// The segments of drawn lines, to be found by their places in a picture of this size.
+pub(super) fn near_drawn(lines: &[Line], size: Size, transform: &PageTransform) -> Nearby<Px> {
+    let segments = |line: &Line| -> Vec<[PxPoint; 2]> {
+        let of_run = |run: &Run| -> Vec<[PxPoint; 2]> {
+            run.polyline().segments().map(|(&a, &b)| [a, b].map(|at| transform.to_px(at))).collect()
+        };
+        line.runs.iter().flat_map(of_run).collect()
+    };
+    near_those_of(size, lines.iter().map(|line| segments(line).into_iter()))
+}
+
+fn near_those_of(size: Size, lines: impl Iterator<Item = impl Iterator<Item = [PxPoint; 2]>>) -> Nearby<Px> {
+    let area = Box2D::new(PxPoint::zero(), PxPoint::new(size.width as f32, size.height as f32));
     let mut near = Nearby::new(area, CELL);
-    for (line, chain) in (0..).zip(edges.chains()) {
-        for (index, (a, b)) in (0..).zip(chain.segments()) {
-            near.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
+    for (line, segments) in (0..).zip(lines) {
+        for (index, [a, b]) in (0..).zip(segments) {
+            near.insert(Segment { a, b, half_width: 0.0, line, index, arc: 0.0 });
         }
     }
     near

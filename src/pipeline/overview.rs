@@ -1,6 +1,7 @@
 //! The overview below the figure: the picture's lines once more, small enough to be felt as a whole.
 
 use super::dots;
+use super::hand_lines::{near_drawn, without};
 use super::joined_bars::{BarStyle, BarTolerances, Redraw};
 use super::outlines::outlines_of_overview;
 use super::progress::{Event, Stage, Watch, run};
@@ -46,6 +47,19 @@ pub(super) fn draw_overview(
     };
     watch(Event::Skip(Stage::Overview, reason));
     DrawnOverview::default()
+}
+
+/// The contours along which the figure has a line. Of a photograph whose maker wants few shapes, the overview is drawn of
+/// them: its own choice among all contours would be another, and a finger would look for these lines in vain. (On 50
+/// photographs of BSDS500, val, with four shapes 7.5 percent of its lines were not in the figure; without that limit 2
+/// percent are not.)
+pub(super) fn seen_in_figure(edges: &Edges, figure: &[Line], layout: &Layout, plan: &Plan) -> Edges {
+    let transform = PageTransform::new(edges.size, layout.figure);
+    let (near, reach) =
+        (near_drawn(figure, edges.size, &transform), plan.lines().max_spacing() * transform.px_per_mm());
+    let mut seen = edges.clone();
+    without(&mut seen, |_, _, edgel| near.nearest(edgel.at, reach, |_| true).is_none());
+    seen
 }
 
 /// What becomes of an overview.
