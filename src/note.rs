@@ -1,7 +1,7 @@
 //! What the maker of a page or a trace should know and the result survives.
 
 use crate::braille::Code;
-use crate::listing::{counted, first_few};
+use crate::listing::{counted, first_few, list};
 
 /// What on a page a remark is about, for programs: its sentence may change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -267,15 +267,14 @@ pub enum Note {
     /// None of a drawing's lines has room in an overview, so there is none.
     #[error("there is no overview, as no line of the drawing has room in it; spread the figure over several sheets")]
     NoRoomForOverview,
-    /// So many areas that are outlined have textures of several colours, as none of these holds the area clearly.
-    #[error(
-        "{} {} the textures of several colours{}, as none of them fills two thirds{}",
-        counted(*.0, "outlined area"),
-        if *.0 == 1 { "has" } else { "have" },
-        if *.0 == 1 { "" } else { " each" },
-        if *.0 == 1 { " of it" } else { "" }
-    )]
-    MixedAreas(usize),
+    /// Areas that are outlined have textures of several colours, as none of these holds the area clearly.
+    #[error("{}", mixed_areas(*.count, .places))]
+    MixedAreas {
+        /// How many.
+        count: usize,
+        /// In which parts of the figure they are, in words, each part once.
+        places: Vec<&'static str>,
+    },
     /// What was left out as the maker of the page wants few shapes; perhaps nothing.
     #[error("{}", simplified(*.shapes, *.lines, *.most))]
     Simplified {
@@ -357,7 +356,7 @@ impl Note {
             Self::ShapesNotInOverview(..) => "shapes-not-in-overview",
             Self::LinesNotInOverview { .. } => "lines-not-in-overview",
             Self::NoRoomForOverview => "no-room-for-overview",
-            Self::MixedAreas(..) => "mixed-areas",
+            Self::MixedAreas { .. } => "mixed-areas",
             Self::Simplified { .. } => "simplified",
             Self::EmptyPage => "empty-page",
             Self::UnevenDots => "uneven-dots",
@@ -447,6 +446,15 @@ fn no_subject([x, y]: [i32; 2]) -> String {
              100 percent or within its pixels, from the left and from the top"
         )
     }
+}
+
+fn mixed_areas(count: usize, places: &[&str]) -> String {
+    let (have, each, of_it) = if count == 1 { ("has", "", " of it") } else { ("have", " each", "") };
+    let (areas, places) = (counted(count, "outlined area"), list(places, "and"));
+    format!(
+        "{areas}, in the {places} of the figure, {have} the textures of several colours{each}, as none of them fills \
+         two thirds{of_it}"
+    )
 }
 
 fn simplified(shapes: usize, lines: usize, most: usize) -> String {

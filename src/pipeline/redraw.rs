@@ -127,7 +127,8 @@ pub(super) fn marks(
     notes.extend(classes.as_mut().filter(|_| has_ground).and_then(|classes| blank_ground(classes, plan)));
     request.go_on()?;
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
-    notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, false, plan)));
+    notes
+        .extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &drawn.lines, &layout, false, plan)));
     let figure = Figure { place: layout.figure, source: page.figure.source, textures, lines: drawn.lines };
     let lost_signs = drawn.lost.signs;
     Ok(DrawnMarks {

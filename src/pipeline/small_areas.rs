@@ -7,7 +7,7 @@ use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
 use crate::raster::Raster;
-use crate::units::{MmVector, PageTransform};
+use crate::units::{MmVector, PageTransform, Size};
 use crate::{About, Note};
 
 /// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
@@ -17,24 +17,24 @@ const LEAST: f32 = 0.2;
 /// So much of it at least has no texture, or another one, as it was too small.
 const MOSTLY: f32 = 0.5;
 
-/// Of each region the radius of the largest circle in it, mm, and the cell in its middle.
-pub(super) fn broadest(classes: &Classes, mm_per_cell: f32) -> Vec<(f32, usize)> {
-    let size = classes.size;
+/// Of each area, of which there are so many, the radius of the largest circle in it, mm, and the cell in its middle.
+/// `area` has the number of the area of each cell, if it is in one.
+pub(super) fn broadest(area: &[Option<u32>], count: usize, size: Size, mm_per_cell: f32) -> Vec<(f32, usize)> {
     let (width, height) = (size.width as usize, size.height as usize);
-    let region = |x: usize, y: usize| classes.region[y * width + x];
+    let area_at = |x: usize, y: usize| area[y * width + x];
     let is_border = |cell: usize| {
         let (x, y) = (cell % width, cell / width);
         let inside = x > 0 && y > 0 && x + 1 < width && y + 1 < height;
-        let own = region(x, y);
-        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| region(x, y) != own)
+        let own = area_at(x, y);
+        !inside || [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)].iter().any(|&(x, y)| area_at(x, y) != own)
     };
     let borders: Vec<bool> = (0..size.len()).map(is_border).collect();
-    let mut broadest = vec![(0.0_f32, 0_usize); classes.regions.len()];
+    let mut broadest = vec![(0.0_f32, 0_usize); count];
     for (cell, depth) in distances(&borders, size).into_iter().enumerate() {
-        if let Some(region) = classes.region[cell]
-            && (depth + 0.5) * mm_per_cell > broadest[region as usize].0
+        if let Some(area) = area[cell]
+            && (depth + 0.5) * mm_per_cell > broadest[area as usize].0
         {
-            broadest[region as usize] = ((depth + 0.5) * mm_per_cell, cell);
+            broadest[area as usize] = ((depth + 0.5) * mm_per_cell, cell);
         }
     }
     broadest
@@ -87,7 +87,7 @@ fn lost(classes: &Classes, fine: &Classes, mm_per_cell: f32, least: f32) -> Vec<
         let cells = fine.regions[region].cells as f32;
         cells * cell_area < least && gone[region] as f32 >= MOSTLY * cells
     };
-    let broad = broadest(fine, mm_per_cell).into_iter().enumerate();
+    let broad = broadest(&fine.region, fine.regions.len(), fine.size, mm_per_cell).into_iter().enumerate();
     let lost = broad.filter(|(region, (radius, _))| *radius >= 2.0 * BROAD && is_lost(*region));
     lost.map(|(region, (_, cell))| (region, cell)).collect()
 }
@@ -97,7 +97,6 @@ mod tests {
     use super::*;
     use crate::classes::{Class, Region};
     use crate::raster::plane::Plane;
-    use crate::units::Size;
 
     /// Twenty by ten cells of a square mm with boxes of a class: left, top, width, height.
     fn classes(boxes: &[(Class, [usize; 4])]) -> Classes {
