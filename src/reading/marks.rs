@@ -6,7 +6,7 @@ use resvg::tiny_skia::{Point, Transform};
 use usvg::roxmltree::Node;
 use usvg::{Group, Paint, Tree};
 
-use super::document::{Elements, PLACE_OF, layer_of};
+use super::document::{Elements, PLACE_OF, is_object, layer_of};
 use super::outline::{Outline, clean, outlines};
 use crate::Error;
 use crate::output::layer::Layer;
@@ -207,9 +207,4 @@ fn colour_of(paint: &Paint, opacity: f32) -> [u8; 3] {
 
 fn on_white(channel: f32, opacity: f32) -> u8 {
     (255.0 - (255.0 - channel) * opacity).round() as u8
-}
-
-/// Whether an element stands for one thing on the page: a contour, a region or a text.
-fn is_object(element: Node<'_, '_>) -> bool {
-    ["data-strength", "data-class", "data-braille"].iter().any(|name| element.has_attribute(*name))
 }
