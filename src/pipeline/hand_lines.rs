@@ -149,7 +149,6 @@ impl HandLines {
         for range in &own.chains {
             found.push_as(range.kind, own.chain(range).vertices.iter().copied(), range.closed);
         }
-        found.constraints.room = reach;
         Ok(())
     }
 

@@ -1,6 +1,8 @@
 //! From bytes to contours as data: the first half of what a page takes.
 
-use super::draw::{FigureLines, contours_of, draw_lines, edges_of, enough_pixels, overview_of, working_size};
+use super::draw::{
+    Contours, FigureLines, contours_of, draw_lines, edges_of, enough_pixels, lines_of, overview_of, working_size,
+};
 use super::given::Given;
 use super::joined_bars;
 use super::outlines::regions_of_figure;
@@ -119,19 +121,20 @@ pub fn trace<'p>(
     let (_, layout) = overview.fitting(source, plan, &layout_of)?;
     request.go_on()?;
     let erased = given.boxes(source, layout.figure)?;
-    let (edges, of_given) = contours_of(given, read.picture.raster.size(), &layout, &erased, request, || {
-        find_edges(&read, tracing, &layout, plan, watch)
-    })?;
+    let Contours { edges, decisions, told } =
+        contours_of(given, read.picture.raster.size(), &layout, erased, request, || {
+            find_edges(&read, tracing, &layout, plan, watch)
+        })?;
     notes.extend(given.notes.iter().cloned());
-    notes.extend(of_given);
+    notes.extend(told);
     drop(read);
     request.go_on()?;
     let trace = match tracing.subject {
         Subject::Contours | Subject::ContoursAtFullResolution => Trace::of_edges(&edges, source),
         Subject::Lines => {
-            let regions = regions_of_figure(&edges, &layout, plan, watch);
-            let FigureLines { lines: drawn, instead, .. } =
-                draw_lines(&edges, regions.as_ref(), given.lines.is_none(), &layout, plan, watch);
+            let regions = regions_of_figure(&edges, &decisions, &layout, plan, watch);
+            let lines_of = lines_of(given, regions.as_ref(), &decisions);
+            let FigureLines { lines: drawn, instead, .. } = draw_lines(&edges, lines_of, &layout, plan, watch);
             notes.extend(told_left_out(&drawn, &edges, &layout));
             notes.extend(joined_bars::told(instead, None));
             let transform = PageTransform::new(edges.size, layout.figure);
