@@ -162,9 +162,9 @@ impl Places<'_> {
         let at = self.field.lattice.to_steps(at).map(|at| at + MIDWAY);
         let reach = MOVED / self.params.pitch + 1.0;
         let far = |dot: GridPoint| (dot[0] - at[0]).hypot(dot[1] - at[1]);
-        let rows = self.field.around(at, reach).filter_map(|(_, dot, owner)| match owner {
-            Owner::Row(row, number) if counts(row, number, dot) => Some((far(dot), row, number, dot)),
-            _ => None,
+        let rows = self.field.around(at, reach).filter_map(|(_, dot, owner)| {
+            let Owner::Row(row, number) = owner else { return None };
+            counts(row, number, dot).then(|| (far(dot), row, number, dot))
         });
         let nearest = rows.min_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))))?;
         Some((nearest.1, nearest.2, nearest.3))
