@@ -21,7 +21,7 @@ use super::textures::{blank_ground, draw_textures, fit_to_areas, told_bare};
 use super::told_lines::{left_out, told_dashed, told_left_out, told_simplified};
 use super::words::{Words, become_labels};
 use crate::classes::{self, Classes};
-use crate::edges::{self, Edges, PictureKind, Ridges};
+use crate::edges::{self, Edges, Ridges};
 use crate::lines::{self, Line, Lines, LostSign, Outlines};
 use crate::page::layout::Layout;
 use crate::page::{Figure, LeftOut, Medium};
@@ -247,7 +247,7 @@ fn edges_of_drawn(
     let (noun, them) = if texts == 1 { ("text", "it") } else { ("texts", "them") };
     let why = "fingers read no print letters";
     let told = format!("{texts} {noun} in the picture of lines: {why}; give {them} as labels, or keep {them} as lines");
-    let edges = edges_of(&picture, content.kind(), &request.plan.edges(px_per_mm), None, &mut |_| ());
+    let edges = edges_of(&picture, &content, &request.plan.edges(px_per_mm), None, &mut |_| ());
     Ok((edges, (texts > 0).then_some(Note::NotOnPage(About::Lines, told))))
 }
 
@@ -296,11 +296,10 @@ pub(super) fn enough_pixels(size: Size) -> Result<(), Error> {
     Ok(())
 }
 
-/// The contours of a picture: those of a vector drawing from its own geometry. Its kind, where it is known, is not
-/// found out again.
+/// The contours of a picture: those of a vector drawing from its own geometry.
 pub(super) fn edges_of(
     picture: &decode::Decoded,
-    kind: Option<&PictureKind>,
+    content: &Content,
     params: &edges::Params,
     regions: Option<Detail>,
     watch: &mut Watch<'_>,
@@ -309,14 +308,8 @@ pub(super) fn edges_of(
     if let Some(drawing) = &picture.drawing {
         return run(watch, Stage::Edges, || edges::find_in_vector(raster, drawing, params));
     }
-    let own;
-    let kind = match kind {
-        Some(kind) => kind,
-        None => {
-            own = run(watch, Stage::Edges, || PictureKind::of(raster, picture.lossy));
-            &own
-        }
-    };
+    // only pixels of one colour are of no kind
+    let Some(kind) = content.kind() else { return Edges::none(raster.size()) };
     let Some(detail) = regions.filter(|_| !kind.is_drawing) else {
         return run(watch, Stage::Edges, || edges::find_of_kind(raster, kind, params, None));
     };
@@ -340,7 +333,7 @@ pub(super) fn find_edges(
         "the picture is of one colour"
     } else {
         let px_per_mm = PageTransform::new(picture.raster.size(), layout.figure).px_per_mm();
-        return edges_of(picture, content.kind(), &plan.edges(px_per_mm), plan.region_detail(), watch);
+        return edges_of(picture, content, &plan.edges(px_per_mm), plan.region_detail(), watch);
     };
     watch(Event::Skip(Stage::Edges, reason));
     Edges::none(picture.raster.size())

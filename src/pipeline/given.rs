@@ -6,6 +6,7 @@ use super::label::Position;
 use super::text_reader::TextReader;
 use crate::classes::Classes;
 use crate::edges::Edges;
+use crate::profile::{Plan, Profile};
 use crate::raster::crop::Crop;
 use crate::regions::{RegionOutline, TracePoint, TracedContour};
 use crate::units::{MmRect, PxPoint, Size};
@@ -44,6 +45,21 @@ pub enum GivenLines {
 }
 
 impl Given {
+    /// The plan by which a page is made of it. Of lines that a person gave, all are drawn that have room: few of them
+    /// would be others than were meant.
+    ///
+    /// # Errors
+    /// [`Error::Profile`] with every fault of the profile.
+    pub fn plan(&self, profile: &Profile) -> Result<Plan, Error> {
+        if self.lines.is_none() {
+            return Plan::new(profile);
+        }
+        let mut profile = profile.clone();
+        profile.set("lines.detail", "1")?;
+        profile.set("lines.shapes", "0")?;
+        Plan::new(&profile)
+    }
+
     /// What is erased of a picture of this size, in shares of it: left, top, right, bottom. `figure` is its place on
     /// the sheet.
     ///
