@@ -4,7 +4,7 @@ use lyon::geom::euclid::Box2D;
 
 use super::kept_lines::LineName;
 use crate::edges::{ChainKind, ChainRange, Edgel, Edges};
-use crate::geom::nearby::{Nearby, Segment};
+use crate::geom::nearby::Nearby;
 use crate::geom::polyline::Polyline;
 use crate::lines::{Line, Pen, Run};
 use crate::page::Page;
@@ -295,11 +295,7 @@ fn strength(run: &Run, of_line: f32, plan: &Plan) -> f32 {
 pub(super) fn near(edges: &Edges) -> Nearby<Px> {
     let area = Box2D::new(PxPoint::zero(), PxPoint::new(edges.size.width as f32, edges.size.height as f32));
     let mut near = Nearby::new(area, CELL);
-    for (line, chain) in (0..).zip(edges.chains()) {
-        for (index, (a, b)) in (0..).zip(chain.segments()) {
-            near.insert(Segment { a: a.at, b: b.at, half_width: 0.0, line, index, arc: 0.0 });
-        }
-    }
+    (0..).zip(edges.chains()).for_each(|(line, chain)| near.insert_line(line, chain, 0.0));
     near
 }
 

@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn an_overview_that_lacks_a_ring_is_larger_and_has_it() {
-        let (drawn, own, _) = overview(&drawing(9.0), &[], OverviewSize::Own);
+        let (drawn, own, _) = overview(&drawing(8.0), &[], OverviewSize::Own);
         assert!(width(&drawn) > 1.1 * own, "{} mm, laid out {own} mm", width(&drawn));
         assert_eq!(drawn.lost.rings, 0);
         assert_eq!(told_of_overview(&drawn).count(), 0);
@@ -275,7 +275,7 @@ mod tests {
         edges.chains.iter_mut().for_each(|chain| chain.kind = ChainKind::default());
         let (own, laid_out, _) = overview(&edges, &[], OverviewSize::Own);
         let (larger, ..) = overview(&edges, &[], OverviewSize::OfPhotograph);
-        assert_eq!(width(&own), laid_out);
+        assert!((width(&own) - laid_out).abs() < 1e-3, "{} mm, laid out {laid_out} mm", width(&own));
         assert!(width(&larger) > 1.2 * laid_out, "{} mm, laid out {laid_out} mm", width(&larger));
     }
 

@@ -160,9 +160,9 @@ mod tests {
 
     #[test]
     fn a_ring_too_small_for_a_finger_is_no_subject() {
-        let mut edges = rectangles(&[([195.0, 145.0, 6.0, 6.0], 40.0)]);
-        let (_, notes) = prepared(&mut edges, &[[49.5, 49.5]], false);
-        assert_eq!(notes, [Note::NoSubject([50, 50])]);
+        let mut edges = rectangles(&[([193.0, 144.0, 6.0, 6.0], 40.0)]);
+        let (_, notes) = prepared(&mut edges, &[[49.0, 49.0]], false);
+        assert_eq!(notes, [Note::NoSubject([49, 49])]);
     }
 
     #[test]
