@@ -120,14 +120,14 @@ pub(super) fn draw(
     let plan = request.plan;
     let Found { picture, is_flat, layout, texts, edges, decisions, overview: size_of_overview, mut notes } = found;
     let has_lines = plan.profile().figure.lines && !edges.is_empty();
-    let (drawn, (overview, mut classes)) = {
+    let (drawn, (overview, mut areas_of_colours)) = {
         let (edges, layout) = (&edges, &layout);
         let regions = regions_of_figure(edges, &decisions, layout, plan, watch);
         let lines_of = lines_of(given, regions.as_ref(), &decisions);
         let lines = |watch: &mut Watch<'_>| draw_lines(edges, lines_of, layout, plan, watch);
         in_parallel(has_lines, watch, lines, |watch| {
             let overview = draw_overview(edges, lines_of, size_of_overview, layout, plan, watch);
-            (overview, areas_of_colours(given, &picture.raster, edges, layout, plan, watch))
+            (overview, AreasOfColours::of(given, &picture.raster, edges, layout, plan, watch))
         })
     };
     request.go_on()?;
@@ -135,13 +135,13 @@ pub(super) fn draw(
     notes.extend(told_left_out(&drawn, &edges, &layout));
     notes.extend(lost_marks::told(&drawn.lost, plan));
     notes.extend(if has_lines { told_dashed(&edges) } else { None });
-    if let Some(classes) = &mut classes {
+    if let Some(AreasOfColours { classes, with_small }) = &mut areas_of_colours {
         let size = picture.raster.size();
         // which areas a person gave have a texture is theirs to say
         let of_picture = given.areas.is_none();
-        if of_picture && decisions.erased.is_empty() {
-            notes.extend(small_areas::told(classes, &picture.raster, &edges, &layout, plan));
-        }
+        // what is erased is not there on purpose
+        let with_small = with_small.as_ref().filter(|_| decisions.erased.is_empty());
+        notes.extend(with_small.and_then(|fine| small_areas::told(classes, fine, &layout, plan)));
         let outlines = areas.as_ref().filter(|_| of_picture);
         notes.extend(outlines.and_then(|areas| fit_to_areas(classes, areas, size, &layout, plan)));
         blank(classes, &decisions.erased);
@@ -154,6 +154,7 @@ pub(super) fn draw(
     notes.extend(told_simplified(drawn.beyond, areas.as_ref(), plan));
     let of_drawing = edges.of_drawing();
     drop((picture.raster, edges));
+    let classes = areas_of_colours.map(|areas| areas.classes);
     let textures = draw_textures(classes.as_ref(), &layout, &drawn.lines, plan, watch);
     notes.extend(classes.as_ref().and_then(|classes| told_bare(classes, &textures, &layout, of_drawing, plan)));
     request.go_on()?;
@@ -426,28 +427,44 @@ fn told_narrower(fit: &Fit, layout: &Layout) -> Option<Note> {
     (layout.room != layout.figure && wanted - width >= 1.0).then_some(Note::TakenAs(About::Marks, told))
 }
 
-/// The areas that a person gave, or the colours of the picture.
-fn areas_of_colours(
-    given: &Given,
-    raster: &Raster,
-    edges: &Edges,
-    layout: &Layout,
-    plan: &Plan,
-    watch: &mut Watch<'_>,
-) -> Option<Classes> {
-    match &given.areas {
-        Some(areas) => plan.profile().figure.textures.then(|| areas.clone()),
-        None => sort_colours(raster, edges, layout, plan, watch),
+/// The areas of a figure by their colours.
+struct AreasOfColours {
+    classes: Classes,
+    /// The same with areas that are too small for a texture, where such are told.
+    with_small: Option<Classes>,
+}
+
+impl AreasOfColours {
+    /// The areas that a person gave, or the colours of the picture.
+    fn of(
+        given: &Given,
+        raster: &Raster,
+        edges: &Edges,
+        layout: &Layout,
+        plan: &Plan,
+        watch: &mut Watch<'_>,
+    ) -> Option<Self> {
+        if let Some(areas) = &given.areas {
+            return plan.profile().figure.textures.then(|| Self { classes: areas.clone(), with_small: None });
+        }
+        if small_areas::are_told(edges, layout) {
+            let [classes, small] = sort_colours(raster, [1.0, small_areas::LEAST], edges, layout, plan, watch)?;
+            return Some(Self { classes, with_small: Some(small) });
+        }
+        let [classes] = sort_colours(raster, [1.0], edges, layout, plan, watch)?;
+        Some(Self { classes, with_small: None })
     }
 }
 
-pub(super) fn sort_colours(
+/// The colours of a picture, sorted for each of these least areas, in shares of that of the profile.
+pub(super) fn sort_colours<const N: usize>(
     raster: &Raster,
+    shares: [f32; N],
     edges: &Edges,
     layout: &Layout,
     plan: &Plan,
     watch: &mut Watch<'_>,
-) -> Option<Classes> {
+) -> Option<[Classes; N]> {
     if !plan.profile().figure.textures {
         watch(Event::Skip(Stage::Classes, "figure.textures is off"));
         return None;
@@ -458,6 +475,7 @@ pub(super) fn sort_colours(
     let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
     Some(run(watch, Stage::Classes, || {
         let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
-        classes::sort(raster, &contours, &plan.classes(px_per_mm))
+        let params = plan.classes(px_per_mm);
+        classes::sort_for(raster, &contours, &params, shares.map(|share| share * params.min_area))
     }))
 }
