@@ -201,6 +201,20 @@ mod tests {
     }
 
     #[test]
+    fn of_lines_that_a_person_gave_all_are_drawn() {
+        let mut profile = Profile::named("swell-a4").expect("it is built in");
+        for (key, value) in [("lines.detail", "0.5"), ("lines.shapes", "3")] {
+            profile.set(key, value).expect("a key and its value");
+        }
+        let of = |lines: Option<GivenLines>| {
+            let plan = Given { lines, ..Given::default() }.plan(&profile).expect("it makes sense");
+            (plan.lines().detail, plan.lines().most_shapes)
+        };
+        assert_eq!(of(None), (0.5, Some(3)));
+        assert_eq!(of(Some(GivenLines::Picture(Vec::new()))), (1.0, None));
+    }
+
+    #[test]
     fn what_is_around_boxes_is_everything_else() {
         let boxes = [[0.1, 0.2, 0.5, 0.6], [0.4, 0.4, 1.0, 0.8], [0.0, 0.9, 0.3, 1.0]];
         let left = around(&boxes);
