@@ -69,7 +69,7 @@ const SECOND_LINE: f32 = 3.0;
 /// What two lines cost that divide a word.
 const DIVIDED: f32 = 15.0;
 /// What an abbreviation costs: more than any place within reach.
-const ABBREVIATED: f32 = 1000.0;
+pub(super) const ABBREVIATED: f32 = 1000.0;
 
 /// The forms of each text, or why it has none. A text in several labels is translated once.
 pub(super) fn of(texts: &[&str], translator: &Translator<'_>) -> Vec<Result<Forms, Unplaced>> {

@@ -16,6 +16,7 @@ mod candidates;
 mod choose;
 mod columns;
 mod context;
+mod cost;
 mod forms;
 mod groups;
 mod letters;

@@ -14,7 +14,7 @@ use super::marks::PointMark;
 use super::params::{HEADING, Params, RING_FARTHEST};
 use super::vertex::{FoundIn, SPACING, Vertex, nearby};
 use crate::geom::nearest_on_segment;
-use crate::geom::outline::{circle_points, roundness};
+use crate::geom::polygon::{circle_points, roundness};
 use crate::geom::polyline::Polyline;
 use crate::units::{MmPoint, MmRect, MmVector};
 

@@ -1,19 +1,18 @@
 //! Coloured areas of a drawing that are too small for a texture: what they mean is not on the page, and not in the key.
 
-use crate::classes::{self, Classes};
+use crate::classes::Classes;
 use crate::edges::Edges;
 use crate::geom::distance::distances;
 use crate::page::Medium;
 use crate::page::layout::Layout;
 use crate::profile::Plan;
-use crate::raster::Raster;
-use crate::units::{MmVector, PageTransform, Size};
+use crate::units::{MmVector, Size};
 use crate::{About, Note};
 
 /// An area is no stroke if a circle of this radius lies in it, mm: the widest line is half as broad.
 pub(super) const BROAD: f32 = 1.5;
 /// The smallest area that is told, as a share of the smallest with a texture: what is smaller is a mark.
-const LEAST: f32 = 0.2;
+pub(super) const LEAST: f32 = 0.2;
 /// So much of it at least has no texture, or another one, as it was too small.
 const MOSTLY: f32 = 0.5;
 
@@ -40,18 +39,16 @@ pub(super) fn broadest(area: &[Option<u32>], count: usize, size: Size, mm_per_ce
     broadest
 }
 
-/// What the maker is told of the areas of a drawing that are too small for a texture, on paper. `classes` are the
-/// sorted colours of its picture.
-pub(super) fn told(classes: &Classes, raster: &Raster, edges: &Edges, layout: &Layout, plan: &Plan) -> Option<Note> {
-    if !edges.of_drawing() || !matches!(layout.medium, Medium::Print(_)) {
-        return None;
-    }
-    let px_per_mm = PageTransform::new(raster.size(), layout.figure).px_per_mm();
-    let params = plan.classes(px_per_mm);
-    let contours = if plan.profile().colours.stop_at_lines { edges.borders() } else { Vec::new() };
-    let fine = classes::sort(raster, &contours, &classes::Params { min_area: LEAST * params.min_area, ..params });
+/// Whether areas that are too small are told: those of a drawing, on paper.
+pub(super) fn are_told(edges: &Edges, layout: &Layout) -> bool {
+    edges.of_drawing() && matches!(layout.medium, Medium::Print(_))
+}
+
+/// What the maker is told of areas that are too small for a texture. `classes` are the sorted colours of the picture,
+/// `fine` those with areas from [`LEAST`] on.
+pub(super) fn told(classes: &Classes, fine: &Classes, layout: &Layout, plan: &Plan) -> Option<Note> {
     let least = plan.profile().colours.min_area;
-    let lost = lost(classes, &fine, layout.figure.width() / fine.size.width as f32, least);
+    let lost = lost(classes, fine, layout.figure.width() / fine.size.width as f32, least);
     let (first, cell) = *lost.first()?;
     let mut colours: Vec<&str> = lost.iter().map(|(region, _)| fine.regions[*region].class.name()).collect();
     colours.sort_unstable();

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::order::order;
 use crate::devices::Grid;
-use crate::dots::cell::{Cell, centre, distance, nearest, to_grid, within};
+use crate::dots::cell::{Cell, CellBox, centre, distance, nearest, to_grid};
 use crate::dots::marks::{self, Lattice, Placed, Row, Shown};
 use crate::dots::params::{LEAST_DOTS, Params, ROUNDED_OFF, polyline_of};
 use crate::dots::{rasterise, second_row};
@@ -24,40 +24,38 @@ pub(in crate::dots) fn on_grid(
     grid: &Grid,
     params: &Params,
 ) -> (Vec<Line>, Shown) {
-    let [columns, rows] = within(part, grid);
-    if columns[0] > columns[1] || rows[0] > rows[1] {
+    let within = CellBox::within(part, grid);
+    if within.is_empty() {
         return (Vec::new(), Shown::none_of(marks));
     }
     let mut taken = OccupiedDots { lines: BTreeMap::new(), gap: params.line_gap as i32 };
-    let mut drawn: Vec<(usize, RowPiece)> = Vec::new();
-    for place in order(lines, part, params.centres()) {
-        let line = &lines[place];
-        let (cells, closed) = cells_of(line, grid, [columns, rows]);
+    let mut drawn: Vec<DrawnPiece> = Vec::new();
+    for line in order(lines, part, params.centres()) {
+        let (cells, closed) = cells_of(&lines[line], grid, within);
         let is_long = |piece: &RowPiece| {
             let length = polyline::length(&centres(&piece.cells, grid));
             piece.cells.len() >= LEAST_DOTS && length + ROUNDED_OFF >= params.min_length
         };
         for piece in taken.pieces(&cells, closed).into_iter().filter(is_long).collect::<Vec<_>>() {
             piece.cells.iter().for_each(|&cell| taken.take(cell, drawn.len()));
-            drawn.push((place, piece));
+            drawn.push(DrawnPiece { line, piece });
         }
     }
-    let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, grid, [columns, rows], params);
+    let Placed { runs, has_points, shown, .. } = taken.place(marks, lines, &mut drawn, (grid, within), params);
     // Second rows come last, those of the strongest first, and only where they fit, so that no line is cut for the sake
     // of another's width.
     let mut by_strength: Vec<usize> = (0..drawn.len()).collect();
-    by_strength.sort_by_key(|&number| drawn[number].0);
-    let inside = |cell: Cell| (columns[0]..=columns[1]).contains(&cell[0]) && (rows[0]..=rows[1]).contains(&cell[1]);
+    by_strength.sort_by_key(|&number| drawn[number].line);
     let mut out = Vec::with_capacity(drawn.len());
     for number in by_strength {
-        let (place, piece) = &drawn[number];
-        let line = &lines[*place];
+        let DrawnPiece { line, piece } = &drawn[number];
+        let line = &lines[*line];
         let mut rows = vec![piece.cells.clone()];
         if params.has_second_row(line) && !has_points[number] {
             // a piece too short for a line is felt as texture, unless it is most of the row
             let least = (params.min_length / params.pitch).ceil() as usize + 1;
             let least = least.min(piece.cells.len() / 2).max(LEAST_DOTS);
-            let mut second = taken.second_row((number, piece), least, inside);
+            let mut second = taken.second_row((number, piece), least, |cell| within.holds(cell));
             // where a tick goes through it, it has a dot already
             second.retain(|cell| !taken.lines.contains_key(cell));
             second.iter().for_each(|&cell| taken.take(cell, number));
@@ -71,12 +69,11 @@ pub(in crate::dots) fn on_grid(
     (out, shown)
 }
 
-/// The dots of a line within these columns and rows (first and last), one dot wide, and whether it is closed.
-fn cells_of(line: &Line, grid: &Grid, [columns, rows]: [[i32; 2]; 2]) -> (Vec<Cell>, bool) {
+/// The dots of a line within a part of the grid, one dot wide, and whether it is closed.
+fn cells_of(line: &Line, grid: &Grid, within: CellBox) -> (Vec<Cell>, bool) {
     let line = polyline_of(line);
     let mut cells = rasterise::rasterise(line.view(), grid);
-    let inside = |[x, y]: Cell| [x.clamp(columns[0], columns[1]), y.clamp(rows[0], rows[1])];
-    cells.iter_mut().for_each(|cell| *cell = inside(*cell));
+    cells.iter_mut().for_each(|cell| *cell = within.nearest(*cell));
     cells.dedup();
     let closed = line.closed || ends_touch(&cells);
     (rasterise::thin(cells, closed), closed)
@@ -98,6 +95,12 @@ struct RowPiece {
     closed: bool,
 }
 
+/// A piece that is drawn, and the number of the line that it is of.
+struct DrawnPiece {
+    line: usize,
+    piece: RowPiece,
+}
+
 impl RowPiece {
     /// What is left of a line between two cuts: of one that comes back to itself, a ring without a spike.
     fn cut_out(cells: Vec<Cell>) -> Self {
@@ -113,25 +116,24 @@ struct OccupiedDots {
 }
 
 impl OccupiedDots {
-    /// Finds room for the marks of lines, of which these pieces are drawn, each with the number of its line.
+    /// Finds room for the marks of lines, of which these pieces are drawn, within a part of the grid.
     fn place(
         &mut self,
         marks: &LineMarks,
         lines: &[Line],
-        drawn: &mut [(usize, RowPiece)],
-        grid: &Grid,
-        within: [[i32; 2]; 2],
+        drawn: &mut [DrawnPiece],
+        (grid, within): (&Grid, CellBox),
         params: &Params,
     ) -> Placed {
-        let row = |(place, piece): &(usize, RowPiece)| Row {
+        let row = |DrawnPiece { line, piece }: &DrawnPiece| Row {
             dots: centres(&piece.cells, grid),
             closed: piece.closed,
-            is_heavy: params.has_second_row(&lines[*place]),
+            is_heavy: params.has_second_row(&lines[*line]),
         };
         let rows: Vec<Row> = drawn.iter().map(row).collect();
         let placed = marks::place(marks, &rows, Lattice::Grid { grid, within }, params);
         let cell = |at: &MmPoint| nearest(to_grid(*at, grid));
-        for (number, (_, piece)) in drawn.iter_mut().enumerate() {
+        for (number, DrawnPiece { piece, .. }) in drawn.iter_mut().enumerate() {
             let hidden: Vec<Cell> = placed.hidden[number].iter().map(cell).collect();
             hidden.iter().for_each(|cell| {
                 self.lines.remove(cell);
